@@ -1,0 +1,18 @@
+"""Derive, judge and compile the closed forms of algebro-projective photogrammetry.
+
+The flow is a pipeline, one folder a stage: `expressions` (what is reasoned about), `proving` (decisions),
+`declaring` (claims and kernels), `generating` (code), `verifying` (numbers), `reporting` (the ledger), and the
+command line `cli` over them.  A stage imports earlier ones only.
+
+Examples
+--------
+>>> import sympy
+>>> x, y = sympy.symbols("x y")
+>>> prove((x**2 - y**2) / (x - y), x + y).verdict
+'proved'
+"""
+
+from algebroproj_sym.declaring import Section
+from algebroproj_sym.proving import Proof, prove
+
+__all__ = ["Proof", "Section", "prove"]

@@ -1,0 +1,37 @@
+"""Declaring: what derivations state and ask for, how each statement is judged and how it shows itself."""
+
+from algebroproj_sym.declaring.claim import VERDICTS, Claim, DeclarationError, Verdict, statement_text
+from algebroproj_sym.declaring.discovery import (
+    Derivation,
+    UnknownSelectorError,
+    derivation_at,
+    derivations,
+    installed_papers,
+    kernels,
+    select,
+)
+from algebroproj_sym.declaring.display import evidence_lines
+from algebroproj_sym.declaring.judging import Judgement, judge
+from algebroproj_sym.declaring.kernel import Argument, Kernel
+from algebroproj_sym.declaring.section import Section
+
+__all__ = [
+    "VERDICTS",
+    "Argument",
+    "Claim",
+    "DeclarationError",
+    "Derivation",
+    "Judgement",
+    "Kernel",
+    "Section",
+    "UnknownSelectorError",
+    "Verdict",
+    "derivation_at",
+    "derivations",
+    "evidence_lines",
+    "installed_papers",
+    "judge",
+    "kernels",
+    "select",
+    "statement_text",
+]

@@ -1,0 +1,189 @@
+"""Claims: what a paper prints, what is derived, and the verdict its author expects."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any, Literal, TypeAlias, TypedDict, cast, get_args
+
+import sympy
+
+from algebroproj_sym.expressions import Expression, rational, symbols_of, text
+
+Kind = Literal[
+    "identity",
+    "identity up to scale",
+    "identity under constraints",
+    "structure",
+    "vanishing",
+    "numeric",
+    "definition",
+]
+Verdict = Literal["proved", "misprint", "false", "illegible", "definition", "open"]
+VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
+
+Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
+
+_NUMBER = re.compile(r"(table:)?\d+(\.\d+)*(/[\w.:*'-]+)*(#[\w.:*'-]+)?")
+
+
+class DeclarationError(ValueError):
+    """A claim or kernel is declared in a way that cannot be judged."""
+
+
+class Options(TypedDict, total=False):
+    """What a claim may declare beside its number, title, printed and derived form."""
+
+    corrected: Any
+    expect: Verdict
+    constraints: Sequence[sympy.Expr]
+    nonzero: Sequence[sympy.Expr]
+    witness: Mapping[sympy.Symbol, Fraction | int]
+    instead: str
+    note: str
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One checkable statement of a paper.
+
+    Attributes
+    ----------
+    paper, section, number : str
+        Where the statement stands: paper key, section, and the paper's own number.
+    title : str
+        What it says, in a few words.
+    kind : str
+        How the printed form is compared with the derived one.
+    printed : Expression, tuple of Expr, Decimal, or None
+        The paper's form, transcribed as printed; None if the scan does not preserve it.
+    derived : Expression or None
+        What follows from the definitions; None for a definition.
+    corrected : like `printed`
+        The corrected form of a misprint, or the reconstruction of an illegible formula.
+    expected : str
+        The verdict that the declaration expects.
+    constraints, nonzero : tuple of sympy.Expr
+        What is zero, and what is not, wherever the statement is made.
+    witness : mapping of Symbol to rational number, or None
+        A point that satisfies the constraints.
+    instead : str
+        For a false statement: the number of the claim that says what is true.
+    note : str
+        Which readings were considered, and what else a reader should know.
+    """
+
+    paper: str
+    section: str
+    number: str
+    title: str
+    kind: Kind
+    printed: Statement | None
+    derived: Expression | None
+    corrected: Statement | None = None
+    expected: Verdict = "proved"
+    constraints: tuple[sympy.Expr, ...] = ()
+    nonzero: tuple[sympy.Expr, ...] = ()
+    witness: Mapping[sympy.Symbol, Fraction | int] | None = None
+    instead: str = ""
+    note: str = ""
+
+    def _repr_markdown_(self) -> str:
+        from algebroproj_sym.declaring.display import markdown
+
+        return markdown(self)
+
+
+def declared(
+    paper: str, section: str, number: str, title: str, kind: Kind, printed: Any, derived: Any, **options: Any
+) -> Claim:
+    """Return a claim, after checking that its declaration is complete.
+
+    Raises
+    ------
+    DeclarationError
+        If the number is not of the form of the contract, a misprint or an illegible formula has no corrected form,
+        or a false statement does not say what is true instead.
+    NotRationalError
+        If a form is not a rational expression over Q.
+    """
+    where = f"claim {paper}:{number}"
+    expected = options.pop("expect", "definition" if kind == "definition" else "proved")
+    claim = Claim(
+        paper=paper,
+        section=section,
+        number=number,
+        title=title,
+        kind=kind,
+        printed=_statement(printed, f"{where}, printed"),
+        derived=None if derived is None else rational(derived, f"{where}, derived"),
+        corrected=_statement(options.pop("corrected", None), f"{where}, corrected"),
+        expected=expected,
+        constraints=tuple(options.pop("constraints", ())),
+        nonzero=tuple(options.pop("nonzero", ())),
+        **options,
+    )
+    _require_complete(claim, where)
+    return claim
+
+
+def _statement(value: Any, where: str) -> Statement | None:
+    if value is None or isinstance(value, Decimal):
+        return value
+    if isinstance(value, tuple):
+        return tuple(cast(sympy.Expr, rational(factor, where)) for factor in value)
+    return rational(value, where)
+
+
+def _require_complete(claim: Claim, where: str) -> None:
+    if not _NUMBER.fullmatch(claim.number):
+        raise DeclarationError(f"{where}: expected a number such as 1.3.8, 1.3/y03 or 1.3.5#mu3, got {claim.number!r}")
+    if claim.expected not in VERDICTS or claim.expected == "open":
+        raise DeclarationError(f"{where}: expected one of the verdicts {VERDICTS} but open, got {claim.expected!r}")
+    if claim.expected in ("misprint", "illegible") and claim.corrected is None:
+        raise DeclarationError(f"{where}: a claim expected to be {claim.expected} needs its corrected form")
+    if claim.expected == "false" and not claim.instead:
+        raise DeclarationError(f"{where}: a claim expected to be false needs `instead`, the number of what is true")
+    if (claim.printed is None) != (claim.expected == "illegible"):
+        raise DeclarationError(f"{where}: printed is missing exactly if the claim is expected to be illegible")
+    if (claim.derived is None) != (claim.kind == "definition"):
+        raise DeclarationError(f"{where}: derived is missing exactly if the claim is a definition")
+    _require_parsable(claim, where)
+
+
+def _require_parsable(claim: Claim, where: str) -> None:
+    expressions = (e for form in (claim.printed, claim.derived, claim.corrected) for e in _expressions(form))
+    for symbol in symbols_of(expressions):
+        if sympy.Symbol(symbol.name) != symbol or _parsed(symbol.name) != symbol:
+            raise DeclarationError(f"{where}: SymPy does not read the name {symbol.name!r} back as a plain symbol")
+
+
+def _expressions(form: Statement | None) -> tuple[Expression, ...]:
+    if form is None or isinstance(form, Decimal):
+        return ()
+    return form if isinstance(form, tuple) else (form,)
+
+
+def _parsed(name: str) -> Any:
+    try:
+        return sympy.sympify(name)
+    except (sympy.SympifyError, SyntaxError, TypeError, AttributeError):
+        return None
+
+
+def statement_text(statement: Statement | None) -> str | None:
+    """Return a printed, derived or corrected form as text that SymPy parses back, None for None.
+
+    Examples
+    --------
+    >>> statement_text((sympy.Symbol("u31"), sympy.Symbol("u32")))
+    '(u31, u32)'
+    """
+    if statement is None:
+        return None
+    if isinstance(statement, tuple):
+        return str(sympy.Tuple(*statement))
+    return str(statement) if isinstance(statement, Decimal) else text(statement)

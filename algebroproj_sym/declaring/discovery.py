@@ -1,0 +1,112 @@
+"""Finding derivations: the modules of the installed papers, or a module given by its path."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import pkgutil
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+
+from algebroproj_sym.declaring.claim import Claim
+from algebroproj_sym.declaring.kernel import Kernel
+from algebroproj_sym.declaring.section import Section
+
+PAPERS = "algebroproj_derivations"
+
+
+class UnknownSelectorError(ValueError):
+    """A selector names no paper, section, claim or derivation module."""
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """A derivation module and what it declares."""
+
+    module: str
+    section: Section
+
+
+def installed_papers() -> tuple[str, ...]:
+    """Return the keys of the installed papers, sorted."""
+    package = importlib.import_module(PAPERS)
+    return tuple(sorted(info.name for info in pkgutil.iter_modules(package.__path__) if info.ispkg))
+
+
+def derivations(paper: str) -> tuple[Derivation, ...]:
+    """Import the derivation modules of an installed paper, in the order of their names."""
+    package = importlib.import_module(f"{PAPERS}.{paper}")
+    names = sorted(info.name for info in pkgutil.iter_modules(package.__path__))
+    modules = (importlib.import_module(f"{package.__name__}.{name}") for name in names)
+    return tuple(Derivation(module.__name__, section) for module in modules for section in _sections(module))
+
+
+def derivation_at(path: Path) -> tuple[Derivation, ...]:
+    """Import the derivation module at a path; one of an installed paper keeps its own name."""
+    target = path.resolve()
+    for paper in installed_papers():
+        for derivation in derivations(paper):
+            if Path(str(sys.modules[derivation.module].__file__)).resolve() == target:
+                return (derivation,)
+    spec = importlib.util.spec_from_file_location(target.stem, target)
+    if spec is None or spec.loader is None:
+        raise UnknownSelectorError(f"selector: expected the path of a Python module, got {path}")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    found = tuple(Derivation(target.stem, section) for section in _sections(module))
+    if not found:
+        raise UnknownSelectorError(f"selector: expected a module that makes a Section, got {path}")
+    return found
+
+
+def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
+    """Return the claims that some selectors name, in the order of the papers; all claims without a selector.
+
+    Parameters
+    ----------
+    selectors : sequence of str
+        Each a paper key, ``paper:section``, ``paper:number`` or the path of a derivation module.
+
+    Raises
+    ------
+    UnknownSelectorError
+        If a selector names nothing.
+    """
+    chosen = [claim for selector in selectors or installed_papers() for claim in _claims(selector)]
+    return tuple({(claim.paper, claim.number): claim for claim in chosen}.values())
+
+
+def kernels() -> tuple[Kernel, ...]:
+    """Return the kernels of all installed papers, sorted by module, in the order of their declaration."""
+    found = [k for paper in installed_papers() for d in derivations(paper) for k in d.section.kernels]
+    return tuple(sorted(found, key=lambda kernel: kernel.module))
+
+
+def _sections(module: ModuleType) -> Iterator[Section]:
+    return (value for value in vars(module).values() if isinstance(value, Section))
+
+
+def _claims(selector: str) -> list[Claim]:
+    if selector.endswith(".py"):
+        path = Path(selector)
+        if not path.is_file():
+            raise UnknownSelectorError(f"selector: expected an existing derivation module, got {selector}")
+        return [claim for derivation in derivation_at(path) for claim in derivation.section.claims]
+    paper, _, part = selector.partition(":")
+    if paper not in installed_papers():
+        raise UnknownSelectorError(
+            f"selector: expected one of the papers {', '.join(installed_papers())}, got {selector!r}"
+        )
+    claims = [claim for derivation in derivations(paper) for claim in derivation.section.claims]
+    named = [claim for claim in claims if not part or _names(part, claim)]
+    if not named:
+        raise UnknownSelectorError(f"selector: expected a section or number of {paper}, got {part!r}")
+    return named
+
+
+def _names(part: str, claim: Claim) -> bool:
+    in_section = claim.section == part or claim.section.startswith(f"{part}.")
+    return in_section or claim.number == part or claim.number.startswith(f"{part}#")

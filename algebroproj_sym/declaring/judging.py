@@ -1,0 +1,113 @@
+"""From claim to verdict."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.declaring.claim import Claim, Verdict
+from algebroproj_sym.declaring.kinds import KINDS
+from algebroproj_sym.proving import Proof
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """The verdict on a claim and its evidence.
+
+    Attributes
+    ----------
+    claim : Claim
+        What was judged.
+    verdict : str
+        One of the six verdicts.
+    hypotheses : tuple of sympy.Expr
+        The factors of all denominators met.
+    certificate : mapping or None
+        The evidence for the printed form, or for the corrected one where the printed form is refuted.
+    counterexample : mapping of Symbol to Fraction, or None
+        Where the printed form fails.
+    engine : str
+        The polynomial arithmetic that was used.
+    seconds : float
+        The time it took.
+    """
+
+    claim: Claim
+    verdict: Verdict
+    hypotheses: tuple[sympy.Expr, ...]
+    certificate: Mapping[str, Any] | None
+    counterexample: Mapping[sympy.Symbol, Fraction] | None
+    engine: str
+    seconds: float
+
+    @property
+    def as_declared(self) -> bool:
+        """Whether the verdict is the one that the claim declares."""
+        return self.verdict == self.claim.expected
+
+
+def judge(claim: Claim, engine: str = "flint") -> Judgement:
+    """Decide a claim.
+
+    Parameters
+    ----------
+    claim : Claim
+        As declared by a derivation.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
+
+    Returns
+    -------
+    Judgement
+
+    Examples
+    --------
+    >>> from algebroproj_sym.declaring.section import Section
+    >>> x = sympy.Symbol("x")
+    >>> claim = Section("demo", "1", "Squares").identity(
+    ...     "1.1", "square", printed=x**2 + 1, derived=(x + 1)**2, corrected=x**2 + 2*x + 1, expect="misprint")
+    >>> judge(claim).verdict
+    'misprint'
+    """
+    start = time.perf_counter()
+    compare = KINDS[claim.kind]
+    printed = None if claim.printed is None else compare(claim, claim.printed, engine)
+    corrected = None if claim.corrected is None else compare(claim, claim.corrected, engine)
+    verdict = _verdict(claim, printed, corrected)
+    evidence = _evidence(verdict, printed, corrected)
+    return Judgement(
+        claim=claim,
+        verdict=verdict,
+        hypotheses=evidence.hypotheses,
+        certificate=evidence.certificate,
+        counterexample=None if printed is None else printed.counterexample,
+        engine=engine,
+        seconds=time.perf_counter() - start,
+    )
+
+
+def _verdict(claim: Claim, printed: Proof | None, corrected: Proof | None) -> Verdict:
+    corrected_holds = corrected is not None and corrected.verdict == "proved"
+    if printed is None:
+        return "illegible" if corrected_holds else "open"
+    if printed.verdict == "proved":
+        return "definition" if claim.kind == "definition" else "proved"
+    if printed.verdict == "refuted" and corrected is None:
+        return "false"
+    return "misprint" if printed.verdict == "refuted" and corrected_holds else "open"
+
+
+def _evidence(verdict: Verdict, printed: Proof | None, corrected: Proof | None) -> Proof:
+    """Return the proof of what is true: of the corrected form where the printed one is refuted or missing."""
+    chosen = corrected if verdict in ("misprint", "illegible") else printed
+    evidence = chosen or corrected
+    assert evidence is not None
+    if verdict == "misprint" and printed is not None:
+        refutation = {"refutation": printed.certificate}
+        return replace(evidence, certificate={**(evidence.certificate or {}), **refutation})
+    return evidence

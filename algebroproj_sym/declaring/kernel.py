@@ -1,0 +1,143 @@
+"""Kernels: numeric functions to be generated from derived expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.declaring.claim import DeclarationError
+from algebroproj_sym.expressions import Expression, entries, rational, shape, symbols_of
+
+
+@dataclass(frozen=True)
+class Argument:
+    """An argument of a kernel: its name, and its entries as a symbol or a matrix of symbols."""
+
+    name: str
+    entries: Expression
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The core shape."""
+        return shape(self.entries)
+
+    @property
+    def symbols(self) -> tuple[sympy.Symbol, ...]:
+        """The entries row by row."""
+        return tuple(sympy.Symbol(str(entry)) for entry in entries(self.entries))
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A named numeric function lowered from a derived expression.
+
+    Attributes
+    ----------
+    paper, section : str
+        Where it is derived.
+    module, name : str
+        Where the generated function stands: ``algebroproj.<module>.<name>``.
+    summary : str
+        The first line of its docstring.
+    arguments : tuple of Argument
+        Names and core shapes.
+    derived : Expression
+        What the derivation computes: the truth that the function is held against.
+    form : Expression
+        An equal expression that is to be lowered; it may use the abbreviations of `where`.
+    where : tuple of (Symbol, Expr)
+        Abbreviations, such as ``y00 = 1 - y01 - y02 - y03``.
+    claims : tuple of str
+        The numbers of the claims that prove it.
+    example : mapping of str to nested tuple of str
+        Decimal values of the arguments for the example of its docstring.
+    """
+
+    paper: str
+    section: str
+    module: str
+    name: str
+    summary: str
+    arguments: tuple[Argument, ...]
+    derived: Expression
+    form: Expression
+    where: tuple[tuple[sympy.Symbol, sympy.Expr], ...]
+    claims: tuple[str, ...]
+    example: Mapping[str, Any]
+
+    @property
+    def qualified_name(self) -> str:
+        """The module and the name."""
+        return f"{self.module}.{self.name}"
+
+    @property
+    def symbols(self) -> tuple[sympy.Symbol, ...]:
+        """The entries of all arguments, in order."""
+        return tuple(symbol for argument in self.arguments for symbol in argument.symbols)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The core shape of the result."""
+        return shape(self.derived)
+
+
+def declared_kernel(
+    paper: str,
+    section: str,
+    qualified_name: str,
+    summary: str,
+    *,
+    arguments: Mapping[str, Any],
+    derived: Any,
+    claims: Sequence[str],
+    example: Mapping[str, Any],
+    form: Any = None,
+    where: Mapping[sympy.Symbol, sympy.Expr] | None = None,
+) -> Kernel:
+    """Return a kernel, after checking that its declaration is complete.
+
+    Raises
+    ------
+    DeclarationError
+        If a symbol of the expression is neither an entry of an argument nor an abbreviation, an entry occurs twice,
+        no claim is named, or the example does not give every argument.
+    """
+    label = f"kernel {qualified_name}"
+    module, _, name = qualified_name.partition(".")
+    kernel = Kernel(
+        paper=paper,
+        section=section,
+        module=module,
+        name=name,
+        summary=summary,
+        arguments=tuple(Argument(key, rational(value, f"{label}, {key}")) for key, value in arguments.items()),
+        derived=rational(derived, f"{label}, derived"),
+        form=rational(derived if form is None else form, f"{label}, form"),
+        where=tuple((where or {}).items()),
+        claims=tuple(claims),
+        example=example,
+    )
+    _require_complete(kernel, label)
+    return kernel
+
+
+def _require_complete(kernel: Kernel, label: str) -> None:
+    if not kernel.name:
+        raise DeclarationError(f"{label}: expected a name of the form module.function")
+    inputs = kernel.symbols
+    given = [entry for argument in kernel.arguments for entry in entries(argument.entries)]
+    if len(set(inputs)) != len(inputs) or list(inputs) != given:
+        raise DeclarationError(f"{label}: expected different plain symbols as entries of the arguments, got {inputs}")
+    known = {*inputs, *(symbol for symbol, _ in kernel.where)}
+    unknown = {*symbols_of([kernel.derived])} - {*inputs} | {*symbols_of([kernel.form])} - known
+    if unknown:
+        raise DeclarationError(f"{label}: expected the symbols of the arguments, got also {sorted(map(str, unknown))}")
+    if shape(kernel.form) != kernel.shape:
+        raise DeclarationError(f"{label}: expected a form of shape {kernel.shape}, got {shape(kernel.form)}")
+    if not kernel.claims:
+        raise DeclarationError(f"{label}: expected the numbers of the claims that prove it, got none")
+    if set(kernel.example) != {argument.name for argument in kernel.arguments}:
+        raise DeclarationError(f"{label}: expected an example for every argument, got {sorted(kernel.example)}")

@@ -1,0 +1,33 @@
+"""A definition: well-formed, with one exact instance."""
+
+from __future__ import annotations
+
+from itertools import islice
+from typing import Any
+
+from algebroproj_sym.declaring.claim import Claim
+from algebroproj_sym.expressions import Expression, evaluate, symbols_of
+from algebroproj_sym.proving import Point, Proof, prove, seed_of
+from algebroproj_sym.proving.points import rational_points
+
+TRIES = 100
+
+
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
+    """Find the denominators of the definiens and a point at which it is defined."""
+    hypotheses = prove(printed, printed, engine=engine).hypotheses
+    symbols = symbols_of((printed,))
+    for point in islice(rational_points(symbols, seed_of(claim.number)), TRIES):
+        values = _values(printed, point)
+        if values is not None:
+            instance = {symbol.name: str(point[symbol]) for symbol in symbols}
+            certificate = {"method": "instance", "instance": instance, "values": [str(value) for value in values]}
+            return Proof("proved", hypotheses, certificate, None, engine)
+    return Proof("open", hypotheses, {"method": "none", "reason": "no instance was found"}, None, engine)
+
+
+def _values(printed: Expression, point: Point) -> tuple[Any, ...] | None:
+    try:
+        return evaluate(printed, point)
+    except ZeroDivisionError:
+        return None

@@ -1,0 +1,39 @@
+"""Equality of homogeneous vectors or matrices: equality but for a common factor."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.expressions import entries, over, shape, text, vector
+from algebroproj_sym.proving import Proof, prove
+
+
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
+    """Decide ``printed ~ derived`` through p_i d_k = p_k d_i, for an entry k that is not identically zero.
+
+    The factor p_k / d_k is kept in the certificate; it must not be identically zero, nor may one side be.
+    """
+    shapes = shape(printed), shape(claim.derived)
+    if shapes[0] != shapes[1]:
+        raise DeclarationError(f"{claim.number}: expected two sides of one shape, got {shapes}")
+    p, d = entries(printed), entries(claim.derived)
+    pivot = next((k for k, entry in enumerate(d) if prove(entry, 0, engine=engine).verdict == "refuted"), None)
+    if pivot is None:
+        raise DeclarationError(f"{claim.number}: expected a derived form that is not identically zero")
+    proof = prove(
+        vector(*(entry * d[pivot] for entry in p)),
+        vector(*(entry * p[pivot] for entry in d)),
+        constraints=claim.constraints,
+        nonzero=(*claim.nonzero, d[pivot]),
+        witness=claim.witness,
+        engine=engine,
+    )
+    if proof.verdict != "proved":
+        return proof
+    nontrivial = prove(p[pivot], 0, engine=engine)
+    if nontrivial.verdict != "refuted":
+        return replace(proof, verdict="open", certificate={"method": "none", "reason": "the printed form is zero"})
+    scale = over(p[pivot], d[pivot])
+    return replace(proof, certificate={**(proof.certificate or {}), "scale": text(scale)})

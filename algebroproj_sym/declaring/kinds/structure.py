@@ -1,0 +1,45 @@
+"""The structure of a matrix: where it has zeros, and which entries are equal or opposite."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.expressions import entries, shape, vector
+from algebroproj_sym.proving import Proof, prove
+
+
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
+    """Decide whether the derived matrix follows the pattern.
+
+    In the pattern a 0 stands for an entry that is identically zero; a symbol for one that is not, the same symbol for
+    equal entries, the negative symbol for opposite ones; an integer for itself.
+    """
+    shapes = shape(printed), shape(claim.derived)
+    if shapes[0] != shapes[1]:
+        raise DeclarationError(f"{claim.number}: expected a pattern of the shape of the matrix, got {shapes}")
+    representatives: dict[sympy.Expr, sympy.Expr] = {}
+    expected = [
+        _expected(mark, entry, representatives, claim)
+        for mark, entry in zip(entries(printed), entries(claim.derived), strict=True)
+    ]
+    proof = prove(vector(*expected), vector(*entries(claim.derived)), engine=engine)
+    if proof.verdict != "proved":
+        return proof
+    for mark, entry in representatives.items():
+        if prove(entry, 0, engine=engine).verdict != "refuted":
+            reason = f"the entry marked {mark} is identically zero"
+            return replace(proof, verdict="open", certificate={"method": "none", "reason": reason})
+    return proof
+
+
+def _expected(mark: Any, entry: sympy.Expr, representatives: dict[sympy.Expr, sympy.Expr], claim: Claim) -> sympy.Expr:
+    if mark.is_Integer:
+        return mark
+    sign, name = (-1, -mark) if mark.could_extract_minus_sign() else (1, mark)
+    if not name.is_Symbol:
+        raise DeclarationError(f"{claim.number}: expected symbols with signs and integers as pattern, got {mark}")
+    return sign * representatives.setdefault(name, sign * entry)

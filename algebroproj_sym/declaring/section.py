@@ -1,0 +1,103 @@
+"""Sections: a derivation module declares its claims and kernels through one of these."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
+from typing import Any, Unpack
+
+import sympy
+
+from algebroproj_sym.declaring.claim import Claim, DeclarationError, Kind, Options, declared
+from algebroproj_sym.declaring.kernel import Kernel, declared_kernel
+
+
+class Section:
+    """A section of a paper, which collects the claims and kernels in the order of their declaration.
+
+    Parameters
+    ----------
+    paper : str
+        The paper key.
+    number : str
+        The number of the section.
+    title : str
+        What the section is about.
+
+    Examples
+    --------
+    >>> x = sympy.Symbol("x")
+    >>> section = Section("demo", "1", "Squares")
+    >>> claim = section.identity("1.1", "binomial", printed=x**2 + 2*x + 1, derived=(x + 1)**2)
+    >>> claim.kind, len(section.claims)
+    ('identity', 1)
+    """
+
+    def __init__(self, paper: str, number: str, title: str) -> None:
+        self.paper = paper
+        self.number = number
+        self.title = title
+        self.claims: list[Claim] = []
+        self.kernels: list[Kernel] = []
+
+    def identity(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
+        """Declare that two scalars, vectors or matrices are equal, wherever the constraints hold."""
+        kind: Kind = "identity under constraints" if options.get("constraints") else "identity"
+        return self._declare(kind, number, title, printed, derived, **options)
+
+    def up_to_scale(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
+        """Declare that two vectors or matrices are equal but for a common factor."""
+        return self._declare("identity up to scale", number, title, printed, derived, **options)
+
+    def structure(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
+        """Declare where a matrix has zeros, equal entries and opposite entries: `printed` is a pattern of symbols."""
+        return self._declare("structure", number, title, printed, derived, **options)
+
+    def vanishing(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
+        """Declare that an expression is zero exactly where one of the factors `printed` is."""
+        return self._declare("vanishing", number, title, tuple(printed), derived, **options)
+
+    def numeric(self, number: str, title: str, *, printed: str, derived: Any, **options: Unpack[Options]) -> Claim:
+        """Declare that a printed decimal number is the derived rational number, rounded to its last digit."""
+        if "corrected" in options:
+            options["corrected"] = Decimal(options["corrected"])
+        return self._declare("numeric", number, title, Decimal(printed), derived, **options)
+
+    def definition(self, number: str, title: str, *, printed: Any, **options: Unpack[Options]) -> Claim:
+        """Declare a notation."""
+        return self._declare("definition", number, title, printed, None, **options)
+
+    def kernel(
+        self,
+        qualified_name: str,
+        summary: str,
+        *,
+        arguments: Mapping[str, Any],
+        derived: Any,
+        claims: Sequence[str],
+        example: Mapping[str, Any],
+        form: Any = None,
+        where: Mapping[sympy.Symbol, sympy.Expr] | None = None,
+    ) -> Kernel:
+        """Declare a function to be generated; see `Kernel` for the parameters."""
+        kernel = declared_kernel(
+            self.paper,
+            self.number,
+            qualified_name,
+            summary,
+            arguments=arguments,
+            derived=derived,
+            claims=claims,
+            example=example,
+            form=form,
+            where=where,
+        )
+        self.kernels.append(kernel)
+        return kernel
+
+    def _declare(self, kind: Kind, number: str, title: str, printed: Any, derived: Any, **options: Any) -> Claim:
+        if any(claim.number == number for claim in self.claims):
+            raise DeclarationError(f"claim {self.paper}:{number}: expected a number of its own, it is declared twice")
+        claim = declared(self.paper, self.number, number, title, kind, printed, derived, **options)
+        self.claims.append(claim)
+        return claim

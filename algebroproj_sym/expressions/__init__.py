@@ -1,0 +1,55 @@
+"""Rational expressions: what they are, how they are built without losing a divisor, how they are evaluated."""
+
+from algebroproj_sym.expressions.evaluation import evaluate
+from algebroproj_sym.expressions.grammar import (
+    Expression,
+    NotRationalError,
+    Scalar,
+    divided,
+    entries,
+    rational,
+    shape,
+    symbols_of,
+    text,
+)
+from algebroproj_sym.expressions.linear import (
+    Matrix,
+    adjugate,
+    columns,
+    cross,
+    determinant,
+    dot,
+    homogeneous,
+    inverse,
+    linear_system,
+    rows,
+    solve,
+    vector,
+)
+from algebroproj_sym.expressions.quotient import over
+
+__all__ = [
+    "Expression",
+    "Matrix",
+    "NotRationalError",
+    "Scalar",
+    "adjugate",
+    "columns",
+    "cross",
+    "determinant",
+    "divided",
+    "dot",
+    "entries",
+    "evaluate",
+    "homogeneous",
+    "inverse",
+    "linear_system",
+    "over",
+    "rational",
+    "rows",
+    "shape",
+    "solve",
+    "symbols_of",
+    "text",
+    "vector",
+]

@@ -1,0 +1,129 @@
+"""Which SymPy expressions the project reasons about: rational expressions over Q, and matrices of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any, TypeAlias
+
+import sympy
+
+from algebroproj_sym.expressions.quotient import over
+
+Scalar: TypeAlias = sympy.Expr
+Expression: TypeAlias = "sympy.Expr | sympy.ImmutableDenseMatrix"
+
+
+class NotRationalError(TypeError):
+    """An expression is not a rational expression over Q."""
+
+
+def rational(value: Any, argument: str) -> Expression:
+    """Return `value` as a SymPy expression or immutable matrix, if it is rational over Q.
+
+    Parameters
+    ----------
+    value : sympy.Expr, sympy matrix, int or fractions.Fraction
+        Built from symbols, rational numbers, ``+ - * /``, integer powers and `over`.
+    argument : str
+        What to call the value in an error message.
+
+    Returns
+    -------
+    sympy.Expr or sympy.ImmutableDenseMatrix
+
+    Raises
+    ------
+    NotRationalError
+        If a float, another kind of number or another function occurs.
+
+    Examples
+    --------
+    >>> rational(Fraction(1, 2), "lhs")
+    1/2
+    >>> rational(sympy.pi, "lhs")
+    Traceback (most recent call last):
+    ...
+    algebroproj_sym.expressions.grammar.NotRationalError: lhs: expected a rational expression over Q, got pi in pi
+    """
+    if isinstance(value, sympy.MatrixBase):
+        matrix = sympy.ImmutableDenseMatrix(value)
+        for entry in matrix:
+            _require_rational(entry, argument, entry)
+        return matrix
+    if isinstance(value, Fraction):
+        return sympy.Rational(value.numerator, value.denominator)
+    if isinstance(value, int) and not isinstance(value, bool):
+        return sympy.Integer(value)
+    if not isinstance(value, sympy.Expr):
+        raise NotRationalError(
+            f"{argument}: expected a SymPy expression, a matrix or an exact number, got {value!r} ({type(value).__name__})"
+        )
+    _require_rational(value, argument, value)
+    return value
+
+
+def _require_rational(node: Any, argument: str, whole: Any) -> None:
+    power = isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Integer)
+    allowed = power or isinstance(node, sympy.Symbol | sympy.Rational | sympy.Add | sympy.Mul | over)
+    if not allowed or node in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
+        raise NotRationalError(f"{argument}: expected a rational expression over Q, got {node} in {whole}")
+    children = node.args[:1] if isinstance(node, sympy.Pow) else node.args
+    for child in children:
+        _require_rational(child, argument, whole)
+
+
+def entries(expression: Expression) -> tuple[Scalar, ...]:
+    """Return the entries of a matrix row by row, or the scalar alone."""
+    return tuple(expression) if isinstance(expression, sympy.MatrixBase) else (expression,)
+
+
+def shape(expression: Expression) -> tuple[int, ...]:
+    """Return ``()`` for a scalar, ``(n,)`` for a column and ``(m, n)`` for another matrix."""
+    if not isinstance(expression, sympy.MatrixBase):
+        return ()
+    rows, columns = expression.shape
+    return (rows,) if columns == 1 else (rows, columns)
+
+
+def symbols_of(expressions: Iterable[Expression]) -> tuple[sympy.Symbol, ...]:
+    """Return the symbols of some expressions, sorted by name.
+
+    Raises
+    ------
+    ValueError
+        If two different symbols share a name.
+    """
+    found = {symbol for expression in expressions for symbol in expression.free_symbols}
+    ordered = sorted(found, key=lambda symbol: symbol.name)
+    for first, second in pairwise(ordered):
+        if first.name == second.name:
+            raise ValueError(
+                f"symbols: expected one symbol of the name {first.name}, got two with different assumptions"
+            )
+    return tuple(ordered)
+
+
+def divided(expression: Expression) -> Expression:
+    """Return the expression with every `over` carried out."""
+    result = expression.doit()
+    return sympy.ImmutableDenseMatrix(result) if isinstance(result, sympy.MatrixBase) else result
+
+
+def text(expression: Expression) -> str:
+    """Return the expression as text that SymPy parses back.
+
+    Examples
+    --------
+    >>> x = sympy.Symbol("x")
+    >>> text(over(x, 2))
+    'x/2'
+    """
+    return str(divided(expression))
+
+
+def subexpressions(expression: Expression) -> Iterator[Scalar]:
+    """Yield every node of the expression trees, parents first."""
+    for entry in entries(expression):
+        yield from sympy.preorder_traversal(entry)

@@ -1,0 +1,56 @@
+"""Divisions that are remembered: SymPy turns x/x into 1 before anyone sees the pole, `over(x, x)` stays."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy
+
+
+class over(sympy.Function):  # type: ignore[misc]  # noqa: N801 - reads as mathematics: over(numerator, denominator)
+    """The quotient of two expressions, kept as a node of the expression tree.
+
+    Derivations divide with `over`, so that the prover meets every divisor, even one that cancels.
+
+    Parameters
+    ----------
+    numerator, denominator : sympy.Expr or int
+        Rational expressions; the denominator must not be the number zero.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If the denominator is the number zero.
+
+    Examples
+    --------
+    >>> from sympy import Symbol
+    >>> x = Symbol("x")
+    >>> over(x, x)
+    over(x, x)
+    >>> over(x, x).doit()
+    1
+    """
+
+    nargs = 2
+
+    @classmethod
+    def eval(cls, numerator: sympy.Expr, denominator: sympy.Expr) -> None:
+        """Keep the node as it is, except that a zero denominator is refused."""
+        if denominator.is_Integer and int(denominator) == 0:
+            raise ZeroDivisionError(f"over: the denominator of ({numerator})/0 is zero")
+
+    def doit(self, **hints: Any) -> sympy.Expr:
+        """Divide, as SymPy divides."""
+        numerator, denominator = (argument.doit(**hints) for argument in self.args)
+        return numerator / denominator
+
+    def fdiff(self, argindex: int = 1) -> sympy.Expr:
+        """Differentiate with respect to the numerator (1) or the denominator (2)."""
+        numerator, denominator = self.args
+        return over(1, denominator) if argindex == 1 else -over(numerator, denominator**2)
+
+    def _latex(self, printer: Any, exp: str | None = None) -> str:
+        numerator, denominator = (printer.doprint(argument) for argument in self.args)
+        fraction = rf"\frac{{{numerator}}}{{{denominator}}}"
+        return fraction if exp is None else rf"\left({fraction}\right)^{{{exp}}}"

@@ -1,0 +1,1 @@
+"""Generating: from a kernel to a straight-line program to NumPy source."""

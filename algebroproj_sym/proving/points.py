@@ -1,0 +1,85 @@
+"""Exact rational points: where to look for counterexamples and witnesses."""
+
+from __future__ import annotations
+
+import hashlib
+import random
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+import sympy
+
+from algebroproj_sym.expressions import evaluate
+
+Point = dict[sympy.Symbol, Fraction]
+
+
+def seed_of(*parts: object) -> int:
+    """Return a seed that depends on the text of the parts alone, not on the process."""
+    return int.from_bytes(hashlib.sha256("\n".join(map(str, parts)).encode()).digest()[:8], "big")
+
+
+def rational_points(symbols: Sequence[sympy.Symbol], seed: int) -> Iterator[Point]:
+    """Yield random rational points without end: small integers first, then growing fractions."""
+    generator = random.Random(seed)
+    attempt = 0
+    while True:
+        yield {symbol: _coordinate(generator, attempt) for symbol in symbols}
+        attempt += 1
+
+
+def _coordinate(generator: random.Random, attempt: int) -> Fraction:
+    height = 5 + attempt // 4
+    denominator = 1 if attempt < 40 else generator.randint(1, height)
+    return Fraction(generator.choice((-1, 1)) * generator.randint(1, height), denominator)
+
+
+def points_on(
+    constraints: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int, tries: int
+) -> Iterator[Point]:
+    """Yield rational points on which all the constraints vanish.
+
+    Each constraint is solved for a variable in which it is affine once the others have values.  This finds points
+    on triangular systems only: that none is found proves nothing.
+    """
+    source = rational_points(symbols, seed)
+    generator = random.Random(seed)
+    for _ in range(tries):
+        point = _onto(constraints, next(source), generator)
+        if point is not None and _vanish(constraints, point):
+            yield point
+
+
+def _onto(constraints: Sequence[sympy.Expr], start: Point, generator: random.Random) -> Point | None:
+    point, solved = dict(start), set[sympy.Symbol]()
+    for constraint in constraints:
+        free = sorted(constraint.free_symbols - solved, key=str)
+        generator.shuffle(free)
+        for variable in free:
+            root = _affine_root(constraint, point, variable)
+            if root is not None:
+                point[variable] = root
+                solved |= constraint.free_symbols
+                break
+        else:
+            return None
+    return point
+
+
+def _affine_root(constraint: sympy.Expr, point: Point, variable: sympy.Symbol) -> Fraction | None:
+    try:
+        at_0, at_1, at_2 = (evaluate(constraint, {**point, variable: Fraction(k)})[0] for k in range(3))
+    except ZeroDivisionError:
+        return None
+    slope: Fraction = at_1 - at_0
+    if slope == 0 or at_2 - at_1 != slope:
+        return None
+    root: Fraction = -at_0 / slope
+    return root
+
+
+def _vanish(constraints: Sequence[sympy.Expr], point: Point) -> bool:
+    try:
+        return all(evaluate(constraint, point)[0] == 0 for constraint in constraints)
+    except ZeroDivisionError:
+        return False

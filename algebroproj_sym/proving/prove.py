@@ -1,0 +1,251 @@
+"""Decide whether two rational expressions are equal, by normal form, ideal membership or an exact counterexample.
+
+Without constraints the normal form in Q(x1, ..., xn) decides.  With constraints g_i = 0 a proof is an identity
+``numerator * s^k = sum c_i g_i``, where s is the product of what does not vanish, together with a witness: a point
+that satisfies constraints and hypotheses, so that neither inconsistent constraints nor a denominator that vanishes
+on them can prove anything.  A refutation is an exact rational point at which both sides are defined and differ.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import chain, islice
+from typing import Any, Literal
+
+import sympy
+
+from algebroproj_sym.expressions import Expression, evaluate, rational, shape, symbols_of, text
+from algebroproj_sym.proving.membership import cofactors
+from algebroproj_sym.proving.points import Point, points_on, rational_points, seed_of
+from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
+
+Decision = Literal["proved", "refuted", "open"]
+
+FILTER_POINTS = 3
+SEARCH_POINTS = 400
+SATURATION = 2
+
+
+class UndefinedError(ValueError):
+    """An expression has a denominator that is identically zero."""
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What became of a statement.
+
+    Attributes
+    ----------
+    verdict : {"proved", "refuted", "open"}
+        The decision.
+    hypotheses : tuple of sympy.Expr
+        The irreducible factors of every denominator met: the statement holds where none of them vanishes.
+    certificate : mapping or None
+        The evidence of a proof, or why the statement stays open.
+    counterexample : mapping of Symbol to Fraction, or None
+        A point at which both sides are defined and differ.
+    engine : str
+        The polynomial arithmetic that was used.
+    """
+
+    verdict: Decision
+    hypotheses: tuple[sympy.Expr, ...]
+    certificate: Mapping[str, Any] | None
+    counterexample: Mapping[sympy.Symbol, Fraction] | None
+    engine: str
+
+
+def prove(
+    lhs: Any,
+    rhs: Any,
+    *,
+    constraints: Sequence[Any] = (),
+    nonzero: Sequence[Any] = (),
+    witness: Mapping[sympy.Symbol, Fraction | int] | None = None,
+    engine: str = "flint",
+) -> Proof:
+    """Decide whether ``lhs == rhs`` wherever both are defined and the hypotheses hold.
+
+    Parameters
+    ----------
+    lhs, rhs : sympy.Expr, sympy matrix, int or Fraction
+        Rational expressions over Q of equal shape; matrices are compared entry by entry.
+    constraints : sequence of sympy.Expr
+        Expressions that are zero.
+    nonzero : sequence of sympy.Expr
+        Expressions that are not zero.
+    witness : mapping of Symbol to rational number, optional
+        A point that satisfies constraints and hypotheses, where no search would find one.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
+
+    Returns
+    -------
+    Proof
+        With constraints the verdict may be ``"open"``; without them it never is for lack of a method.
+
+    Raises
+    ------
+    NotRationalError
+        If an argument is not a rational expression over Q (floats are not).
+    UndefinedError
+        If a denominator is identically zero.
+    ValueError
+        If the shapes differ or the engine is unknown.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> proof = prove((x**2 - y**2) / (x - y), x + y)
+    >>> proof.verdict, proof.hypotheses
+    ('proved', (x - y,))
+    >>> prove(x**2, x).counterexample
+    {x: Fraction(-1, 1)}
+    >>> prove(x**3, x, constraints=[x**2 - 1]).verdict
+    'open'
+    >>> prove(x**3, x, constraints=[x**2 - 1], witness={x: 1}).verdict
+    'proved'
+    """
+    left, right = rational(lhs, "lhs"), rational(rhs, "rhs")
+    if shape(left) != shape(right):
+        raise ValueError(f"prove: expected two sides of one shape, got {shape(left)} and {shape(right)}")
+    given = tuple(rational(expression, "constraints") for expression in constraints)
+    units = tuple(rational(expression, "nonzero") for expression in nonzero)
+    question = _Question(left, right, given, units, witness, engine)
+    return _prove_constrained(question) if given else _prove_identity(question)
+
+
+@dataclass(frozen=True)
+class _Question:
+    left: Expression
+    right: Expression
+    constraints: tuple[sympy.Expr, ...]
+    nonzero: tuple[sympy.Expr, ...]
+    witness: Mapping[sympy.Symbol, Fraction | int] | None
+    engine: str
+
+    @property
+    def symbols(self) -> tuple[sympy.Symbol, ...]:
+        return symbols_of((self.left, self.right, *self.constraints, *self.nonzero))
+
+    @property
+    def seed(self) -> int:
+        return seed_of(text(self.left), text(self.right), *self.constraints)
+
+    def differs_at(self, point: Point) -> bool | None:
+        """Whether the sides differ at a point; None where a side is undefined or a hypothesis fails."""
+        try:
+            if any(evaluate(unit, point)[0] == 0 for unit in self.nonzero):
+                return None
+            return evaluate(self.left, point) != evaluate(self.right, point)
+        except ZeroDivisionError:
+            return None
+
+    def points(self) -> Iterator[Point]:
+        """Points of the variety of the constraints, the given witness first."""
+        if not self.constraints:
+            return islice(rational_points(self.symbols, self.seed), SEARCH_POINTS)
+        searched = points_on(self.constraints, self.symbols, self.seed, SEARCH_POINTS)
+        return chain(self._given_witness(), searched)
+
+    def _given_witness(self) -> Iterator[Point]:
+        if self.witness is None:
+            return
+        filling = next(rational_points(self.symbols, self.seed))
+        point = filling | {symbol: Fraction(value) for symbol, value in self.witness.items()}
+        for constraint in self.constraints:
+            if evaluate(constraint, point)[0] != 0:
+                raise ValueError(f"witness: expected a point with {constraint} = 0, got {dict(self.witness)}")
+        yield point
+
+
+def _prove_identity(question: _Question) -> Proof:
+    refuting = _first_difference(question, FILTER_POINTS)
+    if refuting is not None:
+        return _refuted(question, refuting)
+    field, difference = _normal_form(question)
+    if all(entry.is_zero for entry in difference):
+        certificate = {"method": "normal form", "denominators": [text(factor) for factor in field.divisors()]}
+        return Proof("proved", field.divisors(), certificate, None, question.engine)
+    refuting = _first_difference(question, SEARCH_POINTS)
+    if refuting is not None:
+        return _refuted(question, refuting)
+    return _open(question, field, "the normal form is not zero, but no counterexample was found")
+
+
+def _prove_constrained(question: _Question) -> Proof:
+    refuting = _first_difference(question, SEARCH_POINTS)
+    if refuting is not None:
+        return _refuted(question, refuting)
+    field, difference = _normal_form(question)
+    witness = next((point for point in question.points() if question.differs_at(point) is False), None)
+    if witness is None:
+        return _open(question, field, "no point was found that satisfies constraints and hypotheses")
+    generators = [_numerator(field, constraint) for constraint in question.constraints]
+    multiplier = _nonvanishing(field, question.nonzero)
+    evidence = [_membership(field, entry.numerator, generators, multiplier) for entry in difference]
+    if any(part is None for part in evidence):
+        return _open(question, field, "no cofactors were found")
+    certificate = {
+        "method": "ideal membership",
+        "denominators": [text(factor) for factor in field.divisors()],
+        "multiplier": text(field.expression(multiplier)),
+        "entries": evidence,
+        "witness": {symbol.name: str(witness[symbol]) for symbol in question.symbols},
+    }
+    return Proof("proved", field.divisors(), certificate, None, question.engine)
+
+
+def _membership(
+    field: RationalFunctionField, numerator: Any, generators: Sequence[Any], multiplier: Any
+) -> dict[str, Any] | None:
+    for power in range(SATURATION + 1):
+        found = cofactors(field.ring, numerator * multiplier**power, generators)
+        if found is not None:
+            return {"power": power, "cofactors": [text(field.expression(cofactor)) for cofactor in found]}
+    return None
+
+
+def _normal_form(question: _Question) -> tuple[RationalFunctionField, list[RationalFunction]]:
+    field = RationalFunctionField(question.symbols, question.engine)
+    try:
+        left = evaluate(question.left, field.variables, field.lift)
+        right = evaluate(question.right, field.variables, field.lift)
+    except ZeroDivisionError:
+        raise UndefinedError(
+            f"prove: expected expressions with denominators that are not identically zero, "
+            f"got {text(question.left)} and {text(question.right)}"
+        ) from None
+    return field, [a - b for a, b in zip(left, right, strict=True)]
+
+
+def _numerator(field: RationalFunctionField, expression: sympy.Expr) -> Any:
+    return evaluate(expression, field.variables, field.lift)[0].numerator
+
+
+def _nonvanishing(field: RationalFunctionField, nonzero: Iterable[sympy.Expr]) -> Any:
+    result = field.ring.constant(Fraction(1))
+    for factor in chain(list(field.factors), (_numerator(field, unit) for unit in nonzero)):
+        result = result * factor
+    return result
+
+
+def _first_difference(question: _Question, tries: int) -> Point | None:
+    points = islice(question.points(), tries)
+    return next((point for point in points if question.differs_at(point)), None)
+
+
+def _refuted(question: _Question, point: Point) -> Proof:
+    certificate = {
+        "method": "counterexample",
+        "left": [str(value) for value in evaluate(question.left, point)],
+        "right": [str(value) for value in evaluate(question.right, point)],
+    }
+    used = {symbol: point[symbol] for symbol in question.symbols}
+    return Proof("refuted", (), certificate, used, question.engine)
+
+
+def _open(question: _Question, field: RationalFunctionField, reason: str) -> Proof:
+    return Proof("open", field.divisors(), {"method": "none", "reason": reason}, None, question.engine)

@@ -1,0 +1,191 @@
+"""The field Q(x1, ..., xn): numerators over a factored common denominator, without a gcd at every step.
+
+An element is a polynomial over a product of irreducible factors.  Nothing is cancelled, so two elements are
+equal exactly if the numerator of their difference is the zero polynomial, and the field remembers the factors
+of every denominator it ever met: the hypotheses under which a computation is defined.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import gcd, lcm
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.proving.engines import Ring, ring
+
+Exponents = tuple[tuple[int, int], ...]
+
+
+class RationalFunctionField:
+    """The field of rational functions in some symbols.
+
+    Parameters
+    ----------
+    symbols : sequence of sympy.Symbol
+        The variables.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> field = RationalFunctionField([x, y], "flint")
+    >>> a, b = field.variables.values()
+    >>> (1 / (a - b) + 1 / (b - a)).is_zero
+    True
+    >>> field.divisors()
+    (x - y,)
+    """
+
+    def __init__(self, symbols: Sequence[sympy.Symbol], engine: str) -> None:
+        self.ring: Ring = ring(engine, [symbol.name for symbol in symbols])
+        self.symbols = tuple(symbols)
+        self.factors: list[Any] = []
+        self._place: dict[tuple[Any, ...], int] = {}
+        self.variables = {
+            symbol: RationalFunction(self, generator, ())
+            for symbol, generator in zip(self.symbols, self.ring.generators, strict=True)
+        }
+
+    def lift(self, value: Fraction) -> RationalFunction:
+        """Return a rational number as an element."""
+        return RationalFunction(self, self.ring.constant(value), ())
+
+    def divisors(self) -> tuple[sympy.Expr, ...]:
+        """Return the irreducible factors of all denominators met so far, as expressions sorted by text."""
+        return tuple(sorted(map(self.expression, self.factors), key=str))
+
+    def expression(self, polynomial: Any) -> sympy.Expr:
+        """Return a polynomial as a SymPy expression."""
+        return sympy.Add(
+            *(
+                sympy.Rational(value.numerator, value.denominator)
+                * sympy.Mul(*(s**e for s, e in zip(self.symbols, powers, strict=True)))
+                for powers, value in self.ring.terms(polynomial).items()
+            )
+        )
+
+    def irreducible(self, polynomial: Any) -> tuple[Fraction, list[tuple[Any, int]]]:
+        """Factor into primitive integer polynomials with positive leading coefficient, and a rational content."""
+        content, factors = self.ring.factor(polynomial)
+        normalised = []
+        for factor, multiplicity in factors:
+            unit = _unit(self.ring.terms(factor))
+            content *= unit**multiplicity
+            normalised.append((factor * self.ring.constant(1 / unit), multiplicity))
+        return content, normalised
+
+    def place(self, factor: Any) -> int:
+        """Return the place of an irreducible factor in the list of denominators, entering it if it is new."""
+        key = tuple(sorted(self.ring.terms(factor).items()))
+        if key not in self._place:
+            self._place[key] = len(self.factors)
+            self.factors.append(factor)
+        return self._place[key]
+
+    def product(self, exponents: Exponents) -> Any:
+        """Return the product of powers of denominator factors."""
+        result = self.ring.constant(Fraction(1))
+        for index, exponent in exponents:
+            result = result * self.factors[index] ** exponent
+        return result
+
+
+@dataclass(frozen=True, eq=False)
+class RationalFunction:
+    """An element of a `RationalFunctionField`; supports ``+ - * / **`` with elements, integers and fractions."""
+
+    field: RationalFunctionField = field(repr=False)
+    numerator: Any
+    denominator: Exponents
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether this is the zero function: whether its numerator has no terms."""
+        return not self.field.ring.terms(self.numerator)
+
+    def __add__(self, other: object) -> RationalFunction:
+        right = self._coerce(other)
+        if right is None:
+            return NotImplemented
+        common = _union(self.denominator, right.denominator)
+        numerator = self.numerator * self.field.product(_missing(common, self.denominator))
+        numerator = numerator + right.numerator * self.field.product(_missing(common, right.denominator))
+        return RationalFunction(self.field, numerator, common)
+
+    def __neg__(self) -> RationalFunction:
+        return RationalFunction(self.field, -self.numerator, self.denominator)
+
+    def __sub__(self, other: object) -> RationalFunction:
+        right = self._coerce(other)
+        return NotImplemented if right is None else self + -right
+
+    def __mul__(self, other: object) -> RationalFunction:
+        right = self._coerce(other)
+        if right is None:
+            return NotImplemented
+        return RationalFunction(self.field, self.numerator * right.numerator, _sum(self.denominator, right.denominator))
+
+    def __truediv__(self, other: object) -> RationalFunction:
+        right = self._coerce(other)
+        return NotImplemented if right is None else self * right._reciprocal()
+
+    def __pow__(self, exponent: int) -> RationalFunction:
+        if exponent < 0:
+            return (self**-exponent)._reciprocal()
+        powers = tuple((index, count * exponent) for index, count in self.denominator if exponent)
+        return RationalFunction(self.field, self.numerator**exponent, powers)
+
+    def __radd__(self, other: object) -> RationalFunction:
+        return self + other
+
+    def __rmul__(self, other: object) -> RationalFunction:
+        return self * other
+
+    def __rsub__(self, other: object) -> RationalFunction:
+        return -self + other
+
+    def __rtruediv__(self, other: object) -> RationalFunction:
+        left = self._coerce(other)
+        return NotImplemented if left is None else left / self
+
+    def _coerce(self, other: object) -> RationalFunction | None:
+        if isinstance(other, RationalFunction):
+            return other
+        if isinstance(other, int | Fraction):
+            return self.field.lift(Fraction(other))
+        return None
+
+    def _reciprocal(self) -> RationalFunction:
+        if self.is_zero:
+            raise ZeroDivisionError("division by the zero function")
+        content, factors = self.field.irreducible(self.numerator)
+        denominator = tuple(sorted((self.field.place(factor), count) for factor, count in factors))
+        numerator = self.field.product(self.denominator) * self.field.ring.constant(1 / content)
+        return RationalFunction(self.field, numerator, denominator)
+
+
+def _unit(terms: dict[tuple[int, ...], Fraction]) -> Fraction:
+    scale = Fraction(gcd(*(v.numerator for v in terms.values())), lcm(*(v.denominator for v in terms.values())))
+    return scale if terms[max(terms)] > 0 else -scale
+
+
+def _combine(left: Exponents, right: Exponents, join: Any) -> Exponents:
+    a, b = dict(left), dict(right)
+    return tuple((index, join(a.get(index, 0), b.get(index, 0))) for index in sorted(a.keys() | b.keys()))
+
+
+def _union(left: Exponents, right: Exponents) -> Exponents:
+    return _combine(left, right, max)
+
+
+def _sum(left: Exponents, right: Exponents) -> Exponents:
+    return _combine(left, right, int.__add__)
+
+
+def _missing(whole: Exponents, part: Exponents) -> Exponents:
+    return tuple((i, n) for i, n in _combine(whole, part, int.__sub__) if n)

@@ -1,0 +1,1 @@
+"""Reporting: the ledger of verdicts and evidence."""

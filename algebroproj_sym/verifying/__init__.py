@@ -1,0 +1,1 @@
+"""Verifying: what the generated functions compute, held against the derivations."""

@@ -1,0 +1,1 @@
+"""Derivations of the papers, one folder a paper."""

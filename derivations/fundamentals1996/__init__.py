@@ -1,0 +1,1 @@
+"""G. Brandstätter, Fundamentals of Algebro-Projective Photogrammetry, 1996."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Literal, TypeAlias, TypedDict, cast, get_args
@@ -27,7 +27,7 @@ VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 
 Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
 
-_NUMBER = re.compile(r"(table:)?\d+(\.\d+)*(/[\w.:*'-]+)*(#[\w.:*'-]+)?")
+_NUMBER = re.compile(r"(table:)?\d+(\.\d+)*(/[^\s/#]+)*(#[^\s/#]+)?")
 
 
 class DeclarationError(ValueError):
@@ -39,6 +39,7 @@ class Options(TypedDict, total=False):
 
     corrected: Any
     expect: Verdict
+    where: Mapping[sympy.Symbol, Any]
     constraints: Sequence[sympy.Expr]
     nonzero: Sequence[sympy.Expr]
     witness: Mapping[sympy.Symbol, Fraction | int]
@@ -66,6 +67,8 @@ class Claim:
         The corrected form of a misprint, or the reconstruction of an illegible formula.
     expected : str
         The verdict that the declaration expects.
+    where : mapping of Symbol to Expr
+        What symbols of the printed form stand for in the terms of the derived one.
     constraints, nonzero : tuple of sympy.Expr
         What is zero, and what is not, wherever the statement is made.
     witness : mapping of Symbol to rational number, or None
@@ -85,6 +88,7 @@ class Claim:
     derived: Expression | None
     corrected: Statement | None = None
     expected: Verdict = "proved"
+    where: Mapping[sympy.Symbol, sympy.Expr] = field(default_factory=dict)
     constraints: tuple[sympy.Expr, ...] = ()
     nonzero: tuple[sympy.Expr, ...] = ()
     witness: Mapping[sympy.Symbol, Fraction | int] | None = None
@@ -122,6 +126,7 @@ def declared(
         derived=None if derived is None else rational(derived, f"{where}, derived"),
         corrected=_statement(options.pop("corrected", None), f"{where}, corrected"),
         expected=expected,
+        where={s: rational(value, f"{where}, where") for s, value in options.pop("where", {}).items()},
         constraints=tuple(options.pop("constraints", ())),
         nonzero=tuple(options.pop("nonzero", ())),
         **options,
@@ -172,6 +177,22 @@ def _parsed(name: str) -> Any:
         return sympy.sympify(name)
     except (sympy.SympifyError, SyntaxError, TypeError, AttributeError):
         return None
+
+
+def in_derived_terms(statement: Statement, where: Mapping[sympy.Symbol, sympy.Expr]) -> Statement:
+    """Return a printed form with its symbols replaced by what they stand for.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> in_derived_terms(x + y, {x: y**2})
+    y**2 + y
+    """
+    if isinstance(statement, Decimal) or not where:
+        return statement
+    if isinstance(statement, tuple):
+        return tuple(factor.xreplace(where) for factor in statement)
+    return statement.xreplace(where)
 
 
 def statement_text(statement: Statement | None) -> str | None:

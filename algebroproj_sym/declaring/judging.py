@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim, Verdict
+from algebroproj_sym.declaring.claim import Claim, Verdict, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.proving import Proof
 
@@ -76,8 +76,10 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
     """
     start = time.perf_counter()
     compare = KINDS[claim.kind]
-    printed = None if claim.printed is None else compare(claim, claim.printed, engine)
-    corrected = None if claim.corrected is None else compare(claim, claim.corrected, engine)
+    printed = None if claim.printed is None else compare(claim, in_derived_terms(claim.printed, claim.where), engine)
+    corrected = (
+        None if claim.corrected is None else compare(claim, in_derived_terms(claim.corrected, claim.where), engine)
+    )
     verdict = _verdict(claim, printed, corrected)
     evidence = _evidence(verdict, printed, corrected)
     return Judgement(

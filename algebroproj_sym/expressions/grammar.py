@@ -57,9 +57,8 @@ def rational(value: Any, argument: str) -> Expression:
     if isinstance(value, int) and not isinstance(value, bool):
         return sympy.Integer(value)
     if not isinstance(value, sympy.Expr):
-        raise NotRationalError(
-            f"{argument}: expected a SymPy expression, a matrix or an exact number, got {value!r} ({type(value).__name__})"
-        )
+        given = f"{value!r} ({type(value).__name__})"
+        raise NotRationalError(f"{argument}: expected a SymPy expression, a matrix or an exact number, got {given}")
     _require_rational(value, argument, value)
     return value
 

@@ -1,0 +1,189 @@
+# %% [markdown]
+# # 1.2 Determination of P*
+#
+# The basic points $G_0, \dots, G_3$ of the object are projected from the center $\mathbf y_0$.  Their images fix the
+# affine system of the image plane; what remains of $\mathbf P^*$ are the four factors $\mu_j$ and the image
+# $\mathbf u_3$ of $G_3$.
+
+# %%
+import sympy
+
+from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, columns, inverse, rows, solve, vector
+
+section = Section("fundamentals1996", "1.2", "Determination of the matrix of projection")
+
+# %% [markdown]
+# ## The unit points
+#
+# An image point $\mathbf p = \mathbf b_0 + u_1 (\mathbf b_1 - \mathbf b_0) + u_2 (\mathbf b_2 - \mathbf b_0)$ is $G'_j$
+# itself where $\mathbf p = \mathbf b_j$: the quasihomogeneous coordinates of the basic points solve
+# $\mathbf B \mathbf U \mathbf u = \mathbf b_j$.
+
+# %%
+b0, b1, b2 = (vector(*sympy.symbols(f"b{j}0 b{j}1 b{j}2")) for j in range(3))
+B = columns(b0, b1, b2)
+
+
+def image_coordinates(direction: Matrix) -> Matrix:
+    return solve(B * U, direction)
+
+
+section.definition("1.2/e", "unit points of space", printed=rows(e0, e1, e2, e3))
+section.identity(
+    "1.2/e'0",
+    "image of the origin",
+    printed=vector(1, 1, 0),
+    derived=image_coordinates(b0),
+    expect="misprint",
+    corrected=vector(1, 0, 0),
+    note="Case j = 0 of (1.2.1) prints (1, 0, 0). A slip of the scan cannot be told from one of the print; "
+    "no convention of rows or columns turns one into the other.",
+)
+section.identity("1.2/e'1", "image of the first unit point", printed=vector(1, 1, 0), derived=image_coordinates(b1))
+section.identity("1.2/e'2", "image of the second unit point", printed=vector(1, 0, 1), derived=image_coordinates(b2))
+section.definition("1.2/e'3", "image of the third unit point, a general point", printed=image_e3)
+
+# %% [markdown]
+# ## The equations of projection
+#
+# The rays are $\mathbf e_j - \mathbf y_0 = \mu_j \mathbf p_j$, and $\mathbf p_j = \mathbf b_j$ for $j = 0, 1, 2$.
+# Center and $\mu_0, \mu_1, \mu_2$ therefore fix the base, the base fixes
+# $\mathbf P^* = (\mathbf B \mathbf U)^{-1}$, and $\mathbf P^*$ fixes $\mu_3$ and
+# $\mathbf u_3$: everything below is checked against this construction.
+
+# %%
+rays = [e - center for e in (e0, e1, e2, e3)]
+base = columns(rays[0] / mu0, rays[1] / mu1, rays[2] / mu2)
+P_star_of_rays = inverse(base * U)
+fourth = P_star_of_rays * rays[3]
+seen = {mu3: fourth[0], u31: fourth[1] / fourth[0], u32: fourth[2] / fourth[0]}
+
+section.identity(
+    "1.2.1",
+    "equations of projection of the basic points",
+    printed=columns(mu0 * image_e0, mu1 * image_e1, mu2 * image_e2, mu3 * image_e3),
+    where=seen,
+    derived=P_star_of_rays * columns(*rays),
+)
+
+# %% [markdown]
+# The four cases, with $p^i_j$ for the elements of $\mathbf P^*$: row $i$, column $j$.
+
+# %%
+p = Matrix(3, 3, sympy.symbols("p:3:3"))
+elements = dict(zip(p, P_star_of_rays, strict=True))
+section.identity("1.2/j=0", "case of the origin", printed=vector(-mu0, 0, 0), derived=P_star_of_rays * center)
+section.identity(
+    "1.2/j=1",
+    "case of the first unit point",
+    printed=columns(vector(p[0, 0] + mu0, p[1, 0], p[2, 0]), vector(mu1 - mu0, mu1, 0)),
+    where=elements,
+    derived=columns(P_star_of_rays * rays[1], P_star_of_rays * e1),
+)
+section.identity(
+    "1.2/j=2#vector",
+    "case of the second unit point, the vector",
+    printed=vector(p[0, 1] + mu0, p[1, 1], p[2, 1]),
+    where=elements,
+    derived=P_star_of_rays * rays[2],
+)
+section.identity(
+    "1.2/j=2",
+    "case of the second unit point, the elements",
+    printed=vector(mu2 - mu0, mu2, 0),
+    derived=P_star_of_rays * e2,
+    expect="misprint",
+    corrected=vector(mu2 - mu0, 0, mu2),
+    note="The last two elements are interchanged: the left side (1, 0, 1) of this case and (1.2.2) have them right.",
+)
+section.identity(
+    "1.2/j=3",
+    "case of the third unit point",
+    printed=columns(vector(p[0, 2] + mu0, p[1, 2], p[2, 2]), vector(mu3 - mu0, mu3 * u31, mu3 * u32)),
+    where=elements | seen,
+    derived=columns(P_star_of_rays * rays[3], P_star_of_rays * e3),
+)
+
+# %% [markdown]
+# ## The matrices
+#
+# By linearity
+# $\mathbf P^* \mathbf e_j = \mathbf P^* (\mathbf e_j - \mathbf y_0) - \mathbf P^* (\mathbf e_0 - \mathbf y_0)
+# = \mu_j \mathbf e'_j - \mu_0 \mathbf e'_0$: the columns of $\mathbf P^*$ as functions of $\mu_j$ and $\mathbf u_3$.
+
+# %%
+image_units = (image_e1, image_e2, image_e3)
+P_star = columns(*(m * e - mu0 * image_e0 for m, e in zip((mu1, mu2, mu3), image_units, strict=True)))
+M_star = columns(mu0 * image_e0, P_star).col_join(Matrix.zeros(1, 4))
+
+section.identity(
+    "1.2.2",
+    "matrix of projection",
+    printed=Matrix([[mu1 - mu0, mu2 - mu0, mu3 - mu0], [mu1, 0, u31 * mu3], [0, mu2, u32 * mu3]]),
+    derived=P_star,
+)
+section.identity(
+    "1.2.2#base",
+    "matrix of projection, from center and base",
+    printed=Matrix([[mu1 - mu0, mu2 - mu0, mu3 - mu0], [mu1, 0, u31 * mu3], [0, mu2, u32 * mu3]]),
+    where=seen,
+    derived=P_star_of_rays,
+)
+section.identity(
+    "1.2.3",
+    "singular projective matrix",
+    printed=Matrix(
+        [
+            [mu0, mu1 - mu0, mu2 - mu0, mu3 - mu0],
+            [0, mu1, 0, u31 * mu3],
+            [0, 0, mu2, u32 * mu3],
+            [0, 0, 0, 0],
+        ]
+    ),
+    derived=M_star,
+)
+section.identity(
+    "1.2.3#base",
+    "singular projective matrix, from center and base by (1.1.6)",
+    printed=M_star,
+    where=seen,
+    derived=columns(-P_star_of_rays * center, P_star_of_rays).col_join(Matrix.zeros(1, 4)),
+)
+
+# %% [markdown]
+# The *core* of every singular projective transformation: a general projective matrix $\mathbf S$ (3 by 4) of full rank
+# differs from it by the affine systems alone.  With the images $\mathbf s_j = \mathbf S \mathbf x_j$ of any four object
+# points $\mathbf x_j$, both coordinate systems referred to the points, the core remains.
+
+# %%
+images = Matrix(3, 4, sympy.symbols("s:3:4"))
+depths = [images[0, j] for j in range(4)]
+plane_system = columns(
+    images.col(0) / depths[0], *(images.col(j) / depths[j] - images.col(0) / depths[0] for j in (1, 2))
+)
+core = inverse(plane_system) * columns(images.col(0), *(images.col(j) - images.col(0) for j in (1, 2, 3)))
+fourth_point = inverse(plane_system) * images.col(3)
+parameters = {mu0: depths[0], mu1: depths[1], mu2: depths[2], mu3: depths[3]}
+seen_fourth = {u31: fourth_point[1] / depths[3], u32: fourth_point[2] / depths[3]}
+section.identity(
+    "1.2/core",
+    "every projection has this form, referred to its basic points",
+    printed=M_star[:3, :],
+    where=parameters | seen_fourth,
+    derived=core,
+)
+
+# %% [markdown]
+# ## Code
+
+# %%
+section.kernel(
+    "projection.camera_matrix",
+    "Singular projective matrix M*, without its zero row.",
+    arguments={"mu": vector(mu1, mu2, mu3), "u3": vector(u31, u32)},
+    derived=M_star[:3, :].subs(mu0, 1),
+    claims=["1.2.3", "1.2.3#base"],
+    example={"mu": ("0.625", "0.75", "0.5"), "u3": ("0.25", "0.125")},
+)

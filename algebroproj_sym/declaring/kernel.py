@@ -54,6 +54,8 @@ class Kernel:
         The numbers of the claims that prove it.
     example : mapping of str to nested tuple of str
         Decimal values of the arguments for the example of its docstring.
+    describe : mapping of str to str
+        What each argument is, with its unit.
     """
 
     paper: str
@@ -67,6 +69,7 @@ class Kernel:
     where: tuple[tuple[sympy.Symbol, sympy.Expr], ...]
     claims: tuple[str, ...]
     example: Mapping[str, Any]
+    describe: Mapping[str, str]
 
     @property
     def qualified_name(self) -> str:
@@ -94,6 +97,7 @@ def declared_kernel(
     derived: Any,
     claims: Sequence[str],
     example: Mapping[str, Any],
+    describe: Mapping[str, str],
     form: Any = None,
     where: Mapping[sympy.Symbol, sympy.Expr] | None = None,
 ) -> Kernel:
@@ -119,6 +123,7 @@ def declared_kernel(
         where=tuple((where or {}).items()),
         claims=tuple(claims),
         example=example,
+        describe=describe,
     )
     _require_complete(kernel, label)
     return kernel
@@ -139,5 +144,7 @@ def _require_complete(kernel: Kernel, label: str) -> None:
         raise DeclarationError(f"{label}: expected a form of shape {kernel.shape}, got {shape(kernel.form)}")
     if not kernel.claims:
         raise DeclarationError(f"{label}: expected the numbers of the claims that prove it, got none")
-    if set(kernel.example) != {argument.name for argument in kernel.arguments}:
-        raise DeclarationError(f"{label}: expected an example for every argument, got {sorted(kernel.example)}")
+    names = {argument.name for argument in kernel.arguments}
+    for what, given in (("example", kernel.example), ("description", kernel.describe)):
+        if set(given) != names:
+            raise DeclarationError(f"{label}: expected an {what} of each of {sorted(names)}, got {sorted(given)}")

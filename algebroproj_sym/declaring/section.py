@@ -76,6 +76,7 @@ class Section:
         derived: Any,
         claims: Sequence[str],
         example: Mapping[str, Any],
+        describe: Mapping[str, str],
         form: Any = None,
         where: Mapping[sympy.Symbol, sympy.Expr] | None = None,
     ) -> Kernel:
@@ -89,6 +90,7 @@ class Section:
             derived=derived,
             claims=claims,
             example=example,
+            describe=describe,
             form=form,
             where=where,
         )

@@ -44,3 +44,11 @@ image_e3 = homogeneous(fourth_image)
 U = Matrix([[1, -1, -1], [0, 1, 0], [0, 0, 1]])
 E3 = Matrix.eye(3)
 E4 = Matrix.eye(4)
+
+# %% [markdown]
+# What the arguments of generated functions are.
+
+# %%
+ABOUT_MU = "Projective parameters (mu1, mu2, mu3) for mu0 = 1; dimensionless."
+ABOUT_Y0 = "Center of projection (y01, y02, y03) in affine coordinates; dimensionless."
+ABOUT_U3 = "Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless."

@@ -185,5 +185,6 @@ section.kernel(
     arguments={"mu": vector(mu1, mu2, mu3), "u3": vector(u31, u32)},
     derived=M_star[:3, :].subs(mu0, 1),
     claims=["1.2.3", "1.2.3#base"],
+    describe={"mu": ABOUT_MU, "u3": ABOUT_U3},
     example={"mu": ("0.625", "0.75", "0.5"), "u3": ("0.25", "0.125")},
 )

@@ -1,0 +1,178 @@
+"""Lowering: from the expression of a kernel to a straight-line program, proved equal to the derivation.
+
+Where the derivation divides by a factor by which the program does not, the program is given a guard: it adds
+0/factor, which is exactly zero, and not a number where the factor vanishes.  A singular input then never passes
+for a regular one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy
+
+from algebroproj_sym.declaring import Kernel
+from algebroproj_sym.expressions import Scalar, divided, entries, evaluate
+from algebroproj_sym.generating.graph import Graph, Node, Signed
+from algebroproj_sym.generating.program import Operand, Program, Step, run
+from algebroproj_sym.generating.sharing import share_pairs
+from algebroproj_sym.proving import RationalFunctionField
+
+
+class LoweringError(ValueError):
+    """A kernel's form is not equal to what its derivation computes."""
+
+
+@dataclass(frozen=True)
+class Lowered:
+    """A kernel and its program.
+
+    Attributes
+    ----------
+    kernel : Kernel
+        What was lowered.
+    program : Program
+        The program, proved equal to ``kernel.derived``.
+    hypotheses : tuple of sympy.Expr
+        The irreducible factors that must not vanish.
+    guarded : tuple of sympy.Expr
+        Those of them that only guards divide by.
+    """
+
+    kernel: Kernel
+    program: Program
+    hypotheses: tuple[Scalar, ...]
+    guarded: tuple[Scalar, ...]
+
+
+def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
+    """Lower a kernel and prove the program.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        As declared by a derivation.
+    engine : {"flint", "sympy"}
+        The polynomial arithmetic for the proof.
+
+    Returns
+    -------
+    Lowered
+
+    Raises
+    ------
+    LoweringError
+        If the program, run on rational functions, does not give the derived expression.
+    """
+    field = RationalFunctionField(kernel.symbols, engine)
+    derived = evaluate(kernel.derived, field.variables, field.lift)
+    hypotheses = field.divisors()
+    divisors = divisors_of(kernel, program_of(kernel, ()), engine)
+    guarded = tuple(factor for factor in hypotheses if factor not in divisors)
+    program = program_of(kernel, guarded)
+    computed = run(program, {symbol.name: value for symbol, value in field.variables.items()})
+    for place, (expected, value) in enumerate(zip(derived, computed, strict=True)):
+        if not (expected - value).is_zero:
+            raise LoweringError(
+                f"kernel {kernel.qualified_name}: entry {place} of its form differs from the derivation"
+            )
+    return Lowered(kernel, program, divisors_of(kernel, program, engine), guarded)
+
+
+def divisors_of(kernel: Kernel, program: Program, engine: str) -> tuple[Scalar, ...]:
+    """Return the irreducible factors by which a program divides."""
+    field = RationalFunctionField(kernel.symbols, engine)
+    run(program, {symbol.name: value for symbol, value in field.variables.items()})
+    return field.divisors()
+
+
+def program_of(kernel: Kernel, guarded: Sequence[Scalar]) -> Program:
+    """Lower the form of a kernel, with a guard for each of the given factors."""
+    graph = Graph()
+    known = {symbol: graph.input(symbol.name) for symbol in kernel.symbols}
+    abbreviations: dict[str, Signed] = {}
+    for symbol, expression in kernel.where:
+        abbreviations[symbol.name] = graph.add(divided(expression), known)
+        known[symbol] = graph.input(symbol.name)
+    outputs = [graph.add(entry, known) for entry in entries(kernel.form)]
+    guards = [graph.quotient(graph.number(0), known_factor(factor, kernel, graph, known)) for factor in guarded]
+    if guards:
+        guard = graph.sum(guards)
+        outputs = [out if graph.nodes[out[1]].kind == "number" else graph.sum([out, guard]) for out in outputs]
+    share_pairs(graph, [*abbreviations.values(), *outputs])
+    return _emit(graph, [symbol.name for symbol in kernel.symbols], abbreviations, outputs)
+
+
+def known_factor(factor: Scalar, kernel: Kernel, graph: Graph, known: dict[sympy.Symbol, Signed]) -> Signed:
+    """Return a factor as a node: an abbreviation that equals it but for the sign, or the expression itself."""
+    for symbol, expression in kernel.where:
+        if sympy.expand(expression - factor) == 0 or sympy.expand(expression + factor) == 0:
+            return known[symbol]
+    return graph.add(factor, known)
+
+
+def _emit(graph: Graph, inputs: Sequence[str], abbreviations: dict[str, Signed], outputs: Sequence[Signed]) -> Program:
+    emitter = _Emitter(graph)
+    for name, signed in abbreviations.items():
+        emitter.name(signed, name)
+    results = tuple(emitter.signed(signed) for signed in outputs)
+    return Program(tuple(inputs), tuple(emitter.steps), results)
+
+
+class _Emitter:
+    """Writes the nodes of a graph as steps, each node once."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.graph = graph
+        self.steps: list[Step] = []
+        self._operands: dict[Signed, Operand] = {}
+
+    def name(self, signed: Signed, name: str) -> None:
+        """Write an abbreviation, whose last step gets its name."""
+        operand = self.signed(signed)
+        last = self.steps[-1] if self.steps else None
+        if last is not None and last.name == operand:
+            self.steps[-1] = Step(name, last.operator, last.operands)
+            self._operands = {key: name if value == operand else value for key, value in self._operands.items()}
+        else:
+            self._operands[1, self.graph.place(Node("input", value=name))] = operand
+
+    def signed(self, signed: Signed) -> Operand:
+        """Return the operand for a signed node, writing the steps it needs."""
+        sign, place = signed
+        if signed in self._operands:
+            return self._operands[signed]
+        node = self.graph.nodes[place]
+        if sign > 0:
+            operand = self._positive(node)
+        elif node.kind == "number":
+            operand = -int(node.value)
+        elif node.kind == "sum" and (1, place) not in self._operands and node.operands[-1][0] < 0:
+            operand = self._sum(tuple((-s, p) for s, p in reversed(node.operands)))
+        else:
+            operand = self._step("neg", self.signed((1, place)))
+        self._operands[signed] = operand
+        return operand
+
+    def _positive(self, node: Node) -> Operand:
+        if node.kind in ("input", "number"):
+            return node.value
+        if node.kind == "sum":
+            return self._sum(node.operands)
+        left, *rest = (self.signed((1, place)) for _, place in node.operands)
+        for right in rest:
+            left = self._step("*" if node.kind == "product" else "/", left, right)
+        return left
+
+    def _sum(self, terms: Sequence[Signed]) -> Operand:
+        first, *rest = sorted(terms, key=lambda term: term[0] < 0)
+        left = self.signed(first)
+        for sign, place in rest:
+            left = self._step("+" if sign > 0 else "-", left, self.signed((1, place)))
+        return left
+
+    def _step(self, operator: str, *operands: Operand) -> Operand:
+        name = f"t{len(self.steps)}"
+        self.steps.append(Step(name, operator, operands))  # type: ignore[arg-type]
+        return name

@@ -1,0 +1,79 @@
+"""Printing a program as the body of a NumPy function.
+
+A step that is used once is written into the expression that uses it, with the parentheses that keep the order of
+the operations, as long as the line stays readable.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from algebroproj_sym.generating.program import Operand, Program, Step
+
+LINE = 100
+
+_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3}
+_ATOM = 4
+
+
+@dataclass(frozen=True)
+class _Text:
+    text: str
+    precedence: int
+
+
+def assignments(program: Program, targets: Sequence[str]) -> list[str]:
+    """Return the statements of a program.
+
+    Parameters
+    ----------
+    program : Program
+        What to print.
+    targets : sequence of str
+        What each output is assigned to.
+
+    Returns
+    -------
+    list of str
+        One statement a line.
+
+    Examples
+    --------
+    >>> program = Program(("x", "y"), (Step("t0", "-", ("x", "y")), Step("t1", "/", (1, "t0"))), ("t1",))
+    >>> assignments(program, ["out[...]"])
+    ['out[...] = 1 / (x - y)']
+    """
+    uses = program.uses()
+    written: dict[Operand, _Text] = {}
+    lines = []
+    for step in program.steps:
+        text = _operation(step, written)
+        inlined = uses[step.name] == 1 and step.name.startswith("t") and len(text.text) <= LINE
+        if inlined:
+            written[step.name] = text
+        else:
+            lines.append(f"{step.name} = {text.text}")
+    return lines + [
+        f"{target} = {_operand(output, written).text}" for target, output in zip(targets, program.outputs, strict=True)
+    ]
+
+
+def _operand(operand: Operand, written: dict[Operand, _Text]) -> _Text:
+    if operand in written:
+        return written[operand]
+    negative = isinstance(operand, int) and operand < 0
+    return _Text(str(operand), _PRECEDENCE["neg"] if negative else _ATOM)
+
+
+def _operation(step: Step, written: dict[Operand, _Text]) -> _Text:
+    precedence = _PRECEDENCE[step.operator]
+    operands = [_operand(operand, written) for operand in step.operands]
+    if step.operator == "neg":
+        return _Text(f"-{_parenthesised(operands[0], precedence + 1)}", precedence)
+    left, right = _parenthesised(operands[0], precedence), _parenthesised(operands[1], precedence + 1)
+    return _Text(f"{left} {step.operator} {right}", precedence)
+
+
+def _parenthesised(text: _Text, least: int) -> str:
+    return text.text if text.precedence >= least else f"({text.text})"

@@ -1,0 +1,101 @@
+"""Common subexpressions: sums and products that share terms or factors are built from shared pairs.
+
+The most frequent pair becomes a node of its own, again and again, until no pair occurs twice.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+from typing import TypeAlias
+
+from algebroproj_sym.generating.graph import Graph, Kind, Node, Signed
+
+Pair: TypeAlias = tuple[Kind, Signed, Signed]
+
+
+def share_pairs(graph: Graph, outputs: Sequence[Signed]) -> None:
+    """Rewrite the sums and products below some outputs, so that common pairs are nodes of their own.
+
+    Parameters
+    ----------
+    graph : Graph
+        The graph, which is changed in place; the places of its nodes stay what they are.
+    outputs : sequence of (sign, place)
+        What is to be computed.
+
+    Examples
+    --------
+    >>> import sympy
+    >>> symbols = sympy.symbols("a b c d")
+    >>> graph = Graph()
+    >>> known = {symbol: graph.input(symbol.name) for symbol in symbols}
+    >>> a, b, c, d = symbols
+    >>> outputs = [graph.add(a + b - c, known), graph.add(c - a + d, known)]
+    >>> share_pairs(graph, outputs)
+    >>> [graph.nodes[place].operands for _, place in outputs]
+    [((1, 7), (1, 1)), ((1, 7), (-1, 3))]
+    """
+    while True:
+        counts = _pair_counts(graph, outputs)
+        best = max(counts.values(), default=0)
+        if best < 2:
+            return
+        pair = next(pair for pair, count in counts.items() if count == best)
+        kind, first, second = pair
+        joined = graph.place(Node(kind, (first, second)))
+        for place in below(graph, outputs):
+            if place != joined:
+                graph.nodes[place] = _with_pair(graph.nodes[place], pair, joined)
+
+
+def below(graph: Graph, outputs: Sequence[Signed]) -> tuple[int, ...]:
+    """Return the places of all nodes below some outputs, operands before the nodes that use them."""
+    found: dict[int, None] = {}
+
+    def visit(place: int) -> None:
+        if place not in found:
+            for _, operand in graph.nodes[place].operands:
+                visit(operand)
+            found[place] = None
+
+    for _, place in outputs:
+        visit(place)
+    return tuple(found)
+
+
+def _pair_counts(graph: Graph, outputs: Sequence[Signed]) -> Counter[Pair]:
+    """Count in how many nodes each pair occurs that could be taken out of at least one of them."""
+    nodes = [graph.nodes[place] for place in below(graph, outputs)]
+    long = [node for node in nodes if node.kind in ("sum", "product") and len(node.operands) > 2]
+    counts: Counter[Pair] = Counter()
+    for node in long:
+        counts.update({pair for _, pair in _pairs(node)})
+    for node in nodes:
+        if node.kind in ("sum", "product") and len(node.operands) == 2:
+            counts.update(pair for _, pair in _pairs(node) if pair in counts)
+    return counts
+
+
+def _pairs(node: Node) -> Iterator[tuple[tuple[Signed, Signed], Pair]]:
+    for first, second in combinations(node.operands, 2):
+        yield (first, second), _normal(node.kind, first, second)
+
+
+def _normal(kind: Kind, first: Signed, second: Signed) -> Pair:
+    (s, a), (t, b) = sorted((first, second), key=lambda term: term[1])
+    return kind, (1, a), (s * t, b)
+
+
+def _with_pair(node: Node, wanted: Pair, joined: int) -> Node:
+    if len(node.operands) < 3:
+        return node
+    for (first, second), pair in _pairs(node):
+        if pair == wanted:
+            rest = list(node.operands)
+            rest.remove(first)
+            rest.remove(second)
+            sign = min((first, second), key=lambda term: term[1])[0]
+            return Node(node.kind, ((sign, joined), *rest))
+    return node

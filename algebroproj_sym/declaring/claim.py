@@ -43,6 +43,8 @@ class Options(TypedDict, total=False):
     constraints: Sequence[sympy.Expr]
     nonzero: Sequence[sympy.Expr]
     witness: Mapping[sympy.Symbol, Fraction | int]
+    units: Fraction
+    unrounded: Any
     instead: str
     note: str
 
@@ -73,6 +75,11 @@ class Claim:
         What is zero, and what is not, wherever the statement is made.
     witness : mapping of Symbol to rational number, or None
         A point that satisfies the constraints.
+    units : Fraction
+        For a printed number: how far it may be from the derived one, in units of its last digit.
+    unrounded : Expression or None
+        For a printed number that depends on rounded ones: the number derived from inputs that agree with the printed
+        inputs to their last digits.  It explains a printed number that the printed inputs miss.
     instead : str
         For a false statement: the number of the claim that says what is true.
     note : str
@@ -92,6 +99,8 @@ class Claim:
     constraints: tuple[sympy.Expr, ...] = ()
     nonzero: tuple[sympy.Expr, ...] = ()
     witness: Mapping[sympy.Symbol, Fraction | int] | None = None
+    units: Fraction = Fraction(1, 2)
+    unrounded: Expression | None = None
     instead: str = ""
     note: str = ""
 
@@ -129,6 +138,9 @@ def declared(
         where={s: rational(value, f"{where}, where") for s, value in options.pop("where", {}).items()},
         constraints=tuple(options.pop("constraints", ())),
         nonzero=tuple(options.pop("nonzero", ())),
+        unrounded=None
+        if options.get("unrounded") is None
+        else rational(options.pop("unrounded"), f"{where}, unrounded"),
         **options,
     )
     _require_complete(claim, where)
@@ -160,8 +172,15 @@ def _require_complete(claim: Claim, where: str) -> None:
 
 
 def _require_parsable(claim: Claim, where: str) -> None:
-    expressions = (e for form in (claim.printed, claim.derived, claim.corrected) for e in _expressions(form))
-    for symbol in symbols_of(expressions):
+    forms = (
+        claim.printed,
+        claim.derived,
+        claim.corrected,
+        claim.constraints,
+        claim.nonzero,
+        tuple(claim.where.values()),
+    )
+    for symbol in symbols_of(e for form in forms for e in _expressions(form)):
         if sympy.Symbol(symbol.name) != symbol or _parsed(symbol.name) != symbol:
             raise DeclarationError(f"{where}: SymPy does not read the name {symbol.name!r} back as a plain symbol")
 

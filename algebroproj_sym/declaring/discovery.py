@@ -8,10 +8,11 @@ import pkgutil
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 
-from algebroproj_sym.declaring.claim import Claim
+from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kernel import Kernel
 from algebroproj_sym.declaring.section import Section
 
@@ -36,12 +37,35 @@ def installed_papers() -> tuple[str, ...]:
     return tuple(sorted(info.name for info in pkgutil.iter_modules(package.__path__) if info.ispkg))
 
 
+@cache
 def derivations(paper: str) -> tuple[Derivation, ...]:
-    """Import the derivation modules of an installed paper, in the order of their names."""
+    """Import the derivation modules of an installed paper, in the order of their names.
+
+    Raises
+    ------
+    DeclarationError
+        If a number is declared twice, or a claim or kernel refers to a number that is not declared.
+    """
     package = importlib.import_module(f"{PAPERS}.{paper}")
     names = sorted(info.name for info in pkgutil.iter_modules(package.__path__))
     modules = (importlib.import_module(f"{package.__name__}.{name}") for name in names)
-    return tuple(Derivation(module.__name__, section) for module in modules for section in _sections(module))
+    found = tuple(Derivation(module.__name__, section) for module in modules for section in _sections(module))
+    _require_consistent(found)
+    return found
+
+
+def _require_consistent(found: Sequence[Derivation]) -> None:
+    claims = [claim for derivation in found for claim in derivation.section.claims]
+    kernels_found = [kernel for derivation in found for kernel in derivation.section.kernels]
+    numbers = {claim.number for claim in claims}
+    if len(numbers) < len(claims):
+        twice = sorted({claim.number for claim in claims if [c.number for c in claims].count(claim.number) > 1})
+        raise DeclarationError(f"{claims[0].paper}: expected numbers that are declared once, got {twice} twice")
+    referred = {(claim.number, claim.instead) for claim in claims if claim.instead}
+    referred |= {(kernel.qualified_name, number) for kernel in kernels_found for number in kernel.claims}
+    for source, number in sorted(referred):
+        if number not in numbers:
+            raise DeclarationError(f"{source}: expected a reference to a declared claim, got {number}")
 
 
 def derivation_at(path: Path) -> tuple[Derivation, ...]:
@@ -86,7 +110,8 @@ def kernels() -> tuple[Kernel, ...]:
 
 
 def _sections(module: ModuleType) -> Iterator[Section]:
-    return (value for value in vars(module).values() if isinstance(value, Section))
+    own = (value for name, value in vars(module).items() if name == "section")
+    return (value for value in own if isinstance(value, Section))
 
 
 def _claims(selector: str) -> list[Claim]:

@@ -133,9 +133,13 @@ def _require_complete(kernel: Kernel, label: str) -> None:
     if not kernel.name:
         raise DeclarationError(f"{label}: expected a name of the form module.function")
     inputs = kernel.symbols
-    given = [entry for argument in kernel.arguments for entry in entries(argument.entries)]
-    if len(set(inputs)) != len(inputs) or list(inputs) != given:
+    if len(set(inputs)) != len(inputs) or list(inputs) != [e for a in kernel.arguments for e in entries(a.entries)]:
         raise DeclarationError(f"{label}: expected different plain symbols as entries of the arguments, got {inputs}")
+    for argument in kernel.arguments:
+        if not argument.shape and argument.symbols[0].name != argument.name:
+            raise DeclarationError(
+                f"{label}: expected the scalar {argument.name} as its symbol, got {argument.symbols[0]}"
+            )
     known = {*inputs, *(symbol for symbol, _ in kernel.where)}
     unknown = {*symbols_of([kernel.derived])} - {*inputs} | {*symbols_of([kernel.form])} - known
     if unknown:

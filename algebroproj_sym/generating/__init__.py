@@ -1,1 +1,25 @@
-"""Generating: from a kernel to a straight-line program to NumPy source."""
+"""Generating: from a kernel to a straight-line program to NumPy source.
+
+graph (expressions without signs and repetitions) → sharing (common pairs) → lowering (a proved program)
+→ numpy_source and package (text).
+"""
+
+from algebroproj_sym.generating.lowering import Lowered, LoweringError, lower
+from algebroproj_sym.generating.operation_counts import OperationCounts, operation_counts
+from algebroproj_sym.generating.package import PACKAGE, drift, render, write
+from algebroproj_sym.generating.program import Program, Step, run
+
+__all__ = [
+    "PACKAGE",
+    "Lowered",
+    "LoweringError",
+    "OperationCounts",
+    "Program",
+    "Step",
+    "drift",
+    "lower",
+    "operation_counts",
+    "render",
+    "run",
+    "write",
+]

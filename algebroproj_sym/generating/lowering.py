@@ -149,7 +149,7 @@ class _Emitter:
         elif node.kind == "number":
             operand = -int(node.value)
         elif node.kind == "sum" and (1, place) not in self._operands and node.operands[-1][0] < 0:
-            operand = self._sum(tuple((-s, p) for s, p in reversed(node.operands)))
+            operand = self._sum(tuple((-s, p) for s, p in node.operands))
         else:
             operand = self._step("neg", self.signed((1, place)))
         self._operands[signed] = operand

@@ -55,14 +55,17 @@ def operations(expression: Expression) -> int:
 
 
 def _scalar_operations(expression: Scalar) -> int:
-    if not expression.args:
-        return int(isinstance(expression, sympy.Rational) and expression.q != 1)
-    inside = sum(map(_scalar_operations, expression.args))
-    if isinstance(expression, sympy.Pow):
-        return inside + abs(int(expression.exp)) - 1 + int(expression.exp < 0)
     if isinstance(expression, sympy.Add):
-        return inside + len(expression.args) - 1
-    coefficient, _ = expression.as_coeff_Mul()
-    saved = sum(1 for factor in expression.args if isinstance(factor, sympy.Pow) and factor.exp < 0)
-    above = len(expression.args) - saved
-    return inside + len(expression.args) - 1 - (saved if above else saved - 1) - int(coefficient == -1)
+        return sum(map(_scalar_operations, expression.args)) + len(expression.args) - 1
+    if isinstance(expression, sympy.Symbol | sympy.Integer):
+        return 0
+    above = below = inside = 0
+    for factor in sympy.Mul.make_args(expression):
+        base, exponent = factor.as_base_exp() if isinstance(factor, sympy.Pow) else (factor, 1)
+        inside += _scalar_operations(base) if base.args else 0
+        if isinstance(base, sympy.Rational):
+            above, below = above + int(abs(base.p) != 1), below + int(base.q != 1)
+        else:
+            above, below = above + max(int(exponent), 0), below + max(-int(exponent), 0)
+    multiplications = max(above - 1, 0) + max(below - 1, 0)
+    return inside + multiplications + int(below > 0)

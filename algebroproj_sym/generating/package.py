@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import groupby, product
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 import numpy as np
+import sympy
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.declaring import Argument, Kernel
-from algebroproj_sym.expressions import entries, text
+from algebroproj_sym.expressions import Scalar, divided, entries
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.numpy_source import assignments
 from algebroproj_sym.generating.operation_counts import operation_counts
@@ -117,27 +119,31 @@ def _target(place: tuple[int, ...]) -> str:
 
 
 def _formula(kernel: Kernel) -> list[str]:
-    abbreviations = [f"{symbol} = {text(expression)}" for symbol, expression in kernel.where]
+    abbreviations = [f"{symbol} = {_in_order(expression)}" for symbol, expression in kernel.where]
     results = [
-        f"result{list(place) if place else ''} = {text(entry)}"
+        f"result{list(place) if place else ''} = {_in_order(entry)}"
         for place, entry in zip(_places(kernel.shape), entries(kernel.form), strict=True)
     ]
     return abbreviations + results
+
+
+def _in_order(expression: Scalar) -> str:
+    return str(sympy.sstr(divided(expression), order="none"))
 
 
 def _singularities(low: Lowered) -> str:
     if not low.hypotheses:
         return "Polynomial: no input is singular."
     factors = ", ".join(f"``{factor}``" for factor in low.hypotheses)
-    return f"Not finite, with NumPy's floating-point warning, where one of these vanishes:\n    {factors}."
+    paragraph = f"Not finite, with NumPy's floating-point warning, where one of these vanishes: {factors}."
+    return fill(paragraph, width=112, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
 
 
 def _operations(low: Lowered) -> str:
     counts = low.program.operations()
-    names = {"+": "additions", "-": "subtractions", "*": "multiplications", "/": "divisions", "neg": "negations"}
-    listed = ", ".join(f"{counts[key]} {name}" for key, name in names.items() if counts[key]) or "none"
+    listed = ", ".join(f"{counts[operator]} {operator}" for operator in ("+", "-", "*", "/", "neg") if counts[operator])
     before = operation_counts(low).derived
-    return f"Operations: {listed}; the derived expression as written takes {before}."
+    return f"Operations: {counts.total()} ({listed or 'none'}); the derived expression as written takes {before}."
 
 
 def _example_call(kernel: Kernel) -> str:
@@ -166,10 +172,13 @@ def _unpack_arrays(kernel: Kernel) -> str:
 
 
 def _unpack_entries(kernel: Kernel) -> list[str]:
-    return [_unpacked(argument) for argument in kernel.arguments if argument.shape]
+    return [line for argument in kernel.arguments if argument.shape for line in _unpacked(argument)]
 
 
-def _unpacked(argument: Argument) -> str:
-    names = ", ".join(symbol.name for symbol in argument.symbols)
-    sources = ", ".join(f"{argument.name}[{', '.join(['...', *map(str, p)])}]" for p in _places(argument.shape))
-    return f"{names} = {sources}"
+def _unpacked(argument: Argument) -> list[str]:
+    """Name the entries of an argument, a row of a matrix in each line."""
+    width = argument.shape[-1]
+    sources = [f"{argument.name}[{', '.join(['...', *map(str, place)])}]" for place in _places(argument.shape)]
+    names = [symbol.name for symbol in argument.symbols]
+    starts = range(0, len(names), width)
+    return [f"{', '.join(names[i : i + width])} = {', '.join(sources[i : i + width])}" for i in starts]

@@ -8,7 +8,7 @@ and rational functions.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from operator import add, mul, neg, sub, truediv
 from typing import Any, Literal, TypeAlias
@@ -16,7 +16,7 @@ from typing import Any, Literal, TypeAlias
 Operator = Literal["+", "-", "*", "/", "neg"]
 Operand: TypeAlias = "str | int"
 
-_MEANING = {"+": add, "-": sub, "*": mul, "/": truediv, "neg": neg}
+_MEANING: dict[Operator, Callable[..., Any]] = {"+": add, "-": sub, "*": mul, "/": truediv, "neg": neg}
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ def run(program: Program, inputs: Mapping[str, Any]) -> tuple[Any, ...]:
     tuple
         The values of the outputs.
     """
-    values: dict[Operand, Any] = dict(inputs)
+    values: dict[Operand, Any] = dict(inputs.items())
 
     def value(operand: Operand) -> Any:
         return operand if isinstance(operand, int) else values[operand]

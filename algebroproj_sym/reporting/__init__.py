@@ -1,1 +1,25 @@
-"""Reporting: the ledger of verdicts and evidence."""
+"""Reporting: the ledger of verdicts and evidence, tables for the terminal, the report."""
+
+from algebroproj_sym.reporting.ledger import claim_record, ledger, summary, write_json, write_text
+from algebroproj_sym.reporting.report import report
+from algebroproj_sym.reporting.tables import (
+    claims_table,
+    explanation,
+    operations_table,
+    summary_text,
+    verification_table,
+)
+
+__all__ = [
+    "claim_record",
+    "claims_table",
+    "explanation",
+    "ledger",
+    "operations_table",
+    "report",
+    "summary",
+    "summary_text",
+    "verification_table",
+    "write_json",
+    "write_text",
+]

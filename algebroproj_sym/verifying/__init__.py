@@ -1,1 +1,33 @@
-"""Verifying: what the generated functions compute, held against the derivations."""
+"""Verifying: what the generated functions compute, held against the derivations.
+
+samples (what goes in) → oracle (what is true) → accuracy (how far the shipped function is off); proof_of_source
+and singular_input ask the shipped function what no sample can tell.
+"""
+
+from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, accuracy, as_record, measured
+from algebroproj_sym.verifying.oracle import oracle
+from algebroproj_sym.verifying.proof_of_source import source_is_proved
+from algebroproj_sym.verifying.samples import Sample, stratified
+from algebroproj_sym.verifying.shipped import NotShippedError, call, function_of, load_package
+from algebroproj_sym.verifying.singular_input import silent_factors
+from algebroproj_sym.verifying.verification import Verification, verification_record, verify
+
+__all__ = [
+    "BOUND",
+    "Accuracy",
+    "NotShippedError",
+    "Sample",
+    "Verification",
+    "accuracy",
+    "as_record",
+    "call",
+    "function_of",
+    "load_package",
+    "measured",
+    "oracle",
+    "silent_factors",
+    "source_is_proved",
+    "stratified",
+    "verification_record",
+    "verify",
+]

@@ -403,9 +403,9 @@ section.identity(
 )
 
 # %% [markdown]
-# What is true of $\Delta$ as a function of $\mu$ and $\mathbf u_3$: the homogeneous center, the kernel of $\mathbf M^*$, is
-# $(\Delta, u_{31} \mu_2 \mu_3, u_{32} \mu_1 \mu_3, -\mu_1 \mu_2)$.  $\mathbf P^*$ is singular exactly where the center
-# is at infinity: for parallel projection.
+# What is true of $\Delta$ as a function of $\mu$ and $\mathbf u_3$: the homogeneous center, the kernel of
+# $\mathbf M^*$, is $(\Delta, u_{31} \mu_2 \mu_3, u_{32} \mu_1 \mu_3, -\mu_1 \mu_2)$.  $\mathbf P^*$ is singular
+# exactly where the center is at infinity: for parallel projection.
 
 
 # %%
@@ -433,11 +433,17 @@ section.vanishing(
 # %% [markdown]
 # ## Code
 #
-# Center and image enter through the barycentric abbreviations $y_{00}$ and $u_{30}$.
+# Center and image enter through the barycentric abbreviations $y_{00}$ and $u_{30}$.  In differences such as
+# $u_{31} y_{00} - u_{30} y_{01}$ the product $u_{31} y_{01}$ cancels; left in, it costs any number of digits where it
+# is large.  The forms below have it taken out, and keep what remains, $a_j = y_{00} + y_{0j}$ and
+# $b_j = u_{30} + u_{3j}$, common to numerator and denominator, where the rounding of one offsets the other.
 
 # %%
 Y00, U30, D = sympy.symbols("y00 u30 delta")
+A1, A2, B1, B2, W1, W2, D1, D2 = sympy.symbols("a1 a2 b1 b2 w1 w2 d1 d2")
 FOURTH = {Y00: y00, U30: u30}
+SHARED = {A1: 1 - y02 - y03, A2: 1 - y01 - y03, B1: 1 - u32, B2: 1 - u31}
+DIFFERENCES = SHARED | {W1: u31 * A1 - B1 * y01, W2: u32 * A2 - B2 * y02}
 with_center = {"arguments": {"y0": center, "u3": fourth_image}, "describe": {"y0": ABOUT_Y0, "u3": ABOUT_U3}}
 with_mu = {"arguments": {"mu": mu, "u3": fourth_image}, "describe": {"mu": ABOUT_MU, "u3": ABOUT_U3}}
 EXAMPLE_CENTER = {"y0": ("-1.0679613", "-0.2268166", "4.1115155"), "u3": ("0.2718578", "0.0577379")}
@@ -472,15 +478,15 @@ section.kernel(
     form=Matrix(
         [
             [
-                (u31 * Y00 - U30 * y01) / (U30 * y01),
-                (u32 * Y00 - U30 * y02) / (U30 * y02),
-                (-Y00 - U30 * y03) / (U30 * y03),
+                W1 / ((B1 - u31) * y01),
+                W2 / ((B2 - u32) * y02),
+                ((u31 + u32) * y03 - (1 - y01 - y02)) / ((1 - (u31 + u32)) * y03),
             ],
             [u31 * Y00 / (U30 * y01), 0, -u31 * Y00 / (U30 * y03)],
             [0, u32 * Y00 / (U30 * y02), -u32 * Y00 / (U30 * y03)],
         ]
     ),
-    where=FOURTH,
+    where=FOURTH | DIFFERENCES,
     claims=["1.3.6#row0", "1.3.6#rows12"],
     example=EXAMPLE_CENTER,
 )
@@ -518,20 +524,12 @@ section.kernel(
     derived=P_of_y0,
     form=Matrix(
         [
-            [
-                -y01,
-                y01 * (Y00 * (1 - u32) + U30 * (y02 + y03)) / (u31 * Y00),
-                y01 * (u32 * Y00 - U30 * y02) / (u32 * Y00),
-            ],
-            [
-                -y02,
-                y02 * (u31 * Y00 - U30 * y01) / (u31 * Y00),
-                y02 * (Y00 * (1 - u31) + U30 * (y01 + y03)) / (u32 * Y00),
-            ],
-            [-y03, y03 * (u31 * Y00 - U30 * y01) / (u31 * Y00), y03 * (u32 * Y00 - U30 * y02) / (u32 * Y00)],
+            [-y01, y01 * (B1 * (1 - y01) - u31 * (y02 + y03)) / D1, y01 * W2 / D2],
+            [-y02, y02 * W1 / D1, y02 * (B2 * (1 - y02) - u32 * (y01 + y03)) / D2],
+            [-y03, y03 * W1 / D1, y03 * W2 / D2],
         ]
     ),
-    where=FOURTH,
+    where=DIFFERENCES | {D1: u31 * (A1 - y01), D2: u32 * (A2 - y02)},
     claims=["1.3.7"],
     example=EXAMPLE_CENTER,
 )

@@ -1,70 +1,82 @@
 """Where an expression is zero: exactly where one of the printed factors is, wherever it is defined.
 
 Over the complex numbers two polynomials have the same zeros exactly if they have the same irreducible factors.
-A factor of the numerator that is also a divisor does not count: where it is zero, the expression is not defined.
+A factor of the numerator that is also a divisor, or a hypothesis, does not count: where it is zero, the expression is
+not defined, or nothing is claimed.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim
-from algebroproj_sym.expressions import evaluate, symbols_of, text
+from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.expressions import evaluate, symbols_of
 from algebroproj_sym.proving import Point, Proof, RationalFunctionField, points_on, prove, seed_of
 
 TRIES = 200
+
+Factors: TypeAlias = dict[str, tuple[sympy.Expr, int]]
 
 
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Compare the irreducible factors of the derived numerator with those of the printed factors."""
     derived: Any = claim.derived
-    product = sympy.Mul(*printed)
-    field = RationalFunctionField(symbols_of((derived, *printed)), engine)
+    field = RationalFunctionField(symbols_of((derived, *printed, *claim.nonzero)), engine)
     value = evaluate(derived, field.variables, field.lift)[0]
+    if value.is_zero:
+        raise DeclarationError(f"{claim.number}: expected a derived expression that is not identically zero")
     content, factors = field.irreducible(value.numerator)
-    poles = set(map(str, field.divisors()))
-    derived_factors = {str(field.expression(f)): (field.expression(f), count) for f, count in factors}
-    unrestricted = {name: factor for name, factor in derived_factors.items() if name not in poles}
-    printed_factors = {str(e): e for factor in printed for e in _irreducible_factors(factor, field)}
-    if unrestricted.keys() == printed_factors.keys():
-        powers = sympy.Mul(*(factor**count for factor, count in derived_factors.values()))
-        quotient = (
-            sympy.Rational(content.numerator, content.denominator)
-            * powers
-            / field.expression(field.product(value.denominator))
-        )
-        proof = prove(derived, quotient, engine=engine)
-        powers_by_text = [[text(factor), count] for factor, count in sorted(derived_factors.values(), key=str)]
-        certificate = {"method": "factorisation", "content": str(content), "factors": powers_by_text}
-        return replace(proof, certificate=certificate)
-    lacking = [unrestricted[name][0] for name in sorted(unrestricted.keys() - printed_factors.keys())]
-    superfluous = [printed_factors[name] for name in sorted(printed_factors.keys() - unrestricted.keys())]
-    return _refute(derived, product, lacking + superfluous, engine)
+    zeros = {str(field.expression(f)): (field.expression(f), count) for f, count in factors}
+    excluded = {*map(str, field.divisors()), *_irreducible(claim.nonzero, field)}
+    restricted = {name: entry for name, entry in zeros.items() if name not in excluded}
+    claimed = _irreducible(printed, field)
+    if restricted.keys() == claimed.keys():
+        denominator = field.expression(field.product(value.denominator))
+        factored = sympy.Rational(content.numerator, content.denominator) * _product(zeros) / denominator
+        return _factorisation(prove(derived, factored, engine=engine), zeros)
+    suspects = [(restricted | claimed)[name][0] for name in sorted(restricted.keys() ^ claimed.keys())]
+    return _refutation(claim, sympy.Mul(*printed), suspects, engine)
 
 
-def _irreducible_factors(factor: sympy.Expr, field: RationalFunctionField) -> list[sympy.Expr]:
-    numerator = evaluate(factor, field.variables, field.lift)[0].numerator
-    return [field.expression(irreducible) for irreducible, _ in field.irreducible(numerator)[1]]
+def _irreducible(expressions: Sequence[sympy.Expr], field: RationalFunctionField) -> Factors:
+    numerators = [evaluate(expression, field.variables, field.lift)[0].numerator for expression in expressions]
+    factors = [factor for numerator in numerators for factor in field.irreducible(numerator)[1]]
+    return {str(field.expression(factor)): (field.expression(factor), count) for factor, count in factors}
 
 
-def _refute(derived: sympy.Expr, product: sympy.Expr, suspects: list[sympy.Expr], engine: str) -> Proof:
-    symbols = symbols_of((derived, product))
+def _product(factors: Factors) -> sympy.Expr:
+    return sympy.Mul(*(factor**count for factor, count in factors.values()))
+
+
+def _factorisation(proof: Proof, factors: Factors) -> Proof:
+    if proof.verdict != "proved":
+        return proof
+    powers = [[name, count] for name, (_, count) in sorted(factors.items())]
+    return replace(proof, certificate={"method": "factorisation", "factors": powers})
+
+
+def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr], engine: str) -> Proof:
+    """Find a zero of one side that is none of the other, on the factors that only one side has."""
+    derived: Any = claim.derived
+    symbols = symbols_of((derived, product, *claim.nonzero))
     for suspect in suspects:
         for point in points_on([suspect], symbols, seed_of(derived, product), TRIES):
-            zeros = _zeros(derived, product, point)
-            if zeros in ((True, False), (False, True)):
-                certificate = {"method": "counterexample", "derived zero": zeros[0], "printed zero": zeros[1]}
+            if _tells_apart(point, derived, product, claim.nonzero):
+                values = [str(evaluate(side, point)[0]) for side in (derived, product)]
+                certificate = {"method": "counterexample", "derived": values[0], "product of the factors": values[1]}
                 return Proof("refuted", (), certificate, point, engine)
     reason = "the irreducible factors differ, but no rational point tells them apart"
     return Proof("open", (), {"method": "none", "reason": reason}, None, engine)
 
 
-def _zeros(derived: sympy.Expr, product: sympy.Expr, point: Point) -> tuple[bool, ...] | None:
+def _tells_apart(point: Point, derived: sympy.Expr, product: sympy.Expr, nonzero: Sequence[sympy.Expr]) -> bool:
     try:
-        return tuple(evaluate(side, point)[0] == Fraction(0) for side in (derived, product))
+        if any(evaluate(unit, point)[0] == 0 for unit in nonzero):
+            return False
+        return bool((evaluate(derived, point)[0] == 0) != (evaluate(product, point)[0] == 0))
     except ZeroDivisionError:
-        return None
+        return False

@@ -32,6 +32,8 @@ class SympyRing:
 
     def factor(self, polynomial: Any) -> tuple[Fraction, list[tuple[Any, int]]]:
         """Return the content and the irreducible factors with their multiplicities."""
+        if polynomial.is_ground:
+            return _fraction(polynomial.coeff(1)), []
         content, factors = polynomial.factor_list()
         return _fraction(content), [(factor, int(multiplicity)) for factor, multiplicity in factors]
 

@@ -1,0 +1,44 @@
+"""algebroproj build: the whole pipeline."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from algebroproj_sym import pipeline
+from algebroproj_sym.cli import options
+from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.declaring import kernels, select
+from algebroproj_sym.generating import PACKAGE, render, write
+from algebroproj_sym.reporting import ledger, report, summary_text, verification_table, write_json, write_text
+from algebroproj_sym.verifying import verification_record
+
+
+@click.command()
+@options.folder("out", "ledger, package, figures and report")
+@options.samples
+@options.engine
+@options.jobs
+def build(out: Path, samples: int, engine: str, jobs: int) -> None:
+    """Prove everything, generate, verify, and write ledger and report.
+
+    Writes DIR/ledger.json, DIR/algebroproj/, DIR/accuracy.json and DIR/report.md.
+    """
+    claims = select()
+    judgements = list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
+    write_json(ledger(judgements, timed=False), out / "ledger.json")
+    console().print(summary_text(judgements))
+    try:
+        lowered = list(progressing(pipeline.programs(judgements, engine, jobs), len(kernels()), "lowering"))
+    except pipeline.UnprovedError as error:
+        raise click.ClickException(str(error)) from error
+    write(render(lowered), out / PACKAGE)
+    found = pipeline.verifications(lowered, out, samples, engine, jobs)
+    verified = list(progressing(found, len(lowered), "verifying"))
+    write_json(verification_record(verified), out / "accuracy.json")
+    write_text(report(judgements, lowered, verified), out / "report.md")
+    console().print(verification_table(verified))
+    console().print(f"written to {out}: ledger.json, {PACKAGE}/, accuracy.json, report.md")
+    if not all(j.as_declared for j in judgements) or not all(v.passed for v in verified):
+        raise SystemExit(1)

@@ -1,0 +1,34 @@
+"""algebroproj check: judge claims."""
+
+from __future__ import annotations
+
+import json
+
+import click
+
+from algebroproj_sym import pipeline
+from algebroproj_sym.cli import options
+from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.reporting import claims_table, ledger, summary_text
+
+
+@click.command()
+@options.selectors
+@options.engine
+@options.jobs
+@options.output_format
+def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str) -> None:
+    """Judge claims, and compare each verdict with the declared one.
+
+    A SELECTOR is a paper key, paper:section, paper:number or the path of a derivation module; without one, every
+    claim of every paper is judged.
+    """
+    claims = options.selected(selectors)
+    judgements = list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
+    if output == "json":
+        click.echo(json.dumps(ledger(judgements), indent=1, ensure_ascii=False))
+    else:
+        console().print(claims_table(judgements))
+        console().print(summary_text(judgements))
+    if not all(judgement.as_declared for judgement in judgements):
+        raise SystemExit(1)

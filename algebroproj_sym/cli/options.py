@@ -1,0 +1,60 @@
+"""Options that several commands share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import click
+
+from algebroproj_sym.declaring import Claim, UnknownSelectorError, select
+from algebroproj_sym.proving import ENGINES
+
+engine = click.option(
+    "--engine",
+    type=click.Choice(ENGINES),
+    default="flint",
+    show_default=True,
+    help="Polynomial arithmetic of the proofs.",
+)
+jobs = click.option(
+    "--jobs", type=click.IntRange(min=1), default=1, show_default=True, metavar="N", help="Number of worker processes."
+)
+selectors = click.argument("selectors", nargs=-1, metavar="[SELECTOR]...")
+output_format = click.option(
+    "--format",
+    "output",
+    type=click.Choice(("text", "json")),
+    default="text",
+    show_default=True,
+    help="Form of the output.",
+)
+samples = click.option(
+    "--samples",
+    type=click.IntRange(min=1),
+    default=100,
+    show_default=True,
+    metavar="N",
+    help="Samples in each stratum: ordinary, badly scaled, near each factor.",
+)
+
+
+def folder(default: str, what: str) -> Callable[[Any], Any]:
+    """Return the option for the folder that a command writes to."""
+    return click.option(
+        "--out",
+        type=click.Path(file_okay=False, path_type=Path),
+        default=default,
+        show_default=True,
+        metavar="DIR",
+        help=f"Where to write {what}.",
+    )
+
+
+def selected(names: tuple[str, ...]) -> tuple[Claim, ...]:
+    """Return the selected claims; a selector that names nothing is wrong usage."""
+    try:
+        return select(names)
+    except UnknownSelectorError as error:
+        raise click.UsageError(str(error)) from error

@@ -1,0 +1,113 @@
+"""The pipeline: claims → verdicts → programs → package → figures.
+
+Each step takes what the one before it gave; `jobs` worker processes change the time a step takes, never its result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from multiprocessing import get_context
+from pathlib import Path
+from typing import TypeVar
+
+from algebroproj_sym.declaring import Claim, Judgement, judge, kernels, select
+from algebroproj_sym.generating import Lowered, lower
+from algebroproj_sym.verifying import Verification, load_package, verify
+
+Task = TypeVar("Task")
+Result = TypeVar("Result")
+
+EMITTED = ("proved", "misprint", "illegible")
+
+
+class UnprovedError(ValueError):
+    """A kernel names a claim that does not prove it."""
+
+
+def check(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iterator[Judgement]:
+    """Judge claims, in order.
+
+    Parameters
+    ----------
+    claims : sequence of Claim
+        As selected.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
+    jobs : int
+        How many processes.
+
+    Yields
+    ------
+    Judgement
+    """
+    return _mapped(partial(judge, engine=engine), claims, jobs)
+
+
+def claims_of_kernels() -> tuple[Claim, ...]:
+    """Return the claims that the kernels rest on."""
+    numbers = dict.fromkeys(f"{kernel.paper}:{number}" for kernel in kernels() for number in kernel.claims)
+    wanted = set(numbers)
+    return tuple(claim for claim in select() if f"{claim.paper}:{claim.number}" in wanted)
+
+
+def programs(judgements: Iterable[Judgement], engine: str = "flint", jobs: int = 1) -> Iterator[Lowered]:
+    """Lower all kernels, provided that the claims they rest on are decided as declared.
+
+    Parameters
+    ----------
+    judgements : iterable of Judgement
+        Must contain the claims that the kernels name.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
+    jobs : int
+        How many processes.
+
+    Raises
+    ------
+    UnprovedError
+        If a claim that a kernel names is open, false, or not as declared.
+    """
+    verdicts = {(judgement.claim.paper, judgement.claim.number): judgement for judgement in judgements}
+    for kernel in kernels():
+        for number in kernel.claims:
+            judgement = verdicts[kernel.paper, number]
+            if not judgement.as_declared or judgement.verdict not in EMITTED:
+                raise UnprovedError(
+                    f"kernel {kernel.qualified_name}: expected claim {number} to prove it, got {judgement.verdict}"
+                )
+    return _mapped(partial(lower, engine=engine), kernels(), jobs)
+
+
+def verifications(
+    lowered: Sequence[Lowered], folder: Path | None, size: int, engine: str = "flint", jobs: int = 1
+) -> Iterator[Verification]:
+    """Verify the generated functions of some kernels.
+
+    Parameters
+    ----------
+    lowered : sequence of Lowered
+        The kernels and their programs.
+    folder : Path or None
+        A folder that contains the package; None for the installed one.
+    size : int
+        Samples in each stratum.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
+    jobs : int
+        How many processes.
+    """
+    return _mapped(partial(_verify, folder=folder, size=size, engine=engine), lowered, jobs)
+
+
+def _verify(lowered: Lowered, folder: Path | None, size: int, engine: str) -> Verification:
+    return verify(lowered, load_package(folder), size, engine)
+
+
+def _mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
+    if jobs == 1:
+        yield from map(function, tasks)
+        return
+    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
+        yield from pool.map(function, tasks)

@@ -1,0 +1,77 @@
+"""The report: verdicts, findings and generated functions, as Markdown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import groupby
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from algebroproj_sym.declaring import VERDICTS, Judgement, evidence_lines, statement_text
+from algebroproj_sym.generating import Lowered, operation_counts
+from algebroproj_sym.reporting.ledger import summary
+from algebroproj_sym.verifying import BOUND, Verification
+
+_TEMPLATES = Environment(
+    loader=PackageLoader("algebroproj_sym.reporting"),
+    undefined=StrictUndefined,
+    keep_trailing_newline=True,
+    trim_blocks=True,
+    lstrip_blocks=True,
+)
+
+
+def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified: Sequence[Verification]) -> str:
+    """Return the report.
+
+    Parameters
+    ----------
+    judgements : sequence of Judgement
+        All claims.
+    lowered : sequence of Lowered
+        All kernels.
+    verified : sequence of Verification
+        The figures of the generated functions, in the order of the kernels.
+
+    Returns
+    -------
+    str
+        Markdown: verdicts by paper, the findings (what is not simply proved), the functions with their figures.
+    """
+    return _TEMPLATES.get_template("report.md.j2").render(
+        verdicts=VERDICTS,
+        papers=[(paper, summary(group)) for paper, group in _by_paper(judgements)],
+        findings=[_finding(j) for j in judgements if j.verdict not in ("proved", "definition")],
+        functions=[_function(low, v) for low, v in zip(lowered, verified, strict=True)],
+        bound=BOUND,
+    )
+
+
+def _by_paper(judgements: Iterable[Judgement]) -> list[tuple[str, list[Judgement]]]:
+    return [(paper, list(group)) for paper, group in groupby(judgements, key=lambda j: j.claim.paper)]
+
+
+def _finding(judgement: Judgement) -> dict[str, object]:
+    claim = judgement.claim
+    forms = (("printed", claim.printed), ("derived", claim.derived), ("corrected", claim.corrected))
+    return {
+        "name": f"{claim.paper} ({claim.number})",
+        "title": claim.title,
+        "verdict": judgement.verdict,
+        "forms": [(label, statement_text(form)) for label, form in forms if form is not None],
+        "evidence": evidence_lines(judgement),
+        "note": claim.note,
+    }
+
+
+def _function(low: Lowered, verification: Verification) -> dict[str, object]:
+    overall = verification.accuracy.overall
+    return {
+        "name": low.kernel.qualified_name,
+        "claims": ", ".join(low.kernel.claims),
+        "operations": operation_counts(low),
+        "source": "proved" if verification.source_proved else "differs",
+        "median": f"{overall.median_ulp:.2f}",
+        "largest": f"{overall.max_ulp:.3g}",
+        "ratio": f"{overall.max_ratio:.2f}",
+    }

@@ -1,0 +1,102 @@
+"""Tables for the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rich.table import Table
+from rich.text import Text
+
+from algebroproj_sym.declaring import Judgement, evidence_lines, statement_text
+from algebroproj_sym.generating import Lowered, operation_counts
+from algebroproj_sym.reporting.ledger import summary
+from algebroproj_sym.verifying import Verification
+
+COLORS = {
+    "proved": "green",
+    "misprint": "yellow",
+    "false": "red",
+    "illegible": "magenta",
+    "definition": "cyan",
+    "open": "bold red",
+}
+
+
+def verdict_text(verdict: str) -> Text:
+    """Return a verdict in its color."""
+    return Text(verdict, style=COLORS[verdict])
+
+
+def claims_table(judgements: Sequence[Judgement]) -> Table:
+    """Return a row for each claim: number, kind, verdict, what was expected, title."""
+    table = Table("number", "kind", "verdict", "title", box=None, pad_edge=False)
+    for judgement in judgements:
+        verdict = verdict_text(judgement.verdict)
+        if not judgement.as_declared:
+            verdict.append(f", declared {judgement.claim.expected}", style="bold red")
+        claim = judgement.claim
+        table.add_row(Text(f"{claim.paper}:{claim.number}"), claim.kind, verdict, Text(claim.title))
+    return table
+
+
+def summary_text(judgements: Sequence[Judgement]) -> Text:
+    """Return one line: how many claims, by verdict, and how many are not as declared."""
+    line = Text(f"{len(judgements)} claims:")
+    for verdict, count in summary(judgements).items():
+        line.append(f" {count} {verdict}", style=COLORS[verdict])
+    changed = sum(not judgement.as_declared for judgement in judgements)
+    line.append(f"; {changed} not as declared", style="bold red" if changed else "dim")
+    return line
+
+
+def explanation(judgement: Judgement, module: str, functions: Sequence[str]) -> Text:
+    """Return everything about one claim, a line each."""
+    claim = judgement.claim
+    lines = Text()
+    lines.append(f"{claim.paper} ({claim.number})  {claim.title}\n", style="bold")
+    lines.append("verdict     ").append_text(verdict_text(judgement.verdict)).append(
+        f", a claim of kind {claim.kind}\n"
+    )
+    for label, statement in (("printed", claim.printed), ("derived", claim.derived), ("corrected", claim.corrected)):
+        if statement is not None:
+            lines.append(f"{label:<12}{statement_text(statement)}\n")
+    for symbol, value in claim.where.items():
+        lines.append(f"{'where':<12}{symbol} = {statement_text(value)}\n")
+    for line in evidence_lines(judgement):
+        lines.append(f"{'':<12}{line}\n")
+    if claim.note:
+        lines.append(f"{'note':<12}{claim.note}\n")
+    lines.append(f"{'derived in':<12}{module}\n")
+    if functions:
+        lines.append(f"{'functions':<12}{', '.join(functions)}\n")
+    return lines
+
+
+def operations_table(lowered: Sequence[Lowered]) -> Table:
+    """Return a row for each kernel: operations as derived, after SymPy's cse, in our program."""
+    table = Table("function", box=None, pad_edge=False)
+    for heading in ("derived", "sympy.cse", "program"):
+        table.add_column(heading, justify="right")
+    for low in lowered:
+        counts = operation_counts(low)
+        table.add_row(low.kernel.qualified_name, str(counts.derived), str(counts.sympy_cse), str(counts.program))
+    return table
+
+
+def verification_table(verifications: Sequence[Verification]) -> Table:
+    """Return a row for each function: source proved, singular input, errors."""
+    table = Table("function", "source", "singular input", box=None, pad_edge=False)
+    for heading in ("samples", "median ULP", "max ULP", "max error/(cond u)"):
+        table.add_column(heading, justify="right")
+    for v in verifications:
+        overall = v.accuracy.overall
+        table.add_row(
+            v.accuracy.function,
+            Text("proved", "green") if v.source_proved else Text("differs", "bold red"),
+            Text("silent: " + ", ".join(map(str, v.silent)), "bold red") if v.silent else Text("not finite", "green"),
+            str(overall.samples),
+            f"{overall.median_ulp:.2f}",
+            f"{overall.max_ulp:.3g}",
+            Text(f"{overall.max_ratio:.2f}", "green" if v.accuracy.within_bound else "bold red"),
+        )
+    return table

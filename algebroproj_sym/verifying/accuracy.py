@@ -1,0 +1,168 @@
+"""How accurate the generated functions are: errors in ULP, and against the condition number of the input.
+
+Write u for the unit roundoff and f for an entry of the exact result.  Rounding the input alone changes f by up to
+u * sum |x_i df/dx_i|, rounding the result by u * |f|: an error of a few times the larger of the two is all that can
+be asked for.  That ratio must stay below `BOUND`; the error in ULP shows what cancellation costs.
+
+An input so close to a singularity that rounding it once more could put it there may give an infinity or a NaN: no digit
+of f is determined by the rounded input.  Such entries are counted, and do not enter the figures.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import inf, isfinite
+from statistics import median
+from types import ModuleType
+
+import mpmath
+import numpy as np
+
+from algebroproj_sym.generating import Lowered
+from algebroproj_sym.verifying.oracle import Truth, oracle
+from algebroproj_sym.verifying.samples import Sample, stratified
+from algebroproj_sym.verifying.shipped import Function, call, function_of
+
+UNIT_ROUNDOFF = 2.0**-53
+BOUND = 16.0
+
+
+@dataclass(frozen=True)
+class Stratum:
+    """The errors over the samples of one stratum.
+
+    Attributes
+    ----------
+    name : str
+        Which inputs.
+    samples : int
+        How many.
+    median_ulp, max_ulp : float
+        Errors of the entries that depend on the input, in units in the last place of the exact result.
+    undetermined : int
+        Entries that are not finite, and of which rounding the input alone could change every digit.
+    max_ratio : float
+        The largest error over u times the larger of ``|f|`` and ``sum |x_i df/dx_i|``.
+    """
+
+    name: str
+    samples: int
+    median_ulp: float
+    max_ulp: float
+    max_ratio: float
+    undetermined: int
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """The errors of a function: over all samples, and stratum by stratum."""
+
+    function: str
+    overall: Stratum
+    strata: tuple[Stratum, ...]
+
+    @property
+    def within_bound(self) -> bool:
+        """Whether the ratio of error to condition stays below the bound everywhere."""
+        return self.overall.max_ratio <= BOUND
+
+
+@dataclass(frozen=True)
+class _Errors:
+    stratum: str
+    ulps: tuple[float, ...]
+    ratio: float
+    undetermined: int
+
+
+def accuracy(lowered: Lowered, package: ModuleType, size: int, seed: int = 0) -> Accuracy:
+    """Measure a generated function on stratified samples.
+
+    Parameters
+    ----------
+    lowered : Lowered
+        The kernel and the factors that must not vanish.
+    package : module
+        Where the generated function is.
+    size : int
+        Samples in each stratum.
+    seed : int
+        Varies the draw.
+
+    Returns
+    -------
+    Accuracy
+    """
+    function = function_of(lowered.kernel, package)
+    return measured(lowered, function, stratified(lowered, size, seed))
+
+
+def measured(lowered: Lowered, function: Function, samples: Sequence[Sample]) -> Accuracy:
+    """Measure any function against the derivation of a kernel, on given samples."""
+    kernel = lowered.kernel
+    truth = oracle(kernel)
+    batch = {symbol.name: np.array([sample.values[symbol.name] for sample in samples]) for symbol in kernel.symbols}
+    with np.errstate(all="ignore"):
+        computed = call(function, kernel, batch)
+    varying = [isinstance(output, str) for output in lowered.program.outputs]
+    errors = [
+        _errors(sample.stratum, row.tolist(), truth(sample.values), varying)
+        for sample, row in zip(samples, computed, strict=True)
+    ]
+    names = dict.fromkeys(error.stratum for error in errors)
+    strata = tuple(_summary(name, [error for error in errors if error.stratum == name]) for name in names)
+    return Accuracy(kernel.qualified_name, _summary("all", errors), strata)
+
+
+def _errors(stratum: str, computed: Sequence[float], truth: Truth, varying: Sequence[bool]) -> _Errors:
+    ulps, ratio, undetermined = [], 0.0, 0
+    for value, exact, sensitivity, varies in zip(computed, truth.values, truth.sensitivities, varying, strict=True):
+        finite = isfinite(value)
+        if not finite and UNIT_ROUNDOFF * BOUND * sensitivity >= abs(exact):
+            undetermined += 1
+            continue
+        error = abs(mpmath.mpf(value) - exact) if finite else mpmath.inf
+        ratio = max(ratio, _quotient(error, UNIT_ROUNDOFF * max(abs(exact), sensitivity)))
+        if varies:
+            ulps.append(_quotient(error, mpmath.mpf(float(np.spacing(abs(float(exact)))))))
+    return _Errors(stratum, tuple(ulps), ratio, undetermined)
+
+
+def _quotient(error: object, scale: object) -> float:
+    if scale == 0:
+        return 0.0 if error == 0 else inf
+    return float(error / scale)  # type: ignore[operator]
+
+
+def _summary(name: str, errors: Sequence[_Errors]) -> Stratum:
+    ulps = [ulp for error in errors for ulp in error.ulps]
+    return Stratum(
+        name=name,
+        samples=len(errors),
+        median_ulp=median(ulps) if ulps else 0.0,
+        max_ulp=max(ulps, default=0.0),
+        max_ratio=max((error.ratio for error in errors), default=0.0),
+        undetermined=sum(error.undetermined for error in errors),
+    )
+
+
+def as_record(measured_accuracy: Accuracy) -> Mapping[str, object]:
+    """Return the figures as plain data, rounded to three digits."""
+    strata = [_stratum_record(stratum) for stratum in measured_accuracy.strata]
+    return {"function": measured_accuracy.function, "all": _stratum_record(measured_accuracy.overall), "strata": strata}
+
+
+def _stratum_record(stratum: Stratum) -> Mapping[str, object]:
+    return {
+        "name": stratum.name,
+        "samples": stratum.samples,
+        "median_ulp": _rounded(stratum.median_ulp),
+        "max_ulp": _rounded(stratum.max_ulp),
+        "max_ratio": _rounded(stratum.max_ratio),
+        "undetermined": stratum.undetermined,
+    }
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.3g}")

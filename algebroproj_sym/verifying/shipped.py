@@ -1,0 +1,89 @@
+"""The functions that are shipped: loaded from the installed package, or from a folder that was just generated."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from algebroproj_sym.declaring import Argument, Kernel
+from algebroproj_sym.generating import PACKAGE
+from algebroproj_sym.proving import seed_of
+
+Function = Callable[..., Any]
+
+
+class NotShippedError(LookupError):
+    """A kernel has no generated function in the package."""
+
+
+def load_package(folder: Path | None = None) -> ModuleType:
+    """Import the generated package.
+
+    Parameters
+    ----------
+    folder : Path, optional
+        A folder that contains the package; by default the installed one is imported.
+    """
+    if folder is None:
+        return importlib.import_module(PACKAGE)
+    location = folder / PACKAGE / "__init__.py"
+    name = f"_{PACKAGE}_at_{seed_of(location.resolve())}"
+    spec = importlib.util.spec_from_file_location(name, location)
+    if spec is None or spec.loader is None or not location.is_file():
+        raise NotShippedError(f"package: expected {location}, which does not exist")
+    package = importlib.util.module_from_spec(spec)
+    sys.modules[name] = package
+    spec.loader.exec_module(package)
+    return package
+
+
+def function_of(kernel: Kernel, package: ModuleType) -> Function:
+    """Return the generated function of a kernel.
+
+    Raises
+    ------
+    NotShippedError
+        If the package lacks it.
+    """
+    module = getattr(package, kernel.module, None)
+    function = getattr(module, kernel.name, None)
+    if function is None:
+        raise NotShippedError(f"package {package.__name__}: expected a function {kernel.qualified_name}")
+    return function  # type: ignore[no-any-return]
+
+
+def call(function: Function, kernel: Kernel, values: Mapping[str, Any]) -> NDArray[Any]:
+    """Call a generated function with the entries of its arguments given by name.
+
+    Parameters
+    ----------
+    function : callable
+        The generated function.
+    kernel : Kernel
+        Its kernel.
+    values : mapping of str to number or ndarray
+        A value, or an array of one batch shape, for each entry of each argument.
+
+    Returns
+    -------
+    ndarray
+        The result with its core dimensions flattened to one, the last.
+    """
+    arrays = [_gathered(argument, values) for argument in kernel.arguments]
+    result = np.asarray(function(*arrays))
+    batch = result.shape[: result.ndim - len(kernel.shape)]
+    return result.reshape((*batch, -1))
+
+
+def _gathered(argument: Argument, values: Mapping[str, Any]) -> NDArray[Any]:
+    entries = [np.asarray(values[symbol.name]) for symbol in argument.symbols]
+    stacked = np.stack(entries, axis=-1)
+    return stacked.reshape(stacked.shape[:-1] + argument.shape)

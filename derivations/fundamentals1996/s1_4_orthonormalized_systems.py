@@ -1,0 +1,474 @@
+# %% [markdown]
+# # 1.4 Connection with orthonormalized systems
+#
+# Cartesian coordinates of the object and rectangular coordinates of the image, referred to the basic points: what
+# analytical photogrammetry calls a camera is a projection of section 1.2 between two affine transformations.
+
+# %%
+import sympy
+
+from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star as core
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import (
+    Matrix,
+    columns,
+    cross,
+    dot,
+    homogeneous,
+    inverse,
+    linear_system,
+    over,
+    rows,
+    solve,
+    vector,
+)
+
+section = Section("fundamentals1996", "1.4", "Connection with orthonormalized systems")
+
+# %% [markdown]
+# ## Base and rotation
+#
+# The image plane has the distance 1 from the center; $\mathbf k$ is its normal, $\mathbf i$ and $\mathbf j$ are the
+# directions of its rectangular coordinates, $\mathbf R = [\mathbf k, \mathbf i, \mathbf j]$.  Seen from the principal
+# point, $G'_j$ stands at $(x_j - x_C, y_j - y_C)$.
+
+# %%
+x_center, y_center = sympy.symbols("xC yC")
+xs, ys = sympy.symbols("x0 x1 x2"), sympy.symbols("y0 y1 y2")
+R = Matrix(3, 3, sympy.symbols("r:3:3"))
+k, i, j = (R.col(n) for n in range(3))
+internal = [vector(1, xj - x_center, yj - y_center) for xj, yj in zip(xs, ys, strict=True)]
+external = [k + (xj - x_center) * i + (yj - y_center) * j for xj, yj in zip(xs, ys, strict=True)]
+
+section.definition("1.4/b", "base vectors in the system of the image", printed=columns(*internal))
+section.identity(
+    "1.4/b#external",
+    "base vectors in the system of the object",
+    printed=columns(*(R * b for b in internal)),
+    derived=columns(*external),
+)
+
+# %% [markdown]
+# Six equations make $\mathbf R$ orthogonal, $\mathbf R^T \mathbf R = \mathbf E$.  Where it is better to try a formula
+# on a rotation itself, an unnormalised quaternion keeps it rational.
+
+# %%
+orthogonal = [(R.T * R - E3)[row, column] for row in range(3) for column in range(row, 3)]
+unrotated = dict(zip(R, (1, 0, 0, 0, 1, 0, 0, 0, 1), strict=True))
+
+q0, q1, q2, q3 = sympy.symbols("q0 q1 q2 q3")
+rotation = Matrix(
+    [
+        [q0**2 + q1**2 - q2**2 - q3**2, 2 * (q1 * q2 - q0 * q3), 2 * (q1 * q3 + q0 * q2)],
+        [2 * (q1 * q2 + q0 * q3), q0**2 - q1**2 + q2**2 - q3**2, 2 * (q2 * q3 - q0 * q1)],
+        [2 * (q1 * q3 - q0 * q2), 2 * (q2 * q3 + q0 * q1), q0**2 - q1**2 - q2**2 + q3**2],
+    ]
+).applyfunc(lambda entry: over(entry, q0**2 + q1**2 + q2**2 + q3**2))
+
+section.identity(
+    "1.4/beyond/rotation",
+    "a quaternion gives an orthogonal matrix",
+    printed=E3,
+    derived=rotation.T * rotation,
+    note="Not in the paper: the rational rotations of this section are orthogonal.",
+)
+
+# %% [markdown]
+# ## The image point
+#
+# $\mathbf p = \mathbf b_0 + u_1 (\mathbf b_1 - \mathbf b_0) + u_2 (\mathbf b_2 - \mathbf b_0)$ is the rotated vector
+# $\mathbf p'$ that has the same coordinates in the internal base; $\mathbf A_v$ is what is linear in
+# $(1, u_1, u_2)$ there.
+
+# %%
+u = vector(u1, u2)
+
+
+def image_point(base: list[Matrix]) -> Matrix:
+    return base[0] + u1 * (base[1] - base[0]) + u2 * (base[2] - base[0])
+
+
+linear, constant = linear_system(list(image_point(internal)), list(u))
+A_v = columns(-constant, linear)
+
+section.identity(
+    "1.4.1#sum",
+    "image point, rotated sum of the internal base",
+    printed=R * ((1 - u1 - u2) * internal[0] + u1 * internal[1] + u2 * internal[2]),
+    derived=image_point(external),
+    note="The text refers to (1.1.3) for this sum; it stands in the displays before (1.1.4).",
+)
+section.identity(
+    "1.4.1#base",
+    "image point, barycentric",
+    printed=R * columns(*internal) * vector(1 - u1 - u2, u1, u2),
+    derived=image_point(external),
+)
+section.identity(
+    "1.4.1#U",
+    "image point, affine",
+    printed=R
+    * Matrix([[1, 1, 1], [xj - x_center for xj in xs], [yj - y_center for yj in ys]])
+    * Matrix([[1, -1, -1], [0, 1, 0], [0, 0, 1]])
+    * vector(1, u1, u2),
+    derived=image_point(external),
+)
+section.identity(
+    "1.4.1#A_v",
+    "matrix of the affine image coordinates",
+    printed=Matrix([[1, 0, 0], [xj - x_center for xj in xs], [yj - y_center for yj in ys]]),
+    derived=A_v,
+    expect="misprint",
+    corrected=Matrix(
+        [
+            [1, 0, 0],
+            [xs[0] - x_center, xs[1] - xs[0], xs[2] - xs[0]],
+            [ys[0] - y_center, ys[1] - ys[0], ys[2] - ys[0]],
+        ]
+    ),
+    note="The second and third column are differences to the first basic point, as in A_X below.  Ruled out: the "
+    "matrix of the base itself, which has the first row 1 1 1; a transposition; the first basic point in the principal "
+    "point, which would make the printed form right, but with a first column 1 0 0.  The scan alone cannot tell a slip "
+    "of the scan from one of the print.",
+)
+section.identity(
+    "1.4.1",
+    "image point from its affine coordinates",
+    printed=R * A_v * vector(1, u1, u2),
+    derived=image_point(external),
+)
+
+# %% [markdown]
+# ## Affine frames
+#
+# $\mathbf A_v$ for the plane and $\mathbf A_X$ for space are the same thing: the frame of some points, with the first
+# one as origin.  A point has the coordinates $y_i$ if
+# $\mathbf X = \mathbf X_{G_0} + \sum y_i (\mathbf X_{G_i} - \mathbf X_{G_0})$, which are linear equations for $y_i$.
+
+
+# %%
+def frame(points: Matrix) -> Matrix:
+    origin, *others = (points.row(n).T for n in range(points.rows))
+    return columns(homogeneous(origin), *(vector(0, *(other - origin)) for other in others))
+
+
+def point_at(affine: Matrix, points: Matrix) -> Matrix:
+    origin, *others = (points.row(n).T for n in range(points.rows))
+    return origin + columns(*(other - origin for other in others)) * affine
+
+
+def coordinates(point: Matrix, points: Matrix) -> Matrix:
+    unknown = vector(*sympy.symbols(f"t:{points.cols}"))
+    return solve(*linear_system(list(point_at(unknown, points) - point), list(unknown)))
+
+
+# %% [markdown]
+# Rows of $g$ are the points $G'_j$ in coordinates $v_1, v_2$ of the image: measured from the principal point they are
+# $(x_j - x_C, y_j - y_C)$, but any origin serves.
+
+# %%
+g = Matrix(3, 2, sympy.symbols("g:3:2"))
+v = vector(*sympy.symbols("v1 v2"))
+x, y = sympy.symbols("x y")
+
+section.identity(
+    "1.4/v",
+    "from affine to rectangular image coordinates",
+    printed=vector(1, x, y),
+    where=dict(zip((x, y), point_at(u, g), strict=True)),
+    derived=frame(g) * homogeneous(u),
+    note="g00, g01 stand for x0 - xC, y0 - yC: as printed, A_v gives x, y from the principal point.",
+)
+section.identity(
+    "1.4/plane-coordinates",
+    "from rectangular to affine image coordinates",
+    printed=inverse(frame(g)) * homogeneous(v),
+    derived=homogeneous(coordinates(v, g)),
+    note="The paper prints only v = A_v u; this is the inverse.",
+)
+
+# %% [markdown]
+# ## The distances
+#
+# The ray to an object point is $\mathbf X - \mathbf X_0 = \lambda \mathbf p$.  A rotation does not change the length of
+# $\mathbf p = \mathbf R \mathbf A_v \mathbf u$.
+
+# %%
+lam = sympy.Symbol("lam")
+X = vector(*sympy.symbols("X1 X2 X3"))
+X0 = vector(*sympy.symbols("X01 X02 X03"))
+p = vector(*sympy.symbols("p1 p2 p3"))
+plane_point = frame(g) * homogeneous(u)
+
+
+def on_the_ray(direction: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
+    return dict(zip(X, X0 + lam * direction, strict=True))
+
+
+section.definition("1.4/lambda", "ray to an object point", printed=lam * p)
+section.identity(
+    "1.4.2#p",
+    "factor of the ray, from the image point",
+    printed=over(dot(X - X0, X - X0), dot(p, p)),
+    where=on_the_ray(p),
+    derived=lam**2,
+)
+section.identity(
+    "1.4.2",
+    "factor of the ray, from the affine image coordinates",
+    printed=over(dot(X - X0, X - X0), dot(plane_point, plane_point)),
+    where=on_the_ray(R * plane_point),
+    derived=lam**2,
+    constraints=orthogonal,
+    witness=unrotated,
+)
+object_distance, image_distance = sympy.symbols("s sp")
+section.identity(
+    "1.4/ratio",
+    "the factor is the ratio of the distances",
+    printed=over(object_distance, image_distance) ** 2,
+    derived=lam**2,
+    constraints=[object_distance**2 - lam**2 * dot(p, p), image_distance**2 - dot(p, p)],
+    witness=dict(zip((*p, lam, image_distance, object_distance), (1, 2, 2, 2, 3, 6), strict=True)),
+    note="s and sp are the distances of object and image point from the center.  The sentence follows the formula for "
+    "the square of the factor and is read of the factor itself: the square is the ratio of the squared distances.",
+)
+
+# %% [markdown]
+# ## The basic points in space
+#
+# Rows of $G$ are the basic points.  $\mathbf A_X$ takes the unit points to them.
+
+# %%
+G = Matrix(4, 3, sympy.symbols("G:4:3"))
+basic_points = columns(*(homogeneous(G.row(n).T) for n in range(4)))
+unit_points = columns(*(homogeneous(e) for e in (e0, e1, e2, e3)))
+axes = [sympy.symbols(f"{axis}:4") for axis in "XYZ"]
+
+section.identity(
+    "1.4.3",
+    "from cartesian to affine coordinates of space",
+    printed=solve(frame(G), homogeneous(X)),
+    derived=homogeneous(coordinates(X, G)),
+)
+section.identity(
+    "1.4/A_X",
+    "matrix of the affine coordinates of space",
+    printed=Matrix([[1, 0, 0, 0], *([a[0], a[1] - a[0], a[2] - a[0], a[3] - a[0]] for a in axes)]),
+    where=dict(zip(Matrix(axes).T, G, strict=True)),
+    derived=basic_points * inverse(unit_points),
+    note="X1, Y1, Z1 are here the coordinates of the basic point G1; elsewhere X1, X2, X3 are those of any point.",
+)
+section.identity(
+    "1.4.4",
+    "the unit points become the basic points",
+    printed=frame(G) * unit_points,
+    derived=basic_points,
+)
+
+# %% [markdown]
+# Center and point in affine coordinates: the ray is $\mathbf A_X \mathbf z$.
+
+# %%
+point = vector(y1, y2, y3)
+section.identity(
+    "1.4/ray",
+    "cartesian and affine ray",
+    printed=frame(G) * (homogeneous(point) - homogeneous(center)),
+    derived=homogeneous(point_at(point, G)) - homogeneous(point_at(center, G)),
+)
+z = vector(*sympy.symbols("z1 z2 z3"))
+affine_ray = frame(G) * vector(0, *z)
+object_ray = point_at(point, G) - point_at(center, G)
+rotated_point = rotation * plane_point
+section.identity(
+    "1.4/lambda2",
+    "factor of the ray, affine",
+    printed=over(dot(affine_ray, affine_ray), dot(plane_point, plane_point)),
+    where=dict(zip(z, point - center, strict=True)),
+    derived=over(dot(object_ray, object_ray), dot(rotated_point, rotated_point)),
+)
+
+# %% [markdown]
+# ## Projection between cartesian systems
+#
+# Inverting $\mathbf P = \mathbf B \mathbf U = \mathbf R \mathbf A_v$ needs no more than the inverse of $\mathbf A_v$.
+# From here on the edges $G_j - G_0$ and $G'_j - G'_0$ are the symbols, which keeps determinants short.
+
+# %%
+origin, edges = vector(*sympy.symbols("G00 G01 G02")), Matrix(3, 3, sympy.symbols("a:3:3"))
+plane_origin, plane_edges = vector(*sympy.symbols("g00 g01")), Matrix(2, 2, sympy.symbols("c:2:2"))
+space_points = rows(origin, *(origin + edges.row(n).T for n in range(3)))
+plane_points = rows(plane_origin, *(plane_origin + plane_edges.row(n).T for n in range(2)))
+A_X, A_v = frame(space_points), frame(plane_points)
+
+section.identity(
+    "1.4.6",
+    "matrix of projection, rotation and affine transformation",
+    printed=inverse(A_v) * rotation.T,
+    derived=inverse(rotation * A_v),
+    note="The scan has A_p for A_v: a variant of the letter.  This matrix acts on the cartesian ray; on the affine one "
+    "of section 1.1, the ray being A_X z, it acts with A_X on its right.",
+)
+section.structure(
+    "1.4/normal-case",
+    "the normal case is an affine transformation",
+    printed=Matrix([[1, 0, 0], sympy.symbols("a10 a11 a12"), sympy.symbols("a20 a21 a22")]),
+    derived=inverse((R * A_v).xreplace(unrotated)),
+    note="With R = E.  A quasihomogeneous vector keeps its leading 1 under a first row 1 0 0: that is what affine "
+    "means; the other elements are not restricted.",
+)
+
+# %% [markdown]
+# Seen from the image system the ray is $\mathbf R^T (\mathbf X - \mathbf X_0)$, and its first component is the factor
+# of the quasihomogeneous image vector $\mathbf v$: the collinearity equations.  On the other side $\mathbf M$ is put
+# together by (1.1.6), with (1.4.6) and $\mathbf X - \mathbf X_0 = \mathbf A_X \mathbf z$.
+
+# %%
+P_star = inverse(A_v) * rotation.T * A_X[1:, 1:]
+M = columns(-P_star * center, P_star)
+section.identity(
+    "1.4.5",
+    "projection between cartesian systems",
+    printed=A_v * (M * (inverse(A_X) * homogeneous(X))),
+    derived=rotation.T * (X - point_at(center, space_points)),
+    note="M without its row of zeros, scaled so that the factor of v is the first component of the right side.  That "
+    "M has the form (1.2.3) where A_v refers to the images of the basic points is (1.2/core) and (1.4/type).",
+)
+
+# %% [markdown]
+# The converse: any projection, with images $\mathbf s_j$ of the basic points, is a core (1.2.3) between two affine
+# transformations.  Image points and the parameters of the core are read off the $\mathbf s_j$, as in (1.2/core).
+
+# %%
+images = Matrix(3, 4, sympy.symbols("s:3:4"))
+depths = images.row(0)
+seen_points = rows(*(vector(over(images[1, n], depths[n]), over(images[2, n], depths[n])) for n in range(4)))
+seen_u3 = coordinates(seen_points.row(3).T, seen_points[:3, :])
+general = images * inverse(columns(*(homogeneous(space_points.row(n).T) for n in range(4))))
+section.identity(
+    "1.4/type",
+    "every projection is of type (1.2.3) between affine transformations",
+    printed=frame(seen_points[:3, :]) * core[:3, :] * inverse(A_X),
+    where=dict(zip((mu0, mu1, mu2, mu3, u31, u32), (*depths, *seen_u3), strict=True)),
+    derived=general,
+    note="The general matrix is the one that takes the basic points to any given images.",
+)
+
+# %% [markdown]
+# Other image coordinates $\mathbf v' = \mathbf C \mathbf v$, oblique and in any scale, change $\mathbf A_v$ to
+# $\mathbf C \mathbf A_v$, and leave $\mathbf u$ and $\mathbf M$ alone.
+
+# %%
+device = Matrix(2, 2, sympy.symbols("d11 d12 d21 d22"))
+shift = vector(*sympy.symbols("d10 d20"))
+C = columns(homogeneous(shift), Matrix([[0, 0]]).col_join(device))
+
+
+def read(point: Matrix) -> Matrix:
+    return shift + device * point
+
+
+other_points = rows(*(read(g.row(n).T) for n in range(3)))
+section.identity(
+    "1.4/uncalibrated",
+    "affine image coordinates need no calibration",
+    printed=coordinates(v, g),
+    derived=coordinates(read(v), other_points),
+    note="The sentence, made precise: u is the same in the coordinates of every measuring device.",
+)
+section.identity(
+    "1.4/uncalibrated#A_v",
+    "change of the affine frame with the measuring device",
+    printed=C * frame(g),
+    derived=frame(other_points),
+    note="The sentence, made precise: with C on their left both sides of (1.4.5) are referred to the device.",
+)
+
+# %% [markdown]
+# ## Code
+#
+# Coordinates are differences first, then ratios of determinants that share their minors.
+
+# %%
+ABOUT_PLANE = "Image points G'0, G'1, G'2, a row each, in any affine coordinates; any unit."
+ABOUT_SPACE = "Object points G0, G1, G2, G3, a row each, in any affine coordinates; any unit."
+
+
+def differences(names: str, point: Matrix, origin: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
+    return dict(zip(sympy.symbols(names), point - origin, strict=True))
+
+
+det = sympy.Symbol("det")
+image_example = (("-0.0451870", "-0.6343754"), ("0.0202372", "0.8297962"), ("0.9728948", "-0.4654293"))
+object_example = (
+    ("292.50", "202.50", "120.00"),
+    ("577.50", "2295.00", "91.50"),
+    ("1537.50", "480.00", "772.50"),
+    ("435.00", "900.00", "990.00"),
+)
+
+section.kernel(
+    "affine.plane_frame",
+    "Matrix A_v that takes affine image coordinates (1, u) to image coordinates (1, v).",
+    arguments={"g": g},
+    derived=frame(g),
+    claims=["1.4.1#A_v", "1.4/v"],
+    example={"g": image_example},
+    describe={"g": ABOUT_PLANE},
+)
+
+g0, g1, g2 = (g.row(n).T for n in range(3))
+d1, d2, c11, c12, c21, c22 = sympy.symbols("d1 d2 c11 c12 c21 c22")
+section.kernel(
+    "affine.plane_coordinates",
+    "Affine image coordinates u of an image point, referred to three basic points.",
+    arguments={"v": v, "g": g},
+    derived=coordinates(v, g),
+    claims=["1.4/plane-coordinates", "1.4/uncalibrated"],
+    example={"v": ("0.0313810", "-0.2265744"), "g": image_example},
+    describe={
+        "v": "Coordinates of an image point, in the system of g; same unit.",
+        "g": ABOUT_PLANE,
+    },
+    form=vector(over(d1 * c22 - d2 * c21, det), over(c11 * d2 - c12 * d1, det)),
+    where=differences("d1 d2", v, g0)
+    | differences("c11 c12", g1, g0)
+    | differences("c21 c22", g2, g0)
+    | {det: c11 * c22 - c12 * c21},
+)
+section.kernel(
+    "affine.space_frame",
+    "Matrix A_X that takes affine coordinates (1, y) to object coordinates (1, X).",
+    arguments={"g": G},
+    derived=frame(G),
+    claims=["1.4.4", "1.4/A_X"],
+    example={"g": object_example},
+    describe={"g": ABOUT_SPACE},
+)
+
+G0, G1, G2, G3 = (G.row(n).T for n in range(4))
+d = vector(*sympy.symbols("d1 d2 d3"))
+a1, a2, a3 = (vector(*sympy.symbols(f"a{n}1 a{n}2 a{n}3")) for n in (1, 2, 3))
+m, n = (vector(*sympy.symbols(names)) for names in ("m1 m2 m3", "n1 n2 n3"))
+section.kernel(
+    "affine.space_coordinates",
+    "Affine coordinates y of an object point, referred to four basic points.",
+    arguments={"x": X, "g": G},
+    derived=coordinates(X, G),
+    claims=["1.4.3"],
+    example={"x": ("660.00", "1537.50", "312.00"), "g": object_example},
+    describe={
+        "x": "Coordinates of an object point, in the system of g; same unit.",
+        "g": ABOUT_SPACE,
+    },
+    form=vector(over(dot(d, m), det), over(-dot(a3, n), det), over(dot(a2, n), det)),
+    where=differences("d1 d2 d3", X, G0)
+    | differences("a11 a12 a13", G1, G0)
+    | differences("a21 a22 a23", G2, G0)
+    | differences("a31 a32 a33", G3, G0)
+    | dict(zip(m, cross(a2, a3), strict=True))
+    | dict(zip(n, cross(d, a1), strict=True))
+    | {det: dot(a1, m)},
+)

@@ -1,0 +1,263 @@
+# %% [markdown]
+# # 4 Numerical example, a) and b)
+#
+# Cartesian coordinates of object points and of the two centers of projection
+# are given; affine coordinates with respect to the points 1, 4, 5, 2 and image coordinates follow.  Every printed cell
+# is a claim of its own, compared with the exact rational number that follows from the given data.
+
+# %%
+from fractions import Fraction
+
+import sympy
+
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, columns, divided, solve, vector
+
+section = Section("fundamentals1996", "4", "Numerical example")
+
+BASIC = ("1", "4", "5", "2")
+
+
+def exact(*decimals: str) -> Matrix:
+    return vector(*(sympy.Rational(decimal) for decimal in decimals))
+
+
+# %% [markdown]
+# ## The tables, as printed
+#
+# O1 and O2 are the centers $O'$ and $O''$.
+
+# %%
+CARTESIAN = {
+    "1": ("292.50", "202.50", "120.00"),
+    "2": ("435.00", "900.00", "990.00"),
+    "3": ("660.00", "1537.50", "312.00"),
+    "4": ("577.50", "2295.00", "91.50"),
+    "5": ("1537.50", "480.00", "772.50"),
+    "6": ("1357.50", "1057.50", "138.00"),
+    "7": ("1717.50", "1695.00", "247.50"),
+    "8": ("1462.50", "2115.00", "975.00"),
+    "O1": ("367.50", "1261.50", "3712.50"),
+    "O2": ("1612.50", "1192.50", "3987.00"),
+    "11": ("300.00", "225.00", "142.50"),
+    "12": ("532.50", "999.00", "517.50"),
+    "13": ("1048.50", "684.00", "867.00"),
+    "14": ("1359.00", "1267.50", "417.00"),
+    "15": ("1660.50", "1509.00", "799.50"),
+    "16": ("1504.50", "2068.50", "648.00"),
+}
+
+AFFINE = {
+    "1": ("-0.0000000", "-0.0000000", "0.0000000"),
+    "2": ("-0.0000000", "0.0000000", "1.0000000"),
+    "3": ("0.5756072", "0.1487681", "0.1279697"),
+    "4": ("1.0000000", "0.0000000", "0.0000000"),
+    "5": ("-0.0000000", "1.0000000", "0.0000000"),
+    "6": ("0.4912043", "0.8981410", "-0.5693249"),
+    "7": ("0.7775096", "1.0358235", "-0.6048458"),
+    "8": ("0.6654715", "0.7355879", "0.4528676"),
+    "O1": ("0.8871075", "-0.2253355", "4.2692516"),
+    "O2": ("0.9009221", "0.8325803", "3.7908794"),
+    "11": ("0.0024264", "0.0027341", "0.0238910"),
+    "12": ("0.2367270", "0.0934168", "0.3945888"),
+    "13": ("0.0088907", "0.5544832", "0.4430495"),
+    "14": ("0.4805426", "0.7720203", "-0.2218940"),
+    "15": ("0.4742924", "0.9834730", "0.0589669"),
+    "16": ("0.7739665", "0.7919375", "0.0382975"),
+}
+
+# %% [markdown]
+# The image tables: $x, y$ in decimeters, $u_1, u_2$; in the row of a center of projection the epipole, its image in the
+# other picture.
+
+# %%
+LEFT = {
+    "1": ("-0.0451870", "-0.6343754", "0.0000000", "0.0000000"),
+    "2": ("0.0313810", "-0.2265744", "0.2718578", "0.0577379"),
+    "3": ("0.1361022", "0.3193167", "0.6355182", "0.1372296"),
+    "4": ("0.0202372", "0.8297962", "1.0000000", "0.0000000"),
+    "5": ("0.9728948", "-0.4654293", "0.0000000", "1.0000000"),
+    "6": ("0.6377332", "0.0178894", "0.3708332", "0.6469605"),
+    "7": ("0.8799424", "0.4959498", "0.6721215", "0.8655064"),
+    "8": ("0.8702316", "0.9690304", "0.9987487", "0.8349783"),
+    "O2": ("-12.7287969", "-0.3448844", "1.6474603", "-12.5642098"),
+    "11": ("-0.0413327", "-0.6230778", "0.0073336", "0.0033146"),
+    "12": ("0.0866752", "-0.09553180", "0.3558592", "0.1066519"),
+    "13": ("0.5743628", "-0.3492243", "0.1254647", "0.6004836"),
+    "14": ("0.6849534", "0.1691064", "0.4694911", "0.6870021"),
+    "15": ("1.0209872", "0.4074610", "0.5951289", "1.0089939"),
+    "16": ("0.8075429", "0.8400414", "0.9171517", "0.7796466"),
+}
+
+RIGHT = {
+    "1": ("-0.8130548", "-0.6290877", "0.0000000", "0.0000000"),
+    "2": ("-0.9164214", "-0.2281625", "0.3094497", "-0.2327183"),
+    "3": ("-0.5609002", "0.2279833", "0.6442013", "0.1043779"),
+    "4": ("-0.5502266", "0.6951777", "1.0000000", "1.0000000"),
+    "5": ("-0.0193972", "-0.5909803", "0.0000000", "1.0000000"),
+    "6": ("-0.1012696", "-0.1176720", "0.3638478", "0.7763495"),
+    "7": ("0.1567209", "0.2924344", "0.6670692", "1.0009998"),
+    "8": ("-0.0143426", "0.7282690", "1.0056120", "0.6733496"),
+    "O1": ("-9.9141575", "1.0549357", "1.6170618", "-12.0027987"),
+    "11": ("-0.8125383", "-0.6182340", "0.0082560", "-0.0020832"),
+    "12": ("-0.7102699", "-0.1357322", "0.3723722", "0.0061928"),
+    "13": ("-0.4033963", "-0.4207995", "0.1438029", "0.4685434"),
+    "14": ("-0.1055003", "0.0228084", "0.4711043", "0.7354998"),
+    "15": ("0.1195522", "0.2066799", "0.6030505", "0.9753681"),
+    "16": ("0.0231421", "0.6175757", "0.9198471", "0.7489819"),
+}
+
+# %% [markdown]
+# ## a. Affine coordinates of the model
+#
+# $\mathbf y$ solves $\mathbf X - \mathbf X_{G_0} = \sum_i y_i (\mathbf X_{G_i} - \mathbf X_{G_0})$.
+
+# %%
+object_points = {name: exact(*row) for name, row in CARTESIAN.items()}
+
+
+def affine(points: dict[str, Matrix], basic: tuple[str, ...], name: str) -> Matrix:
+    origin, *units = (points[key] for key in basic)
+    return divided(solve(columns(*(unit - origin for unit in units)), points[name] - origin))
+
+
+DIGIT = "One digit of the cell: the other two cells of the point hold, and item e) repeats the coordinate as corrected."
+SIGN = "A lost sign: the matrix of item e) takes the center of item d) to the corrected value, whose other cells hold."
+AFFINE_SLIPS = {
+    ("6", 1): ("0.8081410", DIGIT),
+    ("O1", 0): ("-0.8871075", SIGN),
+    ("O2", 0): ("-0.9009221", SIGN),
+}
+
+for name, printed in AFFINE.items():
+    for component, coordinate in enumerate(affine(object_points, BASIC, name)):
+        slip = AFFINE_SLIPS.get((name, component))
+        section.numeric(
+            f"4/a#{name}.y{component + 1}",
+            f"point {name}, affine coordinate y{component + 1}",
+            printed=printed[component],
+            derived=coordinate,
+            **({"expect": "misprint", "corrected": slip[0], "note": slip[1]} if slip else {}),
+        )
+
+# %% [markdown]
+# ## b. Image coordinates
+#
+# The paper gives no principal distance.  The printed matrices take the object system to the image system, in the order
+# of axes $\mathbf i, \mathbf j, \mathbf k$: the transpose of the $\mathbf R$ of section 1.4, whose columns are
+# $\mathbf k, \mathbf i, \mathbf j$.  With $\mathbf v = \mathbf R (\mathbf X - \mathbf X_O)$ and
+# $x = -c\, v_1 / v_3$, $y = -c\, v_2 / v_3$, both pictures reproduce for $c = 2.5$ dm and a principal point at the
+# origin; neither the transposed matrices, nor the other sign, nor another order of the axes do.
+
+# %%
+R_LEFT = (
+    ("0.99564508", "-0.09007407", "0.02403194"),
+    ("0.09096120", "0.99509814", "-0.03880383"),
+    ("-0.02041892", "0.04082082", "0.99895782"),
+)
+R_RIGHT = (
+    ("0.99817506", "0.05377542", "-0.0274727873"),
+    ("-0.05336033", "0.99845306", "0.0156255137"),
+    ("0.02827056", "-0.01413104", "0.9995004198"),
+)
+PRINCIPAL_DISTANCE = sympy.Rational(5, 2)
+
+section.definition(
+    "4/b/c",
+    "principal distance of both pictures, in decimeters",
+    printed=PRINCIPAL_DISTANCE,
+    note="Not printed: found as the one value for which the cells of the table reproduce.",
+)
+
+# %% [markdown]
+# The matrices are rotations by round angles, $\mathbf R = \mathbf R_z(\kappa) \mathbf R_y(\varphi)
+# \mathbf R_x(\omega)$: 2.6, 1.3, 5.8 gon on the left, -0.9, -1.8, -3.4 gon on the right, if one gon is
+# $3.14159159 / 200$: a constant that is slightly wrong, the same for both pictures.  From these angles the matrices
+# follow with as many digits as one likes.
+
+# %%
+GON = Fraction("3.14159159") / 200
+TERMS = 12
+
+
+def cosine_and_sine(gon: str) -> tuple[sympy.Rational, sympy.Rational]:
+    angle = Fraction(gon) * GON
+    terms = [angle**n / sympy.factorial(n) * (-1) ** (n // 2) for n in range(2 * TERMS)]
+    return sum(terms[0::2]), sum(terms[1::2])
+
+
+def rotation(omega: str, phi: str, kappa: str) -> Matrix:
+    (co, so), (cp, sp), (ck, sk) = map(cosine_and_sine, (omega, phi, kappa))
+    about_x = Matrix([[1, 0, 0], [0, co, -so], [0, so, co]])
+    about_y = Matrix([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
+    about_z = Matrix([[ck, -sk, 0], [sk, ck, 0], [0, 0, 1]])
+    return about_z * about_y * about_x
+
+
+PICTURES = {
+    "left": ("R'", LEFT, "O1", R_LEFT, rotation("2.6", "1.3", "5.8")),
+    "right": ("R''", RIGHT, "O2", R_RIGHT, rotation("-0.9", "-1.8", "-3.4")),
+}
+
+for side, (matrix_name, _, _, printed_matrix, full_matrix) in PICTURES.items():
+    for i in range(3):
+        for j in range(3):
+            section.numeric(
+                f"4/b#{side}.R{i + 1}{j + 1}",
+                f"{matrix_name}, row {i + 1}, column {j + 1}",
+                printed=printed_matrix[i][j],
+                derived=full_matrix[i, j],
+                units=Fraction(1),
+                note="To one unit of the last digit: the elements of R' are cut off, not rounded.",
+            )
+
+# %% [markdown]
+# The cells.  Derived from the printed matrices, a cell may miss its last digits because the matrices are rounded; the
+# full matrices then give it.  The epipoles, far outside the pictures, are the most sensitive.  What neither gives is a
+# slip.
+
+# %%
+SAME_PLACE = "the affine coordinates of the point, which follow from x and y, hold"
+CUT_OFF = (
+    "Cut off instead of rounded: the cell does not depend on the matrices to this digit, and item g) has more digits."
+)
+IMAGE_SLIPS = {
+    ("left", "12", 1): ("-0.0953180", f"A doubled digit: {SAME_PLACE}."),
+    ("right", "14", 1): ("0.0228074", f"One digit: {SAME_PLACE}."),
+    ("left", "16", 3): (
+        "0.7786466",
+        "One digit: x and y of the point hold, and items g) and i) confirm the correction.",
+    ),
+    ("right", "4", 3): ("0.0000000", "Point 4 is the first unit point, u = (1, 0); items g) and i) print the zero."),
+    ("right", "6", 3): ("0.7763496", CUT_OFF),
+    ("right", "8", 3): ("0.6733497", CUT_OFF),
+    ("right", "11", 3): ("-0.0020833", CUT_OFF),
+}
+
+
+def picture(rotation_matrix: Matrix, center: str) -> dict[str, Matrix]:
+    directions = {
+        name: rotation_matrix * (X - object_points[center]) for name, X in object_points.items() if name != center
+    }
+    return {name: -PRINCIPAL_DISTANCE / v[2] * vector(v[0], v[1]) for name, v in directions.items()}
+
+
+def cells(points: dict[str, Matrix], name: str) -> tuple[sympy.Rational, ...]:
+    return (*points[name], *affine(points, BASIC[:3], name))
+
+
+for side, (_, table, center, printed_matrix, full_matrix) in PICTURES.items():
+    from_printed = picture(Matrix([[sympy.Rational(cell) for cell in row] for row in printed_matrix]), center)
+    from_full = picture(full_matrix, center)
+    for name, printed in table.items():
+        values = zip(printed, cells(from_printed, name), cells(from_full, name), strict=True)
+        for place, (cell, derived, unrounded) in enumerate(values):
+            slip = IMAGE_SLIPS.get((side, name, place))
+            section.numeric(
+                f"4/b#{name}.{side}.{('x', 'y', 'u1', 'u2')[place]}",
+                f"point {name}, {side} picture, {('x', 'y', 'u1', 'u2')[place]}",
+                printed=cell,
+                derived=derived,
+                unrounded=unrounded,
+                **({"expect": "misprint", "corrected": slip[0], "note": slip[1]} if slip else {}),
+            )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NotRequired, TypedDict, Unpack
 
 import sympy
 
@@ -56,6 +56,9 @@ class Kernel:
         Decimal values of the arguments for the example of its docstring.
     describe : mapping of str to str
         What each argument is, with its unit.
+    normwise : bool
+        Whether errors are measured against the largest entry of an argument or result, as for points in one unit that
+        make up a linear system, instead of entry by entry.
     """
 
     paper: str
@@ -70,6 +73,7 @@ class Kernel:
     claims: tuple[str, ...]
     example: Mapping[str, Any]
     describe: Mapping[str, str]
+    normwise: bool = False
 
     @property
     def qualified_name(self) -> str:
@@ -87,19 +91,21 @@ class Kernel:
         return shape(self.derived)
 
 
+class KernelParts(TypedDict):
+    """What a kernel declares beside its name and summary."""
+
+    arguments: Mapping[str, Any]
+    derived: Any
+    claims: Sequence[str]
+    example: Mapping[str, Any]
+    describe: Mapping[str, str]
+    form: NotRequired[Any]
+    where: NotRequired[Mapping[sympy.Symbol, Any]]
+    normwise: NotRequired[bool]
+
+
 def declared_kernel(
-    paper: str,
-    section: str,
-    qualified_name: str,
-    summary: str,
-    *,
-    arguments: Mapping[str, Any],
-    derived: Any,
-    claims: Sequence[str],
-    example: Mapping[str, Any],
-    describe: Mapping[str, str],
-    form: Any = None,
-    where: Mapping[sympy.Symbol, sympy.Expr] | None = None,
+    paper: str, section: str, qualified_name: str, summary: str, **parts: Unpack[KernelParts]
 ) -> Kernel:
     """Return a kernel, after checking that its declaration is complete.
 
@@ -117,13 +123,14 @@ def declared_kernel(
         module=module,
         name=name,
         summary=summary,
-        arguments=tuple(Argument(key, rational(value, f"{label}, {key}")) for key, value in arguments.items()),
-        derived=rational(derived, f"{label}, derived"),
-        form=rational(derived if form is None else form, f"{label}, form"),
-        where=tuple((where or {}).items()),
-        claims=tuple(claims),
-        example=example,
-        describe=describe,
+        arguments=tuple(Argument(key, rational(value, f"{label}, {key}")) for key, value in parts["arguments"].items()),
+        derived=rational(parts["derived"], f"{label}, derived"),
+        form=rational(parts.get("form", parts["derived"]), f"{label}, form"),
+        where=tuple((symbol, rational(value, f"{label}, where")) for symbol, value in parts.get("where", {}).items()),
+        claims=tuple(parts["claims"]),
+        example=parts["example"],
+        describe=parts["describe"],
+        normwise=parts.get("normwise", False),
     )
     _require_complete(kernel, label)
     return kernel

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from typing import Any, Unpack
 
-import sympy
-
 from algebroproj_sym.declaring.claim import Claim, DeclarationError, Kind, Options, declared
-from algebroproj_sym.declaring.kernel import Kernel, declared_kernel
+from algebroproj_sym.declaring.kernel import Kernel, KernelParts, declared_kernel
 
 
 class Section:
@@ -67,33 +64,9 @@ class Section:
         """Declare a notation."""
         return self._declare("definition", number, title, printed, None, **options)
 
-    def kernel(
-        self,
-        qualified_name: str,
-        summary: str,
-        *,
-        arguments: Mapping[str, Any],
-        derived: Any,
-        claims: Sequence[str],
-        example: Mapping[str, Any],
-        describe: Mapping[str, str],
-        form: Any = None,
-        where: Mapping[sympy.Symbol, sympy.Expr] | None = None,
-    ) -> Kernel:
-        """Declare a function to be generated; see `Kernel` for the parameters."""
-        kernel = declared_kernel(
-            self.paper,
-            self.number,
-            qualified_name,
-            summary,
-            arguments=arguments,
-            derived=derived,
-            claims=claims,
-            example=example,
-            describe=describe,
-            form=form,
-            where=where,
-        )
+    def kernel(self, qualified_name: str, summary: str, **parts: Unpack[KernelParts]) -> Kernel:
+        """Declare a function to be generated; see `Kernel` for the parts."""
+        kernel = declared_kernel(self.paper, self.number, qualified_name, summary, **parts)
         self.kernels.append(kernel)
         return kernel
 

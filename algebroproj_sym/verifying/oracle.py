@@ -34,7 +34,9 @@ class Truth:
     values : tuple of mpf
         The entries, to 50 digits.
     sensitivities : tuple of mpf
-        For each entry f the sum of ``|x_i df/dx_i|``: its absolute condition number for relative errors of the input.
+        For each entry f the sum of ``|s_i df/dx_i|``: its absolute condition number for relative errors of the input.
+        The scale s_i is x_i.  For a kernel that is measured normwise it is the largest entry of its argument, and the
+        largest sum stands for every entry.
     """
 
     values: tuple[Any, ...]
@@ -62,7 +64,8 @@ def oracle(kernel: Kernel) -> Callable[[Mapping[str, float]], Truth]:
         point = [inputs[symbol.name] for symbol in kernel.symbols]
         values, precision = _settled(compiled, point)
         with mpmath.workdps(precision + 2 * STEP_DIGITS):
-            return Truth(values, _sensitivities(compiled, point))
+            sensitivities = _sensitivities(compiled, point, _scales(kernel, inputs))
+        return Truth(values, (max(sensitivities),) * len(values) if kernel.normwise else sensitivities)
 
     return evaluate
 
@@ -84,15 +87,22 @@ def _at(compiled: Callable[..., Any], point: list[float], precision: int) -> tup
         return tuple(mpmath.mpf(value) for value in compiled(*map(mpmath.mpf, point)))
 
 
-def _sensitivities(compiled: Callable[..., Any], point: list[float]) -> tuple[Any, ...]:
+def _scales(kernel: Kernel, inputs: Mapping[str, float]) -> list[float]:
+    if not kernel.normwise:
+        return [abs(inputs[symbol.name]) for symbol in kernel.symbols]
+    norms = [max(abs(inputs[symbol.name]) for symbol in argument.symbols) for argument in kernel.arguments]
+    return [norm for argument, norm in zip(kernel.arguments, norms, strict=True) for _ in argument.symbols]
+
+
+def _sensitivities(compiled: Callable[..., Any], point: list[float], scales: list[float]) -> tuple[Any, ...]:
     base = [mpmath.mpf(value) for value in point]
     values = compiled(*base)
     sums = [mpmath.mpf(0) for _ in values]
-    for place, coordinate in enumerate(base):
-        step = abs(coordinate) * mpmath.mpf(10) ** -STEP_DIGITS
+    for place, (coordinate, scale) in enumerate(zip(base, scales, strict=True)):
+        step = mpmath.mpf(scale) * mpmath.mpf(10) ** -STEP_DIGITS
         if step == 0:
             continue
         shifted = compiled(*base[:place], coordinate + step, *base[place + 1 :])
         for entry, (new, old) in enumerate(zip(shifted, values, strict=True)):
-            sums[entry] += abs(coordinate * (new - old) / step)
+            sums[entry] += abs(scale * (new - old) / step)
     return tuple(sums)

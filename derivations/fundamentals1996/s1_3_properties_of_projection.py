@@ -13,7 +13,6 @@ from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection i
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
-    adjugate,
     columns,
     determinant,
     homogeneous,
@@ -440,7 +439,7 @@ section.vanishing(
 
 # %%
 Y00, U30, D = sympy.symbols("y00 u30 delta")
-A1, A2, B1, B2, W1, W2, D1, D2 = sympy.symbols("a1 a2 b1 b2 w1 w2 d1 d2")
+A1, A2, B1, B2, W1, W2, N1, N2, D1, D2 = sympy.symbols("a1 a2 b1 b2 w1 w2 n1 n2 d1 d2")
 FOURTH = {Y00: y00, U30: u30}
 SHARED = {A1: 1 - y02 - y03, A2: 1 - y01 - y03, B1: 1 - u32, B2: 1 - u31}
 DIFFERENCES = SHARED | {W1: u31 * A1 - B1 * y01, W2: u32 * A2 - B2 * y02}
@@ -538,8 +537,19 @@ section.kernel(
     "Matrix of reconstruction P from the projective parameters.",
     **with_mu,
     derived=P,
-    form=adjugate(P_star) / D,
-    where={D: delta},
+    form=Matrix(
+        [
+            [-mu2 * mu3 * u31 / D1, N1 / D1, (mu2 - 1) * mu3 * u31 / D1],
+            [-mu1 * mu3 * u32 / D1, (mu1 - 1) * mu3 * u32 / D1, N2 / D2],
+            [mu1 * mu2 / D1, -(mu1 - 1) * mu2 / D1, -mu1 * (mu2 - 1) / D1],
+        ]
+    ),
+    where={
+        N1: mu2 * (mu3 - 1) - (mu2 - 1) * mu3 * u32,
+        N2: mu1 * (mu3 - 1) - (mu1 - 1) * mu3 * u31,
+        D1: mu1 * N1 - u31 * (mu1 - 1) * mu2 * mu3,
+        D2: mu2 * N2 - u32 * mu1 * (mu2 - 1) * mu3,
+    },
     claims=["1.3/P", "1.3/PP*"],
     example=EXAMPLE_MU,
 )

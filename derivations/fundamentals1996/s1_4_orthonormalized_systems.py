@@ -427,6 +427,7 @@ section.kernel(
     arguments={"v": v, "g": g},
     derived=coordinates(v, g),
     claims=["1.4/plane-coordinates", "1.4/uncalibrated"],
+    normwise=True,
     example={"v": ("0.0313810", "-0.2265744"), "g": image_example},
     describe={
         "v": "Coordinates of an image point, in the system of g; same unit.",
@@ -458,6 +459,7 @@ section.kernel(
     arguments={"x": X, "g": G},
     derived=coordinates(X, G),
     claims=["1.4.3"],
+    normwise=True,
     example={"x": ("660.00", "1537.50", "312.00"), "g": object_example},
     describe={
         "x": "Coordinates of an object point, in the system of g; same unit.",

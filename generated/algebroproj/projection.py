@@ -245,7 +245,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
     ``y02``, ``y03``.
 
-    Operations: 45 (7 +, 9 -, 13 *, 7 /, 9 neg); the derived expression as written takes 121.
+    Operations: 45 (7 +, 8 -, 13 *, 7 /, 10 neg); the derived expression as written takes 121.
 
     Examples
     --------
@@ -255,15 +255,16 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     y0, u3, out = arguments("projection_matrix", (3, 3), y0=(y0, (3,)), u3=(u3, (2,)))
     y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
-    t0 = y01 - 1
-    y00 = -(y03 + t0 + y02)
-    t4 = u32 - 1
-    t5 = t4 + u31
+    t0 = y01 + y02
+    t1 = y03 - 1
+    y00 = -(t0 + t1)
+    t4 = u31 - 1
+    t5 = t4 + u32
     u30 = -t5
-    a1 = 1 - y02 - y03
-    a2 = -(t0 + y03)
-    b1 = -t4
-    b2 = 1 - u31
+    a1 = -(t1 + y02)
+    a2 = -(t1 + y01)
+    b1 = 1 - u32
+    b2 = -t4
     w1 = a1 * u31 - b1 * y01
     w2 = a2 * u32 - b2 * y02
     t34 = u31 * y00
@@ -271,7 +272,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     t40 = u32 * y00
     out[..., 0, 0] = -(w1 / (y01 * (u31 - b1)))
     out[..., 0, 1] = -(w2 / (y02 * (u32 - b2)))
-    out[..., 0, 2] = -((t0 + y02 + y03 * (u31 + u32)) / (y03 * t5))
+    out[..., 0, 2] = -((t0 + y03 * (u31 + u32) - 1) / (y03 * t5))
     out[..., 1, 0] = t34 / (u30 * y01)
     out[..., 1, 1] = 0
     out[..., 1, 2] = -(t34 / t37)
@@ -500,7 +501,7 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     w2 = a2 * u32 - b2 * y02
     d1 = -(u31 * (y01 - a1))
     d2 = -(u32 * (y02 - a2))
-    t27 = 0 / (u32 - 1 + u31) + 0 / y01 + 0 / y02 + 0 / y03
+    t27 = 0 / (u31 - 1 + u32) + 0 / y01 + 0 / y02 + 0 / y03
     out[..., 0, 0] = t27 - y01
     out[..., 0, 1] = t27 - y01 * (b1 * (y01 - 1) + u31 * (y02 + y03)) / d1
     out[..., 0, 2] = w2 * y01 / d2 + t27
@@ -539,21 +540,24 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     -----
     Formula::
 
-        delta = -mu3*(mu1*u32*(-1 + mu2) + mu2*u31*(-1 + mu1)) + mu1*mu2*(-1 + mu3)
-        result[0, 0] = -mu2*mu3*u31/delta
-        result[0, 1] = (-mu2*(1 - mu3) - mu3*u32*(-1 + mu2))/delta
-        result[0, 2] = mu3*u31*(-1 + mu2)/delta
-        result[1, 0] = -mu1*mu3*u32/delta
-        result[1, 1] = mu3*u32*(-1 + mu1)/delta
-        result[1, 2] = (-mu1*(1 - mu3) - mu3*u31*(-1 + mu1))/delta
-        result[2, 0] = mu1*mu2/delta
-        result[2, 1] = -mu2*(-1 + mu1)/delta
-        result[2, 2] = mu1*(1 - mu2)/delta
+        n1 = mu2*(-1 + mu3) - mu3*u32*(-1 + mu2)
+        n2 = mu1*(-1 + mu3) - mu3*u31*(-1 + mu1)
+        d1 = mu1*n1 - mu2*mu3*u31*(-1 + mu1)
+        d2 = mu2*n2 - mu1*mu3*u32*(-1 + mu2)
+        result[0, 0] = -mu2*mu3*u31/d1
+        result[0, 1] = n1/d1
+        result[0, 2] = mu3*u31*(-1 + mu2)/d1
+        result[1, 0] = -mu1*mu3*u32/d1
+        result[1, 1] = mu3*u32*(-1 + mu1)/d1
+        result[1, 2] = n2/d2
+        result[2, 0] = mu1*mu2/d1
+        result[2, 1] = mu2*(1 - mu1)/d1
+        result[2, 2] = -mu1*(-1 + mu2)/d1
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*mu2*mu3*u31 +
     mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``.
 
-    Operations: 37 (1 +, 6 -, 17 *, 9 /, 4 neg); the derived expression as written takes 153.
+    Operations: 38 (7 -, 18 *, 9 /, 4 neg); the derived expression as written takes 153.
 
     Examples
     --------
@@ -564,23 +568,24 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
     t0 = mu3 - 1
-    t1 = mu2 * t0
+    t2 = mu3 * u32
     t3 = mu2 - 1
-    t4 = mu1 * t3
-    t6 = mu1 - 1
-    t7 = mu2 * t6
-    delta = t1 * mu1 - mu3 * (t4 * u32 + t7 * u31)
-    t12 = mu3 * u31
-    t16 = mu3 * u32
-    out[..., 0, 0] = -(t12 * mu2 / delta)
-    out[..., 0, 1] = (t1 - t16 * t3) / delta
-    out[..., 0, 2] = t12 * t3 / delta
-    out[..., 1, 0] = -(t16 * mu1 / delta)
-    out[..., 1, 1] = t16 * t6 / delta
-    out[..., 1, 2] = (mu1 * t0 - t12 * t6) / delta
-    out[..., 2, 0] = mu1 * mu2 / delta
-    out[..., 2, 1] = -(t7 / delta)
-    out[..., 2, 2] = -(t4 / delta)
+    n1 = mu2 * t0 - t2 * t3
+    t7 = mu3 * u31
+    t8 = mu1 - 1
+    n2 = mu1 * t0 - t7 * t8
+    d1 = mu1 * n1 - mu2 * t7 * t8
+    t16 = mu1 * t3
+    d2 = mu2 * n2 - t16 * t2
+    out[..., 0, 0] = -(t7 * mu2 / d1)
+    out[..., 0, 1] = n1 / d1
+    out[..., 0, 2] = t7 * t3 / d1
+    out[..., 1, 0] = -(t2 * mu1 / d1)
+    out[..., 1, 1] = t2 * t8 / d1
+    out[..., 1, 2] = n2 / d2
+    out[..., 2, 0] = mu1 * mu2 / d1
+    out[..., 2, 1] = -(mu2 * t8 / d1)
+    out[..., 2, 2] = -(t16 / d1)
     return out[()]
 
 

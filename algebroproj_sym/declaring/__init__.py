@@ -1,6 +1,7 @@
 """Declaring: what derivations state and ask for, how each statement is judged and how it shows itself."""
 
-from algebroproj_sym.declaring.claim import VERDICTS, Claim, DeclarationError, Verdict, statement_text
+from algebroproj_sym.declaring.claim import VERDICTS, Claim, DeclarationError, Statement, Verdict, statement_text
+from algebroproj_sym.declaring.difference import differing_entries
 from algebroproj_sym.declaring.discovery import (
     Derivation,
     UnknownSelectorError,
@@ -24,10 +25,12 @@ __all__ = [
     "Judgement",
     "Kernel",
     "Section",
+    "Statement",
     "UnknownSelectorError",
     "Verdict",
     "derivation_at",
     "derivations",
+    "differing_entries",
     "evidence_lines",
     "installed_papers",
     "judge",

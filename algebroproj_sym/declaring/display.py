@@ -6,9 +6,10 @@ from decimal import Decimal
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim, Statement
+from algebroproj_sym.declaring.claim import Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.expressions import divided
+from algebroproj_sym.proving import reduced
 
 _RELATION = {"identity up to scale": r"\sim", "vanishing": r"= 0 \iff", "numeric": r"\approx"}
 
@@ -26,10 +27,13 @@ def markdown(claim: Claim) -> str:
     <BLANKLINE>
     $$x^{2} = x^{2}$$
     <BLANKLINE>
-    evidence: normal form
+    by normal form
     """
     judgement = judge(claim)
-    paragraphs = [f"**({claim.number})** {claim.title}: **{judgement.verdict}**", f"$${_formula(claim)}$$"]
+    paragraphs = [
+        f"**({claim.number})** {claim.title}: **{judgement.verdict}**",
+        f"$${_formula(claim, judgement.verdict)}$$",
+    ]
     if claim.corrected is not None:
         label = "reconstructed" if claim.printed is None else "corrected"
         paragraphs.append(f"{label}: ${_latex(claim.corrected)}$")
@@ -43,7 +47,8 @@ def evidence_lines(judgement: Judgement) -> list[str]:
     """Return the evidence for a verdict, a line each: method, hypotheses, counterexample, what is true instead."""
     lines = []
     if judgement.certificate:
-        lines.append(f"evidence: {judgement.certificate['method']}")
+        method = judgement.certificate["method"]
+        lines.append(f"undecided: {judgement.certificate['reason']}" if method == "none" else f"by {method}")
     if judgement.hypotheses:
         lines.append("holds where none of these vanishes: " + ", ".join(map(str, judgement.hypotheses)))
     if judgement.counterexample:
@@ -54,13 +59,20 @@ def evidence_lines(judgement: Judgement) -> list[str]:
     return lines
 
 
-def _formula(claim: Claim) -> str:
+def _formula(claim: Claim, verdict: Verdict) -> str:
     if claim.derived is None:
         return _latex(claim.printed)
-    shown = claim.derived if claim.printed is None else claim.printed
+    derived = _latex(reduced(claim.derived))
     if claim.kind == "vanishing":
-        return f"{_latex(claim.derived)} {_RELATION[claim.kind]} {_latex(claim.printed)}"
-    return f"{_latex(shown)} {_RELATION.get(claim.kind, '=')} {_latex(claim.derived)}"
+        return f"{derived} {_RELATION[claim.kind]} {_latex(claim.printed)}"
+    if claim.printed is None:
+        return derived
+    return f"{_latex(claim.printed)} {_relation(claim, verdict)} {derived}"
+
+
+def _relation(claim: Claim, verdict: Verdict) -> str:
+    relation = _RELATION.get(claim.kind, "=")
+    return rf"\not{relation}" if verdict in ("misprint", "false") else relation
 
 
 def _latex(statement: Statement | None) -> str:

@@ -4,6 +4,7 @@ from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.points import Point, points_on, seed_of
 from algebroproj_sym.proving.prove import Decision, Proof, UndefinedError, prove
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
+from algebroproj_sym.proving.reduction import reduced
 
 __all__ = [
     "ENGINES",
@@ -15,5 +16,6 @@ __all__ = [
     "UndefinedError",
     "points_on",
     "prove",
+    "reduced",
     "seed_of",
 ]

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from algebroproj_sym.declaring import VERDICTS, Judgement, statement_text
+from algebroproj_sym.proving import reduced
 
 SCHEMA = 1
 
@@ -54,7 +55,7 @@ def claim_record(judgement: Judgement, *, timed: bool = True) -> dict[str, Any]:
         "verdict": judgement.verdict,
         "expected": claim.expected,
         "printed": statement_text(claim.printed),
-        "derived": statement_text(claim.derived),
+        "derived": None if claim.derived is None else statement_text(reduced(claim.derived)),
         "corrected": statement_text(claim.corrected),
         "where": {symbol.name: statement_text(value) for symbol, value in claim.where.items()},
         "hypotheses": [str(factor) for factor in judgement.hypotheses],

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import zip_longest
 
+import sympy
 from rich.table import Table
 from rich.text import Text
 
-from algebroproj_sym.declaring import Judgement, evidence_lines, statement_text
+from algebroproj_sym.declaring import Judgement, Statement, differing_entries, evidence_lines, statement_text
+from algebroproj_sym.expressions import divided
 from algebroproj_sym.generating import Lowered, operation_counts
+from algebroproj_sym.proving import reduced
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.verifying import Verification
 
@@ -54,22 +58,35 @@ def explanation(judgement: Judgement, module: str, functions: Sequence[str]) -> 
     claim = judgement.claim
     lines = Text()
     lines.append(f"{claim.paper} ({claim.number})  {claim.title}\n", style="bold")
-    lines.append("verdict     ").append_text(verdict_text(judgement.verdict)).append(
+    lines.append(f"{'verdict':<12}").append_text(verdict_text(judgement.verdict)).append(
         f", a claim of kind {claim.kind}\n"
     )
-    for label, statement in (("printed", claim.printed), ("derived", claim.derived), ("corrected", claim.corrected)):
+    derived = None if claim.derived is None else reduced(claim.derived)
+    for label, statement in (("printed", claim.printed), ("derived", derived), ("corrected", claim.corrected)):
         if statement is not None:
-            lines.append(f"{label:<12}{statement_text(statement)}\n")
+            lines.append(_labelled(label, *_statement_lines(statement)))
+    for place, printed_entry, derived_entry in differing_entries(claim):
+        lines.append(_labelled("differs", f"entry {place + 1}: {printed_entry} printed, {derived_entry} derived"))
     for symbol, value in claim.where.items():
-        lines.append(f"{'where':<12}{symbol} = {statement_text(value)}\n")
-    for line in evidence_lines(judgement):
-        lines.append(f"{'':<12}{line}\n")
+        lines.append(_labelled("where", f"{symbol} = {statement_text(reduced(value))}"))
+    lines.append(_labelled("evidence", *evidence_lines(judgement)))
     if claim.note:
-        lines.append(f"{'note':<12}{claim.note}\n")
-    lines.append(f"{'derived in':<12}{module}\n")
+        lines.append(_labelled("note", claim.note))
+    lines.append(_labelled("derived in", module))
     if functions:
-        lines.append(f"{'functions':<12}{', '.join(functions)}\n")
+        lines.append(_labelled("functions", ", ".join(functions)))
     return lines
+
+
+def _labelled(label: str, *lines: str) -> str:
+    return "".join(f"{heading:<12}{line}\n" for heading, line in zip_longest((label,), lines, fillvalue=""))
+
+
+def _statement_lines(statement: Statement) -> list[str]:
+    """Return a statement as text, a row of a matrix in each line."""
+    if isinstance(statement, sympy.MatrixBase):
+        return [str(list(map(divided, statement.row(i)))) for i in range(statement.rows)]
+    return [statement_text(statement) or ""]
 
 
 def operations_table(lowered: Sequence[Lowered]) -> Table:

@@ -22,12 +22,12 @@ center = vector(y01, y02, y03)
 fourth_image = vector(u31, u32)
 
 # %% [markdown]
-# The barycentric coordinates that belong to $G_0$ are no unknowns of their own: eliminated, they cannot make a true
-# identity look false.
+# The barycentric coordinates that belong to $G_0$ have symbols of their own in print, but they are no unknowns of their
+# own: eliminated before any comparison, they cannot make a true identity look false.
 
 # %%
-y00 = 1 - y01 - y02 - y03
-u30 = 1 - u31 - u32
+y00, u30 = sympy.symbols("y00 u30")
+BARYCENTRIC = {y00: 1 - y01 - y02 - y03, u30: 1 - u31 - u32}
 
 # %% [markdown]
 # The unit points of space, $\mathbf e_j$, and of the image plane, $\mathbf e'_j$.

@@ -66,6 +66,7 @@ P_star = P_star.subs(mu0, 1)
 M_star = M_star.subs(mu0, 1)
 Delta = determinant(P_star)
 P = inverse(P_star)
+DELTA = sympy.Symbol("Delta")
 
 section.identity(
     "1.3.2",
@@ -97,8 +98,8 @@ section.identity(
             [mu1 * mu2, -(mu1 - 1) * mu2, -mu1 * (mu2 - 1)],
         ]
     )
-    / sympy.Symbol("Delta"),
-    where={sympy.Symbol("Delta"): Delta},
+    / DELTA,
+    where={DELTA: Delta},
     derived=P,
 )
 
@@ -156,20 +157,20 @@ section.identity(
 section.identity(
     "1.3/insertion#Delta",
     "the first equation after insertion, through the determinant",
-    printed=y03 / (mu1 * mu2) * sympy.Symbol("Delta"),
-    where={sympy.Symbol("Delta"): Delta},
+    printed=y03 / (mu1 * mu2) * DELTA,
+    where={DELTA: Delta},
     derived=inserted,
 )
 for name, component, printed_component in (
-    ("y03", 2, -mu1 * mu2 / sympy.Symbol("Delta")),
-    ("y02", 1, u32 * mu3 * mu1 / sympy.Symbol("Delta")),
-    ("y01", 0, u31 * mu2 * mu3 / sympy.Symbol("Delta")),
+    ("y03", 2, -mu1 * mu2 / DELTA),
+    ("y02", 1, u32 * mu3 * mu1 / DELTA),
+    ("y01", 0, u31 * mu2 * mu3 / DELTA),
 ):
     section.identity(
         f"1.3/{name}",
         f"center of projection, {name}",
         printed=printed_component,
-        where={sympy.Symbol("Delta"): Delta},
+        where={DELTA: Delta},
         derived=y0_of_mu[component],
     )
 section.identity(
@@ -182,9 +183,9 @@ at_mu = dict(zip(center, y0_of_mu, strict=True))
 section.identity(
     "1.3/y00",
     "fourth barycentric coordinate of the center",
-    printed=vector(1 - y01 - y02 - y03, u30 * mu1 * mu2 * mu3 / sympy.Symbol("Delta")),
-    where={sympy.Symbol("Delta"): Delta, **at_mu},
-    derived=vector(y00.subs(at_mu), 1 - sum(y0_of_mu)),
+    printed=vector(1 - y01 - y02 - y03, u30 * mu1 * mu2 * mu3 / DELTA),
+    where={DELTA: Delta, u30: BARYCENTRIC[u30], **at_mu},
+    derived=vector(BARYCENTRIC[y00].subs(at_mu), 1 - sum(y0_of_mu)),
 )
 
 # %% [markdown]
@@ -198,13 +199,18 @@ parameter_system = linear_system(list(center_equations), [mu1, mu2, mu3])
 mu_of_y0 = solve(*parameter_system)
 at_center = dict(zip((mu1, mu2, mu3), mu_of_y0, strict=True))
 
-section.identity("1.3.5#mu3", "third parameter", printed=-y00 / (u30 * y03), derived=mu_of_y0[2])
-section.identity("1.3.5#mu2", "second parameter", printed=u32 * y00 / (u30 * y02), derived=mu_of_y0[1])
-section.identity("1.3.5#mu1", "first parameter", printed=u31 * y00 / (u30 * y01), derived=mu_of_y0[0])
+section.identity("1.3.5#mu3", "third parameter", printed=-y00 / (u30 * y03), where=BARYCENTRIC, derived=mu_of_y0[2])
+section.identity(
+    "1.3.5#mu2", "second parameter", printed=u32 * y00 / (u30 * y02), where=BARYCENTRIC, derived=mu_of_y0[1]
+)
+section.identity(
+    "1.3.5#mu1", "first parameter", printed=u31 * y00 / (u30 * y01), where=BARYCENTRIC, derived=mu_of_y0[0]
+)
 section.vanishing(
     "1.3/beyond/mu-from-center",
     "where the parameters cannot be had from the center",
     printed=(y01, y02, y03, u30),
+    where=BARYCENTRIC,
     derived=determinant(parameter_system[0]),
     note="Not in the paper: the center must not lie in a face of the basic tetrahedron through the origin, nor may the "
     "images of the other three basic points be collinear.",
@@ -222,6 +228,7 @@ section.identity(
     "1.3.6#row0",
     "matrix of projection in y0 and u3, first row",
     printed=None,
+    where=BARYCENTRIC,
     derived=P_star_of_y0[0, :].T,
     expect="illegible",
     corrected=printed_scale * vector(u31 / y01 - u30 / y00, u32 / y02 - u30 / y00, -1 / y03 - u30 / y00),
@@ -232,6 +239,7 @@ section.identity(
     "1.3.6#rows12",
     "matrix of projection in y0 and u3, second and third row",
     printed=printed_scale * Matrix([[u31 / y01, 0, -u31 / y03], [0, u32 / y02, -u32 / y03]]),
+    where=BARYCENTRIC,
     derived=P_star_of_y0[1:, :],
 )
 section.identity(
@@ -256,6 +264,7 @@ section.identity(
             ],
         ]
     ),
+    where=BARYCENTRIC,
     derived=P_of_y0,
 )
 
@@ -290,12 +299,14 @@ section.identity(
     "1.3.8",
     "determinant in y0 and u3",
     printed=-u31 * u32 * y00**2 / (u30**2 * y01 * y02 * y03),
+    where=BARYCENTRIC,
     derived=Delta_of_y0,
 )
 section.vanishing(
     "1.3/a,b",
     "restrictions a) and b), for y0 and u3 as independent variables",
     printed=(u31, u32, y00),
+    where=BARYCENTRIC,
     derived=Delta_of_y0,
     note="Poles apart: u30, y01, y02 and y03 are divisors of (1.3.8), about which the restrictions say nothing.",
 )
@@ -331,6 +342,7 @@ section.vanishing(
     "1.3/beyond/collinear-u30",
     "G'3 is collinear with G'1 and G'2 where u30 = 0",
     printed=(u30,),
+    where=BARYCENTRIC,
     derived=determinant(columns(image_e1, image_e2, image_e3)),
     note="Not in the paper.",
 )
@@ -350,6 +362,7 @@ section.vanishing(
     "1.3/b#plane",
     "the center lies in the plane of G1, G2, G3 where y00 = 0",
     printed=(y00,),
+    where=BARYCENTRIC,
     derived=determinant(columns(*map(homogeneous, (center, e1, e2, e3)))),
 )
 
@@ -397,6 +410,7 @@ section.identity(
     "1.3/beyond/dependence",
     "center and fourth image vanish together",
     printed=vector(u31 * mu2 * mu3, u32 * mu1 * mu3, -mu1 * mu2, u30 * mu1 * mu2 * mu3),
+    where=BARYCENTRIC,
     derived=vector(*(Delta * coordinate for coordinate in (*y0_of_mu, 1 - sum(y0_of_mu)))),
     note="Not in the paper: Delta y0 as polynomials, which is why (1.3.8) hides regular matrices behind 0/0.",
 )
@@ -438,9 +452,8 @@ section.vanishing(
 # $b_j = u_{30} + u_{3j}$, common to numerator and denominator, where the rounding of one offsets the other.
 
 # %%
-Y00, U30, D = sympy.symbols("y00 u30 delta")
-A1, A2, B1, B2, W1, W2, N1, N2, D1, D2 = sympy.symbols("a1 a2 b1 b2 w1 w2 n1 n2 d1 d2")
-FOURTH = {Y00: y00, U30: u30}
+A1, A2, B1, B2, W1, W2, N1, N2 = sympy.symbols("a1 a2 b1 b2 w1 w2 n1 n2")
+D, D1, D2 = sympy.symbols("delta d1 d2")
 SHARED = {A1: 1 - y02 - y03, A2: 1 - y01 - y03, B1: 1 - u32, B2: 1 - u31}
 DIFFERENCES = SHARED | {W1: u31 * A1 - B1 * y01, W2: u32 * A2 - B2 * y02}
 with_center = {"arguments": {"y0": center, "u3": fourth_image}, "describe": {"y0": ABOUT_Y0, "u3": ABOUT_U3}}
@@ -453,8 +466,8 @@ section.kernel(
     "Projective parameters from the center of projection.",
     **with_center,
     derived=mu_of_y0,
-    form=vector(u31 * Y00 / (U30 * y01), u32 * Y00 / (U30 * y02), -Y00 / (U30 * y03)),
-    where=FOURTH,
+    form=vector(u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -y00 / (u30 * y03)),
+    where=BARYCENTRIC,
     claims=["1.3.5#mu1", "1.3.5#mu2", "1.3.5#mu3"],
     example=EXAMPLE_CENTER,
 )
@@ -481,11 +494,11 @@ section.kernel(
                 W2 / ((B2 - u32) * y02),
                 ((u31 + u32) * y03 - (1 - y01 - y02)) / ((1 - (u31 + u32)) * y03),
             ],
-            [u31 * Y00 / (U30 * y01), 0, -u31 * Y00 / (U30 * y03)],
-            [0, u32 * Y00 / (U30 * y02), -u32 * Y00 / (U30 * y03)],
+            [u31 * y00 / (u30 * y01), 0, -u31 * y00 / (u30 * y03)],
+            [0, u32 * y00 / (u30 * y02), -u32 * y00 / (u30 * y03)],
         ]
     ),
-    where=FOURTH | DIFFERENCES,
+    where=BARYCENTRIC | DIFFERENCES,
     claims=["1.3.6#row0", "1.3.6#rows12"],
     example=EXAMPLE_CENTER,
 )
@@ -502,8 +515,8 @@ section.kernel(
     "Determinant of the matrix of projection from the center of projection.",
     **with_center,
     derived=Delta_of_y0,
-    form=-u31 * u32 * Y00**2 / (U30**2 * y01 * y02 * y03),
-    where=FOURTH,
+    form=-u31 * u32 * y00**2 / (u30**2 * y01 * y02 * y03),
+    where=BARYCENTRIC,
     claims=["1.3.8"],
     example=EXAMPLE_CENTER,
 )

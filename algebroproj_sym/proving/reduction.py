@@ -1,0 +1,62 @@
+"""The shortest way to write a rational function: cancelled, numerator and denominator factored."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions import Expression, divided, evaluate, symbols_of
+from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
+
+
+def reduced(expression: Expression, engine: str = "flint") -> Expression:
+    """Return an expression in lowest terms, or as it is if that is shorter.
+
+    The result is the same rational function; divisors that cancel are no longer seen in it.
+
+    Parameters
+    ----------
+    expression : sympy.Expr or sympy matrix
+        A rational expression, defined somewhere.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
+
+    Returns
+    -------
+    sympy.Expr or sympy.ImmutableDenseMatrix
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> reduced((x**2 - y**2) / (x**2 + 2*x*y + y**2))
+    (x - y)/(x + y)
+    """
+    field = RationalFunctionField(symbols_of((expression,)), engine)
+    values = evaluate(expression, field.variables, field.lift)
+    written = [
+        _shorter(divided(entry), _lowest_terms(value)) for entry, value in zip(_list(expression), values, strict=True)
+    ]
+    if isinstance(expression, sympy.MatrixBase):
+        return sympy.ImmutableDenseMatrix(*expression.shape, written)
+    return written[0]
+
+
+def _list(expression: Expression) -> list[Any]:
+    return list(expression) if isinstance(expression, sympy.MatrixBase) else [expression]
+
+
+def _lowest_terms(value: RationalFunction) -> sympy.Expr:
+    field = value.field
+    if value.is_zero:
+        return sympy.Integer(0)
+    content, factors = field.irreducible(value.numerator)
+    exponents = {field.place(factor): count for factor, count in factors}
+    for place, count in value.denominator:
+        exponents[place] = exponents.get(place, 0) - count
+    powers = [field.expression(field.factors[place]) ** count for place, count in sorted(exponents.items()) if count]
+    return sympy.Rational(content.numerator, content.denominator) * sympy.Mul(*powers)
+
+
+def _shorter(first: sympy.Expr, second: sympy.Expr) -> sympy.Expr:
+    return first if len(str(first)) <= len(str(second)) else second

@@ -1,0 +1,203 @@
+"""The generated functions behave as NumPy generalized ufuncs, whatever they compute."""
+
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+from algebroproj import affine, optics, projection, space
+
+FUNCTIONS = {
+    affine.plane_frame: [(3, 2)],
+    affine.plane_coordinates: [(2,), (3, 2)],
+    affine.space_frame: [(4, 3)],
+    affine.space_coordinates: [(3,), (4, 3)],
+    projection.mu_from_center: [(3,), (2,)],
+    projection.center_from_mu: [(3,), (2,)],
+    projection.projection_matrix: [(3,), (2,)],
+    projection.projection_matrix_from_mu: [(3,), (2,)],
+    projection.projection_determinant: [(3,), (2,)],
+    projection.projection_determinant_from_mu: [(3,), (2,)],
+    projection.reconstruction_matrix: [(3,), (2,)],
+    projection.reconstruction_matrix_from_mu: [(3,), (2,)],
+    projection.camera_matrix: [(3,), (2,)],
+    projection.project: [(3,), (3,), (2,)],
+    space.homography: [(4,)],
+    space.mu_from_fifth_point: [(3,), (3,)],
+    space.map_points: [(4,), (3,)],
+    space.map_plane: [(4,), (4,)],
+    optics.lens_matrix: [()],
+    optics.image_point: [(), (3,)],
+    optics.object_point: [(), (3,)],
+    optics.scale: [(), ()],
+    optics.plane_homography: [(3,)],
+    optics.map_plane_points: [(3,), (2,)],
+    optics.vanishing_line: [(3,)],
+}
+RESULTS = {
+    affine.plane_frame: (3, 3),
+    affine.plane_coordinates: (2,),
+    affine.space_frame: (4, 4),
+    affine.space_coordinates: (3,),
+    projection.mu_from_center: (3,),
+    projection.center_from_mu: (3,),
+    projection.projection_matrix: (3, 3),
+    projection.projection_matrix_from_mu: (3, 3),
+    projection.projection_determinant: (),
+    projection.projection_determinant_from_mu: (),
+    projection.reconstruction_matrix: (3, 3),
+    projection.reconstruction_matrix_from_mu: (3, 3),
+    projection.camera_matrix: (3, 4),
+    projection.project: (2,),
+    space.homography: (4, 4),
+    space.mu_from_fifth_point: (4,),
+    space.map_points: (3,),
+    space.map_plane: (4,),
+    optics.lens_matrix: (4, 4),
+    optics.image_point: (3,),
+    optics.object_point: (3,),
+    optics.scale: (),
+    optics.plane_homography: (3, 3),
+    optics.map_plane_points: (2,),
+    optics.vanishing_line: (3,),
+}
+
+every_function = pytest.mark.parametrize("function", FUNCTIONS, ids=lambda f: f.__name__)
+
+
+def draw(function, *batches, dtype=np.float64):
+    generator = np.random.default_rng(7)
+    cores = FUNCTIONS[function]
+    shapes = [batch + core for batch, core in zip(batches or [()] * len(cores), cores, strict=True)]
+    return [generator.uniform(0.5, 2, shape).astype(dtype) for shape in shapes]
+
+
+@every_function
+def test_the_core_shape_of_the_result_is_the_contract(function):
+    assert np.shape(function(*draw(function))) == RESULTS[function]
+
+
+@every_function
+def test_leading_dimensions_broadcast_and_equal_a_loop(function):
+    batches = [(5, 1), (1, 4), (4,)][: len(FUNCTIONS[function])]
+    arguments = draw(function, *batches)
+    result = function(*arguments)
+    batch = np.broadcast_shapes(*batches)
+    assert result.shape == batch + RESULTS[function]
+    spread = [np.broadcast_to(a, batch + core) for a, core in zip(arguments, FUNCTIONS[function], strict=True)]
+    for index in np.ndindex(*batch):
+        np.testing.assert_array_equal(result[index], function(*(a[index] for a in spread)))
+
+
+@every_function
+def test_an_empty_batch_gives_an_empty_result(function):
+    batches = [(0, 3)] * len(FUNCTIONS[function])
+    assert function(*draw(function, *batches)).shape == (0, 3, *RESULTS[function])
+
+
+@every_function
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble, np.complex64, np.complex128])
+def test_the_dtype_is_preserved(function, dtype):
+    assert function(*draw(function, dtype=dtype)).dtype == dtype
+
+
+@every_function
+def test_integers_and_booleans_become_float64(function):
+    arguments = [np.ones(core, dtype=np.int32) * 2 for core in FUNCTIONS[function]]
+    with np.errstate(all="ignore"):
+        assert function(*arguments).dtype == np.float64
+
+
+@every_function
+def test_non_contiguous_arguments_give_the_same_values(function):
+    arguments = draw(function, *[(6,)] * len(FUNCTIONS[function]))
+    strided = [np.repeat(a, 2, axis=0)[::2] for a in arguments]
+    reverse = [np.asfortranarray(a) for a in arguments]
+    np.testing.assert_array_equal(function(*strided), function(*arguments))
+    np.testing.assert_array_equal(function(*reverse), function(*arguments))
+
+
+@every_function
+def test_arguments_are_not_changed(function):
+    arguments = draw(function, *[(3,)] * len(FUNCTIONS[function]))
+    before = [a.copy() for a in arguments]
+    function(*arguments)
+    for a, b in zip(arguments, before, strict=True):
+        np.testing.assert_array_equal(a, b)
+
+
+@every_function
+def test_fractions_mpmath_and_symbols_pass_through_the_same_source(function):
+    floats = [np.round(a * 16) / 16 for a in draw(function)]
+    exact = [np.vectorize(Fraction, otypes=[object])(a) for a in floats]
+    high = [np.vectorize(mpmath.mpf, otypes=[object])(a) for a in floats]
+    symbolic = [np.vectorize(sympy.Rational, otypes=[object])(a) for a in floats]
+    expected = np.asarray(function(*floats), dtype=float)
+    for arguments in (exact, high, symbolic):
+        result = np.asarray(function(*arguments), dtype=object).astype(float)
+        np.testing.assert_allclose(result, expected, rtol=1e-12, atol=1e-12)
+    entries = np.asarray(function(*exact), dtype=object).ravel()
+    assert all(isinstance(entry, Fraction | int) for entry in entries)
+
+
+@every_function
+def test_a_wrong_core_shape_names_function_argument_expected_and_got(function):
+    for place, core in enumerate(FUNCTIONS[function]):
+        if not core:
+            continue
+        arguments = draw(function)
+        arguments[place] = np.ones((*core[:-1], core[-1] + 1))
+        with pytest.raises(ValueError, match="expected") as caught:
+            function(*arguments)
+        message = str(caught.value)
+        name = function.__code__.co_varnames[place]
+        assert function.__name__ in message
+        assert f"expected {name} of shape" in message
+        assert str(arguments[place].shape) in message
+
+
+def test_leading_shapes_that_do_not_broadcast_are_named():
+    with pytest.raises(ValueError, match=r"mu_from_center.*broadcast.*y0 \(2,\).*u3 \(3,\)"):
+        projection.mu_from_center(np.ones((2, 3)), np.ones((3, 2)))
+
+
+def test_text_is_no_number():
+    with pytest.raises(TypeError, match="scale: expected numbers for f"):
+        optics.scale("one", 2.0)
+
+
+def test_a_python_scalar_does_not_widen_an_array():
+    points = np.ones((4, 3), dtype=np.float32)
+    assert optics.image_point(2.5, points).dtype == np.float32
+    assert optics.image_point(np.float64(2.5), points).dtype == np.float64
+    assert optics.scale(1, 2) == pytest.approx(1 / 3)
+
+
+def test_scalars_and_arrays_mix():
+    depths = np.linspace(1, 2, 5)
+    np.testing.assert_array_equal(optics.scale(2.0, depths), [2.0 / (2.0 + depth) for depth in depths])
+    assert optics.image_point(np.ones((4, 1)), np.ones((5, 3))).shape == (4, 5, 3)
+
+
+def test_constant_entries_fill_the_batch():
+    matrices = projection.camera_matrix(np.ones((7, 3)), np.ones(2))
+    np.testing.assert_array_equal(matrices[:, 0, 0], np.ones(7))
+    np.testing.assert_array_equal(matrices[:, 2, 0], np.zeros(7))
+
+
+def test_singular_input_warns_and_is_not_finite():
+    with pytest.warns(RuntimeWarning, match="divide by zero"):
+        result = projection.mu_from_center([0.0, 0.5, 0.25], [0.25, 0.5])
+    assert not np.isfinite(result).all()
+    with np.errstate(divide="raise"), pytest.raises(FloatingPointError):
+        projection.mu_from_center([0.0, 0.5, 0.25], [0.25, 0.5])
+
+
+def test_a_singular_member_leaves_the_rest_of_the_batch_alone():
+    centers = np.array([[0.5, 0.25, 2.0], [0.0, 0.25, 2.0]])
+    with np.errstate(all="ignore"):
+        batch = projection.reconstruction_matrix(centers, [0.25, 0.5])
+    np.testing.assert_array_equal(batch[0], projection.reconstruction_matrix(centers[0], [0.25, 0.5]))
+    assert not np.isfinite(batch[1]).all()

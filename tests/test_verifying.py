@@ -1,0 +1,149 @@
+"""Verification accepts what is shipped, and rejects every kind of planted error."""
+
+import ast
+import inspect
+import shutil
+from fractions import Fraction
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from algebroproj_sym.declaring import kernels
+from algebroproj_sym.expressions import evaluate
+from algebroproj_sym.generating import lower
+from algebroproj_sym.verifying import (
+    BOUND,
+    NotShippedError,
+    Sample,
+    accuracy,
+    function_of,
+    load_package,
+    measured,
+    silent_factors,
+    source_is_proved,
+    stratified,
+    verify,
+)
+
+LOWERED = {kernel.qualified_name: lower(kernel) for kernel in kernels()}
+every_kernel = pytest.mark.parametrize("name", LOWERED)
+
+
+def planted(name, old, new):
+    """Return a package with one function whose source has one change."""
+    function = function_of(LOWERED[name].kernel, load_package())
+    source = inspect.getsource(function)
+    assert source.count(old) >= 1, source
+    namespace = dict(function.__globals__)
+    exec(compile(ast.parse("from __future__ import annotations\n" + source.replace(old, new)), name, "exec"), namespace)
+    module, function_name = name.split(".")
+    return SimpleNamespace(__name__="planted", **{module: SimpleNamespace(**{function_name: namespace[function_name]})})
+
+
+@every_kernel
+def test_every_shipped_function_is_verified(name):
+    verification = verify(LOWERED[name], load_package(), size=12)
+    assert verification.source_proved
+    assert verification.silent == ()
+    assert verification.accuracy.overall.max_ratio <= BOUND
+
+
+@every_kernel
+def test_the_sympy_engine_proves_the_source_too(name):
+    assert source_is_proved(LOWERED[name].kernel, load_package(), "sympy")
+
+
+magnitudes = st.floats(min_value=1e-8, max_value=1e8)
+coordinates = st.builds(lambda sign, size: sign * size, st.sampled_from((-1.0, 1.0)), magnitudes)
+
+
+@every_kernel
+@given(data=st.data())
+def test_drawn_inputs_stay_within_the_bound(name, data):
+    lowered = LOWERED[name]
+    values = {symbol.name: data.draw(coordinates, symbol.name) for symbol in lowered.kernel.symbols}
+    point = {symbol: Fraction(values[symbol.name]) for symbol in lowered.kernel.symbols}
+    assume(all(evaluate(factor, point)[0] != 0 for factor in lowered.hypotheses))
+    found = measured(lowered, function_of(lowered.kernel, load_package()), [Sample("drawn", values)])
+    assert found.within_bound, found.overall
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("projection.mu_from_center", "u31 * y00 / (u30 * y01)", "u32 * y00 / (u30 * y01)"),
+        ("projection.projection_determinant_from_mu", "(mu3 - 1)", "(mu3 + 1)"),
+        ("projection.project", "/ delta", "/ (delta + 1e-9)"),
+        ("space.map_points", "out[..., 0] = ", "out[..., 0] = -"),
+        ("optics.scale", "f / (f + x3)", "(f + x3) / f"),
+        ("affine.plane_coordinates", "out[..., 1] = ", "out[..., 1] = 1e-12 + "),
+    ],
+)
+def test_a_planted_error_is_caught_by_the_proof_and_by_the_samples(name, old, new):
+    package = planted(name, old, new)
+    assert not accuracy(LOWERED[name], package, size=20).within_bound
+    exact = new.replace("1e-9", "1").replace("1e-12", "1")
+    assert not source_is_proved(LOWERED[name].kernel, planted(name, old, exact))
+
+
+def test_an_unstable_but_equal_formula_is_proved_and_still_caught_by_the_samples():
+    package = planted(
+        "projection.mu_from_center", "y00 = 1 - y01 - y02 - y03", "y00 = 1 + y01**3 - y02 - y03 - y01 - y01**3"
+    )
+    assert source_is_proved(LOWERED["projection.mu_from_center"].kernel, package)
+    assert not accuracy(LOWERED["projection.mu_from_center"], package, size=40).within_bound
+
+
+def test_a_function_that_stays_finite_on_a_singularity_is_caught():
+    guarded = LOWERED["projection.reconstruction_matrix"]
+    assert guarded.guarded
+    package = planted("projection.reconstruction_matrix", "0 / y02", "0 * y02")
+    silent = silent_factors(guarded, package)
+    assert [str(factor) for factor in silent] == ["y02"]
+
+
+@every_kernel
+def test_samples_cover_every_stratum_and_come_as_near_as_they_say(name):
+    lowered = LOWERED[name]
+    samples = stratified(lowered, 28)
+    strata = {sample.stratum for sample in samples}
+    assert strata == {"ordinary", "badly scaled", *(f"near {factor}" for factor in lowered.hypotheses)}
+    for factor in lowered.hypotheses:
+        near = [sample.values for sample in samples if sample.stratum == f"near {factor}"]
+        points = ({s: Fraction(v[s.name]) for s in lowered.kernel.symbols} for v in near)
+        distances = [abs(float(evaluate(factor, point)[0])) for point in points]
+        assert min(distances) < 1e-11
+        assert max(distances) > 1e-2
+
+
+def test_samples_are_repeatable():
+    lowered = LOWERED["projection.project"]
+    assert stratified(lowered, 10) == stratified(lowered, 10)
+    assert stratified(lowered, 10) != stratified(lowered, 10, seed=1)
+
+
+def test_errors_are_counted_in_units_in_the_last_place():
+    lowered = LOWERED["optics.scale"]
+
+    def next_float(f, x3):
+        return np.nextafter(f / (f + x3), np.inf)
+
+    found = measured(lowered, next_float, [Sample("one", {"f": 1.0, "x3": 1.0})])
+    assert found.overall.max_ulp == 1.0
+
+
+def test_a_package_in_a_folder_is_loaded_from_there(tmp_path, repository):
+    shutil.copytree(repository / "generated" / "algebroproj", tmp_path / "algebroproj")
+    package = load_package(tmp_path)
+    assert str(tmp_path) in package.__file__
+    assert verify(LOWERED["optics.scale"], package, size=5).passed
+
+
+def test_a_missing_package_or_function_is_named(tmp_path):
+    with pytest.raises(NotShippedError, match=r"expected .*algebroproj"):
+        load_package(tmp_path)
+    with pytest.raises(NotShippedError, match=r"expected a function optics\.scale"):
+        function_of(LOWERED["optics.scale"].kernel, SimpleNamespace(__name__="empty"))

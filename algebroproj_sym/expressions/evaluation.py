@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions.grammar import Expression, entries
+from algebroproj_sym.expressions.grammar import Expression, NotRationalError, entries
 from algebroproj_sym.expressions.quotient import over
 
 
@@ -37,6 +37,8 @@ def evaluate(
     ------
     ZeroDivisionError
         If a divisor is the field's zero.
+    NotRationalError
+        If the expression is not rational over Q.
 
     Examples
     --------
@@ -52,17 +54,20 @@ def _value(node: Any, known: dict[Any, Any], lift: Callable[[Fraction], Any]) ->
     if node in known:
         return known[node]
     if isinstance(node, sympy.Symbol):
-        raise KeyError(f"point: expected a value for {node}, got values for {sorted(map(str, known))}")
+        given = sorted(str(key) for key in known if isinstance(key, sympy.Symbol))
+        raise KeyError(f"point: expected a value for {node}, got values for {given}")
     if isinstance(node, sympy.Rational):
         value = lift(Fraction(int(node.p), int(node.q)))
-    elif isinstance(node, sympy.Pow):
+    elif isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Integer):
         value = _power(_value(node.base, known, lift), int(node.exp), lift)
-    else:
+    elif isinstance(node, sympy.Add | sympy.Mul | over):
         operands = [_value(argument, known, lift) for argument in node.args]
         if isinstance(node, over):
             value = operands[0] / operands[1]
         else:
             value = reduce(add if isinstance(node, sympy.Add) else mul, operands)
+    else:
+        raise NotRationalError(f"evaluate: expected a rational expression over Q, got {node}")
     known[node] = value
     return value
 

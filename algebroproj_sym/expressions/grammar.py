@@ -36,7 +36,7 @@ def rational(value: Any, argument: str) -> Expression:
     Raises
     ------
     NotRationalError
-        If a float, another kind of number or another function occurs.
+        If a float, another kind of number, another function or a symbol that does not commute occurs.
 
     Examples
     --------
@@ -66,7 +66,7 @@ def rational(value: Any, argument: str) -> Expression:
 def _require_rational(node: Any, argument: str, whole: Any) -> None:
     power = isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Integer)
     allowed = power or isinstance(node, sympy.Symbol | sympy.Rational | sympy.Add | sympy.Mul | over)
-    if not allowed or node in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
+    if not allowed or not node.is_commutative or node in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
         raise NotRationalError(f"{argument}: expected a rational expression over Q, got {node} in {whole}")
     children = node.args[:1] if isinstance(node, sympy.Pow) else node.args
     for child in children:

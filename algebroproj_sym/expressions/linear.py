@@ -97,6 +97,8 @@ def solve(matrix: Matrix, right_side: Matrix) -> Matrix:
     """Return the solution of a regular linear system by Cramer's rule."""
     divisor = determinant(matrix)
     size = matrix.shape[0]
+    if len(right_side) != size:
+        raise ValueError(f"solve: expected a right side of {size} entries, got {len(right_side)}")
 
     def replaced(column: int) -> Matrix:
         return Matrix(size, size, lambda i, j: right_side[i] if j == column else matrix[i, j])
@@ -131,6 +133,8 @@ def linear_system(equations: Sequence[Scalar], unknowns: Sequence[sympy.Symbol])
 
 def cross(a: Matrix, b: Matrix) -> Matrix:
     """Return the cross product of two vectors with three components."""
+    if len(a) != 3 or len(b) != 3:
+        raise ValueError(f"cross: expected two vectors of 3 components, got {len(a)} and {len(b)}")
     return vector(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 

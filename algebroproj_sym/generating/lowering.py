@@ -15,7 +15,7 @@ import sympy
 from algebroproj_sym.declaring import Kernel
 from algebroproj_sym.expressions import Scalar, divided, entries, evaluate
 from algebroproj_sym.generating.graph import Graph, Node, Signed
-from algebroproj_sym.generating.program import Operand, Program, Step, run
+from algebroproj_sym.generating.program import Operand, Operator, Program, Step, run
 from algebroproj_sym.generating.sharing import share_pairs
 from algebroproj_sym.proving import RationalFunctionField
 
@@ -140,39 +140,48 @@ class _Emitter:
 
     def signed(self, signed: Signed) -> Operand:
         """Return the operand for a signed node, writing the steps it needs."""
-        sign, place = signed
-        if signed in self._operands:
-            return self._operands[signed]
-        node = self.graph.nodes[place]
-        if sign > 0:
-            operand = self._positive(node)
-        elif node.kind == "number":
-            operand = -int(node.value)
-        elif node.kind == "sum" and (1, place) not in self._operands and node.operands[-1][0] < 0:
-            operand = self._sum(tuple((-s, p) for s, p in node.operands))
-        else:
-            operand = self._step("neg", self.signed((1, place)))
-        self._operands[signed] = operand
-        return operand
+        if signed not in self._operands:
+            self._operands[signed] = self._written(*signed)
+        return self._operands[signed]
 
-    def _positive(self, node: Node) -> Operand:
-        if node.kind in ("input", "number"):
+    def _written(self, sign: int, place: int) -> Operand:
+        node = self.graph.nodes[place]
+        if node.kind == "number":
+            return sign * int(node.value)
+        if sign < 0 and not self._negatable(place):
+            return self._step("neg", self.signed((1, place)))
+        if node.kind == "input":
             return node.value
         if node.kind == "sum":
-            return self._sum(node.operands)
-        left, *rest = (self.signed((1, place)) for _, place in node.operands)
-        for right in rest:
-            left = self._step("*" if node.kind == "product" else "/", left, right)
-        return left
+            return self._sum([(sign * s, operand) for s, operand in node.operands])
+        return self._chain("*" if node.kind == "product" else "/", sign, [operand for _, operand in node.operands])
+
+    def _negatable(self, place: int) -> bool:
+        """Whether the negative of a node, not yet written, costs no negation: a sum in it can be turned around."""
+        node = self.graph.nodes[place]
+        if (1, place) in self._operands:
+            return False
+        turned = node.kind == "sum" and any(sign < 0 for sign, _ in node.operands)
+        return turned or any(self._negatable(operand) for _, operand in node.operands)
 
     def _sum(self, terms: Sequence[Signed]) -> Operand:
-        first, *rest = sorted(terms, key=lambda term: term[0] < 0)
+        first, *rest = sorted(terms, key=lambda term: (term[0] < 0, not self._negatable(term[1])))
         left = self.signed(first)
         for sign, place in rest:
             left = self._step("+" if sign > 0 else "-", left, self.signed((1, place)))
         return left
 
-    def _step(self, operator: str, *operands: Operand) -> Operand:
+    def _chain(self, operator: Operator, sign: int, places: Sequence[int]) -> Operand:
+        turned = next((place for place in places if self._negatable(place)), None) if sign < 0 else None
+        left: Operand | None = None
+        for place in places:
+            factor = self.signed((-1 if place == turned else 1, place))
+            turned = None if place == turned else turned
+            left = factor if left is None else self._step(operator, left, factor)
+        assert left is not None
+        return left
+
+    def _step(self, operator: Operator, *operands: Operand) -> Operand:
         name = f"t{len(self.steps)}"
-        self.steps.append(Step(name, operator, operands))  # type: ignore[arg-type]
+        self.steps.append(Step(name, operator, operands))
         return name

@@ -71,7 +71,7 @@ def _pair_counts(graph: Graph, outputs: Sequence[Signed]) -> Counter[Pair]:
     long = [node for node in nodes if node.kind in ("sum", "product") and len(node.operands) > 2]
     counts: Counter[Pair] = Counter()
     for node in long:
-        counts.update({pair for _, pair in _pairs(node)})
+        counts.update(dict.fromkeys((pair for _, pair in _pairs(node)), 1))
     for node in nodes:
         if node.kind in ("sum", "product") and len(node.operands) == 2:
             counts.update(pair for _, pair in _pairs(node) if pair in counts)

@@ -88,7 +88,7 @@ def _cofactors_of_degree(
     unknowns = [
         (index, monomial)
         for index, terms in enumerate(generators)
-        for monomial in _monomials(bound - max(map(sum, terms)), used, width)
+        for monomial in _monomials(bound - max(map(sum, terms), default=0), used, width)
     ]
     equations: dict[Powers, int] = {}
     entries: dict[int, dict[int, Any]] = defaultdict(dict)

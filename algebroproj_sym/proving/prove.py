@@ -17,6 +17,7 @@ from typing import Any, Literal
 import sympy
 
 from algebroproj_sym.expressions import Expression, evaluate, rational, shape, symbols_of, text
+from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.membership import cofactors
 from algebroproj_sym.proving.points import Point, points_on, rational_points, seed_of
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
@@ -93,7 +94,7 @@ def prove(
     UndefinedError
         If a denominator is identically zero.
     ValueError
-        If the shapes differ or the engine is unknown.
+        If the shapes differ, the engine is unknown, a constraint is a matrix or the witness violates a constraint.
 
     Examples
     --------
@@ -108,13 +109,22 @@ def prove(
     >>> prove(x**3, x, constraints=[x**2 - 1], witness={x: 1}).verdict
     'proved'
     """
+    if engine not in ENGINES:
+        raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
     left, right = rational(lhs, "lhs"), rational(rhs, "rhs")
     if shape(left) != shape(right):
         raise ValueError(f"prove: expected two sides of one shape, got {shape(left)} and {shape(right)}")
-    given = tuple(rational(expression, "constraints") for expression in constraints)
-    units = tuple(rational(expression, "nonzero") for expression in nonzero)
+    given = tuple(_scalar(expression, "constraints") for expression in constraints)
+    units = tuple(_scalar(expression, "nonzero") for expression in nonzero)
     question = _Question(left, right, given, units, witness, engine)
     return _prove_constrained(question) if given else _prove_identity(question)
+
+
+def _scalar(value: Any, argument: str) -> sympy.Expr:
+    expression = rational(value, argument)
+    if shape(expression) != ():
+        raise ValueError(f"{argument}: expected scalars, got a matrix of shape {shape(expression)}")
+    return expression
 
 
 @dataclass(frozen=True)

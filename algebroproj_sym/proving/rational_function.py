@@ -137,7 +137,9 @@ class RationalFunction:
     def __pow__(self, exponent: int) -> RationalFunction:
         if exponent < 0:
             return (self**-exponent)._reciprocal()
-        powers = tuple((index, count * exponent) for index, count in self.denominator if exponent)
+        if exponent == 0:
+            return self.field.lift(Fraction(1))
+        powers = tuple((index, count * exponent) for index, count in self.denominator)
         return RationalFunction(self.field, self.numerator**exponent, powers)
 
     def __radd__(self, other: object) -> RationalFunction:
@@ -155,6 +157,8 @@ class RationalFunction:
 
     def _coerce(self, other: object) -> RationalFunction | None:
         if isinstance(other, RationalFunction):
+            if other.field is not self.field:
+                raise ValueError("RationalFunction: expected two elements of one field")
             return other
         if isinstance(other, int | Fraction):
             return self.field.lift(Fraction(other))

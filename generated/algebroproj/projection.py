@@ -245,7 +245,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
     ``y02``, ``y03``.
 
-    Operations: 45 (7 +, 9 -, 13 *, 7 /, 9 neg); the derived expression as written takes 121.
+    Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.
 
     Examples
     --------
@@ -255,29 +255,29 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     y0, u3, out = arguments("projection_matrix", (3, 3), y0=(y0, (3,)), u3=(u3, (2,)))
     y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
-    t0 = y02 - 1
-    y00 = -(y03 + t0 + y01)
-    t4 = u32 - 1
-    t5 = t4 + u31
-    u30 = -t5
-    a1 = -(t0 + y03)
-    a2 = 1 - y01 - y03
-    b1 = -t4
+    t0 = 1 - y01
+    t1 = t0 - y02
+    y00 = t1 - y03
+    t3 = u31 + u32
+    u30 = 1 - t3
+    a1 = 1 - y02 - y03
+    a2 = t0 - y03
+    b1 = 1 - u32
     b2 = 1 - u31
     w1 = a1 * u31 - b1 * y01
     w2 = a2 * u32 - b2 * y02
-    t34 = u31 * y00
-    t37 = u30 * y03
-    t40 = u32 * y00
-    out[..., 0, 0] = -(w1 / (y01 * (u31 - b1)))
-    out[..., 0, 1] = -(w2 / (y02 * (u32 - b2)))
-    out[..., 0, 2] = -((t0 + y01 + y03 * (u31 + u32)) / (y03 * t5))
-    out[..., 1, 0] = t34 / (u30 * y01)
+    t27 = u31 * y00
+    t30 = u30 * y03
+    t33 = u32 * y00
+    out[..., 0, 0] = w1 / (y01 * (b1 - u31))
+    out[..., 0, 1] = w2 / (y02 * (b2 - u32))
+    out[..., 0, 2] = (t1 - y03 * t3) / (y03 * (t3 - 1))
+    out[..., 1, 0] = t27 / (u30 * y01)
     out[..., 1, 1] = 0
-    out[..., 1, 2] = -(t34 / t37)
+    out[..., 1, 2] = -(t27 / t30)
     out[..., 2, 0] = 0
-    out[..., 2, 1] = t40 / (u30 * y02)
-    out[..., 2, 2] = -(t40 / t37)
+    out[..., 2, 1] = t33 / (u30 * y02)
+    out[..., 2, 2] = -(t33 / t30)
     return out[()]
 
 
@@ -481,7 +481,7 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u31 + u32 - 1``,
     ``u32``, ``y01``, ``y01 + y02 + y03 - 1``, ``y02``, ``y03``.
 
-    Operations: 58 (14 +, 14 -, 16 *, 10 /, 4 neg); the derived expression as written takes 1539.
+    Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.
 
     Examples
     --------
@@ -491,26 +491,26 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     y0, u3, out = arguments("reconstruction_matrix", (3, 3), y0=(y0, (3,)), u3=(u3, (2,)))
     y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
-    t0 = y02 - 1
-    a1 = -(t0 + y03)
-    t3 = y01 - 1
-    a2 = -(t3 + y03)
+    t0 = y02 + y03
+    a1 = 1 - t0
+    t2 = y01 + y03
+    a2 = 1 - t2
     b1 = 1 - u32
     b2 = 1 - u31
     w1 = a1 * u31 - b1 * y01
     w2 = a2 * u32 - b2 * y02
-    d1 = -(u31 * (y01 - a1))
-    d2 = -(u32 * (y02 - a2))
-    t28 = 0 / (u32 - 1 + u31) + 0 / y01 + 0 / y02 + 0 / y03
-    out[..., 0, 0] = t28 - y01
-    out[..., 0, 1] = t28 - y01 * (b1 * t3 + u31 * (y02 + y03)) / d1
-    out[..., 0, 2] = w2 * y01 / d2 + t28
-    out[..., 1, 0] = t28 - y02
-    out[..., 1, 1] = w1 * y02 / d1 + t28
-    out[..., 1, 2] = t28 - y02 * (b2 * t0 + u32 * (y01 + y03)) / d2
-    out[..., 2, 0] = t28 - y03
-    out[..., 2, 1] = w1 * y03 / d1 + t28
-    out[..., 2, 2] = w2 * y03 / d2 + t28
+    d1 = u31 * (a1 - y01)
+    d2 = u32 * (a2 - y02)
+    t24 = 0 / (u31 - 1 + u32) + 0 / y01 + 0 / y02 + 0 / y03
+    out[..., 0, 0] = t24 - y01
+    out[..., 0, 1] = t24 - y01 * (b1 * (y01 - 1) + u31 * t0) / d1
+    out[..., 0, 2] = w2 * y01 / d2 + t24
+    out[..., 1, 0] = t24 - y02
+    out[..., 1, 1] = w1 * y02 / d1 + t24
+    out[..., 1, 2] = t24 - y02 * (b2 * (y02 - 1) + u32 * t2) / d2
+    out[..., 2, 0] = t24 - y03
+    out[..., 2, 1] = w1 * y03 / d1 + t24
+    out[..., 2, 2] = w2 * y03 / d2 + t24
     return out[()]
 
 
@@ -557,7 +557,7 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*mu2*mu3*u31 +
     mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``.
 
-    Operations: 38 (7 -, 18 *, 9 /, 4 neg); the derived expression as written takes 153.
+    Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.
 
     Examples
     --------
@@ -574,9 +574,8 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     t7 = mu3 * u31
     t8 = mu1 - 1
     n2 = mu1 * t0 - t7 * t8
-    d1 = mu1 * n1 - t8 * t7 * mu2
-    t16 = mu1 * t3
-    d2 = mu2 * n2 - t16 * t2
+    d1 = mu1 * n1 - mu2 * t7 * t8
+    d2 = mu2 * n2 - mu1 * t2 * t3
     out[..., 0, 0] = -(t7 * mu2 / d1)
     out[..., 0, 1] = n1 / d1
     out[..., 0, 2] = t7 * t3 / d1
@@ -585,7 +584,7 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     out[..., 1, 2] = n2 / d2
     out[..., 2, 0] = mu1 * mu2 / d1
     out[..., 2, 1] = -(mu2 * t8 / d1)
-    out[..., 2, 2] = -(t16 / d1)
+    out[..., 2, 2] = -(mu1 * t3 / d1)
     return out[()]
 
 
@@ -635,7 +634,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     y1, y2, y3 = y[..., 0], y[..., 1], y[..., 2]
     mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
-    delta = 1 + y1 * (mu1 - 1) + y2 * (mu2 - 1) + y3 * (mu3 - 1)
+    delta = y1 * (mu1 - 1) + y2 * (mu2 - 1) + y3 * (mu3 - 1) + 1
     t10 = y3 * mu3
     out[..., 0] = (mu1 * y1 + t10 * u31) / delta
     out[..., 1] = (mu2 * y2 + t10 * u32) / delta

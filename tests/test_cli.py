@@ -1,0 +1,212 @@
+"""The command line: contracts of output and exit status."""
+
+import json
+import os
+import subprocess
+import sys
+from fractions import Fraction
+
+import pytest
+import sympy
+from click.testing import CliRunner
+
+from algebroproj_sym.cli import main
+from algebroproj_sym.declaring import select
+from algebroproj_sym.expressions import evaluate
+
+KEYS = {
+    "paper",
+    "number",
+    "section",
+    "kind",
+    "verdict",
+    "expected",
+    "printed",
+    "derived",
+    "corrected",
+    "hypotheses",
+    "counterexample",
+    "certificate",
+    "engine",
+    "seconds",
+    "note",
+}
+
+FALSE_CLAIM = """
+import sympy
+from algebroproj_sym import Section
+
+x = sympy.Symbol("x")
+section = Section("mine", "1", "Squares")
+section.identity("1.1", "a square", printed=x**2 + 1, derived=(x + 1) ** 2)
+"""
+
+
+def run(*arguments):
+    return CliRunner().invoke(main, list(arguments))
+
+
+@pytest.fixture(scope="module")
+def checked():
+    result = run("check", "fundamentals1996", "--format", "json")
+    assert result.exit_code == 0
+    return json.loads(result.stdout)
+
+
+def test_check_prints_one_json_object_of_the_contract(checked):
+    assert checked["schema"] == 1
+    assert all(set(claim) >= KEYS for claim in checked["claims"])
+    assert sum(checked["summary"].values()) == len(checked["claims"])
+    assert "open" not in checked["summary"]
+    assert all(claim["verdict"] == claim["expected"] for claim in checked["claims"])
+
+
+def test_every_numbered_equation_of_section_1_has_a_claim(checked):
+    numbers = {claim["number"].split("#")[0] for claim in checked["claims"]}
+    last = {"1.1": 7, "1.2": 3, "1.3": 8, "1.4": 6, "1.5": 7, "1.6": 6}
+    assert {f"{section}.{n}" for section, count in last.items() for n in range(1, count + 1)} <= numbers
+
+
+def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
+    numbers = [claim["number"] for claim in checked["claims"]]
+    assert sum(number.startswith("4/a#") for number in numbers) == 16 * 3
+    assert sum(number.startswith("4/b#") and ".R" not in number for number in numbers) == 15 * 8
+
+
+def test_forms_are_text_that_sympy_parses(checked):
+    for claim in checked["claims"]:
+        for form in ("printed", "derived", "corrected"):
+            if claim[form] is not None:
+                sympy.sympify(claim[form])
+
+
+def test_a_false_or_misprinted_identity_carries_an_exact_point_at_which_it_fails(checked):
+    refuted = [c for c in checked["claims"] if c["verdict"] in ("misprint", "false") and c["kind"] == "identity"]
+    assert refuted
+    for claim in refuted:
+        point = {sympy.Symbol(name): Fraction(value) for name, value in claim["counterexample"].items()}
+        where = {sympy.Symbol(s): sympy.sympify(value) for s, value in claim["where"].items()}
+        printed, derived = (sympy.sympify(claim[form]) for form in ("printed", "derived"))
+        exact = {symbol: sympy.Rational(value.numerator, value.denominator) for symbol, value in point.items()}
+        sides = [sympy.ImmutableDenseMatrix([side]).xreplace(where).xreplace(exact) for side in (printed, derived)]
+        assert sides[0] != sides[1], claim["number"]
+
+
+def test_the_derived_text_is_the_derived_expression():
+    claims = {claim.number: claim for claim in select(["fundamentals1996:1.3"])}
+    ledger = json.loads(run("check", "fundamentals1996:1.3", "--format", "json").stdout)
+    for record in ledger["claims"]:
+        claim = claims[record["number"]]
+        names = sorted(symbol.name for symbol in claim.derived.free_symbols)
+        point = {sympy.Symbol(name): Fraction(11 * i * i + 3, 7 + 4 * i) for i, name in enumerate(names)}
+        parsed = sympy.sympify(record["derived"])
+        assert evaluate(parsed, point) == evaluate(claim.derived, point), claim.number
+
+
+@pytest.mark.parametrize("engine", ["flint", "sympy"])
+def test_both_engines_come_to_the_same_verdicts(engine):
+    result = run("check", "fundamentals1996:1.3", "--engine", engine, "--format", "json")
+    claims = json.loads(result.stdout)["claims"]
+    assert result.exit_code == 0
+    assert {claim["engine"] for claim in claims} == {engine}
+
+
+def test_workers_change_nothing_but_the_time():
+    outputs = [run("check", "fundamentals1996:1.2", "--jobs", jobs, "--format", "json").stdout for jobs in ("1", "2")]
+    records = [json.loads(output)["claims"] for output in outputs]
+    for claim in (claim for claims in records for claim in claims):
+        del claim["seconds"]
+    assert records[0] == records[1]
+
+
+def test_a_claim_that_is_not_as_declared_exits_with_1(tmp_path):
+    module = tmp_path / "squares.py"
+    module.write_text(FALSE_CLAIM, encoding="utf-8")
+    result = run("check", str(module))
+    assert result.exit_code == 1
+    assert "false, declared proved" in result.output
+    assert "1 not as declared" in result.output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("check", "nosuch"), "expected one of the papers fundamentals1996, got 'nosuch'"),
+        (("check", "fundamentals1996:7.7"), "expected a section or number of fundamentals1996, got '7.7'"),
+        (("check", "missing.py"), "expected an existing derivation module, got missing.py"),
+        (("check", "--engine", "maple"), "'maple' is not one of"),
+        (("check", "--jobs", "0"), "0 is not in the range"),
+        (("explain",), "Missing argument"),
+        (("verify", "--package", "nowhere"), "does not exist"),
+        (("nonsense",), "No such command"),
+    ],
+)
+def test_wrong_usage_exits_with_2_and_says_what_was_expected(arguments, message):
+    result = run(*arguments)
+    assert result.exit_code == 2
+    assert message in result.output
+
+
+def test_explain_shows_printed_derived_verdict_evidence_and_functions():
+    output = run("explain", "fundamentals1996:1.3.7").output
+    for part in ("printed", "derived", "proved", "by normal form", "u31 + u32 - 1", "projection.reconstruction_matrix"):
+        assert part in output
+    output = run("explain", "fundamentals1996:1.3/insertion").output
+    for part in ("misprint", "corrected", "counterexample", "differs"):
+        assert part in output
+
+
+def test_generate_writes_the_package_and_check_finds_drift(tmp_path):
+    out = tmp_path / "generated"
+    assert run("generate", "--out", str(out)).exit_code == 0
+    assert run("generate", "--check", "--out", str(out)).exit_code == 0
+    module = out / "algebroproj" / "optics.py"
+    module.write_text(module.read_text(encoding="utf-8").replace("f + x3", "f - x3"), encoding="utf-8")
+    result = run("generate", "--check", "--out", str(out))
+    assert result.exit_code == 1
+    assert "optics.py" in result.output
+    assert run("verify", "--package", str(out), "--samples", "4").exit_code == 1
+
+
+def test_build_writes_ledger_package_figures_and_report(tmp_path):
+    out = tmp_path / "out"
+    result = run("build", "--out", str(out), "--samples", "4")
+    assert result.exit_code == 0, result.output
+    written = {str(path.relative_to(out)) for path in out.rglob("*") if path.is_file()}
+    assert {"ledger.json", "accuracy.json", "report.md", "algebroproj/projection.py"} <= written
+    assert not any("partial" in name for name in written)
+    figures = json.loads((out / "accuracy.json").read_text(encoding="utf-8"))
+    assert all(function["passed"] for function in figures["functions"])
+    ledger = json.loads((out / "ledger.json").read_text(encoding="utf-8"))
+    report = (out / "report.md").read_text(encoding="utf-8")
+    for claim in ledger["claims"]:
+        assert (f"({claim['number']})" in report) or claim["verdict"] in ("proved", "definition")
+
+
+def test_the_bytes_depend_neither_on_the_hash_seed_nor_on_the_workers(tmp_path):
+    outputs = []
+    for seed, jobs in (("1", "1"), ("2", "2")):
+        out = tmp_path / seed
+        command = [
+            sys.executable,
+            "-m",
+            "algebroproj_sym",
+            "build",
+            "--out",
+            str(out),
+            "--samples",
+            "2",
+            "--jobs",
+            jobs,
+        ]
+        subprocess.run(command, check=True, env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True)
+        outputs.append({str(p.relative_to(out)): p.read_bytes() for p in sorted(out.rglob("*")) if p.is_file()})
+    assert outputs[0].keys() == outputs[1].keys()
+    assert [name for name in outputs[0] if outputs[0][name] != outputs[1][name]] == []
+
+
+def test_no_progress_in_a_pipe():
+    command = [sys.executable, "-m", "algebroproj_sym", "check", "fundamentals1996:1.2"]
+    result = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert result.stderr == ""
+    assert "\x1b" not in result.stdout

@@ -1,0 +1,84 @@
+"""The wheel built from the tree works in an empty environment, from another directory, and adds no generic name."""
+
+import json
+import subprocess
+import sys
+import venv
+import zipfile
+
+import pytest
+
+TOP_LEVEL = {"algebroproj", "algebroproj_derivations", "algebroproj_sym"}
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory, repository):
+    tree = tmp_path_factory.mktemp("tree")
+    archive = subprocess.run(
+        ["git", "-C", str(repository), "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        check=True,
+        capture_output=True,
+    )
+    for name in filter(None, archive.stdout.decode().split("\0")):
+        source = repository / name
+        if source.is_file():
+            target = tree / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(source.read_bytes())
+    folder = tmp_path_factory.mktemp("wheel")
+    command = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", str(folder), str(tree)]
+    subprocess.run(command, check=True, capture_output=True)
+    return next(folder.glob("*.whl"))
+
+
+@pytest.fixture(scope="module")
+def python(tmp_path_factory, wheel):
+    """An environment with the wheel and what it requires, and nothing else."""
+    folder = tmp_path_factory.mktemp("environment")
+    venv.create(folder, with_pip=True)
+    executable = folder / "bin" / "python"
+    install = [str(executable), "-m", "pip", "install", "--quiet", str(wheel)]
+    subprocess.run(install, check=True, capture_output=True)
+    return executable
+
+
+def run(python, *arguments, cwd):
+    return subprocess.run([str(python), *arguments], cwd=cwd, capture_output=True, text=True, check=True).stdout
+
+
+def test_the_wheel_adds_no_generic_top_level_name(wheel):
+    names = {name.split("/")[0] for name in zipfile.ZipFile(wheel).namelist()}
+    assert {name for name in names if not name.endswith(".dist-info")} == TOP_LEVEL
+
+
+def test_every_package_of_the_tree_is_in_the_wheel(wheel, repository):
+    contents = set(zipfile.ZipFile(wheel).namelist())
+    folders = {
+        "algebroproj_sym": repository / "algebroproj_sym",
+        "algebroproj_derivations": repository / "derivations",
+        "algebroproj": repository / "generated" / "algebroproj",
+    }
+    for name, folder in folders.items():
+        for path in folder.rglob("*"):
+            if path.suffix in (".py", ".j2", ".typed"):
+                assert f"{name}/{path.relative_to(folder).as_posix()}" in contents, path
+
+
+def test_the_generated_package_imports_numpy_alone(python, tmp_path):
+    code = (
+        "import sys, json; before = set(sys.modules); import numpy; with_numpy = set(sys.modules); "
+        "import algebroproj, algebroproj.affine, algebroproj.projection, algebroproj.space, algebroproj.optics; "
+        "new = {name.split('.')[0] for name in set(sys.modules) - with_numpy} - set(sys.stdlib_module_names); "
+        "print(json.dumps(sorted(new)))"
+    )
+    assert set(json.loads(run(python, "-c", code, cwd=tmp_path))) <= {"algebroproj", "numpy"}
+
+
+def test_the_command_line_works_from_another_directory(python, tmp_path):
+    checked = json.loads(
+        run(python, "-m", "algebroproj_sym", "check", "fundamentals1996:1.2", "--format", "json", cwd=tmp_path)
+    )
+    assert checked["summary"]["proved"] > 0
+    run(python, "-m", "algebroproj_sym", "build", "--samples", "2", cwd=tmp_path)
+    assert (tmp_path / "out" / "ledger.json").is_file()
+    assert (tmp_path / "out" / "algebroproj" / "projection.py").is_file()

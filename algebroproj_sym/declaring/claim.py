@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from decimal import Decimal
+from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 from typing import Any, Literal, TypeAlias, TypedDict, cast, get_args
 
 import sympy
 
-from algebroproj_sym.expressions import Expression, rational, symbols_of, text
+from algebroproj_sym.expressions import Expression, divided, rational, shape, symbols_of, text
 
 Kind = Literal[
     "identity",
@@ -125,6 +125,7 @@ def declared(
     """
     where = f"claim {paper}:{number}"
     expected = options.pop("expect", "definition" if kind == "definition" else "proved")
+    unrounded = options.pop("unrounded", None)
     claim = Claim(
         paper=paper,
         section=section,
@@ -136,15 +137,35 @@ def declared(
         corrected=_statement(options.pop("corrected", None), f"{where}, corrected"),
         expected=expected,
         where={s: rational(value, f"{where}, where") for s, value in options.pop("where", {}).items()},
-        constraints=tuple(options.pop("constraints", ())),
-        nonzero=tuple(options.pop("nonzero", ())),
-        unrounded=None
-        if options.get("unrounded") is None
-        else rational(options.pop("unrounded"), f"{where}, unrounded"),
+        constraints=tuple(rational(value, f"{where}, constraints") for value in options.pop("constraints", ())),
+        nonzero=tuple(rational(value, f"{where}, nonzero") for value in options.pop("nonzero", ())),
+        unrounded=None if unrounded is None else rational(unrounded, f"{where}, unrounded"),
         **options,
     )
     _require_complete(claim, where)
     return claim
+
+
+def decimal(value: Any, where: str) -> Decimal:
+    """Return a printed number with all its digits.
+
+    Raises
+    ------
+    DeclarationError
+        If the value is not the text of a finite decimal number (a float has lost the printed digits).
+
+    Examples
+    --------
+    >>> decimal("-0.0000000", "printed").as_tuple().exponent
+    -7
+    """
+    try:
+        number = Decimal(value) if isinstance(value, str) else None
+    except InvalidOperation:
+        number = None
+    if number is None or not number.is_finite():
+        raise DeclarationError(f"{where}: expected the text of a decimal number, got {value!r}")
+    return number
 
 
 def _statement(value: Any, where: str) -> Statement | None:
@@ -168,6 +189,11 @@ def _require_complete(claim: Claim, where: str) -> None:
         raise DeclarationError(f"{where}: printed is missing exactly if the claim is expected to be illegible")
     if (claim.derived is None) != (claim.kind == "definition"):
         raise DeclarationError(f"{where}: derived is missing exactly if the claim is a definition")
+    if claim.constraints and not claim.kind.startswith("identity"):
+        raise DeclarationError(f"{where}: expected constraints for an identity, got them for {claim.kind}")
+    numbers = [form for form in (claim.derived, claim.unrounded) if form is not None and claim.kind == "numeric"]
+    if any(shape(form) or symbols_of([form]) for form in numbers):
+        raise DeclarationError(f"{where}: expected derived numbers, got {', '.join(map(str, numbers))}")
     _require_parsable(claim, where)
 
 
@@ -180,7 +206,8 @@ def _require_parsable(claim: Claim, where: str) -> None:
         claim.nonzero,
         tuple(claim.where.values()),
     )
-    for symbol in symbols_of(e for form in forms for e in _expressions(form)):
+    symbols = {symbol for form in forms for expression in _expressions(form) for symbol in expression.free_symbols}
+    for symbol in sorted(symbols, key=str):
         if sympy.Symbol(symbol.name) != symbol or _parsed(symbol.name) != symbol:
             raise DeclarationError(f"{where}: SymPy does not read the name {symbol.name!r} back as a plain symbol")
 
@@ -225,5 +252,5 @@ def statement_text(statement: Statement | None) -> str | None:
     if statement is None:
         return None
     if isinstance(statement, tuple):
-        return str(sympy.Tuple(*statement))
-    return str(statement) if isinstance(statement, Decimal) else text(statement)
+        return str(sympy.Tuple(*map(divided, statement)))
+    return f"{statement:f}" if isinstance(statement, Decimal) else text(statement)

@@ -77,7 +77,7 @@ def _relation(claim: Claim, verdict: Verdict) -> str:
 
 def _latex(statement: Statement | None) -> str:
     if isinstance(statement, Decimal):
-        return str(statement)
+        return f"{statement:f}"
     if isinstance(statement, tuple):
         return r" \cdot ".join(rf"\left({sympy.latex(factor)}\right)" for factor in statement) + " = 0"
     return str(sympy.latex(divided(statement))) if statement is not None else ""

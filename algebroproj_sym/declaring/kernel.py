@@ -137,7 +137,7 @@ def declared_kernel(
 
 
 def _require_complete(kernel: Kernel, label: str) -> None:
-    if not kernel.name:
+    if not (kernel.module and kernel.name):
         raise DeclarationError(f"{label}: expected a name of the form module.function")
     inputs = kernel.symbols
     if len(set(inputs)) != len(inputs) or list(inputs) != [e for a in kernel.arguments for e in entries(a.entries)]:
@@ -147,8 +147,12 @@ def _require_complete(kernel: Kernel, label: str) -> None:
             raise DeclarationError(
                 f"{label}: expected the scalar {argument.name} as its symbol, got {argument.symbols[0]}"
             )
-    known = {*inputs, *(symbol for symbol, _ in kernel.where)}
-    unknown = {*symbols_of([kernel.derived])} - {*inputs} | {*symbols_of([kernel.form])} - known
+    known = {*inputs}
+    unknown = {*symbols_of([kernel.derived])} - known
+    for abbreviation, expression in kernel.where:
+        unknown |= {*symbols_of([expression])} - known
+        known.add(abbreviation)
+    unknown |= {*symbols_of([kernel.form])} - known
     if unknown:
         raise DeclarationError(f"{label}: expected the symbols of the arguments, got also {sorted(map(str, unknown))}")
     if shape(kernel.form) != kernel.shape:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
 from typing import Any, Unpack
 
-from algebroproj_sym.declaring.claim import Claim, DeclarationError, Kind, Options, declared
+from algebroproj_sym.declaring.claim import Claim, DeclarationError, Kind, Options, decimal, declared
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, declared_kernel
 
 
@@ -56,9 +55,10 @@ class Section:
 
     def numeric(self, number: str, title: str, *, printed: str, derived: Any, **options: Unpack[Options]) -> Claim:
         """Declare that a printed decimal number is the derived rational number, rounded to its last digit."""
+        where = f"claim {self.paper}:{number}"
         if "corrected" in options:
-            options["corrected"] = Decimal(options["corrected"])
-        return self._declare("numeric", number, title, Decimal(printed), derived, **options)
+            options["corrected"] = decimal(options["corrected"], f"{where}, corrected")
+        return self._declare("numeric", number, title, decimal(printed, f"{where}, printed"), derived, **options)
 
     def definition(self, number: str, title: str, *, printed: Any, **options: Unpack[Options]) -> Claim:
         """Declare a notation."""

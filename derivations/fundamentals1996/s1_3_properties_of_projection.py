@@ -266,6 +266,7 @@ section.identity(
     ),
     where=BARYCENTRIC,
     derived=P_of_y0,
+    note="The scan shows y as a script J throughout (1.3.6) to (1.3.8).",
 )
 
 # %% [markdown]

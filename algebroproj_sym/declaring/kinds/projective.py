@@ -32,7 +32,14 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     )
     if proof.verdict != "proved":
         return proof
-    nontrivial = prove(p[pivot], 0, engine=engine)
+    nontrivial = prove(
+        p[pivot],
+        0,
+        constraints=claim.constraints,
+        nonzero=(*claim.nonzero, d[pivot]),
+        witness=claim.witness,
+        engine=engine,
+    )
     if nontrivial.verdict != "refuted":
         return replace(proof, verdict="open", certificate={"method": "none", "reason": "the printed form is zero"})
     scale = over(p[pivot], d[pivot])

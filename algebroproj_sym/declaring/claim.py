@@ -19,6 +19,8 @@ Kind = Literal[
     "identity under constraints",
     "structure",
     "vanishing",
+    "rank",
+    "limit",
     "numeric",
     "definition",
 ]
@@ -43,6 +45,8 @@ class Options(TypedDict, total=False):
     constraints: Sequence[sympy.Expr]
     nonzero: Sequence[sympy.Expr]
     witness: Mapping[sympy.Symbol, Fraction | int]
+    variable: sympy.Symbol
+    kernel: Sequence[Any]
     units: Fraction
     unrounded: Any
     instead: str
@@ -75,6 +79,10 @@ class Claim:
         What is zero, and what is not, wherever the statement is made.
     witness : mapping of Symbol to rational number, or None
         A point that satisfies the constraints.
+    variable : sympy.Symbol or None
+        For a limit: what goes to zero.
+    kernel : tuple of matrix
+        For a rank: vectors that the derived matrix takes to zero.
     units : Fraction
         For a printed number: how far it may be from the derived one, in units of its last digit.
     unrounded : Expression or None
@@ -99,6 +107,8 @@ class Claim:
     constraints: tuple[sympy.Expr, ...] = ()
     nonzero: tuple[sympy.Expr, ...] = ()
     witness: Mapping[sympy.Symbol, Fraction | int] | None = None
+    variable: sympy.Symbol | None = None
+    kernel: tuple[Expression, ...] = ()
     units: Fraction = Fraction(1, 2)
     unrounded: Expression | None = None
     instead: str = ""
@@ -139,6 +149,7 @@ def declared(
         where={s: rational(value, f"{where}, where") for s, value in options.pop("where", {}).items()},
         constraints=tuple(rational(value, f"{where}, constraints") for value in options.pop("constraints", ())),
         nonzero=tuple(rational(value, f"{where}, nonzero") for value in options.pop("nonzero", ())),
+        kernel=tuple(rational(vector, f"{where}, kernel") for vector in options.pop("kernel", ())),
         unrounded=None if unrounded is None else rational(unrounded, f"{where}, unrounded"),
         **options,
     )

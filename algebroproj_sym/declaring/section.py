@@ -53,6 +53,14 @@ class Section:
         """Declare that an expression is zero exactly where one of the factors `printed` is."""
         return self._declare("vanishing", number, title, tuple(printed), derived, **options)
 
+    def rank(self, number: str, title: str, *, printed: int, derived: Any, **options: Unpack[Options]) -> Claim:
+        """Declare the rank that a matrix has in general; `kernel` are independent vectors that it takes to zero."""
+        return self._declare("rank", number, title, printed, derived, **options)
+
+    def limit(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
+        """Declare the limit of an expression where `variable` goes to zero."""
+        return self._declare("limit", number, title, printed, derived, **options)
+
     def numeric(self, number: str, title: str, *, printed: str, derived: Any, **options: Unpack[Options]) -> Claim:
         """Declare that a printed decimal number is the derived rational number, rounded to its last digit."""
         where = f"claim {self.paper}:{number}"

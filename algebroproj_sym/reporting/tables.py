@@ -45,9 +45,8 @@ def claims_table(judgements: Sequence[Judgement]) -> Table:
 
 def summary_text(judgements: Sequence[Judgement]) -> Text:
     """Return one line: how many claims, by verdict, and how many are not as declared."""
-    line = Text(f"{len(judgements)} claims:")
-    for verdict, count in summary(judgements).items():
-        line.append(f" {count} {verdict}", style=COLORS[verdict])
+    counts = [Text(f"{count} {verdict}", style=COLORS[verdict]) for verdict, count in summary(judgements).items()]
+    line = Text(f"{len(judgements)} claims: ").append_text(Text(", ").join(counts))
     changed = sum(not judgement.as_declared for judgement in judgements)
     line.append(f"; {changed} not as declared", style="bold red" if changed else "dim")
     return line

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 from algebroproj_sym.declaring.claim import Claim, Kind
-from algebroproj_sym.declaring.kinds import definition, identity, numeric, projective, structure, vanishing
+from algebroproj_sym.declaring.kinds import definition, identity, limit, numeric, projective, rank, structure, vanishing
 from algebroproj_sym.proving import Proof
 
 Compare = Callable[[Claim, Any, str], Proof]
@@ -21,6 +21,8 @@ KINDS: dict[Kind, Compare] = {
     "identity up to scale": projective.compare,
     "structure": structure.compare,
     "vanishing": vanishing.compare,
+    "rank": rank.compare,
+    "limit": limit.compare,
     "numeric": numeric.compare,
     "definition": definition.compare,
 }

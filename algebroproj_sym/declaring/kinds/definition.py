@@ -7,8 +7,7 @@ from typing import Any
 
 from algebroproj_sym.declaring.claim import Claim
 from algebroproj_sym.expressions import Expression, evaluate, symbols_of
-from algebroproj_sym.proving import Point, Proof, prove, seed_of
-from algebroproj_sym.proving.points import rational_points
+from algebroproj_sym.proving import Point, Proof, prove, rational_points, seed_of
 
 TRIES = 100
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.expressions import entries, over, shape, text, vector
+from algebroproj_sym.expressions import Scalar, entries, over, shape, text, vector
 from algebroproj_sym.proving import Proof, prove
 
 
@@ -19,7 +19,7 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     if shapes[0] != shapes[1]:
         raise DeclarationError(f"{claim.number}: expected two sides of one shape, got {shapes}")
     p, d = entries(printed), entries(claim.derived)
-    pivot = next((k for k, entry in enumerate(d) if prove(entry, 0, engine=engine).verdict == "refuted"), None)
+    pivot = next((k for k, entry in enumerate(d) if _is_nonzero(claim, entry, engine)), None)
     if pivot is None:
         raise DeclarationError(f"{claim.number}: expected a derived form that is not identically zero")
     proof = prove(
@@ -32,15 +32,13 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     )
     if proof.verdict != "proved":
         return proof
-    nontrivial = prove(
-        p[pivot],
-        0,
-        constraints=claim.constraints,
-        nonzero=(*claim.nonzero, d[pivot]),
-        witness=claim.witness,
-        engine=engine,
-    )
-    if nontrivial.verdict != "refuted":
+    if not _is_nonzero(claim, p[pivot], engine):
         return replace(proof, verdict="open", certificate={"method": "none", "reason": "the printed form is zero"})
     scale = over(p[pivot], d[pivot])
     return replace(proof, certificate={**(proof.certificate or {}), "scale": text(scale)})
+
+
+def _is_nonzero(claim: Claim, entry: Scalar, engine: str) -> bool:
+    """Whether an entry differs from zero at some point that satisfies the constraints."""
+    proof = prove(entry, 0, constraints=claim.constraints, nonzero=claim.nonzero, witness=claim.witness, engine=engine)
+    return proof.verdict == "refuted"

@@ -151,7 +151,7 @@ def test_explain_shows_printed_derived_verdict_evidence_and_functions():
     output = run("explain", "fundamentals1996:1.3.7").output
     for part in ("printed", "derived", "proved", "by normal form", "u31 + u32 - 1", "projection.reconstruction_matrix"):
         assert part in output
-    output = run("explain", "fundamentals1996:1.3/insertion").output
+    output = run("explain", "fundamentals1996:1.2/j=2").output
     for part in ("misprint", "corrected", "counterexample", "differs"):
         assert part in output
 

@@ -55,6 +55,11 @@ def test_normwise_sensitivity_uses_the_largest_entry():
     assert [float(s) for s in truth.sensitivities] == pytest.approx([9, 9])
 
 
+def test_an_entry_that_is_identically_zero_is_zero():
+    hidden = vector((x + y) ** 2 - x**2 - 2 * x * y - y**2, x)
+    assert oracle(kernel_of(hidden))({"x": 0.1, "y": 0.7}).values[0] == 0
+
+
 def test_a_singular_input_raises():
     with pytest.raises(ZeroDivisionError):
         oracle(kernel_of(1 / (x - y)))({"x": 1.0, "y": 1.0})

@@ -22,7 +22,7 @@ class Section:
 
     Examples
     --------
-    >>> x = sympy.Symbol("x")
+    >>> from sympy.abc import x
     >>> section = Section("demo", "1", "Squares")
     >>> claim = section.identity("1.1", "binomial", printed=x**2 + 2*x + 1, derived=(x + 1)**2)
     >>> claim.kind, len(section.claims)

@@ -13,7 +13,8 @@ import mpmath
 import sympy
 
 from algebroproj_sym.declaring import Kernel
-from algebroproj_sym.expressions import divided, entries
+from algebroproj_sym.expressions import Scalar, divided, entries, evaluate
+from algebroproj_sym.proving import RationalFunctionField
 
 DIGITS = 50
 FIRST_PRECISION = 60
@@ -57,17 +58,24 @@ def oracle(kernel: Kernel) -> Callable[[Mapping[str, float]], Truth]:
         From the values of the inputs by name to the truth.  It raises `NoAgreementError` if 50 digits do not agree
         at 2000 digits of working precision, and ZeroDivisionError at a singular input.
     """
-    expression = entries(divided(kernel.derived))
-    compiled = sympy.lambdify(kernel.symbols, list(expression), modules="mpmath", cse=True)
+    compiled = sympy.lambdify(kernel.symbols, _without_hidden_zeros(kernel), modules="mpmath", cse=True)
 
-    def evaluate(inputs: Mapping[str, float]) -> Truth:
+    def truth(inputs: Mapping[str, float]) -> Truth:
         point = [inputs[symbol.name] for symbol in kernel.symbols]
         values, precision = _settled(compiled, point)
         with mpmath.workdps(precision + 2 * STEP_DIGITS):
             sensitivities = _sensitivities(compiled, point, _scales(kernel, inputs))
         return Truth(values, (max(sensitivities),) * len(values) if kernel.normwise else sensitivities)
 
-    return evaluate
+    return truth
+
+
+def _without_hidden_zeros(kernel: Kernel) -> list[Scalar]:
+    """Return the derived entries; one that is identically zero has no digits that could agree, and is written as 0."""
+    field = RationalFunctionField(kernel.symbols, "flint")
+    values = evaluate(kernel.derived, field.variables, field.lift)
+    derived = entries(divided(kernel.derived))
+    return [sympy.Integer(0) if value.is_zero else entry for entry, value in zip(derived, values, strict=True)]
 
 
 def _settled(compiled: Callable[..., Any], point: list[float]) -> tuple[tuple[Any, ...], int]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal, InvalidOperation
 from fractions import Fraction
+from functools import cache
 from typing import Any, Literal, TypeAlias, TypedDict, cast, get_args
 
 import sympy
@@ -229,6 +230,7 @@ def _expressions(form: Statement | None) -> tuple[Expression, ...]:
     return form if isinstance(form, tuple) else (form,)
 
 
+@cache
 def _parsed(name: str) -> Any:
     try:
         return sympy.sympify(name)

@@ -15,6 +15,9 @@ Scalar: TypeAlias = sympy.Expr
 Expression: TypeAlias = "sympy.Expr | sympy.ImmutableDenseMatrix"
 
 
+_ANY_REAL = sympy.Symbol("x", real=True).assumptions0.items()
+
+
 class NotRationalError(TypeError):
     """An expression is not a rational expression over Q."""
 
@@ -36,7 +39,7 @@ def rational(value: Any, argument: str) -> Expression:
     Raises
     ------
     NotRationalError
-        If a float, another kind of number, another function or a symbol that does not commute occurs.
+        If a float, another kind of number, another function, or a symbol occurs that does not stand for any number.
 
     Examples
     --------
@@ -66,7 +69,9 @@ def rational(value: Any, argument: str) -> Expression:
 def _require_rational(node: Any, argument: str, whole: Any) -> None:
     power = isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Integer)
     allowed = power or isinstance(node, sympy.Symbol | sympy.Rational | sympy.Add | sympy.Mul | over)
-    if not allowed or not node.is_commutative or node in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
+    if isinstance(node, sympy.Symbol) and not node.assumptions0.items() <= _ANY_REAL:
+        raise NotRationalError(f"{argument}: expected symbols for any number, got {node} with assumptions in {whole}")
+    if not allowed or node in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
         raise NotRationalError(f"{argument}: expected a rational expression over Q, got {node} in {whole}")
     children = node.args[:1] if isinstance(node, sympy.Pow) else node.args
     for child in children:

@@ -21,6 +21,8 @@ class over(sympy.Function):  # type: ignore[misc]  # noqa: N801 - reads as mathe
     ------
     ZeroDivisionError
         If the denominator is the number zero.
+    TypeError
+        If an argument is text or a float.
 
     Examples
     --------
@@ -33,6 +35,12 @@ class over(sympy.Function):  # type: ignore[misc]  # noqa: N801 - reads as mathe
     """
 
     nargs = 2
+
+    def __new__(cls, *arguments: Any, **options: Any) -> Any:
+        """Make the node, from expressions and exact numbers, not from text."""
+        if any(isinstance(argument, str | float) for argument in arguments):
+            raise TypeError(f"over: expected SymPy expressions or exact numbers, got {arguments}")
+        return super().__new__(cls, *arguments, **options)
 
     @classmethod
     def eval(cls, numerator: sympy.Expr, denominator: sympy.Expr) -> None:

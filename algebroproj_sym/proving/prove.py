@@ -164,11 +164,25 @@ class _Question:
         if self.witness is None:
             return
         filling = next(rational_points(self.symbols, self.seed))
-        point = filling | {symbol: Fraction(value) for symbol, value in self.witness.items()}
+        point = filling | {symbol: _exact(value) for symbol, value in self.witness.items()}
         for constraint in self.constraints:
-            if evaluate(constraint, point)[0] != 0:
+            if not _vanishes(constraint, point):
                 raise ValueError(f"witness: expected a point with {constraint} = 0, got {dict(self.witness)}")
         yield point
+
+
+def _exact(value: Any) -> Fraction:
+    number = rational(value, "witness")
+    if not isinstance(number, sympy.Rational):
+        raise ValueError(f"witness: expected exact numbers, got {value!r}")
+    return Fraction(int(number.p), int(number.q))
+
+
+def _vanishes(constraint: sympy.Expr, point: Point) -> bool:
+    try:
+        return bool(evaluate(constraint, point)[0] == 0)
+    except ZeroDivisionError:
+        return False
 
 
 def _prove_identity(question: _Question) -> Proof:

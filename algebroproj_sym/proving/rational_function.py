@@ -42,7 +42,7 @@ class RationalFunctionField:
     """
 
     def __init__(self, symbols: Sequence[sympy.Symbol], engine: str) -> None:
-        self.ring: Ring = ring(engine, [symbol.name for symbol in symbols])
+        self.ring: Ring = ring(engine, [f"x{place}" for place in range(len(symbols))])
         self.symbols = tuple(symbols)
         self.factors: list[Any] = []
         self._place: dict[tuple[Any, ...], int] = {}

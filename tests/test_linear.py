@@ -1,0 +1,203 @@
+"""Linear algebra on matrices of rational expressions."""
+
+import pytest
+import sympy
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from algebroproj_sym.expressions import (
+    Matrix,
+    adjugate,
+    columns,
+    cross,
+    determinant,
+    dot,
+    homogeneous,
+    inverse,
+    linear_system,
+    over,
+    rows,
+    solve,
+    vector,
+)
+
+x, y, z = sympy.symbols("x y z")
+small = st.integers(-6, 6)
+
+
+def matrices(size, entry=small):
+    return st.lists(entry, min_size=size**2, max_size=size**2).map(lambda values: Matrix(size, size, values))
+
+
+def vectors(size, entry=small):
+    return st.lists(entry, min_size=size, max_size=size).map(lambda values: vector(*values))
+
+
+squares = st.integers(1, 5).flatmap(matrices)
+pairs = st.integers(1, 4).flatmap(lambda size: st.tuples(matrices(size), matrices(size)))
+systems = st.integers(1, 4).flatmap(lambda size: st.tuples(matrices(size), vectors(size)))
+polynomials = st.builds(lambda a, b, c, d: a + b * x + c * y + d * x * y, small, small, small, small)
+
+
+@given(squares)
+def test_the_determinant_is_berkowitz(matrix):
+    assert determinant(matrix) == sympy.Matrix(matrix).det(method="berkowitz")
+
+
+@given(matrices(3, polynomials))
+@settings(max_examples=30)
+def test_the_determinant_of_polynomials_is_berkowitz(matrix):
+    assert sympy.expand(determinant(matrix) - sympy.Matrix(matrix).det(method="berkowitz")) == 0
+
+
+@given(pairs)
+def test_the_determinant_is_multiplicative(pair):
+    a, b = pair
+    assert determinant(a * b) == determinant(a) * determinant(b)
+
+
+@given(squares)
+def test_the_determinant_of_the_transpose_is_the_same(matrix):
+    assert determinant(matrix.T) == determinant(matrix)
+
+
+@given(matrices(4), st.permutations(range(4)))
+def test_the_determinant_is_alternating(matrix, order):
+    sign = sympy.combinatorics.Permutation(list(order)).signature()
+    assert determinant(Matrix(4, 4, lambda i, j: matrix[order[i], j])) == sign * determinant(matrix)
+
+
+def test_the_determinant_of_no_rows_is_one():
+    assert determinant(Matrix(0, 0, [])) == 1
+
+
+@pytest.mark.parametrize("shape", [(1, 2), (2, 1), (3, 2), (0, 1)])
+def test_a_matrix_that_is_not_square_has_no_determinant(shape):
+    with pytest.raises(ValueError, match="expected a square matrix, got shape"):
+        determinant(Matrix.zeros(*shape))
+
+
+@given(squares)
+def test_the_adjugate_times_the_matrix_is_the_determinant(matrix):
+    size = matrix.shape[0]
+    scaled = sympy.eye(size) * sympy.Matrix(matrix).det(method="berkowitz")
+    assert matrix * adjugate(matrix) == scaled
+    assert adjugate(matrix) * matrix == scaled
+
+
+@pytest.mark.parametrize("shape", [(2, 3), (3, 2)])
+def test_a_matrix_that_is_not_square_has_no_adjugate_and_no_inverse(shape):
+    with pytest.raises(ValueError, match="square"):
+        adjugate(Matrix.ones(*shape))
+    with pytest.raises(ValueError, match="square"):
+        inverse(Matrix.ones(*shape))
+
+
+@given(matrices(3, polynomials), st.fractions(-5, 5, max_denominator=5), st.fractions(-5, 5, max_denominator=5))
+@settings(max_examples=40)
+def test_the_inverse_times_the_matrix_is_the_unit_matrix_at_points(matrix, a, b):
+    point = {x: sympy.Rational(a.numerator, a.denominator), y: sympy.Rational(b.numerator, b.denominator)}
+    there = matrix.subs(point)
+    assume(sympy.Matrix(there).det(method="berkowitz") != 0)
+    inverted = inverse(matrix).subs(point).doit()
+    assert there * inverted == sympy.eye(3)
+    assert inverted * there == sympy.eye(3)
+
+
+@given(matrices(3), small, small)
+def test_the_inverse_of_a_singular_matrix_is_refused(matrix, a, b):
+    dependent = columns(matrix[:, 0], matrix[:, 1], a * matrix[:, 0] + b * matrix[:, 1])
+    with pytest.raises(ZeroDivisionError):
+        inverse(dependent)
+
+
+def test_the_inverse_divides_every_entry_by_the_determinant():
+    inverted = inverse(Matrix([[x, 0], [0, x]]))
+    assert {entry.args[1] for entry in inverted.atoms(over)} == {x**2}
+    assert all(isinstance(entry, over) for entry in inverted)
+
+
+@given(systems)
+def test_the_solution_satisfies_the_system(system):
+    matrix, right_side = system
+    assume(sympy.Matrix(matrix).det(method="berkowitz") != 0)
+    assert matrix * solve(matrix, right_side).doit() == right_side
+
+
+@given(matrices(2, polynomials), vectors(2, polynomials))
+@settings(max_examples=10)
+def test_the_solution_satisfies_a_system_of_polynomials(matrix, right_side):
+    assume(sympy.expand(sympy.Matrix(matrix).det(method="berkowitz")) != 0)
+    residual = matrix * solve(matrix, right_side).doit() - right_side
+    assert residual.applyfunc(sympy.cancel) == sympy.zeros(2, 1)
+
+
+def test_a_singular_system_is_refused():
+    with pytest.raises(ZeroDivisionError):
+        solve(Matrix([[1, 2], [2, 4]]), vector(1, 2))
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_a_right_side_of_another_size_is_refused(count):
+    with pytest.raises(ValueError, match=f"right side of 2 entries, got {count}"):
+        solve(Matrix([[1, 2], [3, 4]]), vector(*range(count)))
+
+
+@given(matrices(3), vectors(3))
+def test_a_linear_system_is_read_from_its_equations(matrix, right_side):
+    unknowns = vector(x, y, z)
+    assert linear_system(list(matrix * unknowns - right_side), [x, y, z]) == (matrix, right_side)
+
+
+def test_coefficients_of_a_linear_system_may_hold_parameters_and_divisions():
+    a, b = sympy.symbols("a b")
+    matrix, right_side = linear_system([over(x, a) + b * y - over(a, b), (a + 1) * x - y], [x, y])
+    assert matrix.doit() == Matrix([[1 / a, b], [a + 1, -1]])
+    assert right_side.doit() == vector(a / b, 0)
+
+
+@pytest.mark.parametrize("equation", [x * y, x**2 - 1, over(1, x), over(y, x + y), (x + 1) ** 3])
+def test_equations_that_are_not_linear_are_refused(equation):
+    with pytest.raises(ValueError, match="linear"):
+        linear_system([equation, x - y], [x, y])
+
+
+@given(vectors(3), vectors(3))
+def test_the_cross_product_is_that_of_sympy(a, b):
+    assert cross(a, b) == sympy.Matrix(a).cross(sympy.Matrix(b))
+
+
+@given(vectors(3), vectors(3))
+def test_the_cross_product_is_orthogonal_and_as_long_as_the_area(a, b):
+    product = cross(a, b)
+    assert dot(a, product) == dot(b, product) == 0
+    assert dot(product, product) == dot(a, a) * dot(b, b) - dot(a, b) ** 2
+
+
+@pytest.mark.parametrize("size", [2, 4])
+def test_the_cross_product_needs_three_components(size):
+    with pytest.raises(ValueError, match="3 components"):
+        cross(vector(1, 2, 3), vector(*range(size)))
+
+
+@given(st.integers(0, 5).flatmap(lambda size: st.tuples(vectors(size), vectors(size))))
+def test_the_scalar_product_is_the_sum_of_products(pair):
+    a, b = pair
+    assert dot(a, b) == sum(int(p) * int(q) for p, q in zip(list(a), list(b), strict=True))
+
+
+def test_the_scalar_product_needs_vectors_of_one_length():
+    with pytest.raises(ValueError, match="zip"):
+        dot(vector(1, 2), vector(1, 2, 3))
+
+
+def test_vectors_columns_and_rows():
+    assert vector(x, y).shape == (2, 1)
+    assert columns(vector(x, y), vector(1, 2)) == Matrix([[x, 1], [y, 2]])
+    assert rows(vector(x, y), vector(1, 2)) == Matrix([[x, y], [1, 2]])
+    assert homogeneous(vector(x, y)) == vector(1, x, y)
+
+
+@given(st.fractions(-5, 5, max_denominator=5))
+def test_entries_may_be_exact_fractions(a):
+    assert determinant(Matrix([[a, 1], [1, a]])) == a**2 - 1

@@ -15,6 +15,7 @@ ROUNDS = 5
 
 
 def seconds(engine: str) -> float:
+    """Return the wall time of judging every claim once."""
     start = time.perf_counter()
     for claim in select():
         judge(claim, engine)
@@ -22,13 +23,15 @@ def seconds(engine: str) -> float:
 
 
 def main() -> None:
+    """Print median, smallest and largest time for each engine."""
     claims = len(select())
     times = {engine: [] for engine in ENGINES}
     for _ in range(ROUNDS):
         for engine in ENGINES:
             times[engine].append(seconds(engine))
     for engine, measured in times.items():
-        print(f"{engine:<6} {claims} claims: median {median(measured):.2f} s, {min(measured):.2f} to {max(measured):.2f} s")
+        spread = f"{min(measured):.2f} to {max(measured):.2f} s"
+        print(f"{engine:<6} {claims} claims: median {median(measured):.2f} s, {spread}")
 
 
 if __name__ == "__main__":

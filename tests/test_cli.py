@@ -61,10 +61,13 @@ def test_check_prints_one_json_object_of_the_contract(checked):
     assert all(claim["verdict"] == claim["expected"] for claim in checked["claims"])
 
 
-def test_every_numbered_equation_of_section_1_has_a_claim(checked):
+def test_every_numbered_equation_of_the_sections_done_has_a_claim(checked):
     numbers = {claim["number"].split("#")[0] for claim in checked["claims"]}
     last = {"1.1": 7, "1.2": 3, "1.3": 8, "1.4": 6, "1.5": 7, "1.6": 6}
+    last |= {"2.1": 13, "2.2": 9, "3.1": 3, "3.2": 10, "3.3": 9, "3.4": 1}
     assert {f"{section}.{n}" for section, count in last.items() for n in range(1, count + 1)} <= numbers
+    assert {f"2.4/2.3.{n}" for n in range(5)} <= numbers
+    assert {"table:2.2", "table:2.3", "table:3.4"} <= numbers
 
 
 def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import sympy
 
-from algebroproj import affine, optics, projection, space
+import algebroproj
+from algebroproj import affine, correlation, normal_case, optics, orientation, projection, space
 
 FUNCTIONS = {
     affine.plane_frame: [(3, 2)],
@@ -24,6 +25,19 @@ FUNCTIONS = {
     projection.reconstruction_matrix_from_mu: [(3,), (2,)],
     projection.camera_matrix: [(3,), (2,)],
     projection.project: [(3,), (3,), (2,)],
+    correlation.design_row: [(2,), (2,)],
+    correlation.right_side: [(2,), (2,)],
+    correlation.epipolar_line_left: [(3, 3), (2,)],
+    correlation.epipolar_line_right: [(3, 3), (2,)],
+    correlation.correlation_from_cameras: [(3,), (2,), (3,), (2,)],
+    orientation.left_bundle: [(3,), (2,), (2,)],
+    orientation.right_bundle: [(3,), (3,), (2,), (2,)],
+    normal_case.tau: [(2,), (2,)],
+    normal_case.transform: [(2,)],
+    normal_case.map_points: [(2,), (2,)],
+    normal_case.mu_left: [(3,), (2,), ()],
+    normal_case.mu_right: [(3,), (3,), (2,), ()],
+    normal_case.frame: [(), (2,)],
     space.homography: [(4,)],
     space.mu_from_fifth_point: [(3,), (3,)],
     space.map_points: [(4,), (3,)],
@@ -51,6 +65,19 @@ RESULTS = {
     projection.reconstruction_matrix_from_mu: (3, 3),
     projection.camera_matrix: (3, 4),
     projection.project: (2,),
+    correlation.design_row: (5,),
+    correlation.right_side: (),
+    correlation.epipolar_line_left: (3,),
+    correlation.epipolar_line_right: (3,),
+    correlation.correlation_from_cameras: (3, 3),
+    orientation.left_bundle: (3,),
+    orientation.right_bundle: (3,),
+    normal_case.tau: (2,),
+    normal_case.transform: (3, 3),
+    normal_case.map_points: (2,),
+    normal_case.mu_left: (3,),
+    normal_case.mu_right: (3,),
+    normal_case.frame: (3, 3),
     space.homography: (4, 4),
     space.mu_from_fifth_point: (4,),
     space.map_points: (3,),
@@ -64,7 +91,9 @@ RESULTS = {
     optics.vanishing_line: (3,),
 }
 
-every_function = pytest.mark.parametrize("function", FUNCTIONS, ids=lambda f: f.__name__)
+every_function = pytest.mark.parametrize(
+    "function", FUNCTIONS, ids=lambda f: f"{f.__module__.split('.')[-1]}.{f.__name__}"
+)
 
 
 def draw(function, *batches, dtype=np.float64):
@@ -74,6 +103,11 @@ def draw(function, *batches, dtype=np.float64):
     return [generator.uniform(0.5, 2, shape).astype(dtype) for shape in shapes]
 
 
+def test_every_generated_function_is_listed_here():
+    modules = [getattr(algebroproj, name) for name in algebroproj.__all__]
+    assert {getattr(module, name) for module in modules for name in module.__all__} == set(FUNCTIONS)
+
+
 @every_function
 def test_the_core_shape_of_the_result_is_the_contract(function):
     assert np.shape(function(*draw(function))) == RESULTS[function]
@@ -81,7 +115,7 @@ def test_the_core_shape_of_the_result_is_the_contract(function):
 
 @every_function
 def test_leading_dimensions_broadcast_and_equal_a_loop(function):
-    batches = [(5, 1), (1, 4), (4,)][: len(FUNCTIONS[function])]
+    batches = [(5, 1), (1, 4), (4,), (1,)][: len(FUNCTIONS[function])]
     arguments = draw(function, *batches)
     result = function(*arguments)
     batch = np.broadcast_shapes(*batches)

@@ -55,6 +55,13 @@ def test_normwise_sensitivity_uses_the_largest_entry():
     assert [float(s) for s in truth.sensitivities] == pytest.approx([9, 9])
 
 
+def test_a_value_that_is_zero_but_for_rounding_is_zero():
+    truth = oracle(kernel_of(vector(over(1, x) + over(1, y), x)))
+    assert truth({"x": 3.0, "y": -3.0}).values == (0, 3)
+    thirds = oracle(kernel_of(over(1, x) + over(1, x) + over(1, x) - y))
+    assert thirds({"x": 3.0, "y": 1.0}).values == (0,)
+
+
 def test_an_entry_that_is_identically_zero_is_zero():
     hidden = vector((x + y) ** 2 - x**2 - 2 * x * y - y**2, x)
     assert oracle(kernel_of(hidden))({"x": 0.1, "y": 0.7}).values[0] == 0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from keyword import iskeyword
 from typing import Any, NotRequired, TypedDict, Unpack
 
 import sympy
@@ -139,6 +140,9 @@ def declared_kernel(
 def _require_complete(kernel: Kernel, label: str) -> None:
     if not (kernel.module and kernel.name):
         raise DeclarationError(f"{label}: expected a name of the form module.function")
+    reserved = [name for name in (kernel.name, *kernel.example) if iskeyword(name) or name in ("arguments", "out")]
+    if reserved:
+        raise DeclarationError(f"{label}: expected names that are free in the generated code, got {reserved}")
     inputs = kernel.symbols
     if len(set(inputs)) != len(inputs) or list(inputs) != [e for a in kernel.arguments for e in entries(a.entries)]:
         raise DeclarationError(f"{label}: expected different plain symbols as entries of the arguments, got {inputs}")

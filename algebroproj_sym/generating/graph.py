@@ -85,6 +85,10 @@ class Graph:
             numerator, denominator = (self.add(argument, known) for argument in expression.args)
             return self.quotient(numerator, denominator)
         if isinstance(expression, sympy.Add):
+            if not expression.as_coeff_Add()[0].is_Integer:
+                content, primitive = expression.primitive()
+                product = self.product([self.number(int(content.p)), self.add(primitive, known)])
+                return self.quotient(product, self.number(int(content.q)))
             return self.sum([self.add(term, known) for term in expression.args])
         above, below = list[Signed](), list[Signed]()
         for factor in sympy.Mul.make_args(expression):

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import count
 
 import sympy
 
@@ -63,12 +64,16 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     Raises
     ------
     LoweringError
-        If the program, run on rational functions, does not give the derived expression.
+        If the program, run on rational functions, does not give the derived expression, or an entry is a constant
+        fraction, which integers cannot give.
     """
     field = RationalFunctionField(kernel.symbols, engine)
     derived = evaluate(kernel.derived, field.variables, field.lift)
     hypotheses = field.divisors()
-    divisors = divisors_of(kernel, program_of(kernel, ()), engine)
+    unguarded = program_of(kernel, ())
+    if any(all(isinstance(operand, int) for operand in step.operands) for step in unguarded.steps):
+        raise LoweringError(f"kernel {kernel.qualified_name}: expected no constant fraction as an entry of its form")
+    divisors = divisors_of(kernel, unguarded, engine)
     guarded = tuple(factor for factor in hypotheses if factor not in divisors)
     program = program_of(kernel, guarded)
     computed = run(program, {symbol.name: value for symbol, value in field.variables.items()})
@@ -99,7 +104,9 @@ def program_of(kernel: Kernel, guarded: Sequence[Scalar]) -> Program:
     guards = [graph.quotient(graph.number(0), known_factor(factor, kernel, graph, known)) for factor in guarded]
     if guards:
         guard = graph.sum(guards)
-        outputs = [out if graph.nodes[out[1]].kind == "number" else graph.sum([out, guard]) for out in outputs]
+        constant = {out for out in outputs if graph.nodes[out[1]].kind == "number"}
+        kept = constant if constant < set(outputs) else set()
+        outputs = [out if out in kept else graph.sum([out, guard]) for out in outputs]
     share_pairs(graph, [*abbreviations.values(), *outputs])
     return _emit(graph, [symbol.name for symbol in kernel.symbols], abbreviations, outputs)
 
@@ -127,12 +134,16 @@ class _Emitter:
         self.graph = graph
         self.steps: list[Step] = []
         self._operands: dict[Signed, Operand] = {}
+        self._named: set[Operand] = set()
+        taken = {node.value for node in graph.nodes if node.kind == "input"}
+        self._fresh = (name for place in count() if (name := f"t{place}") not in taken)
 
     def name(self, signed: Signed, name: str) -> None:
         """Write an abbreviation, whose last step gets its name."""
         operand = self.signed(signed)
         last = self.steps[-1] if self.steps else None
-        if last is not None and last.name == operand:
+        if last is not None and last.name == operand and operand not in self._named:
+            self._named.add(name)
             self.steps[-1] = Step(name, last.operator, last.operands)
             self._operands = {key: name if value == operand else value for key, value in self._operands.items()}
         else:
@@ -148,10 +159,11 @@ class _Emitter:
         node = self.graph.nodes[place]
         if node.kind == "number":
             return sign * int(node.value)
-        if sign < 0 and not self._negatable(place):
-            return self._step("neg", self.signed((1, place)))
-        if node.kind == "input":
+        if node.kind == "input" and sign > 0:
             return node.value
+        long_and_written = len(node.operands) > 2 and (-sign, place) in self._operands
+        if long_and_written or (sign < 0 and not self._negatable(place)):
+            return self._step("neg", self.signed((-sign, place)))
         if node.kind == "sum":
             return self._sum([(sign * s, operand) for s, operand in node.operands])
         return self._chain("*" if node.kind == "product" else "/", sign, [operand for _, operand in node.operands])
@@ -182,6 +194,6 @@ class _Emitter:
         return left
 
     def _step(self, operator: Operator, *operands: Operand) -> Operand:
-        name = f"t{len(self.steps)}"
+        name = next(self._fresh)
         self.steps.append(Step(name, operator, operands))
         return name

@@ -6,12 +6,15 @@ the operations, as long as the line stays readable.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from algebroproj_sym.generating.program import Operand, Program, Step
 
 LINE = 100
+
+_TEMPORARY = re.compile(r"t\d+")
 
 _PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3}
 _ATOM = 4
@@ -49,7 +52,7 @@ def assignments(program: Program, targets: Sequence[str]) -> list[str]:
     lines = []
     for step in program.steps:
         text = _operation(step, written)
-        inlined = uses[step.name] == 1 and step.name.startswith("t") and len(text.text) <= LINE
+        inlined = uses[step.name] == 1 and bool(_TEMPORARY.fullmatch(step.name)) and len(text.text) <= LINE
         if inlined:
             written[step.name] = text
         else:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import mpmath
@@ -62,7 +63,7 @@ def oracle(kernel: Kernel) -> Callable[[Mapping[str, float]], Truth]:
 
     def truth(inputs: Mapping[str, float]) -> Truth:
         point = [inputs[symbol.name] for symbol in kernel.symbols]
-        values, precision = _settled(compiled, point)
+        values, precision = _settled(compiled, point, lambda: _exact_zeros(kernel, inputs))
         with mpmath.workdps(precision + 2 * STEP_DIGITS):
             sensitivities = _sensitivities(compiled, point, _scales(kernel, inputs))
         return Truth(values, (max(sensitivities),) * len(values) if kernel.normwise else sensitivities)
@@ -78,16 +79,32 @@ def _without_hidden_zeros(kernel: Kernel) -> list[Scalar]:
     return [sympy.Integer(0) if value.is_zero else entry for entry, value in zip(derived, values, strict=True)]
 
 
-def _settled(compiled: Callable[..., Any], point: list[float]) -> tuple[tuple[Any, ...], int]:
+def _settled(
+    compiled: Callable[..., Any], point: list[float], exact_zeros: Callable[[], list[bool]]
+) -> tuple[tuple[Any, ...], int]:
     precision = FIRST_PRECISION
     values = _at(compiled, point, precision)
     while precision < LAST_PRECISION:
         precision *= 2
         finer = _at(compiled, point, precision)
-        if all(abs(a - b) <= abs(b) * mpmath.mpf(10) ** -DIGITS for a, b in zip(values, finer, strict=True)):
+        settled = [_agree(a, b) for a, b in zip(values, finer, strict=True)]
+        if all(settled):
             return finer, precision
         values = finer
+    zeros = exact_zeros()
+    if all(agreed or zero for agreed, zero in zip(settled, zeros, strict=True)):
+        return tuple(mpmath.mpf(0) if zero else value for value, zero in zip(values, zeros, strict=True)), precision
     raise NoAgreementError(f"oracle: {DIGITS} digits do not agree at {LAST_PRECISION} digits of precision at {point}")
+
+
+def _agree(value: Any, finer: Any) -> bool:
+    return bool(abs(value - finer) <= abs(finer) * mpmath.mpf(10) ** -DIGITS)
+
+
+def _exact_zeros(kernel: Kernel, inputs: Mapping[str, float]) -> list[bool]:
+    """Tell which entries are exactly zero at an input: rounding keeps their digits from ever agreeing."""
+    point = {symbol: Fraction(inputs[symbol.name]) for symbol in kernel.symbols}
+    return [value == 0 for value in evaluate(divided(kernel.derived), point)]
 
 
 def _at(compiled: Callable[..., Any], point: list[float], precision: int) -> tuple[Any, ...]:

@@ -306,4 +306,3 @@ def space_coordinates(x: ArrayLike, g: ArrayLike) -> NDArray[Any]:
     out[..., 1] = -((a31 * n1 + a32 * n2 + a33 * n3) / det)
     out[..., 2] = (a21 * n1 + a22 * n2 + a23 * n3) / det
     return out[()]
-

@@ -383,4 +383,3 @@ def vanishing_line(mu: ArrayLike) -> NDArray[Any]:
     out[..., 1] = mu1 - mu0
     out[..., 2] = mu2 - mu0
     return out[()]
-

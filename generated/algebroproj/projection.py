@@ -639,4 +639,3 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     out[..., 0] = (mu1 * y1 + t10 * u31) / delta
     out[..., 1] = (mu2 * y2 + t10 * u32) / delta
     return out[()]
-

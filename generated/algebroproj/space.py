@@ -250,4 +250,3 @@ def map_plane(mu: ArrayLike, a: ArrayLike) -> NDArray[Any]:
     out[..., 2] = (a0 + a2) / mu2 - first
     out[..., 3] = (a0 + a3) / mu3 - first
     return out[()]
-

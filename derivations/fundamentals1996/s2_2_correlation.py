@@ -1,0 +1,616 @@
+# %% [markdown]
+# # 2.2 Determination and utilization of the matrix of correlation
+#
+# The equation $\mathbf u'^T \mathbf C \mathbf u'' = 0$ is linear in the elements of $\mathbf C$: homologous points give
+# $\mathbf C$ but for a common factor, and $\mathbf C$ gives the epipolar lines and the epipoles.  In the names of
+# symbols a letter `p` stands for one prime and `pp` for two.
+
+# %%
+from itertools import product
+
+import sympy
+
+from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import Delta, P, delta, y0_of_mu
+from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C, at_basic_points
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import (
+    Matrix,
+    adjugate,
+    columns,
+    cross,
+    determinant,
+    dot,
+    homogeneous,
+    linear_system,
+    over,
+    solve,
+    vector,
+)
+
+section = Section("fundamentals1996", "2.2", "Determination and utilization of the matrix of correlation")
+
+# %% [markdown]
+# ## The homogeneous matrix
+#
+# $\mathbf C$ has nine elements and a free factor.  Division by $c_{10}$ leaves the eight unknowns $z_{jk}$ of
+# $\mathbf Z$.
+
+# %%
+c = Matrix(3, 3, sympy.symbols("c:3:3"))
+z = Matrix(3, 3, sympy.symbols("z:3:3"))
+z00, z01, z02, z10, z11, z12, z20, z21, z22 = z
+Z_general = Matrix([[z00, z01, z02], [1, z11, z12], [z20, z21, z22]])
+
+section.identity(
+    "2.2.1",
+    "division by one element",
+    printed=c[1, 0] * Z_general,
+    where={z[j, k]: over(c[j, k], c[1, 0]) for j, k in product(range(3), repeat=2)},
+    derived=c,
+    note="The divisor c10 must not vanish, as the text says.",
+)
+
+# %% [markdown]
+# In the normal case the base is parallel to the first axis of both image planes, and homologous points agree in their
+# ordinates.  The base vectors of the basic points are $(x_j, y_j, f)$; the structure of $\mathbf C$ shows which
+# elements can be divisors.
+
+# %%
+distance, base_length = sympy.symbols("f d1")
+abscissas_left, abscissas_right, ordinates = (sympy.symbols(f"{name}:3") for name in ("xp", "xpp", "y"))
+
+
+def normal_case(abscissas: tuple[sympy.Symbol, ...]) -> Matrix:
+    b0, b1, b2 = (vector(x, y, distance) for x, y in zip(abscissas, ordinates, strict=True))
+    return columns(b0, b1 - b0, b2 - b0)
+
+
+def correlation_matrix(left: Matrix, right: Matrix, base: Matrix) -> Matrix:
+    """Return C from the matrices of reconstruction and the base: the triple products of section 2.1."""
+    return Matrix(3, 3, lambda i, j: dot(cross(left.col(i), base), right.col(j)))
+
+
+C_normal = correlation_matrix(normal_case(abscissas_left), normal_case(abscissas_right), vector(base_length, 0, 0))
+section.structure(
+    "2.2/normal-case",
+    "the matrix of correlation in the normal case",
+    printed=Matrix([[0, -z10, -z20], [z10, 0, 0], [z20, 0, 0]]),
+    derived=C_normal,
+    note="What the sentence on the approximate normal case rests on, for the exact one.",
+)
+section.vanishing(
+    "2.2/normal-case#divisor",
+    "c10 and c01 are divisors in the normal case",
+    printed=(base_length, distance, ordinates[1] - ordinates[0]),
+    derived=C_normal[1, 0],
+    note="As c01 = -c10, it is a divisor as well, unless G0 and G1 have the same ordinate.  That they are the largest "
+    "elements would need an ordinate difference of G0 and G1 that is not smaller than that of G0 and G2.",
+)
+
+# %% [markdown]
+# ## The system of equations
+#
+# Each pair of homologous points gives one equation, linear in the eight unknowns.
+
+# %%
+up1, up2, upp1, upp2 = sympy.symbols("up1 up2 upp1 upp2")
+u_left, u_right = homogeneous(vector(up1, up2)), homogeneous(vector(upp1, upp2))
+unknowns = (z00, z01, z02, z11, z12, z20, z21, z22)
+
+
+def equation(matrix: Matrix) -> sympy.Expr:
+    return dot(u_left, matrix * u_right)
+
+
+def row_of(form: sympy.Expr, variables: tuple[sympy.Symbol, ...]) -> Matrix:
+    """Return the coefficients of one linear equation, and its right side, in a row."""
+    coefficients, right_side = linear_system([form], variables)
+    return columns(coefficients, right_side)
+
+
+design = row_of(equation(Z_general), unknowns)
+section.identity(
+    "2.2/row",
+    "one row of the system of eight unknowns",
+    printed=Matrix([[1, upp1, upp2, up1 * upp1, up1 * upp2, up2, up2 * upp1, up2 * upp2, -up1]]),
+    derived=design,
+    note="Coefficients and right side, in the order of the print.",
+)
+
+# %% [markdown]
+# Basic points that are homologous have the coordinates $(0, 0)$, $(1, 0)$ and $(0, 1)$ in both images: the first three
+# rows of the system are numbers.
+
+
+# %%
+def at(row: Matrix, left: tuple[int, int], right: tuple[int, int]) -> Matrix:
+    return row.xreplace(dict(zip((up1, up2, upp1, upp2), map(sympy.Integer, (*left, *right)), strict=True)))
+
+
+basic_rows = Matrix.vstack(*(at(design, unit, unit) for unit in ((0, 0), (1, 0), (0, 1))))
+section.identity(
+    "table:2.2",
+    "coefficients of the system",
+    printed=Matrix(
+        [
+            [1, 0, 0, 0, 0, 0, 0, 0, 0],
+            [1, 1, 0, 1, 0, 0, 0, 0, -1],
+            [1, 0, 1, 0, 0, 1, 0, 1, 0],
+            [1, upp1, upp2, up1 * upp1, up1 * upp2, up2, up2 * upp1, up2 * upp2, -up1],
+        ]
+    ),
+    derived=basic_rows.col_join(design),
+    note="Rows 0, 1, 2, and one row for 3 to 7; the last column is the right side a.",
+)
+
+# %% [markdown]
+# The three numerical rows are solved for three of the unknowns.
+
+# %%
+numbers, values = basic_rows[:, :8], basic_rows[:, 8]
+basic_solution = solve(*linear_system(list(numbers * vector(*unknowns) - values), (z00, z01, z02)))
+eliminated = dict(zip((z00, z01, z02), basic_solution, strict=True))
+Z = Z_general.xreplace(eliminated)
+
+section.identity(
+    "2.2.2",
+    "three unknowns from the basic points",
+    printed=vector(0, -1 - z11, -z20 - z22),
+    derived=basic_solution,
+)
+
+# %% [markdown]
+# Do eight points fix the eight unknowns?  Take five pairs beside the basic points, with $u''_2$ as the equation has it,
+# for a matrix with $\det \mathbf Z = 0$, as section 2.1 demands.  The determinant is linear in $z_{12}$, which is
+# eliminated.
+
+# %%
+determinant_of_correlation = determinant(Z)
+singular = {z12: solve(*linear_system([determinant_of_correlation], [z12]))[0]}
+Z_singular = Z.xreplace(singular)
+partner = solve(*linear_system([equation(Z_singular)], [upp2]))[0]
+
+
+def homologous_row(row: Matrix, index: int) -> Matrix:
+    point = dict(zip((up1, up2, upp1), sympy.symbols(f"up{index}1 up{index}2 upp{index}1"), strict=True))
+    return row.xreplace({upp2: partner.xreplace(point), **point})
+
+
+eight_rows = basic_rows.col_join(Matrix.vstack(*(homologous_row(design, index) for index in range(3, 8))))
+section.rank(
+    "2.2/eight-points",
+    "eight points determine the eight unknowns",
+    printed=8,
+    derived=eight_rows,
+    kernel=[vector(*unknowns, -1).xreplace(eliminated).xreplace(singular)],
+    note="The rank of A8 and a together, for three basic points and five further homologous points.  The one kernel "
+    "vector is the solution z, with -1 for the right side; hence A8 itself is regular.  The system does not use "
+    "det(Z) = 0: with it seven points would do, at the cost of a cubic equation.",
+)
+
+# %% [markdown]
+# ## Change of coordinates
+#
+# With $\mathbf u = \mathbf A \mathbf v$ in both images the equation keeps its form; the new matrix are the coefficients
+# of $v'_i v''_j$.
+
+# %%
+A_left, A_right = (Matrix(3, 3, sympy.symbols(f"{name}:3:3")) for name in ("ap", "app"))
+v_left, v_right = (vector(*sympy.symbols(f"{name}:3")) for name in ("vp", "vpp"))
+transformed = dot(A_left * v_left, c * (A_right * v_right))
+section.identity(
+    "2.2/C-bar",
+    "correlation in other coordinates",
+    printed=A_left.T * c * A_right,
+    derived=Matrix(3, 3, lambda i, j: sympy.diff(transformed, v_left[i], v_right[j])),
+    note="For any homogeneous transformation of the images.  The scan lacks the prime of v' in the products.  The text "
+    "refers to (1.3.5) for u = A v and to (1.3.6), which are about other things; (1.4.5) and (1.4.6) may be meant.",
+)
+
+# %% [markdown]
+# ## The matrix referred to the basic points
+#
+# Five unknowns remain, and five equations.
+
+# %%
+remaining = (z11, z12, z20, z21, z22)
+reduced = row_of(equation(Z), remaining)
+Z_printed = Matrix([[0, -1 - z11, -z20 - z22], [1, z11, z12], [z20, z21, z22]])
+
+section.identity("2.2.3", "matrix of correlation referred to the basic points", printed=Z_printed, derived=Z)
+section.identity(
+    "2.2.4",
+    "one equation of the reduced system",
+    printed=Matrix([[upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1), upp1 - up1]]),
+    derived=reduced,
+    note="Coefficients and right side, in the order of the print.",
+)
+section.rank(
+    "2.2/five-equations",
+    "five further points determine the five unknowns",
+    printed=5,
+    derived=Matrix.vstack(*(homologous_row(reduced, index) for index in range(3, 8))),
+    kernel=[vector(*remaining, -1).xreplace(singular)],
+    note="Coefficients and right side together, as in 2.2/eight-points.  The basic points are homologous as well: the "
+    "five rays of the text come in addition to the three of the basic points.",
+)
+
+# %% [markdown]
+# The three relations hold for the matrix of correlation of any two images that are referred to the same basic points,
+# with the matrices of reconstruction and the base of section 2.1.
+
+
+# %%
+C_of_basic_points = C.xreplace(at_basic_points)
+elements_of_basic_points = {
+    z[j, k]: over(C_of_basic_points[j, k], C_of_basic_points[1, 0]) for j, k in ((1, 1), (1, 2), (2, 0), (2, 1), (2, 2))
+}
+section.identity(
+    "2.2.3#cameras",
+    "matrix of correlation of two images",
+    printed=c[1, 0] * Z_printed,
+    where={c[1, 0]: C_of_basic_points[1, 0], **elements_of_basic_points},
+    derived=C_of_basic_points,
+    note="C = c10 Z with C as in (2.1.4); the matrices of reconstruction are those of the four basic points as in "
+    "2.1.13#left.",
+)
+
+# %% [markdown]
+# ## Epipolar lines
+#
+# By (2.1.5), $\mathbf h' = \mathbf Z \mathbf u''$ and $\mathbf h'' = \mathbf Z^T \mathbf u'$.
+
+# %%
+h_left, h_right = Z * u_right, Z.T * u_left
+
+section.identity(
+    "2.2.5#left",
+    "epipolar line in P', as a product",
+    printed=Z_printed * vector(1, upp1, upp2),
+    derived=h_left,
+)
+section.identity(
+    "2.2.5#left-components",
+    "epipolar line in P', by components",
+    printed=vector(
+        -(1 + z11) * upp1 - (z20 + z22) * upp2,
+        1 + z11 * upp1 + z12 * upp2,
+        z20 + z21 * upp1 + z22 * upp2,
+    ),
+    derived=h_left,
+)
+section.identity(
+    "2.2.5#right",
+    "epipolar line in P'', as a product",
+    printed=Matrix([[0, 1, z20], [-1 - z11, z11, z21], [-z20 - z22, z12, z22]]) * vector(1, up1, up2),
+    derived=h_right,
+)
+section.identity(
+    "2.2.5#right-components",
+    "epipolar line in P'', by components",
+    printed=vector(
+        up1 + z20 * up2,
+        -1 - z11 + z11 * up1 + z21 * up2,
+        -z20 - z22 + z12 * up1 + z22 * up2,
+    ),
+    derived=h_right,
+)
+
+# %% [markdown]
+# ## Epipoles
+#
+# The epipole of $P'$ makes $\mathbf h''$ vanish and the epipole of $P''$ makes $\mathbf h'$ vanish: three equations
+# each for two coordinates.  Solve the second and the third.
+
+# %%
+D = sympy.Symbol("D")
+system_left = linear_system([h_right[1], h_right[2]], (up1, up2))
+system_right = linear_system([h_left[1], h_left[2]], (upp1, upp2))
+epipole_left, epipole_right = solve(*system_left), solve(*system_right)
+D_printed = z11 * z22 - z12 * z21
+
+section.identity(
+    "2.2/D",
+    "identical determinants",
+    printed=vector(D_printed, D_printed),
+    derived=vector(determinant(system_left[0]), determinant(system_right[0])),
+)
+SIGN = (
+    "Each of the four numerators of (2.2.6) and (2.2.7) has the opposite sign.  With the determinant as printed, which "
+    "is right, all four are wrong; with -D, z12 z21 - z11 z22, all four would be right.  Ruled out: an interchange of "
+    "Z and its transpose or of the two images, which would change the letters and not the sign, and a free sign of "
+    "the epipole, whose leading 1 fixes it.  The example of section 4, item c), has the signs of the corrected form: "
+    "its Z gives u'01 = 1.647 and u''01 = 1.617.  The scan alone cannot tell a slip of the scan from one of the print, "
+    "but one slip of the scan cannot do it."
+)
+printed_left = vector(-z22 * (1 + z11) + z21 * (z20 + z22), -z11 * (z20 + z22) + z12 * (1 + z11))
+printed_right = vector(z22 - z12 * z20, z11 * z20 - z21)
+section.identity(
+    "2.2.6",
+    "epipole in P'",
+    printed=printed_left / D,
+    where={D: D_printed},
+    derived=epipole_left,
+    expect="misprint",
+    corrected=-printed_left / D,
+    note=SIGN,
+)
+section.identity(
+    "2.2.7",
+    "epipole in P''",
+    printed=printed_right / D,
+    where={D: D_printed},
+    derived=epipole_right,
+    expect="misprint",
+    corrected=-printed_right / D,
+    note=SIGN,
+)
+
+# %% [markdown]
+# The first equation was not used.  At the solution of the other two it has the value $\det \mathbf Z / D$: only
+# where $\det \mathbf Z = 0$ is there an epipole.
+
+# %%
+first_left = h_right[0].xreplace(dict(zip((up1, up2), epipole_left, strict=True)))
+first_right = h_left[0].xreplace(dict(zip((upp1, upp2), epipole_right, strict=True)))
+section.identity(
+    "2.2/beyond/first-equation",
+    "what the first equations need",
+    printed=vector(determinant_of_correlation / D, determinant_of_correlation / D),
+    where={D: D_printed},
+    derived=vector(first_left, first_right),
+    note="Not in the paper: the coordinates solve all three equations exactly where det(Z) = 0.  Five measured points "
+    "do not ensure that.",
+)
+section.identity(
+    "2.2/epipoles",
+    "the epipoles solve all the equations",
+    printed=Matrix.zeros(3, 2),
+    derived=columns(Z.T * homogeneous(epipole_left), Z * homogeneous(epipole_right)),
+    constraints=[determinant_of_correlation],
+    nonzero=[D_printed],
+    note="The equations (2.1.6) with Z for C, whose determinant is zero by section 2.1.",
+)
+
+# %% [markdown]
+# Any two of the three equations would do: where $\det \mathbf Z = 0$ the adjugate has rank 1, every column of it is
+# the epipole of $P''$ and every row the epipole of $P'$.
+
+# %%
+minors = adjugate(Z_singular)
+for row in range(3):
+    section.up_to_scale(
+        f"2.2/beyond/two-equations#right{row}",
+        f"epipole in P'' from the equations other than equation {row}",
+        printed=minors.col(row),
+        derived=homogeneous(epipole_right).xreplace(singular),
+        note="Not in the paper, which selects the second and the third equation.",
+    )
+    section.up_to_scale(
+        f"2.2/beyond/two-equations#left{row}",
+        f"epipole in P' from the equations other than equation {row}",
+        printed=minors.row(row).T,
+        derived=homogeneous(epipole_left).xreplace(singular),
+        note="Not in the paper, which selects the second and the third equation.",
+    )
+
+# %% [markdown]
+# ## Epipolar lines of one image
+#
+# $\mathbf K \mathbf u = \boldsymbol\kappa \times \mathbf u$ by the pattern of (2.1.9), and the vector product changes
+# its sign when the factors are interchanged: the same line is a product with a matrix of the point.  Up to a factor
+# $\boldsymbol\kappa$ is the epipole, (2.1.12).
+
+# %%
+u = homogeneous(vector(u1, u2))
+u01, u02 = sympy.symbols("u01 u02")
+epipole = homogeneous(vector(u01, u02))
+kappa = vector(*sympy.symbols("kappa:3"))
+kappa0, kappa1, kappa2 = kappa
+line = cross(kappa, u)
+
+section.identity(
+    "2.2.8#K",
+    "epipolar line as a product with K",
+    printed=Matrix([[0, -kappa2, kappa1], [kappa2, 0, -kappa0], [-kappa1, kappa0, 0]]) * u,
+    derived=line,
+    note="The vector b of the print is the line h.",
+)
+section.identity(
+    "2.2.8",
+    "epipolar line as a product with a matrix of the point",
+    printed=Matrix([[0, u2, -u1], [-u2, 0, 1], [u1, -1, 0]]) * kappa,
+    derived=line,
+)
+section.identity(
+    "2.2/kappa",
+    "the matrix of the epipole, applied to kappa",
+    printed=Matrix([[0, u02, -u01], [-u02, 0, 1], [u01, -1, 0]]) * kappa,
+    derived=cross(kappa, epipole),
+    note="It vanishes by (2.1.11), K u0 = 0.",
+)
+section.rank(
+    "2.2/kappa#epipole",
+    "the epipole gives kappa but for a factor",
+    printed=2,
+    derived=linear_system(list(cross(kappa, epipole)), tuple(kappa))[0],
+    kernel=[epipole],
+    note="The sentence after the display: kappa is (1, u01, u02) times a constant.",
+)
+
+# %% [markdown]
+# With the epipole for $\boldsymbol\kappa$ the line is $\mathbf u_0 \times \mathbf u$, which joins the epipole and the
+# point.
+
+# %%
+joining = cross(epipole, u)
+section.identity(
+    "2.2.9#u",
+    "epipolar line from the epipole and the point, with the matrix of the point",
+    printed=Matrix([[0, u2, -u1], [-u2, 0, 1], [u1, 1, 0]]) * epipole,
+    derived=joining,
+    expect="misprint",
+    corrected=Matrix([[0, u2, -u1], [-u2, 0, 1], [u1, -1, 0]]) * epipole,
+    note="The last row reads u1, 1, 0; the same matrix in (2.2.8) has u1, -1, 0, and the last member of (2.2.9), "
+    "u1 - u01, needs it.  A free factor of the line changes all three rows.  The scan alone cannot tell a slip of the "
+    "scan from one of the print.",
+)
+section.identity(
+    "2.2.9#u0",
+    "epipolar line from the epipole and the point, with the matrix of the epipole",
+    printed=Matrix([[0, -u02, -u01], [u02, 0, -1], [-u01, 1, 0]]) * u,
+    derived=joining,
+    expect="misprint",
+    corrected=Matrix([[0, -u02, u01], [u02, 0, -1], [-u01, 1, 0]]) * u,
+    note="The matrix is K with (1, u01, u02) for kappa and must be skew-symmetric: the last element of the first row "
+    "is +u01, as the last member of (2.2.9) needs it.  A free factor changes all elements.  The scan alone cannot tell "
+    "a slip of the scan from one of the print.",
+)
+section.identity(
+    "2.2.9",
+    "epipolar line from the epipole and the point, by components",
+    printed=vector(u2 * u01 - u1 * u02, -u2 + u02, u1 - u01),
+    derived=joining,
+)
+section.identity(
+    "2.2.9#line",
+    "the line joins the epipole and the point",
+    printed=vector(0, 0),
+    derived=vector(dot(joining, epipole), dot(joining, u)),
+)
+section.up_to_scale(
+    "2.2/beyond/two-ways",
+    "the line through the epipole is the line of the homologous point",
+    printed=cross(homogeneous(epipole_left), homogeneous(vector(up1, up2))).xreplace(singular),
+    where={up1: solve(*linear_system([equation(Z_singular)], [up1]))[0]},
+    derived=Z_singular * u_right,
+    note="Not in the paper: for homologous points (2.2.9) and (2.2.5) give the same line.  det(Z) = 0, solved for z12, "
+    "and the equation of correlation, solved for u'1, are put in.",
+)
+
+# %% [markdown]
+# ## The matrix of correlation from the parameters of orientation
+#
+# With $\mathbf P$ and $\mathbf y_0$ of section 1.3 for both images, $\mathbf C$ is a matrix of polynomials divided by
+# the two determinants $\Delta'$ and $\Delta''$.  The polynomials are made of differences between the images.
+
+
+# %%
+def primed(expression: Matrix, primes: str) -> Matrix:
+    """Return an expression for one of the images: mu1 becomes mup1 or mupp1, u31 becomes up31 or upp31."""
+    names = {symbol: symbol.name.rstrip("0123456789") for symbol in expression.free_symbols}
+    return expression.xreplace(
+        {symbol: sympy.Symbol(symbol.name.replace(name, name + primes)) for symbol, name in names.items()}
+    )
+
+
+base = primed(y0_of_mu, "pp") - primed(y0_of_mu, "p")
+C_of_cameras = correlation_matrix(primed(P, "p"), primed(P, "pp"), base)
+
+mup1, mup2, mup3 = primed(mu, "p")
+mupp1, mupp2, mupp3 = primed(mu, "pp")
+up31, up32 = primed(fourth_image, "p")
+upp31, upp32 = primed(fourth_image, "pp")
+delta_left, delta_right, q1, q2 = sympy.symbols("deltap deltapp q1 q2")
+differences = {
+    q1: mupp1 * mup3 * up31 - mup1 * mupp3 * upp31,
+    q2: mupp2 * mup3 * up32 - mup2 * mupp3 * upp32,
+}
+c12 = mup2 * mupp1 * (mup3 - mupp3) + mupp1 * mup3 * up32 * (mupp2 - mup2) + mup2 * mupp3 * upp31 * (mupp1 - mup1)
+c21 = mup1 * mupp2 * (mupp3 - mup3) + mup1 * mupp3 * upp32 * (mup2 - mupp2) + mupp2 * mup3 * up31 * (mup1 - mupp1)
+polynomials = Matrix(
+    [
+        [0, mup1 * q2, -mup2 * q1],
+        [-mupp1 * q2, (mupp1 - mup1) * q2, c12],
+        [mupp2 * q1, c21, (mup2 - mupp2) * q1],
+    ]
+)
+section.identity(
+    "2.2/beyond/cameras",
+    "matrix of correlation from the parameters of orientation",
+    printed=polynomials / (delta_left * delta_right),
+    where=differences | {delta_left: primed(Delta, "p"), delta_right: primed(Delta, "pp")},
+    derived=C_of_cameras,
+    note="Not in the paper: c00 = 0, c11 = -c01 - c10 and c22 = -c02 - c20 are (2.2.2).",
+)
+
+# %% [markdown]
+# ## Code
+#
+# $\mathbf Z$ may be any matrix of correlation, $\mathbf C$ or a multiple of it.
+
+# %%
+image_left, image_right = vector(up1, up2), vector(upp1, upp2)
+ABOUT_IMAGE = "affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless."
+ABOUT_Z = "Matrix of correlation, up to a common factor; dimensionless."
+with_points = {
+    "arguments": {"u_left": image_left, "u_right": image_right},
+    "describe": {
+        "u_left": f"Image point (u1', u2') of the left image in {ABOUT_IMAGE}",
+        "u_right": f"Homologous point (u1'', u2'') of the right image in {ABOUT_IMAGE}",
+    },
+    "example": {"u_left": ("0.625", "0.125"), "u_right": ("0.65", "0.1")},
+}
+EXAMPLE_Z = (("0", "-0.975", "-0.125"), ("1", "-0.025", "0.075"), ("0.125", "-0.08", "0"))
+
+section.kernel(
+    "correlation.design_row",
+    "Coefficients of one equation for the elements (z11, z12, z20, z21, z22) of the matrix of correlation.",
+    **with_points,
+    derived=reduced[0, :5].T,
+    form=vector(upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1)),
+    claims=["2.2.4"],
+)
+section.kernel(
+    "correlation.right_side",
+    "Right side of one equation for the elements of the matrix of correlation.",
+    **with_points,
+    derived=reduced[0, 5],
+    form=upp1 - up1,
+    claims=["2.2.4"],
+)
+section.kernel(
+    "correlation.epipolar_line_left",
+    "Epipolar line h' in the left image of a point of the right image.",
+    arguments={"Z": z, "u_right": image_right},
+    describe={"Z": ABOUT_Z, "u_right": f"Image point (u1'', u2'') of the right image in {ABOUT_IMAGE}"},
+    derived=z * u_right,
+    claims=["2.1/lines", "2.2.5#left"],
+    example={"Z": EXAMPLE_Z, "u_right": ("0.65", "0.1")},
+)
+section.kernel(
+    "correlation.epipolar_line_right",
+    "Epipolar line h'' in the right image of a point of the left image.",
+    arguments={"Z": z, "u_left": image_left},
+    describe={"Z": ABOUT_Z, "u_left": f"Image point (u1', u2') of the left image in {ABOUT_IMAGE}"},
+    derived=z.T * u_left,
+    claims=["2.1/lines", "2.2.5#right"],
+    example={"Z": EXAMPLE_Z, "u_left": ("0.625", "0.125")},
+)
+section.kernel(
+    "correlation.correlation_from_cameras",
+    "Matrix of correlation C from the projective parameters of both images.",
+    arguments={
+        "mu_left": primed(mu, "p"),
+        "u3_left": primed(fourth_image, "p"),
+        "mu_right": primed(mu, "pp"),
+        "u3_right": primed(fourth_image, "pp"),
+    },
+    describe={
+        "mu_left": f"Left image: {ABOUT_MU}",
+        "u3_left": f"Left image: {ABOUT_U3}",
+        "mu_right": f"Right image: {ABOUT_MU}",
+        "u3_right": f"Right image: {ABOUT_U3}",
+    },
+    derived=Matrix(3, 3, [0, *C_of_cameras[1:]]),
+    form=polynomials / (delta_left * delta_right),
+    where=differences | {delta_left: primed(delta, "p"), delta_right: primed(delta, "pp")},
+    claims=["2.1.4", "2.1.4#components", "2.2.3#cameras", "2.2/beyond/cameras"],
+    example={
+        "mu_left": ("0.625", "0.75", "0.5"),
+        "u3_left": ("0.25", "0.125"),
+        "mu_right": ("0.75", "0.625", "0.875"),
+        "u3_right": ("0.3125", "-0.25"),
+    },
+)

@@ -1,0 +1,786 @@
+# %% [markdown]
+# # 2.4 Relative orientation
+#
+# Both bundles already see the basic points.  What ties them together is the epipolar axis, the line of the two centers:
+# its images are the epipoles, known from correlation.  A point $\mathbf y_A$ chosen on the axis gives the parameters
+# of the left bundle, $\mathbf y_A$ and the left center those of the right one.  The equations of this section are
+# numbered (2.3.0) to (2.3.4) in print.
+
+# %%
+import sympy
+
+from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star as M_star_any
+from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star, P, y0_of_mu
+from algebroproj_derivations.fundamentals1996.s1_5_space_to_space import M_star as core
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import (
+    Matrix,
+    columns,
+    cross,
+    determinant,
+    dot,
+    homogeneous,
+    inverse,
+    linear_system,
+    over,
+    rows,
+    solve,
+    vector,
+)
+
+section = Section("fundamentals1996", "2.4", "Relative orientation")
+
+# %% [markdown]
+# Primes are left out where one bundle alone is concerned.  The epipole is $\mathbf u_0 = (u_{01}, u_{02})$; the
+# coordinates $y_{A0}$, $u_{00}$ complete the others to 1.
+
+# %%
+ya0, ya1, ya2, ya3 = sympy.symbols("yA0 yA1 yA2 yA3")
+u00, u01, u02 = sympy.symbols("u00 u01 u02")
+axis_point = vector(ya1, ya2, ya3)
+epipole = vector(u01, u02)
+image_epipole = homogeneous(epipole)
+COMPLETED = BARYCENTRIC | {ya0: 1 - ya1 - ya2 - ya3, u00: 1 - u01 - u02}
+
+M = M_star[:3, :]
+
+# %% [markdown]
+# ## The epipoles
+#
+# Two rays are coplanar where $(\mathbf p' \times \mathbf d) \cdot \mathbf p'' = 0$; in image coordinates this is
+# $\mathbf u'^T \mathbf C \mathbf u'' = 0$.  The images of the base $\mathbf d$ are taken to zero by $\mathbf C$.
+
+# %%
+p_left, p_right = Matrix(3, 3, sympy.symbols("p:3:3")), Matrix(3, 3, sympy.symbols("q:3:3"))
+base = vector(*sympy.symbols("d1 d2 d3"))
+C = Matrix(3, 3, lambda i, j: dot(cross(p_left.col(i), base), p_right.col(j)))
+section.identity(
+    "2.4/epipoles",
+    "the epipole of the left image",
+    printed=Matrix.zeros(3, 1),
+    derived=C.T * inverse(p_left) * base,
+)
+section.identity(
+    "2.4/epipoles#right",
+    "the epipole of the right image",
+    printed=Matrix.zeros(3, 1),
+    derived=C * inverse(p_right) * base,
+)
+
+# %% [markdown]
+# Any point of the axis may stand for it: on a line through the center all points have the same image.
+
+# %%
+t = sympy.Symbol("t")
+section.up_to_scale(
+    "2.4/axis",
+    "all points of a line through the center have one image",
+    printed=M * homogeneous(axis_point),
+    derived=M * homogeneous(y0_of_mu + t * (axis_point - y0_of_mu)),
+    note="Either bundle; the right center is a second point of the axis as seen from the left one, and vice versa.",
+)
+
+# %% [markdown]
+# ## The projection of a point of the axis
+#
+# $\mathbf M^* (1, \mathbf y_A) = \mu_A (1, \mathbf u_0)$, three equations.
+
+# %%
+image_of_axis = M * homogeneous(axis_point)
+section.identity(
+    "2.4/2.3.0#1",
+    "projection of a point of the axis, first component",
+    printed=ya0 + ya1 * mu1 + ya2 * mu2 + ya3 * mu3,
+    where=COMPLETED,
+    derived=image_of_axis[0],
+)
+section.identity(
+    "2.4/2.3.0#2",
+    "projection of a point of the axis, second component",
+    printed=ya1 * mu1 + ya2 * mu2 + ya3 * mu3,
+    derived=image_of_axis[1],
+    expect="misprint",
+    corrected=ya1 * mu1 + ya3 * u31 * mu3,
+    note="Row 2 of the matrix is (0, mu1, 0, u31 mu3): there is no term in mu2, and a factor u31 is missing.  (2.3.1), "
+    "as printed, follows from the corrected equation only.  No exchange of rows and columns gives the printed form; "
+    "whether the scan or the print is at fault cannot be told.",
+)
+section.identity(
+    "2.4/2.3.0#3",
+    "projection of a point of the axis, third component",
+    printed=ya2 * mu2 + ya3 * mu3,
+    derived=image_of_axis[2],
+    expect="misprint",
+    corrected=ya2 * mu2 + ya3 * u32 * mu3,
+    note="The factor u32 of row 3, (0, 0, mu2, u32 mu3), is missing; otherwise as 2.4/2.3.0#2.",
+)
+
+# %% [markdown]
+# The first equation gives $\mu_A$; inserted into the others, it leaves two linear equations for $\mu_1, \mu_2, \mu_3$.
+
+# %%
+mu_a = image_of_axis[0]
+axis_equations = [mu_a * u01 - image_of_axis[1], mu_a * u02 - image_of_axis[2]]
+
+
+def as_form(equation: sympy.Expr, *unknowns: sympy.Symbol) -> Matrix:
+    """Return the coefficients of a linear equation, then its right side."""
+    left_side, right_side = linear_system([equation], unknowns)
+    return vector(*left_side, right_side[0])
+
+
+section.up_to_scale(
+    "2.4/2.3.1#1",
+    "first equation for the parameters",
+    printed=vector(ya1 * (u01 - 1), ya2 * u01, ya3 * (u01 - u31), -u01 * ya0),
+    where=COMPLETED,
+    derived=as_form(axis_equations[0], mu1, mu2, mu3),
+)
+section.up_to_scale(
+    "2.4/2.3.1#2",
+    "second equation for the parameters",
+    printed=vector(ya1 * u02, ya2 * (u02 - 1), ya3 * (u02 - u32), -u02 * ya0),
+    where=COMPLETED,
+    derived=as_form(axis_equations[1], mu1, mu2, mu3),
+)
+
+# %% [markdown]
+# ## a) The left bundle
+#
+# Unit points and $\mathbf y_A$ leave one degree of freedom, which $\mu'_1 = \mu'_2$ takes up: two equations, two
+# unknowns.
+
+# %%
+left_equations = [equation.subs(mu1, mu2) for equation in axis_equations]
+left_matrix, left_right_side = linear_system(left_equations, [mu2, mu3])
+left_solution = solve(left_matrix, left_right_side)
+mu_left = vector(left_solution[0], *left_solution)
+D_left = determinant(left_matrix)
+D = sympy.Symbol("D")
+
+section.up_to_scale(
+    "2.4/left#1",
+    "first equation of the left bundle",
+    printed=vector(ya1 * (u01 - 1) + ya2 * u01, ya3 * (u01 - u31), -u01 * ya0),
+    where=COMPLETED,
+    derived=as_form(left_equations[0], mu2, mu3),
+)
+section.up_to_scale(
+    "2.4/left#2",
+    "second equation of the left bundle",
+    printed=vector(ya1 * u02 + ya2 * (u02 - 1), ya3 * (u02 - u32), -u02 * ya0),
+    where=COMPLETED,
+    derived=as_form(left_equations[1], mu2, mu3),
+)
+D_printed = ya1 * ya3 * (u32 * (1 - u01) - u02 * (1 - u31)) + ya2 * ya3 * (-u31 * (1 - u02) + u01 * (1 - u32))
+section.identity("2.4/2.3.2#D", "determinant of the left bundle", printed=D_printed, derived=D_left)
+section.identity(
+    "2.4/2.3.2#mu2",
+    "first and second parameter of the left bundle",
+    printed=ya0 * ya3 * (u01 * u32 - u02 * u31) / D,
+    where=COMPLETED | {D: D_left},
+    derived=mu_left[1],
+)
+section.identity(
+    "2.4/2.3.2#mu3",
+    "third parameter of the left bundle",
+    printed=ya0 * (ya1 * u02 - ya2 * u01) / D,
+    where=COMPLETED | {D: D_left},
+    derived=mu_left[2],
+)
+
+# %% [markdown]
+# ### When $D'$ vanishes
+#
+# It does in each of the three cases of the paper.
+
+# %%
+for number, title, conditions in (
+    ("1", "in the plane of e1 and e2", [ya3]),
+    ("2", "on the axis of e3", [ya1, ya2]),
+    ("3", "for an epipole in the image of G3", [u01 - u31, u02 - u32]),
+):
+    section.identity(
+        f"2.4/singular#{number}",
+        f"the left bundle is singular {title}",
+        printed=0,
+        derived=D_left,
+        constraints=conditions,
+    )
+section.vanishing(
+    "2.4/singular#plane",
+    "the plane of e1 and e2",
+    printed=(ya3,),
+    derived=determinant(columns(*map(homogeneous, (e0, e1, e2, axis_point)))),
+)
+section.up_to_scale(
+    "2.4/singular#G3",
+    "the epipole is the image of G3 if G3 lies on the axis",
+    printed=image_e3,
+    derived=M * homogeneous(y0_of_mu + t * (e3 - y0_of_mu)),
+)
+section.up_to_scale(
+    "2.4/singular#G3-only",
+    "the axis goes through G3 if the epipole is the image of G3",
+    printed=e3 - y0_of_mu,
+    derived=P * image_e3,
+    note="The other direction: the ray of u3, and therefore the axis, has the direction from the center to G3.",
+)
+
+# %% [markdown]
+# But these are not all the cases.  Two of them take two conditions, while $D' = 0$ is a single equation: beside
+# $y_{A3}$ it has one irreducible factor, of which they are special points.
+
+# %%
+section.identity(
+    "2.4/singular",
+    "the left bundle is singular in these three cases only",
+    printed=Matrix.zeros(4, 1),
+    derived=vector(ya1 * (u01 - u31), ya1 * (u02 - u32), ya2 * (u01 - u31), ya2 * (u02 - u32)),
+    constraints=[D_left],
+    nonzero=[ya3],
+    expect="false",
+    instead="2.4/beyond/singular",
+    note="'In other words' read as: D' = 0 exactly if yA3 = 0, or yA1 = yA2 = 0, or u0 = u3.  The derived products are "
+    "zero exactly in the last two cases.  Read as a list of examples the sentence is true: 2.4/singular#1 to #3.",
+)
+pierced = ya1 * image_e1 + ya2 * image_e2
+section.vanishing(
+    "2.4/beyond/singular",
+    "where the left bundle is singular",
+    printed=(ya3, determinant(columns(pierced, image_epipole, image_e3))),
+    derived=D_left,
+    note="Not in the paper: the plane of y_A and the e3-axis meets the line G1 G2 in a point, whose image for "
+    "mu1 = mu2 is (yA1 + yA2, yA1, yA2); epipole, G'3 and this image must not be collinear.",
+)
+section.vanishing(
+    "2.4/beyond/no-projection#mu2",
+    "where the first and second parameter of the left bundle are zero",
+    printed=(ya0, determinant(columns(image_e0, image_epipole, image_e3))),
+    where=COMPLETED,
+    derived=mu_left[1],
+    note="Not in the paper: y_A must not lie in the plane of G1, G2, G3 either, nor the epipole on the line G'0 G'3, "
+    "or the solution is no projection.",
+)
+section.vanishing(
+    "2.4/beyond/no-projection#mu3",
+    "where the third parameter of the left bundle is zero",
+    printed=(ya0, determinant(columns(image_e0, image_epipole, pierced))),
+    where=COMPLETED,
+    derived=mu_left[2],
+    note="Not in the paper: nor must G'0, the epipole and the point of 2.4/beyond/singular be collinear.",
+)
+
+# %% [markdown]
+# ## b) The right bundle
+#
+# The epipole is now the image of two known points, $\mathbf y_A$ and the left center $\mathbf y'_0$, here
+# $(y_{01}, y_{02}, y_{03})$ as in print.  Of each pair of equations, $\mu''_1$ and $\mu''_2$ follow from $\mu''_3$.
+
+# %%
+AT_CENTER = dict(zip(axis_point, center, strict=True))
+center_pair = [equation.subs(AT_CENTER) for equation in axis_equations]
+
+for number, equation, printed_form in (
+    ("1", axis_equations[0], vector(ya1 * (u01 - 1), ya2 * u01, -u01 * ya0 - ya3 * (u01 - u31) * mu3)),
+    ("2", axis_equations[1], vector(ya1 * u02, ya2 * (u02 - 1), -u02 * ya0 - ya3 * (u02 - u32) * mu3)),
+):
+    section.up_to_scale(
+        f"2.4/2.3.3#{number}",
+        f"equation {number} of the right bundle, rearranged",
+        printed=printed_form,
+        where=COMPLETED,
+        derived=as_form(equation, mu1, mu2),
+        note="The scan shows mu_01, mu_02 for u_01, u_02 and mu mu_31 for u_31, the known confusion of u and mu.  The "
+        "text refers to 'solutions of (2.2.3)' where it means this (2.3.3).",
+    )
+
+pair_matrix, pair_right_side = linear_system(axis_equations, [mu1, mu2])
+mu12_of_axis_point = solve(pair_matrix, pair_right_side)
+mu12_of_center = vector(*(component.subs(AT_CENTER) for component in mu12_of_axis_point))
+
+section.identity(
+    "2.4/D''",
+    "determinant of the right bundle",
+    printed=ya1 * ya2 * u00,
+    where=COMPLETED,
+    derived=determinant(pair_matrix),
+)
+first_braces = u01 * (1 - u32) - u31 * (1 - u02)
+second_braces = u02 * (1 - u31) - u32 * (1 - u01)
+for name, source, derived, (Y0, Y1, Y2, Y3) in (
+    ("yA", "the point of the axis", mu12_of_axis_point, (ya0, ya1, ya2, ya3)),
+    ("y0", "the left center", mu12_of_center, (y00, y01, y02, y03)),
+):
+    section.identity(
+        f"2.4/mu1({name})",
+        f"first parameter of the right bundle, from {source}",
+        printed=1 / (Y1 * u00) * (Y3 * first_braces * mu3 + Y0 * u01),
+        where=COMPLETED,
+        derived=derived[0],
+    )
+    section.identity(
+        f"2.4/mu2({name})",
+        f"second parameter of the right bundle, from {source}",
+        printed=1 / (Y2 * u00) * (Y3 * second_braces * mu3 + Y0 * u02),
+        where=COMPLETED,
+        derived=derived[1],
+    )
+
+# %% [markdown]
+# ### When $D''$ vanishes
+
+# %%
+section.identity(
+    "2.4/b#e3-axis",
+    "the right bundle is singular for a point on the axis of e3",
+    printed=0,
+    derived=determinant(pair_matrix),
+    constraints=[ya1, ya2],
+    note="For y_A; the determinant of the pair for the left center is the same expression in its coordinates.",
+)
+section.identity(
+    "2.4/b#u00",
+    "the right bundle is singular where u00 = 0",
+    printed=0,
+    derived=determinant(pair_matrix),
+    constraints=[COMPLETED[u00]],
+)
+section.vanishing(
+    "2.4/beyond/D''",
+    "where the right bundle is singular",
+    printed=(ya1, ya2, u00),
+    where=COMPLETED,
+    derived=determinant(pair_matrix),
+    note="Not in the paper: y_A, and as well the left center, must avoid not only the axis of e3 but both the planes "
+    "y1 = 0 and y2 = 0, or mu1 and mu2 do not follow from mu3.",
+)
+section.up_to_scale(
+    "2.4/b#line",
+    "the line that the epipole must avoid",
+    printed=None,
+    derived=cross(image_e1, image_e2),
+    expect="illegible",
+    corrected=vector(1, -1, -1),
+    note="The scan reads '-mu_1 - mu_2 = -10': most likely 1 - u1 - u2 = 0, that is u00 = 0.  Derived is the line "
+    "through G'1 and G'2.",
+)
+point = vector(y1, y2, y3)
+section.up_to_scale(
+    "2.4/b#plane",
+    "on the line are the images of the plane of G1, G2 and the center",
+    printed=as_form(dot(vector(1, -1, -1), M * homogeneous(point)), y1, y2, y3),
+    derived=as_form(determinant(columns(*map(homogeneous, (point, y0_of_mu, e1, e2)))), y1, y2, y3),
+    note="Coefficients of the plane of the points with u00 = 0, and of the plane through the three points.",
+)
+section.identity(
+    "2.4/beyond/u00",
+    "on the line the third parameter follows at once",
+    printed=-ya0 / (u30 * ya3),
+    where=COMPLETED,
+    derived=mu3,
+    constraints=[COMPLETED[u00], *axis_equations],
+    nonzero=[ya3],
+    note="Not in the paper: where u00 = 0, (2.3.3) cannot be solved for mu1 and mu2, for the sum of the two equations "
+    "contains mu3 alone; mu3 is then known, and the bundle is not lost.",
+)
+
+# %% [markdown]
+# ### The third parameter
+#
+# Both points give the same $\mu''_1$, and the same $\mu''_2$: two equations for $\mu''_3$.
+
+# %%
+equal_mu1 = mu12_of_axis_point[0] - mu12_of_center[0]
+equal_mu2 = mu12_of_axis_point[1] - mu12_of_center[1]
+section.up_to_scale(
+    "2.4/mu3#1",
+    "first equation for the third parameter",
+    printed=vector((y01 * ya3 - y03 * ya1) * first_braces, (y00 * ya1 - y01 * ya0) * u01),
+    where=COMPLETED,
+    derived=as_form(equal_mu1, mu3),
+)
+section.up_to_scale(
+    "2.4/mu3#2",
+    "second equation for the third parameter",
+    printed=vector((y02 * ya3 - y03 * ya2) * second_braces, (y00 * ya2 - y02 * ya0) * u02),
+    where=COMPLETED,
+    derived=as_form(equal_mu2, mu3),
+)
+
+# %% [markdown]
+# Each is solved for $\mu''_3$, and its solution, inserted above, gives $\mu''_1$ and $\mu''_2$ without $\mu''_3$.
+
+# %%
+mu1_and_mu3 = solve(*linear_system([mu12_of_axis_point[0] - mu1, mu12_of_center[0] - mu1], [mu1, mu3]))
+mu2_and_mu3 = solve(*linear_system([mu12_of_axis_point[1] - mu2, mu12_of_center[1] - mu2], [mu2, mu3]))
+section.identity(
+    "2.4/beyond/mu1,mu2",
+    "first and second parameter of the right bundle, without the third",
+    printed=vector(
+        (y00 * ya3 - y03 * ya0) * u01 / ((y01 * ya3 - y03 * ya1) * u00),
+        (y00 * ya3 - y03 * ya0) * u02 / ((y02 * ya3 - y03 * ya2) * u00),
+    ),
+    where=COMPLETED,
+    derived=vector(mu1_and_mu3[0], mu2_and_mu3[0]),
+    note="Not in the paper: mu1 with mu3 from the first of the two equations, mu2 with mu3 from the second.",
+)
+
+# %% [markdown]
+# With fewer divisors the same follows from sums of the four equations that leave one parameter out: no longer do
+# $y_{A1}, y_{A2}, y_{01}, y_{02}$ matter.
+
+# %%
+without_mu3 = [y03 * a - ya3 * b for a, b in zip(axis_equations, center_pair, strict=True)]
+without_mu1 = [u02 * first + (1 - u01) * second for first, second in (axis_equations, center_pair)]
+mu1_mu2 = solve(*linear_system([equation.subs(mu3, 0) for equation in without_mu3], [mu1, mu2]))
+mu3_right = solve(*linear_system([equation.subs(mu1, 0) for equation in without_mu1], [mu2, mu3]))[1]
+mu_right = vector(*mu1_mu2, mu3_right)
+
+section.identity(
+    "2.4/beyond/left-out",
+    "the sums are free of the parameter that they leave out",
+    printed=Matrix.zeros(4, 1),
+    derived=vector(*(e.diff(mu3) for e in without_mu3), *(e.diff(mu1) for e in without_mu1)),
+    note="Not in the paper: why the parameter may be set to zero there.",
+)
+section.identity(
+    "2.4/beyond/right-bundle",
+    "parameters of the right bundle in closed form",
+    printed=vector(
+        (y00 * ya3 - y03 * ya0) * u01 / ((y01 * ya3 - y03 * ya1) * u00),
+        (y00 * ya3 - y03 * ya0) * u02 / ((y02 * ya3 - y03 * ya2) * u00),
+        (y00 * ya2 - y02 * ya0) * u02 / ((y02 * ya3 - y03 * ya2) * second_braces),
+    ),
+    where=COMPLETED,
+    derived=mu_right,
+    note="Not in the paper: mu3 is that of the second of its two equations.",
+)
+section.vanishing(
+    "2.4/beyond/mu3#1",
+    "where the first equation does not give the third parameter",
+    printed=(
+        determinant(columns(*map(homogeneous, (center, axis_point, e0, e2)))),
+        determinant(columns(image_epipole, image_e2, image_e3)),
+    ),
+    derived=as_form(equal_mu1, mu3)[0],
+    note="Not in the paper: the axis must not meet the line G0 G2, nor may the epipole be collinear with G''2 and "
+    "G''3.",
+)
+section.vanishing(
+    "2.4/beyond/mu3#2",
+    "where the second equation does not give the third parameter",
+    printed=(
+        determinant(columns(*map(homogeneous, (center, axis_point, e0, e1)))),
+        determinant(columns(image_epipole, image_e1, image_e3)),
+    ),
+    derived=as_form(equal_mu2, mu3)[0],
+    note="Not in the paper: the axis must not meet the line G0 G1, nor may the epipole be collinear with G''1 and "
+    "G''3.",
+)
+
+# %% [markdown]
+# ### Both equations have one solution
+#
+# $\mathbf u''_0$ is the image of the whole axis.  Take any right bundle, $\mathbf y_A$ anywhere, and
+# $\mathbf y'_0 = \mathbf y''_0 + t (\mathbf y_A - \mathbf y''_0)$ on the line through $\mathbf y_A$ and the right
+# center: the two products are equal, and both solutions are the $\mu''_3$ of the bundle.
+
+# %%
+left_product = (y01 * ya3 - y03 * ya1) * (y00 * ya2 - y02 * ya0) * first_braces * u02
+right_product = (y02 * ya3 - y03 * ya2) * (y00 * ya1 - y01 * ya0) * second_braces * u01
+image_of_axis_point = vector(*(over(component, image_of_axis[0]) for component in image_of_axis[1:, 0]))
+left_center = y0_of_mu + t * (axis_point - y0_of_mu)
+ON_AXIS = dict(zip(epipole, image_of_axis_point, strict=True)) | dict(zip(center, left_center, strict=True))
+ON_AXIS |= {symbol: COMPLETED[symbol].subs(ON_AXIS) for symbol in (y00, u00)} | {ya0: COMPLETED[ya0]}
+
+section.identity(
+    "2.4/equality",
+    "the two products are equal",
+    printed=left_product - right_product,
+    where=ON_AXIS,
+    derived=0,
+    note="True for an epipole that is the image of the axis.  It is no identity in y_A, y'0, u''0, u''3: see "
+    "2.4/equality#identity.",
+)
+section.identity(
+    "2.4/equality#mu3",
+    "both solutions are the third parameter of the right bundle",
+    printed=vector(
+        (y00 * ya1 - y01 * ya0) * u01 / ((y01 * ya3 - y03 * ya1) * first_braces),
+        (y00 * ya2 - y02 * ya0) * u02 / ((y02 * ya3 - y03 * ya2) * second_braces),
+    ),
+    where=ON_AXIS,
+    derived=vector(mu3, mu3),
+)
+section.identity(
+    "2.4/equality#identity",
+    "the two products are equal for any two points and any epipole",
+    printed=left_product - right_product,
+    where=COMPLETED,
+    derived=0,
+    expect="false",
+    instead="2.4/beyond/cross-ratio",
+    note="The equality without its context.",
+)
+
+# %% [markdown]
+# So where exactly does it hold?  The four equations, two for each point, have three unknowns.  For them to agree, the
+# determinant of coefficients and right sides must be zero, and this determinant is the difference of the two products.
+
+# %%
+four_forms = [as_form(equation, mu1, mu2, mu3) for equation in axis_equations + center_pair]
+section.identity(
+    "2.4/beyond/consistent",
+    "the equality is the condition that the four equations agree",
+    printed=left_product - right_product,
+    where=COMPLETED,
+    derived=determinant(rows(*four_forms)),
+    note="Not in the paper: with no factor beside, so that the equality is necessary and, where three of the equations "
+    "determine the parameters, sufficient.",
+)
+
+# %% [markdown]
+# In terms of geometry: with $p_{jk} = y_{0j} y_{Ak} - y_{0k} y_{Aj}$, the quotient
+# $\kappa = p_{13}\, p_{02} : p_{23}\, p_{01}$ is a cross ratio of the four planes that join the axis to the basic
+# points.  In the image the planes appear as the epipolar lines of the basic points, whose cross ratio is the rest of
+# the equality.
+
+# %%
+cross_ratio = sympy.Symbol("kappa")
+section.identity(
+    "2.4/beyond/cross-ratio",
+    "the products are equal if planes and epipolar lines have one cross ratio",
+    printed=left_product,
+    derived=right_product,
+    constraints=[
+        (y01 * ya3 - y03 * ya1) * (y00 * ya2 - y02 * ya0)
+        - cross_ratio * (y02 * ya3 - y03 * ya2) * (y00 * ya1 - y01 * ya0),
+        second_braces * u01 - cross_ratio * first_braces * u02,
+    ],
+    note="Not in the paper: the planes are fixed by y_A and y'0, the lines by u''0 and u''3.  It holds with y00 and "
+    "yA0 as unknowns of their own.",
+)
+
+# %% [markdown]
+# The left bundle satisfies the equality with its own epipole: `2.4/equality` for $t = 0$, where $\mathbf y'_0$ is the
+# center of the bundle itself.  Hence the right one does exactly if the epipolar lines of the basic points have the same
+# cross ratio in both images.  And this is what correlation is about: epipoles and $G_0, G_1, G_2$ determine
+# $\mathbf Z$, (2.2.3), and the images of $G_3$ are homologous exactly if the cross ratios agree.
+
+# %%
+z11, z12, z20, z21, z22 = correlation = sympy.symbols("z11 z12 z20 z21 z22")
+Z = Matrix([[0, -1 - z11, -z20 - z22], [1, z11, z12], [z20, z21, z22]])
+up01, up02, up31, up32 = sympy.symbols("up01 up02 up31 up32")
+left_image = {u01: up01, u02: up02, u31: up31, u32: up32}
+epipole_equations = [*(Z.T * homogeneous(vector(up01, up02))), *(Z[1:, :] * image_epipole)]
+Z_of_epipoles = Z.subs(dict(zip(correlation, solve(*linear_system(epipole_equations, correlation)), strict=True)))
+in_left_image = (second_braces * u01).subs(left_image), (first_braces * u02).subs(left_image)
+
+section.identity(
+    "2.4/beyond/epipoles",
+    "the three basic points and the epipoles determine the correlation",
+    printed=Matrix.zeros(9, 1),
+    derived=vector(
+        *(Z_of_epipoles.T * homogeneous(vector(up01, up02))),
+        *(Z_of_epipoles * image_epipole),
+        *(dot(image, Z_of_epipoles * image) for image in (image_e0, image_e1, image_e2)),
+    ),
+    note="Not in the paper: five equations for the five elements of (2.2.3) were solved; all six hold, and the images "
+    "of G0, G1, G2 are homologous.",
+)
+section.vanishing(
+    "2.4/beyond/homologous",
+    "the images of G3 are homologous exactly if the cross ratios of both images agree",
+    printed=(in_left_image[0] * first_braces * u02 - in_left_image[1] * second_braces * u01,),
+    derived=dot(homogeneous(vector(up31, up32)), Z_of_epipoles * image_e3),
+    note="Not in the paper: G3 homologous is the constraint under which both equations for mu''3 have one solution.  "
+    "With measured image coordinates it holds only approximately, and the two solutions differ.",
+)
+
+# %% [markdown]
+# ## c) The relative model
+#
+# Both bundles map the model point $\bar{\mathbf y}$, here $\mathbf y$, by a matrix (1.2.3) of their own.
+
+# %%
+mu_p, mu_pp = (sympy.symbols(f"{name}1:4") for name in ("mup", "mupp"))
+u3_p, u3_pp = (sympy.symbols(f"{name}31:33") for name in ("up", "upp"))
+mup1, mup2, mup3 = mu_p
+mupp1, mupp2, mupp3 = mu_pp
+upp31, upp32 = u3_pp
+up1, up2, upp1, upp2 = image_coordinates = sympy.symbols("up1 up2 upp1 upp2")
+y = homogeneous(point)
+
+
+def of_bundle(factors: tuple[sympy.Symbol, ...], fourth: tuple[sympy.Symbol, ...]) -> Matrix:
+    return M.subs(dict(zip((mu1, mu2, mu3, u31, u32), (*factors, *fourth), strict=True)), simultaneous=True)
+
+
+M_left, M_right = of_bundle(mu_p, u3_p), of_bundle(mu_pp, u3_pp)
+images = [*(M_left * y), *(M_right * y)]
+HOMOLOGOUS = dict(
+    zip(
+        image_coordinates,
+        (over(component, first) for first, *others in (images[:3], images[3:]) for component in others),
+        strict=True,
+    )
+)
+intersection = [
+    coordinate * matrix.row(0).T - matrix.row(i).T
+    for matrix, pair in ((M_left, (up1, up2)), (M_right, (upp1, upp2)))
+    for i, coordinate in enumerate(pair, start=1)
+]
+section.identity(
+    "2.4/2.3.4",
+    "the four equations of a model point",
+    printed=vector(*(dot(form, y) for form in intersection)),
+    where=HOMOLOGOUS,
+    derived=Matrix.zeros(4, 1),
+    note="The image coordinates are those of the point y by (1.1.6); m_i are the rows of (1.2.3), as the text says.",
+)
+section.rank(
+    "2.4/four-equations",
+    "four equations for three unknown components",
+    printed=3,
+    derived=rows(*intersection).xreplace(HOMOLOGOUS),
+    kernel=[y],
+    note="Coefficients and right sides for homologous image points: one of the four equations is redundant, and the "
+    "other three determine the point.",
+)
+forms_of_point = [dot(form, y) for form in intersection]
+section.identity(
+    "table:2.3",
+    "coefficients of relative reconstruction",
+    printed=Matrix(
+        [
+            [up1 * (mup1 - 1) - mup1, up1 * (mup2 - 1), up1 * (mup3 - 1) - up31 * mup3],
+            [up2 * (mup1 - 1), up2 * (mup2 - 1) - mup2, up2 * (mup3 - 1) - up32 * mup3],
+            [upp1 * (mupp1 - 1) - mupp1, upp1 * (mupp2 - 1), upp1 * (mupp3 - 1) - upp31 * mupp3],
+            [upp2 * (mupp1 - 1), upp2 * (mupp2 - 1) - mupp2, upp2 * (mupp3 - 1) - upp32 * mupp3],
+        ]
+    ),
+    derived=linear_system(forms_of_point, point)[0],
+    note="The scan shows mu'_31 for u'_31 and so on in the last column, the known confusion of u and mu.",
+)
+section.identity(
+    "2.4/beyond/right-sides",
+    "right sides of relative reconstruction",
+    printed=-vector(*image_coordinates),
+    derived=linear_system(forms_of_point, point)[1],
+    note="Not in the paper: Table 2.3 gives the coefficients alone.",
+)
+
+# %% [markdown]
+# The original bundles have parameters of their own.  Both become those of the relative model if they are divided by the
+# same $\tau_j$; the matrix that takes the model to the object is a core (1.5.2).
+
+# %%
+all_mu, tau = (mu0, mu1, mu2, mu3), sympy.symbols("tau:4")
+section.identity(
+    "2.4/transition",
+    "with the basic points as control points the model is transformed by (1.5.2)",
+    printed=M_star_any.subs({m: m / factor for m, factor in zip(all_mu, tau, strict=True)}, simultaneous=True)
+    * core.subs(dict(zip(all_mu, tau, strict=True)), simultaneous=True),
+    derived=M_star_any,
+    note="The derived side is the original bundle; the printed one transforms a point by (1.5.2), with tau_j, and maps "
+    "it by a bundle of parameters mu_j / tau_j.  The model is affine to the object only if all tau_j are equal.",
+)
+
+# %% [markdown]
+# Therefore the images do not determine all of the five parameters.  The coplanarity of two rays,
+# $\mathbf M' \mathbf y = \mu' \mathbf u'$ and $\mathbf M'' \mathbf y = \mu'' \mathbf u''$, is
+# $\mathbf u'^T \mathbf C \mathbf u'' = 0$ with four-rowed minors for elements of $\mathbf C$.
+
+
+# %%
+def without_row(matrix: Matrix, row: int) -> Matrix:
+    return rows(*(matrix.row(i).T for i in range(matrix.rows) if i != row))
+
+
+five = (mup2, mup3, *mu_pp)
+M_equal = M_left.subs(mup1, mup2)
+minors = vector(
+    *(
+        (-1) ** (i + j) * determinant(without_row(M_equal, i).col_join(without_row(M_right, j)))
+        for i in range(3)
+        for j in range(3)
+    )
+)
+section.rank(
+    "2.4/beyond/parameters",
+    "the images alone determine three of the five parameters",
+    printed=4,
+    derived=columns(minors, *(minors.diff(parameter) for parameter in five)),
+    kernel=[vector(-2, mup2, 0, mupp1, mupp2, 0), vector(-1, 0, mup3, 0, 0, mupp3)],
+    note="Not in the paper: the correlation, up to its common factor (the first column), changes with three "
+    "combinations of mu'2, mu'3, mu''1, mu''2, mu''3.  The other two are multiplications of both bundles by "
+    "tau_1 = tau_2 and by tau_3, and the choice of y_A fixes them.  A fifth general ray would give one condition for "
+    "the three; the epipolar axis is enough as fifth ray because both its images are known.",
+)
+
+# %% [markdown]
+# ## Code
+#
+# In $y_{00} y_{Aj} - y_{0j} y_{A0}$ the product $y_{0j} y_{Aj}$ cancels and is left out.  The right bundle takes
+# $\mu''_3$ from the second of its two equations.
+
+# %%
+N1, N2, P02, P03, P13, P23 = sympy.symbols("n1 n2 p02 p03 p13 p23")
+ABOUT_AXIS = "Point (yA1, yA2, yA3) assumed on the epipolar axis, in affine coordinates; dimensionless."
+of_image = {"epipole": epipole, "u3": fourth_image}
+ABOUT_EPIPOLE = "Epipole (u01, u02) of the image, in affine coordinates; dimensionless."
+
+section.kernel(
+    "orientation.left_bundle",
+    "Projective parameters of the left bundle, with mu1 = mu2.",
+    arguments={"y_a": axis_point, **of_image},
+    describe={"y_a": ABOUT_AXIS, "epipole": ABOUT_EPIPOLE, "u3": ABOUT_U3},
+    derived=mu_left,
+    form=vector(
+        ya0 * (u01 * u32 - u02 * u31) / D,
+        ya0 * (u01 * u32 - u02 * u31) / D,
+        ya0 * (ya1 * u02 - ya2 * u01) / (ya3 * D),
+    ),
+    where={
+        ya0: COMPLETED[ya0],
+        N1: u01 * (1 - u32) - u31 * (1 - u02),
+        N2: u02 * (1 - u31) - u32 * (1 - u01),
+        D: ya2 * N1 - ya1 * N2,
+    },
+    claims=["2.4/2.3.2#mu2", "2.4/2.3.2#mu3"],
+    example={
+        "y_a": ("-1.0", "0.5", "3.5"),
+        "epipole": ("1.6474603", "-12.5642098"),
+        "u3": ("0.2718578", "0.0577379"),
+    },
+)
+section.kernel(
+    "orientation.right_bundle",
+    "Projective parameters of the right bundle, from the axis and the left center.",
+    arguments={"y_a": axis_point, "y0_left": center, **of_image},
+    describe={
+        "y_a": ABOUT_AXIS,
+        "y0_left": "Left center of projection (y01, y02, y03) in affine coordinates; dimensionless.",
+        "epipole": ABOUT_EPIPOLE,
+        "u3": ABOUT_U3,
+    },
+    derived=mu_right,
+    form=vector(P03 * u01 / (P13 * u00), P03 * u02 / (P23 * u00), P02 * u02 / (P23 * N2)),
+    where={
+        u00: COMPLETED[u00],
+        N2: u02 * (1 - u31) - u32 * (1 - u01),
+        P02: (1 - y01 - y03) * ya2 - y02 * (1 - ya1 - ya3),
+        P03: (1 - y01 - y02) * ya3 - y03 * (1 - ya1 - ya2),
+        P13: y01 * ya3 - y03 * ya1,
+        P23: y02 * ya3 - y03 * ya2,
+    },
+    claims=["2.4/mu3#2", "2.4/mu1(yA)", "2.4/mu1(y0)", "2.4/mu2(yA)", "2.4/mu2(y0)", "2.4/beyond/right-bundle"],
+    example={
+        "y_a": ("-1.0", "0.5", "3.5"),
+        "y0_left": ("-1.0679613", "-0.2268166", "4.1115155"),
+        "epipole": ("1.6170618", "-12.0027987"),
+        "u3": ("0.3094497", "-0.2327183"),
+    },
+)

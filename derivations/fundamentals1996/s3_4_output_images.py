@@ -1,0 +1,369 @@
+# %% [markdown]
+# # 3.4 Representation of output images
+#
+# The normal case coordinates are affine; a device needs rectangular ones.  A frame of two pairs of parallel lines,
+# epipolar lines and lines $\mathbf g_N$, is taken for a rectangle with the sides 1: one more affine transformation.
+
+# %%
+import sympy
+
+from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.fundamentals1996.s1_6_optical_projection import parallel_through_origin
+from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import (
+    ABOUT_TAU,
+    EXAMPLE_TAU,
+    T,
+    tau1,
+    tau2,
+)
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import (
+    Matrix,
+    cross,
+    determinant,
+    dot,
+    homogeneous,
+    inverse,
+    linear_system,
+    over,
+    rows,
+    solve,
+    vector,
+)
+
+section = Section("fundamentals1996", "3.4", "Representation of output images")
+
+# %%
+z_n = sympy.Symbol("z_n")
+un1, un2 = sympy.symbols("uN1 uN2")
+u_normal = vector(un1, un2)
+origin, unit1, unit2 = vector(0, 0), vector(1, 0), vector(0, 1)
+
+
+def line_through(direction: Matrix, point: Matrix) -> Matrix:
+    """Return the line of a family of parallels, given by its last two coefficients, through a point."""
+    return vector(-dot(direction, point), *direction)
+
+
+def equation(line: Matrix) -> sympy.Expr:
+    return dot(line, homogeneous(u_normal))
+
+
+def coefficients(form: sympy.Expr) -> Matrix:
+    """Return the coefficients (constant first) of the line, form = 0."""
+    linear, right_side = linear_system([form], [un1, un2])
+    return vector(-right_side[0], *linear)
+
+
+# %% [markdown]
+# ## The families of parallels
+#
+# By (3.2.2) the coefficients $b_{N1} : b_{N2}$ of all epipolar lines are $1 : z_N$.  The line that $\mathbf T$ sends
+# to infinity is $\mathbf g = \mathbf T^T (1, 0, 0)^T$; its coefficients refer to the coordinates of the *original*
+# image.
+
+# %%
+at_infinity = vector(1, 0, 0)
+epipolar_direction = vector(1, z_n)
+g = T.T * at_infinity
+g_direction = vector(*g[1:, 0])
+constant_g, constant_h = sympy.symbols("gN0 hN0")
+
+section.identity(
+    "3.4/gN",
+    "coefficients of the family of the vanishing line, as used",
+    printed=vector(constant_g, tau1 - 1, tau2 - 1),
+    derived=vector(constant_g, *g_direction),
+    note="The numbers are those of the vanishing line g, (1.6/g) with mu0 = 1, mu_i = tau_i.  As lines of the normal "
+    "case plane, in the coordinates u_N, they are not parallels to its vanishing line: see 3.4/gN#parallels.",
+)
+section.identity(
+    "3.4/hN",
+    "the family of the epipolar lines",
+    printed=vector(constant_h, 1, z_n),
+    derived=vector(constant_h, *epipolar_direction),
+    note="The scan shows zeta with the subscripts N, N0 and N1 for the one factor z_N, here and in the next display.",
+)
+
+# %% [markdown]
+# Are they parallels to the vanishing line?  In the normal case plane that line is the image of the line at infinity of
+# $P$, $\mathbf g' = \mathbf T^{-T} (1, 0, 0)^T$, with $1/\tau_i - 1$ for $\tau_i - 1$.  The parallels through the
+# origins correspond: $\mathbf T$ carries $(\tau_1 - 1)\, u_1 + (\tau_2 - 1)\, u_2 = 0$ to
+# $(1/\tau_1 - 1)\, u_{N1} + (1/\tau_2 - 1)\, u_{N2} = 0$.
+
+# %%
+g_normal = inverse(T).T * at_infinity
+g_origin = parallel_through_origin(g)
+printed_family = vector(0, tau1 - 1, tau2 - 1)
+section.up_to_scale(
+    "3.4/gN#parallels",
+    "the lines gN are parallels to the vanishing line of the normal case plane",
+    printed=printed_family,
+    derived=parallel_through_origin(g_normal),
+    expect="false",
+    instead="3.4/beyond/gN",
+    note="Right for the coordinates u of the original image, wrong for u_N, for which the display uses it.  No slip "
+    "of print: Table 3.4, (3.4.1) and the matrix A'' of section 4 i (a21 = -0.333615) follow the printed coefficients, "
+    "and everything else of this section is checked with them.",
+)
+section.up_to_scale(
+    "3.4/gN#original",
+    "the same lines in the coordinates of the original image",
+    printed=printed_family,
+    derived=g_origin,
+    note="The reading under which the coefficients are right.",
+)
+section.up_to_scale(
+    "3.4/beyond/gN",
+    "the parallel to the vanishing line in the normal case plane",
+    printed=vector(0, 1 / tau1 - 1, 1 / tau2 - 1),
+    derived=inverse(T).T * g_origin,
+    note="Not in the paper: carried over from the original image as in (1.5.7); it agrees with (1.6.6).",
+)
+
+# %% [markdown]
+# ## Right angles
+#
+# Where are the two families at right angles?  Let the normal case plane have any positions of the basic points in
+# rectangular coordinates, $\xi_3 = 0$, and let the center of projection be anywhere.  Then $P$ passes through the
+# points $\mathbf y_0 + \tau_j (G_{Nj} - \mathbf y_0)$, and the base has the direction of the epipolar lines.
+
+# %%
+g_points = [vector(*sympy.symbols(f"gN{j}1 gN{j}2"), 0) for j in range(3)]
+eye = vector(*sympy.symbols("c1 c2 c3"))
+factors = (sympy.Integer(1), tau1, tau2)
+P_points = [eye + factor * (point - eye) for point, factor in zip(g_points, factors, strict=True)]
+P_normal = cross(P_points[1] - P_points[0], P_points[2] - P_points[0])
+intersection = cross(P_normal, vector(0, 0, 1))
+
+
+def metric_direction(direction: Matrix) -> Matrix:
+    """Return the direction in space of the lines with the given last two coefficients."""
+    return direction[1] * (g_points[1] - g_points[0]) - direction[0] * (g_points[2] - g_points[0])
+
+
+section.identity(
+    "3.4/right-angles",
+    "the lines gN and hN form a right-angled frame",
+    printed=0,
+    derived=dot(metric_direction(g_direction), metric_direction(epipolar_direction)),
+    expect="false",
+    instead="3.4/beyond/right-angles",
+    note="An image frame is rectangular if the affine coordinates of the device are declared to be; the directions on "
+    "the normal case plane are not at right angles.  The parallels to the vanishing line of 3.4/beyond/gN are not "
+    "either, in general: they have the direction of the line in which P cuts the normal case plane, which need not be "
+    "at right angles to the base.",
+)
+section.up_to_scale(
+    "3.4/beyond/right-angles",
+    "the parallels to the vanishing line have the direction of the intersection of P and the normal case plane",
+    printed=metric_direction(vector(1 / tau1 - 1, 1 / tau2 - 1)),
+    derived=intersection,
+    note="Not in the paper: a frame of epipolar lines and parallels to the vanishing line has right angles exactly "
+    "where this intersection is at right angles to the base.",
+)
+
+# %% [markdown]
+# ## The four lines
+#
+# The frame consists of the epipolar lines through $G_{N0}$ and $G_{N1}$ and the lines of the other family through
+# $G_{N0}$ and $G_{N2}$.
+
+# %%
+h_lines = [line_through(epipolar_direction, point) for point in (origin, unit1)]
+g_lines = [line_through(g_direction, point) for point in (origin, unit2)]
+for name, printed, line in (
+    ("hN0", un1 + z_n * un2, h_lines[0]),
+    ("hN1", un1 + z_n * un2 - 1, h_lines[1]),
+    ("gN0", (tau1 - 1) * un1 + (tau2 - 1) * un2, g_lines[0]),
+    ("gN2", (tau1 - 1) * un1 + (tau2 - 1) * un2 - (tau2 - 1), g_lines[1]),
+):
+    section.identity(f"3.4/{name}", f"frame line {name}", printed=coefficients(printed), derived=line)
+
+# %% [markdown]
+# Their points of intersection.
+
+# %%
+delta = sympy.Symbol("delta")
+DELTA_PRINTED = z_n * (tau1 - 1) - (tau2 - 1)
+
+
+def meet(first: Matrix, second: Matrix) -> Matrix:
+    return solve(*linear_system([equation(first), equation(second)], [un1, un2]))
+
+
+corners = {
+    "U0": meet(g_lines[0], h_lines[0]),
+    "U1": meet(g_lines[0], h_lines[1]),
+    "unit": meet(g_lines[1], h_lines[1]),
+    "U2": meet(g_lines[1], h_lines[0]),
+}
+section.vanishing(
+    "3.4/delta",
+    "the lines intersect where delta is not zero",
+    printed=(DELTA_PRINTED,),
+    derived=determinant(rows(g_direction, epipolar_direction)),
+)
+for name, printed in (
+    ("U0", vector(0, 0)),
+    ("U1", vector(-(tau2 - 1), tau1 - 1) / delta),
+    ("unit", vector((tau2 - 1) * (z_n - 1), tau1 - tau2) / delta),
+    ("U2", vector(z_n * (tau2 - 1), -(tau2 - 1)) / delta),
+):
+    section.identity(
+        f"table:3.4#{name}",
+        f"corner {name} of the frame",
+        printed=printed,
+        where={delta: DELTA_PRINTED},
+        derived=corners[name],
+        note="The scan shows zeta_N0 for z_N in the definition of delta, and xi_N in the table.",
+    )
+
+# %% [markdown]
+# ## The affine transformation
+#
+# $\mathbf A$ carries $U_0$, $U_1$, $U_2$ to $(0, 0)$, $(1, 0)$, $(0, 1)$: six linear equations for the last two rows.
+
+# %%
+a = Matrix(2, 3, sympy.symbols("a1:3(0:3)"))
+a10, a11, a12, a20, a21, a22 = a
+requirements = [
+    row[0] + row[1] * corners[name][0] + row[2] * corners[name][1] - target[i]
+    for i, row in enumerate((a[0, :], a[1, :]))
+    for name, target in (("U0", origin), ("U1", unit1), ("U2", unit2))
+]
+solution = solve(*linear_system(requirements, list(a)))
+elements = dict(zip(a, solution, strict=True))
+A = Matrix.vstack(Matrix([[1, 0, 0]]), a.xreplace(elements))
+
+section.definition("3.4/A", "form of the affine transformation", printed=Matrix.vstack(Matrix([[1, 0, 0]]), a))
+section.identity("3.4/a10", "no translation", printed=vector(0, 0), derived=vector(elements[a10], elements[a20]))
+for row, (first, second) in enumerate(((a11, a12), (a21, a22)), start=1):
+    printed_equations = [
+        -(tau2 - 1) * first + (tau1 - 1) * second - (delta if row == 1 else 0),
+        z_n * (tau2 - 1) * first - (tau2 - 1) * second - (0 if row == 1 else delta),
+    ]
+    for place, printed in enumerate(printed_equations):
+        required = requirements[3 * (row - 1) + 1 + place].xreplace({a10: sympy.Integer(0), a20: sympy.Integer(0)})
+        section.identity(
+            f"3.4/equations#{row}{place + 1}",
+            f"condition of row {row} at U{place + 1}",
+            printed=printed,
+            where={delta: DELTA_PRINTED},
+            derived=DELTA_PRINTED * required,
+            note="The derived side is the condition at the corner, multiplied by delta.",
+        )
+section.identity(
+    "3.4/a11,a12", "elements of the first row", printed=vector(1, z_n), derived=vector(elements[a11], elements[a12])
+)
+section.identity(
+    "3.4/a21,a22",
+    "elements of the second row",
+    printed=vector((tau1 - 1) / (tau2 - 1), 1),
+    derived=vector(elements[a21], elements[a22]),
+)
+section.identity(
+    "3.4.1#matrix",
+    "matrix of the transformation to the output system",
+    printed=Matrix([[1, 0, 0], [0, 1, z_n], [0, (tau1 - 1) / (tau2 - 1), 1]]),
+    derived=A,
+)
+section.identity(
+    "3.4.1",
+    "rectangular coordinates",
+    printed=vector(1, un1 + z_n * un2, (tau1 - 1) * un1 / (tau2 - 1) + un2),
+    derived=A * homogeneous(u_normal),
+)
+section.identity(
+    "3.4/control",
+    "the fourth corner becomes the unit point",
+    printed=vector(1, 1, 1),
+    derived=A * homogeneous(corners["unit"]),
+    note="A control: the unit point was not used to determine A.",
+)
+
+# %% [markdown]
+# The rows of $\mathbf A$ are the frame lines through the origin themselves, scaled to 1 at the basic point on the
+# opposite side: $x_1 = \mathbf h_{N0}^T \mathbf u_N$ and
+# $x_2 = \mathbf g_{N0}^T \mathbf u_N / (\tau_2 - 1)$.  So $\mathbf A$ can be had without the corners.
+
+
+# %%
+def scaled(line: Matrix, point: Matrix) -> Matrix:
+    value = dot(line, homogeneous(point))
+    return line.applyfunc(lambda entry: over(entry, value))
+
+
+A_of_lines = rows(vector(1, 0, 0), scaled(h_lines[0], unit1), scaled(g_lines[0], unit2))
+section.identity(
+    "3.4/beyond/frame-lines",
+    "the rows of the transformation are the frame lines through the origin",
+    printed=A,
+    derived=A_of_lines,
+    note="Not in the paper.  The corners need delta, the lines do not.",
+)
+section.vanishing(
+    "3.4/beyond/regular",
+    "the frame degenerates where delta is zero",
+    printed=(DELTA_PRINTED,),
+    derived=determinant(A_of_lines),
+    note="Not in the paper: the two families are then parallel.  tau2 = 1 is excluded as well, for then the line "
+    "through G_N2 is the line through G_N0.",
+)
+
+# %% [markdown]
+# ## No vertical parallax
+#
+# Left and right image have matrices $\mathbf A$ of their own, with the same $z_N$.
+
+# %%
+LEFT = dict(zip((un1, un2, tau1, tau2), sympy.symbols("upN1 upN2 taup1 taup2"), strict=True))
+RIGHT = dict(zip((un1, un2, tau1, tau2), sympy.symbols("uppN1 uppN2 taupp1 taupp2"), strict=True))
+x_left, x_right = ((A_of_lines * homogeneous(u_normal)).xreplace(side) for side in (LEFT, RIGHT))
+section.identity(
+    "3.4/x1",
+    "the normal case condition in rectangular coordinates",
+    printed=x_right[1],
+    derived=x_left[1],
+    constraints=[dot(vector(1, z_n), vector(LEFT[un1] - RIGHT[un1], LEFT[un2] - RIGHT[un2]))],
+    nonzero=[1 - side[tau2] for side in (LEFT, RIGHT)],
+    note="x1' = x1'' under the condition (3.2.3): the first coordinate does not depend on tau.",
+)
+section.identity(
+    "3.4/x1#condition",
+    "the difference of the first coordinates is the normal case condition",
+    printed=(LEFT[un1] + z_n * LEFT[un2]) - (RIGHT[un1] + z_n * RIGHT[un2]),
+    derived=x_left[1] - x_right[1],
+)
+
+# %% [markdown]
+# In which sense is the scale in the direction of $x_2$ arbitrary?  Another point $U_2$ on the same epipolar line,
+# $k$ times as far from the origin, changes nothing but this scale.
+
+# %%
+k = sympy.Symbol("k")
+stretched = [
+    a[1, 0] + a[1, 1] * point[0] + a[1, 2] * point[1] - value
+    for point, value in ((corners["U0"], 0), (corners["U1"], 0), (k * corners["U2"], 1))
+]
+section.identity(
+    "3.4/scale",
+    "another unit point on the horizontal axis changes the scale of the second coordinate",
+    printed=a[1, :].xreplace(elements).T / k,
+    derived=solve(*linear_system(stretched, list(a[1, :]))),
+)
+
+# %% [markdown]
+# ## Code
+
+# %%
+section.kernel(
+    "normal_case.frame",
+    "Matrix A of the affine transformation from the normal case to rectangular coordinates.",
+    arguments={"z_n": z_n, "tau": vector(tau1, tau2)},
+    describe={"z_n": "Factor z_N of the normal case correlation; dimensionless.", "tau": ABOUT_TAU},
+    derived=A_of_lines,
+    form=Matrix([[1, 0, 0], [0, 1, z_n], [0, (tau1 - 1) / (tau2 - 1), 1]]),
+    claims=["3.4.1#matrix", "3.4/beyond/frame-lines"],
+    example={"z_n": "0.1221364", **EXAMPLE_TAU},
+)

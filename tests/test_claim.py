@@ -1,0 +1,223 @@
+"""A declaration that cannot be judged is refused, and the refusal names the claim and what came."""
+
+import pickle
+from fractions import Fraction
+
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from algebroproj_sym import Section
+from algebroproj_sym.declaring import VERDICTS, DeclarationError, select, statement_text
+from algebroproj_sym.expressions import Matrix, NotRationalError, over, vector
+
+x, y, z = sympy.symbols("x y z")
+READ_OTHERWISE = ("E", "I", "N", "O", "Q", "S", "beta", "gamma", "zeta", "lambda", "pi", "oo", "re", "Symbol", "None")
+UNREADABLE = ("", "a b", "x'", "2x", "x*y", "f(x)", "x.y", "x[0]", "x=1", "class", "0")
+
+
+def identity(number="1.1", *, printed=x, derived=y, **options):
+    return Section("demo", "1", "Demonstration").identity(
+        number, "a title", printed=printed, derived=derived, **options
+    )
+
+
+def numeric(printed, derived=Fraction(1, 3), **options):
+    return Section("demo", "1", "Demonstration").numeric("1.1", "a title", printed=printed, derived=derived, **options)
+
+
+@pytest.mark.parametrize("number", ["1.3.8", "2.4/2.3.2", "1.3/y03", "table:2.2", "4/a", "1.3.5#mu3", "1.3/e'0", "7"])
+def test_every_form_of_number_of_the_contract_is_accepted(number):
+    assert identity(number).number == number
+
+
+@pytest.mark.parametrize(
+    "number",
+    ["", "a", "1.", ".1", "1..2", "1.3.8 ", " 1", "1.3/", "1.3#", "1.3/a b", "1#a#b", "table:a", "-1", "1.3\n"],
+)
+def test_another_number_is_refused(number):
+    with pytest.raises(DeclarationError, match=r"expected a number such as 1\.3\.8") as raised:
+        identity(number)
+    assert f"claim demo:{number}" in str(raised.value)
+    assert repr(number) in str(raised.value)
+
+
+@pytest.mark.parametrize("verdict", ["misprint", "illegible"])
+def test_a_misprint_or_an_illegible_formula_needs_its_corrected_form(verdict):
+    with pytest.raises(DeclarationError, match=rf"claim demo:1\.1: .*{verdict} needs its corrected form"):
+        identity(expect=verdict, printed=None if verdict == "illegible" else x)
+
+
+def test_a_false_statement_needs_what_is_true_instead():
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: .*false needs `instead`"):
+        identity(expect="false")
+
+
+def test_a_missing_print_is_for_illegible_formulas_only():
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: printed is missing exactly if"):
+        identity(printed=None)
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: printed is missing exactly if"):
+        identity(printed=x, corrected=y, expect="illegible")
+    assert identity(printed=None, corrected=y, expect="illegible").printed is None
+
+
+def test_only_a_definition_has_no_derived_form():
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: derived is missing exactly if"):
+        identity(derived=None)
+
+
+@pytest.mark.parametrize("verdict", ["open", "true", "", "Proved"])
+def test_an_expected_verdict_is_one_of_those_that_can_be_expected(verdict):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: expected one of the verdicts") as raised:
+        identity(expect=verdict)
+    assert repr(verdict) in str(raised.value)
+
+
+def test_the_verdicts_are_those_of_the_contract():
+    assert set(VERDICTS) == {"proved", "misprint", "false", "illegible", "definition", "open"}
+
+
+@pytest.mark.parametrize(
+    "inexact", [0.5, sympy.Float("0.5"), 0.5 * x, sympy.pi, sympy.sqrt(x), sympy.I, "x", x**y, True]
+)
+@pytest.mark.parametrize("form", ["printed", "derived", "corrected"])
+def test_whatever_is_not_rational_is_refused(form, inexact):
+    with pytest.raises(NotRationalError, match=rf"claim demo:1\.1, {form}: expected") as raised:
+        identity(**{form: inexact})
+    assert str(inexact) in str(raised.value)
+
+
+@pytest.mark.parametrize("inexact", [0.5, sympy.Float("0.5"), 0.5 * x, sympy.pi])
+def test_floats_in_other_places_are_refused_too(inexact):
+    matrix = sympy.Matrix([[x, inexact]])
+    for options in (
+        {"printed": matrix},
+        {"derived": matrix},
+        {"where": {x: inexact}},
+        {"constraints": [inexact]},
+        {"nonzero": [inexact]},
+    ):
+        with pytest.raises(NotRationalError, match=r"claim demo:1\.1"):
+            identity(**options)
+
+
+@pytest.mark.parametrize("printed", [0.5, 1, None, "abc", "", "NaN", "Infinity", "1/2", sympy.Rational(1, 2)])
+def test_a_printed_number_is_the_text_of_a_decimal(printed):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1.*expected .*decimal") as raised:
+        numeric(printed)
+    assert repr(printed) in str(raised.value)
+
+
+def test_a_corrected_number_is_the_text_of_a_decimal():
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1.*expected .*decimal.*0\.25"):
+        numeric("0.5", corrected=0.25, expect="misprint")
+
+
+@pytest.mark.parametrize("derived", [x, x + 1, vector(1, 2)])
+def test_a_printed_number_is_compared_with_a_number(derived):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1.*expected .*number"):
+        numeric("1", derived)
+
+
+def test_a_missing_unrounded_number_may_be_said():
+    assert numeric("0.3333", unrounded=None).unrounded is None
+
+
+@pytest.mark.parametrize("kind", ["structure", "vanishing"])
+def test_constraints_are_for_identities(kind):
+    declare = getattr(Section("demo", "1", "Demonstration"), kind)
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: .*constraints"):
+        declare("1.1", "a title", printed=vector(x), derived=y, constraints=[z])
+
+
+@pytest.mark.parametrize("name", [*READ_OTHERWISE, *UNREADABLE])
+@pytest.mark.parametrize("form", ["printed", "derived", "where", "constraints", "nonzero"])
+def test_a_name_that_sympy_does_not_read_back_is_refused(form, name):
+    symbol = sympy.Symbol(name)
+    given_form = {"where": {x: symbol}, "constraints": [symbol], "nonzero": [symbol]}.get(form, symbol)
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: ") as raised:
+        identity(**{form: given_form})
+    assert repr(name) in str(raised.value)
+
+
+@pytest.mark.parametrize("symbol", [sympy.Symbol("x", positive=True), sympy.Symbol("x", real=True), sympy.Dummy("x")])
+@pytest.mark.parametrize("other", [x, y])
+def test_a_symbol_with_assumptions_is_refused_even_beside_a_plain_one(symbol, other):
+    with pytest.raises((DeclarationError, NotRationalError), match=r"claim demo:1\.1.*\b_?x\b"):
+        identity(printed=symbol, derived=other)
+
+
+numbers = st.fractions(-9, 9, max_denominator=5).map(lambda value: sympy.Rational(value.numerator, value.denominator))
+coordinates = st.sampled_from([sympy.Rational(n, 97) for n in range(101, 999, 37)])
+
+
+def combined(parts):
+    pairs = st.tuples(parts, parts)
+    return st.one_of(
+        pairs.map(lambda pair: pair[0] + pair[1]),
+        pairs.map(lambda pair: pair[0] - pair[1]),
+        pairs.map(lambda pair: pair[0] * pair[1]),
+        pairs.map(lambda pair: over(pair[0], 1 + pair[1] ** 2)),
+        parts.map(lambda part: -(part**3)),
+    )
+
+
+expressions = st.recursive(st.sampled_from((x, y, z)) | numbers, combined, max_leaves=6)
+
+
+@given(expressions, expressions, st.tuples(coordinates, coordinates, coordinates))
+def test_statement_text_is_parsed_back_to_the_same_values(first, second, point):
+    at = dict(zip((x, y, z), point, strict=True))
+    for statement in (first, Matrix([[first, second], [second, 1]]), (first, second)):
+        parsed = sympy.sympify(statement_text(statement))
+        parts = list(statement) if isinstance(statement, tuple | sympy.MatrixBase) else [statement]
+        parsed_parts = list(parsed) if isinstance(parsed, tuple | sympy.MatrixBase) else [parsed]
+        assert [p.xreplace(at) for p in parsed_parts] == [p.xreplace(at).doit() for p in parts]
+
+
+@given(st.integers(-(10**9), 10**9), st.integers(0, 9), st.booleans())
+def test_statement_text_of_a_number_is_what_is_printed(digits, places, negative):
+    whole, fraction = divmod(abs(digits), 10**places)
+    printed = ("-" if negative else "") + str(whole) + (f".{fraction:0{places}}" if places else "")
+    claim = numeric(printed)
+    assert statement_text(claim.printed) == printed
+    assert sympy.sympify(statement_text(claim.printed), rational=True) == sympy.Rational(printed)
+
+
+def test_statement_text_of_nothing_is_nothing():
+    assert statement_text(None) is None
+
+
+@pytest.mark.parametrize("claim", [c for c in select() if c.kind != "numeric"], ids=lambda claim: claim.number)
+def test_every_statement_of_the_papers_is_parsed_back_to_the_same_values(claim):
+    for statement in (claim.printed, claim.derived, claim.corrected):
+        if statement is not None:
+            parts = list(statement) if isinstance(statement, tuple | sympy.MatrixBase) else [statement]
+            parsed = sympy.sympify(statement_text(statement))
+            parsed_parts = list(parsed) if isinstance(parsed, tuple | sympy.MatrixBase) else [parsed]
+            symbols = sorted({symbol for part in parts for symbol in part.free_symbols}, key=str)
+            at = {symbol: sympy.Rational(sympy.prime(k + 20), 2 + k) for k, symbol in enumerate(symbols)}
+            values = [part.xreplace(at) for part in parsed_parts]
+            assert all(value.is_Rational for value in values)
+            assert values == [part.xreplace(at).doit() for part in parts]
+
+
+def test_every_printed_number_of_the_papers_is_parsed_back():
+    for claim in select():
+        if claim.kind == "numeric":
+            assert Fraction(statement_text(claim.printed)) == Fraction(claim.printed)
+            assert sympy.sympify(statement_text(claim.printed)).is_Number
+
+
+def test_every_claim_of_the_papers_survives_pickling():
+    claims = select()
+    assert pickle.loads(pickle.dumps(claims)) == claims
+
+
+def test_pickling_keeps_divisions_and_hypotheses():
+    claim = identity(printed=over(x * y, x), derived=y, nonzero=[x], witness={x: 1}, where={z: over(x, y)})
+    copy = pickle.loads(pickle.dumps(claim))
+    assert copy == claim
+    assert copy.printed.has(over)
+    assert copy.where[z] == over(x, y)

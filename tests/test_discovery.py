@@ -1,0 +1,219 @@
+"""Selectors name the claims of the contract, and derivations that refer to nothing are refused."""
+
+import itertools
+import sys
+from pathlib import Path
+
+import pytest
+
+from algebroproj_sym.declaring import (
+    DeclarationError,
+    Section,
+    UnknownSelectorError,
+    derivation_at,
+    derivations,
+    discovery,
+    installed_papers,
+    kernels,
+    select,
+)
+
+PAPER = "fundamentals1996"
+names = itertools.count()
+
+MODULE = """
+import sympy
+from algebroproj_sym import Section
+x = sympy.Symbol("x")
+section = Section("{paper}", "{section}", "A title")
+section.identity("{section}.1", "square", printed=x**2, derived=x * x)
+{more}
+"""
+KERNEL = (
+    'section.kernel("{name}", "F.", arguments={{"x": x}}, derived=x, claims=["{claim}"], '
+    'example={{"x": "1"}}, describe={{"x": "A number."}})'
+)
+
+
+def numbers(*selectors):
+    return [claim.number for claim in select(selectors)]
+
+
+def module_text(section="9", more="", paper="mypaper"):
+    return MODULE.format(paper=paper, section=section, more=more)
+
+
+@pytest.fixture
+def installed(monkeypatch, tmp_path):
+    """Return a function that installs a package of papers of its own and returns the key of its paper."""
+
+    def install(**modules):
+        package, paper = f"papers_{next(names)}", f"paper{next(names)}"
+        folder = tmp_path / package / paper
+        folder.mkdir(parents=True)
+        (tmp_path / package / "__init__.py").touch()
+        (folder / "__init__.py").touch()
+        for name, text in modules.items():
+            (folder / f"{name}.py").write_text(text.replace("mypaper", paper))
+        monkeypatch.syspath_prepend(tmp_path)
+        monkeypatch.setattr(discovery, "PAPERS", package)
+        return paper
+
+    yield install
+    for name in [name for name in sys.modules if name.startswith("papers_")]:
+        del sys.modules[name]
+
+
+def test_the_paper_is_installed():
+    assert PAPER in installed_papers()
+
+
+def test_without_a_selector_every_claim_of_every_paper_is_selected():
+    assert numbers() == numbers(*installed_papers())
+    assert {claim.paper for claim in select()} == set(installed_papers())
+
+
+def test_a_paper_key_selects_all_its_claims():
+    assert numbers(PAPER) == [c.number for d in derivations(PAPER) for c in d.section.claims]
+    assert len(numbers(PAPER)) > 300
+
+
+def test_a_section_selects_its_claims_and_no_others():
+    assert {claim.section for claim in select([f"{PAPER}:1.3"])} == {"1.3"}
+    assert numbers(f"{PAPER}:1.3") == [claim.number for claim in select() if claim.section == "1.3"]
+
+
+def test_a_section_contains_its_subsections():
+    sections = {claim.section for claim in select([f"{PAPER}:1"])}
+    assert sections == {claim.section for claim in select() if claim.section.startswith("1.")}
+    assert len(sections) >= 6
+
+
+def test_a_number_selects_one_claim():
+    assert numbers(f"{PAPER}:1.3.8") == ["1.3.8"]
+    assert numbers(f"{PAPER}:1.3/y03") == ["1.3/y03"]
+    assert numbers(f"{PAPER}:1.3.5#mu1") == ["1.3.5#mu1"]
+
+
+def test_a_number_selects_its_parts():
+    selected = numbers(f"{PAPER}:1.3.5")
+    assert {"1.3.5#mu1", "1.3.5#mu2", "1.3.5#mu3"} <= set(selected)
+    assert all(number.startswith("1.3.5") for number in selected)
+
+
+def test_a_number_is_no_prefix():
+    assert numbers(f"{PAPER}:1.3.1") == ["1.3.1"]
+    assert not any(claim.number.startswith("1.3.1") for claim in select([f"{PAPER}:1.3.2"]))
+
+
+def test_several_selectors_name_each_claim_once():
+    selected = numbers(f"{PAPER}:1.3.8", f"{PAPER}:1.3", f"{PAPER}:1.3.8")
+    assert selected[0] == "1.3.8"
+    assert sorted(selected) == sorted(numbers(f"{PAPER}:1.3"))
+
+
+def test_the_path_of_an_installed_module_selects_its_claims(repository):
+    path = repository / "derivations" / PAPER / "s1_3_properties_of_projection.py"
+    assert select([str(path)]) == select([f"{PAPER}:1.3"])
+
+
+def test_the_path_may_be_relative(repository, monkeypatch):
+    monkeypatch.chdir(repository / "derivations")
+    assert numbers(f"{PAPER}/s1_3_properties_of_projection.py") == numbers(f"{PAPER}:1.3")
+
+
+def test_a_module_outside_is_selected_by_its_path(tmp_path):
+    path = tmp_path / "my_derivation.py"
+    path.write_text(module_text())
+    (claim,) = select([str(path)])
+    assert (claim.paper, claim.section, claim.number) == ("mypaper", "9", "9.1")
+    assert [derivation.module for derivation in derivation_at(path)] == ["my_derivation"]
+
+
+def test_a_module_outside_may_stand_beside_installed_claims(tmp_path):
+    path = tmp_path / "my_derivation.py"
+    path.write_text(module_text())
+    assert numbers(f"{PAPER}:1.3.8", str(path)) == ["1.3.8", "9.1"]
+
+
+@pytest.mark.parametrize("selector", ["nopaper", "nopaper:1.3", "", ":1.3", "Fundamentals1996", "1.3.8", "derivations"])
+def test_an_unknown_paper_is_refused(selector):
+    with pytest.raises(UnknownSelectorError, match=rf"expected one of the papers .*{PAPER}") as raised:
+        select([selector])
+    assert repr(selector) in str(raised.value)
+
+
+@pytest.mark.parametrize("part", ["9.9", "1.3.99", "1.3.5#mu9", "1.", "nonsense"])
+def test_an_unknown_section_or_number_is_refused(part):
+    with pytest.raises(UnknownSelectorError, match=rf"expected a section or number of {PAPER}") as raised:
+        select([f"{PAPER}:{part}"])
+    assert repr(part) in str(raised.value)
+
+
+def test_one_unknown_selector_among_good_ones_is_refused():
+    with pytest.raises(UnknownSelectorError):
+        select([PAPER, f"{PAPER}:9.9"])
+
+
+def test_a_path_that_does_not_exist_is_refused(tmp_path):
+    missing = tmp_path / "missing.py"
+    with pytest.raises(UnknownSelectorError, match="expected an existing derivation module") as raised:
+        select([str(missing)])
+    assert str(missing) in str(raised.value)
+
+
+def test_a_module_without_a_section_is_refused(tmp_path):
+    path = tmp_path / "empty.py"
+    path.write_text("x = 1\n")
+    with pytest.raises(UnknownSelectorError, match="expected a module that makes a Section") as raised:
+        select([str(path)])
+    assert str(path) in str(raised.value)
+
+
+def test_papers_and_modules_are_found_in_a_package(installed):
+    paper = installed(s2=module_text("2"), s1=module_text("1"), notation="y = 1\n")
+    assert installed_papers() == (paper,)
+    assert numbers() == numbers(paper) == ["1.1", "2.1"]
+
+
+def test_an_imported_section_is_not_declared_again(installed):
+    paper = installed(s1=module_text("1"), s2=module_text("2", more="from math import pi as other"))
+    assert [derivation.module.rpartition(".")[2] for derivation in derivations(paper)] == ["s1", "s2"]
+    assert all(isinstance(derivation.section, Section) for derivation in derivations(paper))
+
+
+def test_kernels_are_sorted_by_module_and_keep_their_order(installed):
+    lines = "\n".join(KERNEL.format(name=name, claim="1.1") for name in ("b.second", "a.last", "b.first", "a.early"))
+    installed(s1=module_text("1", more=lines))
+    assert [kernel.qualified_name for kernel in kernels()] == ["a.last", "a.early", "b.second", "b.first"]
+
+
+def test_a_false_claim_refers_to_a_declared_one(installed):
+    more = 'section.identity("1.2", "", printed=x, derived=x + 1, expect="false", instead="1.3")'
+    paper = installed(s1=module_text("1", more=more))
+    with pytest.raises(DeclarationError, match=r"^1\.2: expected a reference to a declared claim, got 1\.3$"):
+        derivations(paper)
+
+
+def test_a_kernel_refers_to_a_declared_claim(installed):
+    paper = installed(s1=module_text("1", more=KERNEL.format(name="m.f", claim="7.7")))
+    with pytest.raises(DeclarationError, match=r"^m\.f: expected a reference to a declared claim, got 7\.7$"):
+        derivations(paper)
+
+
+def test_a_reference_may_lead_to_another_section(installed):
+    more = 'section.identity("1.2", "", printed=x, derived=x + 1, expect="false", instead="2.1")'
+    paper = installed(s1=module_text("1", more=more), s2=module_text("2", more=KERNEL.format(name="m.f", claim="1.1")))
+    assert len(derivations(paper)) == 2
+
+
+def test_a_number_is_declared_in_one_section_only(installed):
+    paper = installed(s1=module_text("1"), s2=module_text("1"))
+    with pytest.raises(DeclarationError, match=r"expected numbers that are declared once, got \['1\.1'\] twice"):
+        derivations(paper)
+
+
+def test_every_derivation_module_of_the_papers_declares_a_section(repository):
+    found = {derivation.module.rpartition(".")[2] for derivation in derivations(PAPER)}
+    files = {path.stem for path in Path(repository / "derivations" / PAPER).glob("s[0-9]*.py")}
+    assert found == files

@@ -1,0 +1,231 @@
+"""The generated package is the same text wherever it is rendered, and its folder holds that text and nothing stale."""
+
+import ast
+import json
+import os
+import subprocess
+import sys
+from itertools import pairwise
+
+import pytest
+import sympy
+
+from algebroproj_sym import Section
+from algebroproj_sym.declaring import kernels
+from algebroproj_sym.expressions import over, vector
+from algebroproj_sym.generating import PACKAGE, drift, lower, render, write
+
+SHARED = {"__init__.py", "_arguments.py", "py.typed"}
+SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
+
+
+@pytest.fixture(scope="module")
+def rendered():
+    return render(map(lower, kernels()))
+
+
+@pytest.fixture
+def files():
+    return render([lower(kernel("first.double")), lower(kernel("second.half"))])
+
+
+def kernel(name):
+    x, y = sympy.symbols("x y")
+    return Section("demo", "1", "Demonstration").kernel(
+        name,
+        "A function.",
+        arguments={"x": x, "p": vector(y)},
+        derived=vector(over(x * y, y), x + y),
+        form=vector(x, x + y),
+        claims=["1.1", "1.2#part"],
+        example={"x": "0.5", "p": ("0.25",)},
+        describe={"x": "A length in meters.", "p": "A point."},
+    )
+
+
+def functions_of(text):
+    return [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
+
+
+def names_in(folder):
+    return {path.name for path in folder.iterdir()}
+
+
+def test_every_module_of_the_kernels_is_a_file(rendered):
+    assert set(rendered) == SHARED | {f"{kernel.module}.py" for kernel in kernels()}
+
+
+def test_every_kernel_is_a_function_in_the_order_of_its_declaration(rendered):
+    for module in {kernel.module for kernel in kernels()}:
+        declared = [kernel.name for kernel in kernels() if kernel.module == module]
+        assert [function.name for function in functions_of(rendered[f"{module}.py"])] == declared
+
+
+def test_every_function_is_exported(rendered):
+    for name, text in rendered.items():
+        if name not in SHARED:
+            (exported,) = [n.value for n in ast.parse(text).body if isinstance(n, ast.Assign)]
+            assert ast.literal_eval(exported) == [function.name for function in functions_of(text)]
+
+
+def test_rendering_twice_gives_the_same_text(rendered):
+    assert render(map(lower, kernels())) == rendered
+
+
+def test_the_order_of_the_kernels_of_other_modules_does_not_matter(files):
+    assert render([lower(kernel("second.half")), lower(kernel("first.double"))]) == files
+
+
+def test_the_text_does_not_depend_on_the_process(rendered):
+    script = (
+        "import json; from algebroproj_sym.declaring import kernels; from algebroproj_sym.generating import *; "
+        "print(json.dumps(render(map(lower, kernels()))))"
+    )
+    processes = [
+        subprocess.Popen(
+            [sys.executable, "-c", script],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        for seed in ("1", "2")
+    ]
+    outputs = [process.communicate()[0] for process in processes]
+    assert [process.returncode for process in processes] == [0, 0]
+    assert [json.loads(output) for output in outputs] == [rendered, rendered]
+
+
+def test_every_module_imports_numpy_and_its_own_package_only(rendered):
+    for name, text in rendered.items():
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.Import):
+                assert {alias.name.partition(".")[0] for alias in node.names} <= {"numpy"}, name
+            elif isinstance(node, ast.ImportFrom):
+                own = node.level == 1 and (node.module is None or f"{node.module}.py" in rendered)
+                assert own or node.level == 0, name
+                assert own or node.module.partition(".")[0] in {"numpy", "typing", "__future__"}, name
+
+
+def test_every_imported_name_of_the_own_package_exists(rendered):
+    (imported,) = [n for n in ast.parse(rendered["__init__.py"]).body if isinstance(n, ast.ImportFrom)]
+    assert {f"{alias.name}.py" for alias in imported.names} == set(rendered) - SHARED
+
+
+def test_every_file_says_that_it_is_generated(rendered):
+    for name, text in rendered.items():
+        if name.endswith(".py"):
+            assert "do not edit" in ast.get_docstring(ast.parse(text)), name
+
+
+def test_every_function_documents_itself_in_all_sections(rendered):
+    for name in set(rendered) - SHARED:
+        for function in functions_of(rendered[name]):
+            lines = ast.get_docstring(function).splitlines()
+            headings = [above for above, line in pairwise(lines) if above and set(line) == {"-"}]
+            assert tuple(headings) == SECTIONS, function.name
+
+
+def test_every_function_describes_its_arguments_and_cites_its_claims(rendered):
+    for kernel in kernels():
+        (function,) = [f for f in functions_of(rendered[f"{kernel.module}.py"]) if f.name == kernel.name]
+        docstring = ast.get_docstring(function)
+        assert [argument.arg for argument in function.args.args] == [argument.name for argument in kernel.arguments]
+        assert docstring.startswith(kernel.summary)
+        assert f"{kernel.paper}, section {kernel.section}" in docstring
+        assert all(f"({number})" in docstring for number in kernel.claims)
+        assert all(
+            f"{name} : array_like" in docstring and about in docstring for name, about in kernel.describe.items()
+        )
+
+
+def test_every_function_names_its_singularities(rendered):
+    for kernel in kernels():
+        lowered = lower(kernel)
+        (function,) = [f for f in functions_of(rendered[f"{kernel.module}.py"]) if f.name == kernel.name]
+        docstring = " ".join(ast.get_docstring(function).split())
+        assert all(f"``{factor}``" in docstring for factor in lowered.hypotheses)
+        assert ("no input is singular" in docstring) == (lowered.hypotheses == ())
+
+
+def test_lines_end_without_spaces_and_files_with_a_newline(rendered):
+    for name, text in rendered.items():
+        assert all(line == line.rstrip() for line in text.splitlines()), name
+        assert text == "" or text.endswith("\n"), name
+
+
+def test_the_committed_package_is_what_is_rendered(rendered, repository):
+    assert drift(rendered, repository / "generated" / PACKAGE) == []
+
+
+def test_writing_leaves_the_files_and_nothing_else(files, tmp_path):
+    folder = tmp_path / "deep" / PACKAGE
+    write(files, folder)
+    assert names_in(folder) == set(files)
+    assert {name: (folder / name).read_text(encoding="utf-8") for name in files} == files
+    assert drift(files, folder) == []
+
+
+def test_writing_again_replaces_what_was_changed(files, tmp_path):
+    write(files, tmp_path)
+    (tmp_path / "first.py").write_text("changed")
+    write(files, tmp_path)
+    assert drift(files, tmp_path) == []
+    assert names_in(tmp_path) == set(files)
+
+
+def test_writing_removes_generated_modules_that_are_no_longer_wanted(files, tmp_path):
+    write(files, tmp_path)
+    fewer = render([lower(kernel("first.double"))])
+    write(fewer, tmp_path)
+    assert names_in(tmp_path) == set(fewer) == set(files) - {"second.py"}
+
+
+def test_writing_leaves_foreign_files_alone(files, tmp_path):
+    foreign = {"mine.py": "x = 1\n", "notes.txt": files["first.py"], "data.json": "{}"}
+    for name, text in foreign.items():
+        (tmp_path / name).write_text(text)
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "folder" / "inner.py").write_text(files["first.py"])
+    write(files, tmp_path)
+    assert {name: (tmp_path / name).read_text() for name in foreign} == foreign
+    assert (tmp_path / "folder" / "inner.py").is_file()
+
+
+def test_drift_of_a_folder_that_does_not_exist_is_everything(files, tmp_path):
+    assert drift(files, tmp_path / "nowhere") == sorted(files)
+
+
+@pytest.mark.parametrize("name", ["first.py", "__init__.py", "_arguments.py", "py.typed"])
+def test_drift_finds_a_changed_and_a_missing_file(files, tmp_path, name):
+    write(files, tmp_path)
+    (tmp_path / name).write_text(files[name] + "\n")
+    assert drift(files, tmp_path) == [name]
+    (tmp_path / name).unlink()
+    assert drift(files, tmp_path) == [name]
+
+
+def test_drift_finds_a_superfluous_module(files, tmp_path):
+    write(files, tmp_path)
+    (tmp_path / "stale.py").write_text("")
+    assert drift(files, tmp_path) == ["stale.py"]
+
+
+def test_drift_finds_several_at_once_and_changes_nothing(files, tmp_path):
+    write(files, tmp_path)
+    (tmp_path / "first.py").unlink()
+    (tmp_path / "second.py").write_text("")
+    (tmp_path / "third.py").write_text("")
+    assert drift(files, tmp_path) == ["first.py", "second.py", "third.py"]
+    assert names_in(tmp_path) == (set(files) | {"third.py"}) - {"first.py"}
+
+
+def test_drift_does_not_mind_compiled_files(files, tmp_path):
+    write(files, tmp_path)
+    (tmp_path / "__pycache__").mkdir()
+    (tmp_path / "__pycache__" / "first.cpython-311.pyc").write_bytes(b"")
+    assert drift(files, tmp_path) == []
+
+
+def test_the_example_of_a_docstring_is_its_result(files):
+    docstring = ast.get_docstring(functions_of(files["first.py"])[0])
+    assert ">>> double(0.5, [0.25]).round(6).tolist()\n[0.5, 0.75]" in docstring

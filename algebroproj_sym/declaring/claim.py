@@ -30,6 +30,7 @@ VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 
 Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
 
+_ENTRYWISE = ("identity", "identity up to scale", "identity under constraints", "structure", "limit")
 _NUMBER = re.compile(r"(table:)?\d+(\.\d+)*(/[^\s/#]+)*(#[^\s/#]+)?")
 
 
@@ -203,6 +204,11 @@ def _require_complete(claim: Claim, where: str) -> None:
         raise DeclarationError(f"{where}: derived is missing exactly if the claim is a definition")
     if claim.constraints and not claim.kind.startswith("identity"):
         raise DeclarationError(f"{where}: expected constraints for an identity, got them for {claim.kind}")
+    for form in (claim.printed, claim.corrected):
+        if claim.kind in _ENTRYWISE and form is not None and _shape(form) != _shape(claim.derived):
+            raise DeclarationError(
+                f"{where}: expected two sides of one shape, got {_shape(form)} and {_shape(claim.derived)}"
+            )
     numbers = [form for form in (claim.derived, claim.unrounded) if form is not None and claim.kind == "numeric"]
     if any(shape(form) or symbols_of([form]) for form in numbers):
         raise DeclarationError(f"{where}: expected derived numbers, got {', '.join(map(str, numbers))}")
@@ -228,6 +234,10 @@ def _expressions(form: Statement | None) -> tuple[Expression, ...]:
     if form is None or isinstance(form, Decimal):
         return ()
     return form if isinstance(form, tuple) else (form,)
+
+
+def _shape(form: Statement | None) -> tuple[int, ...] | None:
+    return shape(form) if isinstance(form, sympy.Expr | sympy.MatrixBase) else None
 
 
 @cache

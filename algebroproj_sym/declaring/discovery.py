@@ -82,7 +82,8 @@ def derivation_at(path: Path) -> tuple[Derivation, ...]:
     spec.loader.exec_module(module)
     found = tuple(Derivation(target.stem, section) for section in _sections(module))
     if not found:
-        raise UnknownSelectorError(f"selector: expected a module that makes a Section, got {path}")
+        raise UnknownSelectorError(f"selector: expected a module that makes a Section named section, got {path}")
+    _require_consistent(found)
     return found
 
 

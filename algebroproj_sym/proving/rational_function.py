@@ -134,7 +134,9 @@ class RationalFunction:
         right = self._coerce(other)
         return NotImplemented if right is None else self * right._reciprocal()
 
-    def __pow__(self, exponent: int) -> RationalFunction:
+    def __pow__(self, exponent: object) -> RationalFunction:
+        if not isinstance(exponent, int):
+            return NotImplemented
         if exponent < 0:
             return (self**-exponent)._reciprocal()
         if exponent == 0:

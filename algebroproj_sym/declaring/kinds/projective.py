@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.expressions import Scalar, entries, over, shape, text, vector
+from algebroproj_sym.expressions import Scalar, entries, over, text, vector
 from algebroproj_sym.proving import Proof, prove
 
 
@@ -15,9 +15,6 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
 
     The factor p_k / d_k is kept in the certificate; it must not be identically zero, nor may one side be.
     """
-    shapes = shape(printed), shape(claim.derived)
-    if shapes[0] != shapes[1]:
-        raise DeclarationError(f"{claim.number}: expected two sides of one shape, got {shapes}")
     p, d = entries(printed), entries(claim.derived)
     pivot = next((k for k, entry in enumerate(d) if _is_nonzero(claim, entry, engine)), None)
     if pivot is None:

@@ -8,7 +8,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.expressions import entries, shape, vector
+from algebroproj_sym.expressions import entries, vector
 from algebroproj_sym.proving import Proof, prove
 
 
@@ -18,9 +18,6 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     In the pattern a 0 stands for an entry that is identically zero; a symbol for one that is not, the same symbol for
     equal entries, the negative symbol for opposite ones; an integer for itself.
     """
-    shapes = shape(printed), shape(claim.derived)
-    if shapes[0] != shapes[1]:
-        raise DeclarationError(f"{claim.number}: expected a pattern of the shape of the matrix, got {shapes}")
     representatives: dict[sympy.Expr, sympy.Expr] = {}
     expected = [
         _expected(mark, entry, representatives, claim)

@@ -135,11 +135,14 @@ def test_errors_are_counted_in_units_in_the_last_place():
     assert found.overall.max_ulp == 1.0
 
 
-def test_a_package_in_a_folder_is_loaded_from_there(tmp_path, repository):
-    shutil.copytree(repository / "generated" / "algebroproj", tmp_path / "algebroproj")
+def test_a_package_in_a_folder_is_loaded_from_there_and_leaves_no_caches(tmp_path, repository, monkeypatch):
+    monkeypatch.setattr("sys.dont_write_bytecode", False)
+    source = repository / "generated" / "algebroproj"
+    shutil.copytree(source, tmp_path / "algebroproj", ignore=shutil.ignore_patterns("__pycache__"))
     package = load_package(tmp_path)
     assert str(tmp_path) in package.__file__
     assert verify(LOWERED["optics.scale"], package, size=5).passed
+    assert not list(tmp_path.rglob("__pycache__"))
 
 
 def test_a_missing_package_or_function_is_named(tmp_path):

@@ -5,7 +5,8 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -41,8 +42,20 @@ def load_package(folder: Path | None = None) -> ModuleType:
         raise NotShippedError(f"package: expected {location}, which does not exist")
     package = importlib.util.module_from_spec(spec)
     sys.modules[name] = package
-    spec.loader.exec_module(package)
+    with _no_bytecode():
+        spec.loader.exec_module(package)
     return package
+
+
+@contextmanager
+def _no_bytecode() -> Iterator[None]:
+    """Import without leaving caches, which carry times, beside the generated files."""
+    before = sys.dont_write_bytecode
+    sys.dont_write_bytecode = True
+    try:
+        yield
+    finally:
+        sys.dont_write_bytecode = before
 
 
 def function_of(kernel: Kernel, package: ModuleType) -> Function:

@@ -8,8 +8,9 @@ import click
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
+from algebroproj_sym.cli.generate import lowered_after
 from algebroproj_sym.cli.terminal import console, progressing
-from algebroproj_sym.declaring import kernels, select
+from algebroproj_sym.declaring import select
 from algebroproj_sym.generating import PACKAGE, render, write
 from algebroproj_sym.reporting import ledger, report, summary_text, verification_table, write_json, write_text
 from algebroproj_sym.verifying import verification_record
@@ -29,10 +30,7 @@ def build(out: Path, samples: int, engine: str, jobs: int) -> None:
     judgements = list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
     write_json(ledger(judgements, timed=False), out / "ledger.json")
     console().print(summary_text(judgements))
-    try:
-        lowered = list(progressing(pipeline.programs(judgements, engine, jobs), len(kernels()), "lowering"))
-    except pipeline.UnprovedError as error:
-        raise click.ClickException(str(error)) from error
+    lowered = lowered_after(judgements, engine, jobs)
     write(render(lowered), out / PACKAGE)
     found = pipeline.verifications(lowered, out, samples, engine, jobs)
     verified = list(progressing(found, len(lowered), "verifying"))

@@ -6,7 +6,8 @@ import importlib
 import importlib.util
 import pkgutil
 import sys
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -57,9 +58,9 @@ def derivations(paper: str) -> tuple[Derivation, ...]:
 def _require_consistent(found: Sequence[Derivation]) -> None:
     claims = [claim for derivation in found for claim in derivation.section.claims]
     kernels_found = [kernel for derivation in found for kernel in derivation.section.kernels]
-    numbers = {claim.number for claim in claims}
-    if len(numbers) < len(claims):
-        twice = sorted({claim.number for claim in claims if [c.number for c in claims].count(claim.number) > 1})
+    numbers = Counter(claim.number for claim in claims)
+    twice = sorted(number for number, count in numbers.items() if count > 1)
+    if twice:
         raise DeclarationError(f"{claims[0].paper}: expected numbers that are declared once, got {twice} twice")
     referred = {(claim.number, claim.instead) for claim in claims if claim.instead}
     referred |= {(kernel.qualified_name, number) for kernel in kernels_found for number in kernel.claims}
@@ -72,6 +73,8 @@ def derivation_at(path: Path) -> tuple[Derivation, ...]:
     """Import the derivation module at a path; one of an installed paper keeps its own name."""
     target = path.resolve()
     for paper in installed_papers():
+        if target.parent not in _folders(paper):
+            continue
         for derivation in derivations(paper):
             if Path(str(sys.modules[derivation.module].__file__)).resolve() == target:
                 return (derivation,)
@@ -85,6 +88,11 @@ def derivation_at(path: Path) -> tuple[Derivation, ...]:
         raise UnknownSelectorError(f"selector: expected a module that makes a Section named section, got {path}")
     _require_consistent(found)
     return found
+
+
+def _folders(paper: str) -> set[Path]:
+    """Return where the modules of a paper are, without importing them."""
+    return {Path(folder).resolve() for folder in importlib.import_module(f"{PAPERS}.{paper}").__path__}
 
 
 def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
@@ -110,9 +118,9 @@ def kernels() -> tuple[Kernel, ...]:
     return tuple(sorted(found, key=lambda kernel: kernel.module))
 
 
-def _sections(module: ModuleType) -> Iterator[Section]:
-    own = (value for name, value in vars(module).items() if name == "section")
-    return (value for value in own if isinstance(value, Section))
+def _sections(module: ModuleType) -> tuple[Section, ...]:
+    section = getattr(module, "section", None)
+    return (section,) if isinstance(section, Section) else ()
 
 
 def _claims(selector: str) -> list[Claim]:

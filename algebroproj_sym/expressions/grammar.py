@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any, TypeAlias
@@ -125,9 +125,3 @@ def text(expression: Expression) -> str:
     'x/2'
     """
     return str(divided(expression))
-
-
-def subexpressions(expression: Expression) -> Iterator[Scalar]:
-    """Yield every node of the expression trees, parents first."""
-    for entry in entries(expression):
-        yield from sympy.preorder_traversal(entry)

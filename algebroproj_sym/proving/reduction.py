@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy
 
-from algebroproj_sym.expressions import Expression, divided, evaluate, symbols_of
+from algebroproj_sym.expressions import Expression, divided, entries, evaluate, symbols_of
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
 
 
@@ -35,15 +33,11 @@ def reduced(expression: Expression, engine: str = "flint") -> Expression:
     field = RationalFunctionField(symbols_of((expression,)), engine)
     values = evaluate(expression, field.variables, field.lift)
     written = [
-        _shorter(divided(entry), _lowest_terms(value)) for entry, value in zip(_list(expression), values, strict=True)
+        _shorter(divided(entry), _lowest_terms(value)) for entry, value in zip(entries(expression), values, strict=True)
     ]
     if isinstance(expression, sympy.MatrixBase):
         return sympy.ImmutableDenseMatrix(*expression.shape, written)
     return written[0]
-
-
-def _list(expression: Expression) -> list[Any]:
-    return list(expression) if isinstance(expression, sympy.MatrixBase) else [expression]
 
 
 def _lowest_terms(value: RationalFunction) -> sympy.Expr:

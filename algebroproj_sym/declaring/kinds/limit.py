@@ -25,8 +25,7 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     proof = prove(vector(*entries(printed)), vector(*finite), engine=engine)
     if proof.verdict != "proved":
         return proof
-    hypotheses = tuple(factor for factor in proof.hypotheses if factor != claim.variable)
-    return replace(proof, hypotheses=hypotheses, certificate={"method": "leading coefficients"})
+    return replace(proof, certificate={"method": "leading coefficients"})
 
 
 def _limit(value: RationalFunction, variable: sympy.Symbol) -> sympy.Expr | None:

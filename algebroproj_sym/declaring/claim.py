@@ -21,8 +21,10 @@ Kind = Literal[
     "structure",
     "vanishing",
     "rank",
+    "count",
     "limit",
     "numeric",
+    "reference",
     "definition",
 ]
 Verdict = Literal["proved", "misprint", "false", "illegible", "definition", "open"]
@@ -31,7 +33,7 @@ VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
 
 _ENTRYWISE = ("identity", "identity up to scale", "identity under constraints", "structure", "limit")
-_NUMBER = re.compile(r"(table:)?\d+(\.\d+)*(/[^\s/#]+)*(#[^\s/#]+)?")
+_NUMBER = re.compile(r"(table:)?\d+[a-z]?(\.\d+)*(/[^\s/#]+)*(#[^\s/#]+)?")
 
 
 class DeclarationError(ValueError):
@@ -48,6 +50,7 @@ class Options(TypedDict, total=False):
     nonzero: Sequence[sympy.Expr]
     witness: Mapping[sympy.Symbol, Fraction | int]
     variable: sympy.Symbol
+    variables: Sequence[sympy.Symbol]
     kernel: Sequence[Any]
     units: Fraction
     unrounded: Any
@@ -83,8 +86,11 @@ class Claim:
         A point that satisfies the constraints.
     variable : sympy.Symbol or None
         For a limit: what goes to zero.
+    variables : tuple of sympy.Symbol
+        For a count: the variables of the functions; other symbols are constants.
     kernel : tuple of matrix
-        For a rank: vectors that the derived matrix takes to zero.
+        For a rank: vectors that the derived matrix takes to zero.  For a count: directions, in the variables, along
+        which the derived functions do not change.
     units : Fraction
         For a printed number: how far it may be from the derived one, in units of its last digit.
     unrounded : Expression or None
@@ -110,6 +116,7 @@ class Claim:
     nonzero: tuple[sympy.Expr, ...] = ()
     witness: Mapping[sympy.Symbol, Fraction | int] | None = None
     variable: sympy.Symbol | None = None
+    variables: tuple[sympy.Symbol, ...] = ()
     kernel: tuple[Expression, ...] = ()
     units: Fraction = Fraction(1, 2)
     unrounded: Expression | None = None
@@ -151,6 +158,7 @@ def declared(
         where={s: rational(value, f"{where}, where") for s, value in options.pop("where", {}).items()},
         constraints=tuple(rational(value, f"{where}, constraints") for value in options.pop("constraints", ())),
         nonzero=tuple(rational(value, f"{where}, nonzero") for value in options.pop("nonzero", ())),
+        variables=tuple(options.pop("variables", ())),
         kernel=tuple(rational(vector, f"{where}, kernel") for vector in options.pop("kernel", ())),
         unrounded=None if unrounded is None else rational(unrounded, f"{where}, unrounded"),
         **options,
@@ -179,6 +187,24 @@ def decimal(value: Any, where: str) -> Decimal:
     if number is None or not number.is_finite():
         raise DeclarationError(f"{where}: expected the text of a decimal number, got {value!r}")
     return number
+
+
+def reference(value: Any, where: str) -> sympy.ImmutableDenseMatrix:
+    """Return a reference such as "1.3.8" as its numbers in a row.
+
+    Raises
+    ------
+    DeclarationError
+        If the value is not the text of numbers separated by points.
+
+    Examples
+    --------
+    >>> reference("1.3.8", "printed")
+    Matrix([[1, 3, 8]])
+    """
+    if not isinstance(value, str) or not re.fullmatch(r"\d+(\.\d+)*", value):
+        raise DeclarationError(f"{where}: expected the text of a reference such as 1.3.8, got {value!r}")
+    return sympy.ImmutableDenseMatrix([[int(part) for part in value.split(".")]])
 
 
 def _statement(value: Any, where: str) -> Statement | None:

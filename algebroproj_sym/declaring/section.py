@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Unpack
 
-from algebroproj_sym.declaring.claim import Claim, DeclarationError, Kind, Options, decimal, declared
+from algebroproj_sym.declaring.claim import Claim, DeclarationError, Kind, Options, decimal, declared, reference
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, declared_kernel
 
 
@@ -57,6 +57,13 @@ class Section:
         """Declare the rank that a matrix has in general; `kernel` are independent vectors that it takes to zero."""
         return self._declare("rank", number, title, printed, derived, **options)
 
+    def count(self, number: str, title: str, *, printed: int, derived: Any, **options: Unpack[Options]) -> Claim:
+        """Declare how many of the functions `derived` of `variables` are independent.
+
+        `kernel` are independent directions, in the variables, along which no function changes.
+        """
+        return self._declare("count", number, title, printed, derived, **options)
+
     def limit(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
         """Declare the limit of an expression where `variable` goes to zero."""
         return self._declare("limit", number, title, printed, derived, **options)
@@ -67,6 +74,14 @@ class Section:
         if "corrected" in options:
             options["corrected"] = decimal(options["corrected"], f"{where}, corrected")
         return self._declare("numeric", number, title, decimal(printed, f"{where}, printed"), derived, **options)
+
+    def reference(self, number: str, title: str, *, printed: str, meant: str, **options: Unpack[Options]) -> Claim:
+        """Declare what a reference within the paper, such as "2.3.3", must point to; a wrong one is a misprint."""
+        where = f"claim {self.paper}:{number}"
+        right = reference(meant, f"{where}, meant")
+        if printed != meant:
+            options = {"expect": "misprint", "corrected": right, **options}
+        return self._declare("reference", number, title, reference(printed, f"{where}, printed"), right, **options)
 
     def definition(self, number: str, title: str, *, printed: Any, **options: Unpack[Options]) -> Claim:
         """Declare a notation."""

@@ -10,7 +10,18 @@ from collections.abc import Callable
 from typing import Any
 
 from algebroproj_sym.declaring.claim import Claim, Kind
-from algebroproj_sym.declaring.kinds import definition, identity, limit, numeric, projective, rank, structure, vanishing
+from algebroproj_sym.declaring.kinds import (
+    count,
+    definition,
+    identity,
+    limit,
+    numeric,
+    projective,
+    rank,
+    reference,
+    structure,
+    vanishing,
+)
 from algebroproj_sym.proving import Proof
 
 Compare = Callable[[Claim, Any, str], Proof]
@@ -22,7 +33,9 @@ KINDS: dict[Kind, Compare] = {
     "structure": structure.compare,
     "vanishing": vanishing.compare,
     "rank": rank.compare,
+    "count": count.compare,
     "limit": limit.compare,
     "numeric": numeric.compare,
+    "reference": reference.compare,
     "definition": definition.compare,
 }

@@ -6,6 +6,8 @@ vectors that the matrix takes to zero identically.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from fractions import Fraction
 from itertools import islice
 from typing import Any
 
@@ -23,46 +25,94 @@ POINTS = 20
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed == rank of derived``."""
     matrix: Any = claim.derived
-    symbols = symbols_of((matrix, *claim.kernel))
-    ranked = [(_rank_at(matrix, p), p) for p in islice(rational_points(symbols, seed_of(claim.number)), POINTS)]
-    largest, point = max(
-        ((rank, p) for rank, p in ranked if rank is not None), key=lambda entry: entry[0], default=(0, {})
+    smaller = min(matrix.shape)
+    kernel: Any = columns(*claim.kernel) if claim.kernel else None
+    proof = None
+    if kernel is not None:
+        proof = prove(matrix * kernel, sympy.ImmutableDenseMatrix.zeros(matrix.rows, kernel.cols), engine=engine)
+
+    def bound_at(point: Point) -> int:
+        if proof is None or proof.verdict != "proved":
+            return int(smaller)
+        return int(min(smaller, matrix.cols - _rank_at(kernel, point)))
+
+    return generic_rank(
+        claim,
+        printed,
+        symbols_of((matrix, *claim.kernel)),
+        lambda point: _rank_at(matrix, point),
+        bound_at,
+        lambda: proof.hypotheses if proof else (),
+        engine,
     )
+
+
+def generic_rank(
+    claim: Claim,
+    printed: int,
+    symbols: Sequence[sympy.Symbol],
+    rank_at: Callable[[Point], int],
+    bound_at: Callable[[Point], int],
+    hypotheses: Callable[[], tuple[sympy.Expr, ...]],
+    engine: str,
+) -> Proof:
+    """Decide a rank from below by points and from above by a bound.
+
+    Parameters
+    ----------
+    claim : Claim
+        What is decided.
+    printed : int
+        The rank that is claimed.
+    symbols : sequence of Symbol
+        The coordinates of points.
+    rank_at, bound_at : callable
+        The rank at a point, and an upper bound of all ranks that a point gives; they raise ZeroDivisionError where
+        something is not defined.
+    hypotheses : callable
+        The factors that do not vanish.
+    engine : {"flint", "sympy"}
+        For the record.
+    """
+    ranked = []
+    for point in islice(rational_points(symbols, seed_of(claim.number)), POINTS):
+        try:
+            ranked.append((rank_at(point), bound_at(point), point))
+        except ZeroDivisionError:
+            continue
+        if ranked[-1][0] == ranked[-1][1]:
+            break
+    if not ranked:
+        return Proof("open", hypotheses(), {"method": "none", "reason": "no point was found"}, None, engine)
+    largest, _, point = max(ranked, key=lambda entry: entry[0])
+    bound = min(bound for _, bound, _ in ranked)
     if largest > printed:
         return Proof("refuted", (), {"method": "counterexample", "rank": largest}, point, engine)
-    bound, hypotheses = _upper_bound(claim, matrix, point, engine)
     if bound < printed:
-        return Proof("refuted", hypotheses, {"method": "kernel vectors", "rank at most": bound}, {}, engine)
+        return Proof("refuted", hypotheses(), {"method": "kernel vectors", "rank at most": bound}, {}, engine)
     if largest < printed or bound > printed:
         reason = f"the rank lies between {largest} and {bound}"
-        return Proof("open", hypotheses, {"method": "none", "reason": reason}, None, engine)
-    witness = {symbol.name: str(value) for symbol, value in point.items()}
+        return Proof("open", hypotheses(), {"method": "none", "reason": reason}, None, engine)
     certificate = {
         "method": "rank at a point and kernel vectors",
-        "point": witness,
+        "point": {symbol.name: str(value) for symbol, value in point.items()},
         "kernel": [*map(str, claim.kernel)],
     }
-    return Proof("proved", hypotheses, certificate, None, engine)
+    return Proof("proved", hypotheses(), certificate, None, engine)
 
 
-def _rank_at(matrix: Any, point: Point) -> int | None:
-    try:
-        values = evaluate(matrix, point)
-    except ZeroDivisionError:
-        return None
-    rows, width = matrix.shape
-    exact = [[QQ(v.numerator, v.denominator) for v in values[i * width : (i + 1) * width]] for i in range(rows)]
-    return int(DomainMatrix(exact, (rows, width), QQ).rank())
+def rank_of(rows: Sequence[Sequence[Fraction]]) -> int:
+    """Return the rank of a matrix of fractions.
+
+    Examples
+    --------
+    >>> rank_of([[Fraction(1), Fraction(2)], [Fraction(2), Fraction(4)]])
+    1
+    """
+    exact = [[QQ(value.numerator, value.denominator) for value in row] for row in rows]
+    return int(DomainMatrix(exact, (len(exact), len(exact[0])), QQ).rank())
 
 
-def _upper_bound(claim: Claim, matrix: Any, point: Point, engine: str) -> tuple[int, tuple[sympy.Expr, ...]]:
-    """Return the number of columns less the independent kernel vectors, or of rows if that is smaller."""
-    smaller = min(matrix.shape)
-    if not claim.kernel:
-        return smaller, ()
-    kernel: Any = columns(*claim.kernel)
-    proof = prove(matrix * kernel, sympy.ImmutableDenseMatrix.zeros(matrix.rows, kernel.cols), engine=engine)
-    independent = _rank_at(kernel, point)
-    if proof.verdict != "proved" or independent is None:
-        return smaller, proof.hypotheses
-    return min(smaller, matrix.cols - independent), proof.hypotheses
+def _rank_at(matrix: Any, point: Point) -> int:
+    values = evaluate(matrix, point)
+    return rank_of([values[i * matrix.cols : (i + 1) * matrix.cols] for i in range(matrix.rows)])

@@ -1,0 +1,59 @@
+"""How many functions are independent: the rank that their Jacobian matrix has in general.
+
+From below by the Jacobian at a rational point; from above by independent directions, in the variables, along which all
+functions stay what they are.  The derivatives are those of dual numbers, over fractions and over rational functions.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.kinds.rank import generic_rank, rank_of
+from algebroproj_sym.expressions import columns, derivatives, entries, evaluate, symbols_of
+from algebroproj_sym.proving import Point, Proof, RationalFunctionField
+
+
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
+    """Decide ``printed == number of independent functions among the entries of derived``."""
+    functions: Any = claim.derived
+    if not claim.variables:
+        raise DeclarationError(f"{claim.number}: expected the variables of the functions to be counted")
+    symbols = symbols_of((functions, *claim.kernel, *claim.variables))
+
+    def rank_at(point: Point) -> int:
+        return rank_of([_derivatives(claim, point, unit) for unit in _units(len(claim.variables))])
+
+    field = RationalFunctionField(symbols, engine)
+    invariant = all(_is_invariant(claim, direction, field) for direction in claim.kernel)
+    largest = min(len(entries(functions)), len(claim.variables))
+
+    def bound_at(point: Point) -> int:
+        if not invariant or not claim.kernel:
+            return largest
+        kernel: Any = columns(*claim.kernel)
+        values = evaluate(kernel, point)
+        independent = rank_of([list(values[i :: kernel.cols]) for i in range(kernel.cols)])
+        return min(largest, len(claim.variables) - independent)
+
+    return generic_rank(claim, printed, symbols, rank_at, bound_at, field.divisors, engine)
+
+
+def _units(count: int) -> list[list[Fraction]]:
+    return [[Fraction(int(i == j)) for j in range(count)] for i in range(count)]
+
+
+def _derivatives(claim: Claim, point: Point, direction: list[Fraction]) -> list[Fraction]:
+    functions: Any = claim.derived
+    return list(derivatives(functions, point, claim.variables, direction))
+
+
+def _is_invariant(claim: Claim, direction: sympy.MatrixBase, field: RationalFunctionField) -> bool:
+    """Whether the derivatives of all functions along a direction are identically zero."""
+    functions: Any = claim.derived
+    along = evaluate(direction, field.variables, field.lift)
+    changes = derivatives(functions, field.variables, claim.variables, along, field.lift)
+    return all(change.is_zero for change in changes)

@@ -1,0 +1,80 @@
+"""Dual numbers over any field: exact derivatives without symbolic differentiation."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions.evaluation import evaluate
+from algebroproj_sym.expressions.grammar import Expression
+
+
+@dataclass(frozen=True)
+class Dual:
+    """A value and its derivative: ``value + derivative * eps`` with ``eps**2 = 0``."""
+
+    value: Any
+    derivative: Any
+
+    def __add__(self, other: Dual) -> Dual:
+        return Dual(self.value + other.value, self.derivative + other.derivative)
+
+    def __mul__(self, other: Dual) -> Dual:
+        return Dual(self.value * other.value, self.value * other.derivative + self.derivative * other.value)
+
+    def __truediv__(self, other: Dual) -> Dual:
+        quotient = self.value / other.value
+        return Dual(quotient, (self.derivative - quotient * other.derivative) / other.value)
+
+    def __pow__(self, exponent: int) -> Dual:
+        if exponent == 0:
+            return Dual(self.value**0, self.derivative * 0)
+        return Dual(self.value**exponent, self.value ** (exponent - 1) * self.derivative * exponent)
+
+
+def derivatives(
+    expression: Expression,
+    point: Mapping[sympy.Symbol, Any],
+    variables: Sequence[sympy.Symbol],
+    direction: Sequence[Any],
+    lift: Callable[[Fraction], Any] = Fraction,
+) -> tuple[Any, ...]:
+    """Return the derivatives of the entries of an expression at a point, along a direction.
+
+    Parameters
+    ----------
+    expression : sympy.Expr or sympy matrix
+        A rational expression.
+    point : mapping of Symbol to field element
+        A value for every symbol of the expression and every variable.
+    variables : sequence of Symbol
+        In which symbols to differentiate; the others are constants.
+    direction : sequence of field element
+        The component of the direction for each variable.
+    lift : callable
+        The embedding of Q in the field.
+
+    Returns
+    -------
+    tuple
+        The derivatives of the entries of a matrix row by row, or of the one scalar.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If the expression is not defined at the point.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> derivatives(x**2 / y, {x: Fraction(3), y: Fraction(2)}, [x, y], [Fraction(1), Fraction(0)])
+    (Fraction(3, 1),)
+    """
+    zero = lift(Fraction(0))
+    along = dict(zip(variables, direction, strict=True))
+    dual = {symbol: Dual(value, along.get(symbol, zero)) for symbol, value in point.items()}
+    return tuple(entry.derivative for entry in evaluate(expression, dual, lambda value: Dual(lift(value), zero)))

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from algebroproj import affine, projection
-from algebroproj_derivations.fundamentals1996 import s4_numerical_example as example
+from algebroproj_derivations.fundamentals1996 import s4_a_coordinates as example
 from algebroproj_sym.declaring import judge, select
 
 HALF_UNIT = 0.5e-7

@@ -1,0 +1,1 @@
+"""G. Brandstätter, on critical configurations of projective stereo correlation, 1996: what survives of it."""

@@ -1,0 +1,1 @@
+"""G. Brandstätter, On the importance of projective geometry for photogrammetric restitution, 1990: the first page."""

@@ -13,10 +13,12 @@ from algebroproj_sym.declaring.discovery import (
 )
 from algebroproj_sym.declaring.display import evidence_lines
 from algebroproj_sym.declaring.judging import Judgement, judge
-from algebroproj_sym.declaring.kernel import Argument, Kernel
+from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.section import Section
+from algebroproj_sym.declaring.stage import PRIMITIVES, Primitive, Stage, arctan2, cos_sin, null_vector, solution
 
 __all__ = [
+    "PRIMITIVES",
     "VERDICTS",
     "Argument",
     "Claim",
@@ -24,10 +26,15 @@ __all__ = [
     "Derivation",
     "Judgement",
     "Kernel",
+    "Primitive",
+    "Result",
     "Section",
+    "Stage",
     "Statement",
     "UnknownSelectorError",
     "Verdict",
+    "arctan2",
+    "cos_sin",
     "derivation_at",
     "derivations",
     "differing_entries",
@@ -35,6 +42,8 @@ __all__ = [
     "installed_papers",
     "judge",
     "kernels",
+    "null_vector",
     "select",
+    "solution",
     "statement_text",
 ]

@@ -136,7 +136,7 @@ def _claims(selector: str) -> list[Claim]:
         )
     claims = [claim for derivation in derivations(paper) for claim in derivation.section.claims]
     named = [claim for claim in claims if not part or _names(part, claim)]
-    if not named:
+    if part and not named:
         raise UnknownSelectorError(f"selector: expected a section or number of {paper}, got {part!r}")
     return named
 

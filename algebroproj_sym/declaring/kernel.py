@@ -10,7 +10,8 @@ from typing import Any, NotRequired, TypedDict, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
-from algebroproj_sym.expressions import Expression, entries, rational, shape, symbols_of
+from algebroproj_sym.declaring.stage import Stage
+from algebroproj_sym.expressions import Expression, entries, rational, shape, symbols_of, vector
 
 
 @dataclass(frozen=True)
@@ -32,6 +33,30 @@ class Argument:
 
 
 @dataclass(frozen=True)
+class Result:
+    """A result of a kernel.
+
+    Attributes
+    ----------
+    name : str
+        What it is called.
+    derived : Expression
+        What the derivation computes: the truth that the function is held against.
+    form : Expression
+        An equal expression that is to be lowered; it may use the abbreviations of the kernel.
+    """
+
+    name: str
+    derived: Expression
+    form: Expression
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The core shape."""
+        return shape(self.derived)
+
+
+@dataclass(frozen=True)
 class Kernel:
     """A named numeric function lowered from a derived expression.
 
@@ -45,10 +70,10 @@ class Kernel:
         The first line of its docstring.
     arguments : tuple of Argument
         Names and core shapes.
-    derived : Expression
-        What the derivation computes: the truth that the function is held against.
-    form : Expression
-        An equal expression that is to be lowered; it may use the abbreviations of `where`.
+    results : tuple of Result
+        What it returns: several results as a tuple, in this order.
+    stages : tuple of Stage
+        Values on the way that are no rational functions of the arguments.
     where : tuple of (Symbol, Expr)
         Abbreviations, such as ``y00 = 1 - y01 - y02 - y03``.
     claims : tuple of str
@@ -68,12 +93,12 @@ class Kernel:
     name: str
     summary: str
     arguments: tuple[Argument, ...]
-    derived: Expression
-    form: Expression
+    results: tuple[Result, ...]
     where: tuple[tuple[sympy.Symbol, sympy.Expr], ...]
     claims: tuple[str, ...]
     example: Mapping[str, Any]
     describe: Mapping[str, str]
+    stages: tuple[Stage, ...] = ()
     normwise: bool = False
 
     @property
@@ -87,9 +112,23 @@ class Kernel:
         return tuple(symbol for argument in self.arguments for symbol in argument.symbols)
 
     @property
-    def shape(self) -> tuple[int, ...]:
-        """The core shape of the result."""
-        return shape(self.derived)
+    def intermediate(self) -> tuple[sympy.Symbol, ...]:
+        """The symbols that the stages give, in order."""
+        return tuple(symbol for stage in self.stages for symbol in stage.results)
+
+    @property
+    def derived(self) -> Expression:
+        """The derived form of the result, or of all results in one column."""
+        return _joined([result.derived for result in self.results])
+
+    @property
+    def form(self) -> Expression:
+        """The form to be lowered of the result, or of all results in one column."""
+        return _joined([result.form for result in self.results])
+
+
+def _joined(forms: Sequence[Expression]) -> Expression:
+    return forms[0] if len(forms) == 1 else vector(*(entry for form in forms for entry in entries(form)))
 
 
 class KernelParts(TypedDict):
@@ -102,6 +141,7 @@ class KernelParts(TypedDict):
     describe: Mapping[str, str]
     form: NotRequired[Any]
     where: NotRequired[Mapping[sympy.Symbol, Any]]
+    through: NotRequired[Sequence[Stage]]
     normwise: NotRequired[bool]
 
 
@@ -125,16 +165,28 @@ def declared_kernel(
         name=name,
         summary=summary,
         arguments=tuple(Argument(key, rational(value, f"{label}, {key}")) for key, value in parts["arguments"].items()),
-        derived=rational(parts["derived"], f"{label}, derived"),
-        form=rational(parts.get("form", parts["derived"]), f"{label}, form"),
+        results=_results(parts["derived"], parts.get("form", parts["derived"]), label),
         where=tuple((symbol, rational(value, f"{label}, where")) for symbol, value in parts.get("where", {}).items()),
         claims=tuple(parts["claims"]),
         example=parts["example"],
         describe=parts["describe"],
+        stages=tuple(parts.get("through", ())),
         normwise=parts.get("normwise", False),
     )
     _require_complete(kernel, label)
     return kernel
+
+
+def _results(derived: Any, form: Any, label: str) -> tuple[Result, ...]:
+    """Return the results: several ones are given by name, a single one has none of its own."""
+    if not isinstance(derived, Mapping):
+        return (Result("result", rational(derived, f"{label}, derived"), rational(form, f"{label}, form")),)
+    if not isinstance(form, Mapping) or list(form) != list(derived) or not derived:
+        raise DeclarationError(f"{label}: expected a form for each of the results {list(derived)}, got {form}")
+    return tuple(
+        Result(name, rational(value, f"{label}, {name}"), rational(form[name], f"{label}, form of {name}"))
+        for name, value in derived.items()
+    )
 
 
 def _require_complete(kernel: Kernel, label: str) -> None:
@@ -151,19 +203,29 @@ def _require_complete(kernel: Kernel, label: str) -> None:
             raise DeclarationError(
                 f"{label}: expected the scalar {argument.name} as its symbol, got {argument.symbols[0]}"
             )
-    known = {*inputs}
-    unknown = {*symbols_of([kernel.derived])} - known
-    for abbreviation, expression in kernel.where:
-        unknown |= {*symbols_of([expression])} - known
-        known.add(abbreviation)
-    unknown |= {*symbols_of([kernel.form])} - known
+    unknown = _unknown_symbols(kernel)
     if unknown:
         raise DeclarationError(f"{label}: expected the symbols of the arguments, got also {sorted(map(str, unknown))}")
-    if shape(kernel.form) != kernel.shape:
-        raise DeclarationError(f"{label}: expected a form of shape {kernel.shape}, got {shape(kernel.form)}")
+    for result in kernel.results:
+        if shape(result.form) != result.shape:
+            raise DeclarationError(f"{label}: expected a form of shape {result.shape}, got {shape(result.form)}")
     if not kernel.claims:
         raise DeclarationError(f"{label}: expected the numbers of the claims that prove it, got none")
     names = {argument.name for argument in kernel.arguments}
     for what, given in (("example", kernel.example), ("description", kernel.describe)):
         if set(given) != names:
             raise DeclarationError(f"{label}: expected an {what} of each of {sorted(names)}, got {sorted(given)}")
+
+
+def _unknown_symbols(kernel: Kernel) -> set[sympy.Symbol]:
+    """Return the symbols that are used before anything gives them a value."""
+    known = {*kernel.symbols}
+    unknown: set[sympy.Symbol] = set()
+    for stage in kernel.stages:
+        unknown |= {*symbols_of([stage.derived, stage.form])} - known
+        known |= {*stage.results}
+    unknown |= {*symbols_of([kernel.derived])} - known
+    for abbreviation, expression in kernel.where:
+        unknown |= {*symbols_of([expression])} - known
+        known.add(abbreviation)
+    return unknown | ({*symbols_of([kernel.form])} - known)

@@ -10,13 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import count
+from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring import Kernel
-from algebroproj_sym.expressions import Scalar, divided, entries, evaluate
+from algebroproj_sym.declaring import Kernel, Stage
+from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate
 from algebroproj_sym.generating.graph import Graph, Node, Signed
-from algebroproj_sym.generating.program import Operand, Operator, Program, Step, run
+from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
 from algebroproj_sym.generating.sharing import share_pairs
 from algebroproj_sym.proving import RationalFunctionField
 
@@ -46,6 +47,17 @@ class Lowered:
     hypotheses: tuple[Scalar, ...]
     guarded: tuple[Scalar, ...]
 
+    @property
+    def input_hypotheses(self) -> tuple[Scalar, ...]:
+        """Those hypotheses that the inputs alone decide, not the results of primitive functions."""
+        return tuple(factor for factor in self.hypotheses if not factor.free_symbols & {*self.kernel.intermediate})
+
+    @property
+    def determinants(self) -> tuple[Scalar, ...]:
+        """The determinants of linear systems that the inputs alone decide."""
+        systems = [stage.derived[:, : len(stage.results)] for stage in self.kernel.stages if stage.primitive == "solve"]
+        return tuple(determinant(m) for m in systems if not m.free_symbols & {*self.kernel.intermediate})
+
 
 def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     """Lower a kernel and prove the program.
@@ -67,17 +79,18 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
         If the program, run on rational functions, does not give the derived expression, or an entry is a constant
         fraction, which integers cannot give.
     """
-    field = RationalFunctionField(kernel.symbols, engine)
-    derived = evaluate(kernel.derived, field.variables, field.lift)
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), engine)
+    wanted = (*(stage.derived for stage in kernel.stages), kernel.derived)
+    derived = [value for expression in wanted for value in evaluate(expression, field.variables, field.lift)]
     hypotheses = field.divisors()
     unguarded = program_of(kernel, ())
-    if any(all(isinstance(operand, int) for operand in step.operands) for step in unguarded.steps):
+    steps = [step for step in unguarded.steps if isinstance(step, Step)]
+    if any(all(isinstance(operand, int) for operand in step.operands) for step in steps):
         raise LoweringError(f"kernel {kernel.qualified_name}: expected no constant fraction as an entry of its form")
     divisors = divisors_of(kernel, unguarded, engine)
     guarded = tuple(factor for factor in hypotheses if factor not in divisors)
     program = program_of(kernel, guarded)
-    computed = run(program, {symbol.name: value for symbol, value in field.variables.items()})
-    for place, (expected, value) in enumerate(zip(derived, computed, strict=True)):
+    for place, (expected, value) in enumerate(zip(derived, computed_values(program, field), strict=True)):
         if not (expected - value).is_zero:
             raise LoweringError(
                 f"kernel {kernel.qualified_name}: entry {place} of its form differs from the derivation"
@@ -85,20 +98,37 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     return Lowered(kernel, program, divisors_of(kernel, program, engine), guarded)
 
 
+def computed_values(program: Program, field: RationalFunctionField) -> tuple[Any, ...]:
+    """Run a program on rational functions; return what its calls are given, and the outputs.
+
+    What a call gives are variables of the field, by its names.
+    """
+    variables = {symbol.name: value for symbol, value in field.variables.items()}
+    given: list[Any] = []
+
+    def interpretation(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
+        given.extend(value for row in rows for value in row)
+        return tuple(variables[name] for name in call.names)
+
+    outputs = run(program, variables, interpretation)
+    return (*given, *outputs)
+
+
 def divisors_of(kernel: Kernel, program: Program, engine: str) -> tuple[Scalar, ...]:
     """Return the irreducible factors by which a program divides."""
-    field = RationalFunctionField(kernel.symbols, engine)
-    run(program, {symbol.name: value for symbol, value in field.variables.items()})
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), engine)
+    computed_values(program, field)
     return field.divisors()
 
 
 def program_of(kernel: Kernel, guarded: Sequence[Scalar]) -> Program:
     """Lower the form of a kernel, with a guard for each of the given factors."""
     graph = Graph()
-    known = {symbol: graph.input(symbol.name) for symbol in kernel.symbols}
-    abbreviations: dict[str, Signed] = {}
+    known = {symbol: graph.input(symbol.name) for symbol in (*kernel.symbols, *kernel.intermediate)}
+    calls = [(stage, [graph.add(divided(entry), known) for entry in stage.form]) for stage in kernel.stages]
+    abbreviations: dict[sympy.Symbol, Signed] = {}
     for symbol, expression in kernel.where:
-        abbreviations[symbol.name] = graph.add(divided(expression), known)
+        abbreviations[symbol] = graph.add(divided(expression), known)
         known[symbol] = graph.input(symbol.name)
     outputs = [graph.add(entry, known) for entry in entries(kernel.form)]
     guards = [graph.quotient(graph.number(0), known_factor(factor, kernel, graph, known)) for factor in guarded]
@@ -107,8 +137,14 @@ def program_of(kernel: Kernel, guarded: Sequence[Scalar]) -> Program:
         constant = {out for out in outputs if graph.nodes[out[1]].kind == "number"}
         kept = constant if constant < set(outputs) else set()
         outputs = [out if out in kept else graph.sum([out, guard]) for out in outputs]
-    share_pairs(graph, [*abbreviations.values(), *outputs])
-    return _emit(graph, [symbol.name for symbol in kernel.symbols], abbreviations, outputs)
+    share_pairs(graph, [*(operand for _, operands in calls for operand in operands), *abbreviations.values(), *outputs])
+    emitter = _Emitter(graph)
+    for stage, operands in calls:
+        emitter.call(stage, [emitter.signed(operand) for operand in operands])
+    for symbol, signed in abbreviations.items():
+        emitter.name(signed, symbol.name)
+    results = tuple(emitter.signed(signed) for signed in outputs)
+    return Program(tuple(symbol.name for symbol in kernel.symbols), tuple(emitter.steps), results)
 
 
 def known_factor(factor: Scalar, kernel: Kernel, graph: Graph, known: dict[sympy.Symbol, Signed]) -> Signed:
@@ -119,30 +155,28 @@ def known_factor(factor: Scalar, kernel: Kernel, graph: Graph, known: dict[sympy
     return graph.add(factor, known)
 
 
-def _emit(graph: Graph, inputs: Sequence[str], abbreviations: dict[str, Signed], outputs: Sequence[Signed]) -> Program:
-    emitter = _Emitter(graph)
-    for name, signed in abbreviations.items():
-        emitter.name(signed, name)
-    results = tuple(emitter.signed(signed) for signed in outputs)
-    return Program(tuple(inputs), tuple(emitter.steps), results)
-
-
 class _Emitter:
     """Writes the nodes of a graph as steps, each node once."""
 
     def __init__(self, graph: Graph) -> None:
         self.graph = graph
-        self.steps: list[Step] = []
+        self.steps: list[Step | Call] = []
         self._operands: dict[Signed, Operand] = {}
         self._named: set[Operand] = set()
         taken = {node.value for node in graph.nodes if node.kind == "input"}
         self._fresh = (name for place in count() if (name := f"t{place}") not in taken)
 
+    def call(self, stage: Stage, operands: Sequence[Operand]) -> None:
+        """Write the call of a primitive function."""
+        width = stage.form.cols
+        rows = tuple(tuple(operands[i : i + width]) for i in range(0, len(operands), width))
+        self.steps.append(Call(tuple(symbol.name for symbol in stage.results), stage.primitive, rows))
+
     def name(self, signed: Signed, name: str) -> None:
         """Write an abbreviation, whose last step gets its name."""
         operand = self.signed(signed)
         last = self.steps[-1] if self.steps else None
-        if last is not None and last.name == operand and operand not in self._named:
+        if isinstance(last, Step) and last.name == operand and operand not in self._named:
             self._named.add(name)
             self.steps[-1] = Step(name, last.operator, last.operands)
             self._operands = {key: name if value == operand else value for key, value in self._operands.items()}

@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from algebroproj_sym.generating.program import Operand, Program, Step
+from algebroproj_sym.generating.program import Call, Operand, Program, Step
 
 LINE = 100
 
@@ -39,7 +39,7 @@ def assignments(program: Program, targets: Sequence[str]) -> list[str]:
     Returns
     -------
     list of str
-        One statement a line.
+        The lines of the statements.
 
     Examples
     --------
@@ -51,6 +51,9 @@ def assignments(program: Program, targets: Sequence[str]) -> list[str]:
     written: dict[Operand, _Text] = {}
     lines = []
     for step in program.steps:
+        if isinstance(step, Call):
+            lines += _call(step, written)
+            continue
         text = _operation(step, written)
         inlined = uses[step.name] == 1 and bool(_TEMPORARY.fullmatch(step.name)) and len(text.text) <= LINE
         if inlined:
@@ -60,6 +63,15 @@ def assignments(program: Program, targets: Sequence[str]) -> list[str]:
     return lines + [
         f"{target} = {_operand(output, written).text}" for target, output in zip(targets, program.outputs, strict=True)
     ]
+
+
+def _call(call: Call, written: dict[Operand, _Text]) -> list[str]:
+    """Return the statement of a call: a single row of operands in its line, several ones in a line each."""
+    rows = [", ".join(_operand(operand, written).text for operand in row) for row in call.rows]
+    head = f"{', '.join(call.names)} = {call.primitive}("
+    if call.primitive in ("cos_sin", "arctan2"):
+        return [f"{head}{rows[0]})"]
+    return [head, *(f"    [{row}]," for row in rows), ")"]
 
 
 def _operand(operand: Operand, written: dict[Operand, _Text]) -> _Text:

@@ -1,8 +1,8 @@
-"""The one intermediate form: a straight-line program over + - * /.
+"""The one intermediate form: a straight-line program over + - * /, with calls of a few primitive functions.
 
 Everything numeric is a printer or an interpreter of it.  An operand is the name of an input or of an earlier step,
 or an integer; there are no other constants, so that a program runs unchanged on floats, fractions, mpmath numbers
-and rational functions.
+and rational functions.  What a primitive function means for such numbers is up to the interpreter.
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from operator import add, mul, neg, sub, truediv
 from typing import Any, Literal, TypeAlias
+
+from algebroproj_sym.declaring import Primitive
 
 Operator = Literal["+", "-", "*", "/", "neg"]
 Operand: TypeAlias = "str | int"
@@ -29,6 +31,23 @@ class Step:
 
 
 @dataclass(frozen=True)
+class Call:
+    """A primitive function with several results: ``names = primitive(rows of operands)``."""
+
+    names: tuple[str, ...]
+    primitive: Primitive
+    rows: tuple[tuple[Operand, ...], ...]
+
+    @property
+    def operands(self) -> tuple[Operand, ...]:
+        """The operands in one row."""
+        return tuple(operand for row in self.rows for operand in row)
+
+
+Interpretation: TypeAlias = "Callable[[Call, tuple[tuple[Any, ...], ...]], tuple[Any, ...]]"
+
+
+@dataclass(frozen=True)
 class Program:
     """A straight-line program.
 
@@ -36,7 +55,7 @@ class Program:
     ----------
     inputs : tuple of str
         The names of the inputs.
-    steps : tuple of Step
+    steps : tuple of Step or Call
         The operations in order; each name is assigned once.
     outputs : tuple of str or int
         The results.
@@ -49,19 +68,23 @@ class Program:
     """
 
     inputs: tuple[str, ...]
-    steps: tuple[Step, ...]
+    steps: tuple[Step | Call, ...]
     outputs: tuple[Operand, ...]
 
     def operations(self) -> Counter[str]:
         """Return how often each operator occurs."""
-        return Counter(step.operator for step in self.steps)
+        return Counter(step.operator if isinstance(step, Step) else step.primitive for step in self.steps)
 
     def uses(self) -> Counter[Operand]:
         """Return how often each operand is used, by steps and outputs."""
         return Counter([operand for step in self.steps for operand in step.operands] + list(self.outputs))
 
 
-def run(program: Program, inputs: Mapping[str, Any]) -> tuple[Any, ...]:
+def _no_calls(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
+    raise TypeError(f"run: expected an interpretation of {call.primitive}, got none")
+
+
+def run(program: Program, inputs: Mapping[str, Any], interpretation: Interpretation = _no_calls) -> tuple[Any, ...]:
     """Run a program on any numbers that know + - * / and can be mixed with integers.
 
     Parameters
@@ -70,6 +93,8 @@ def run(program: Program, inputs: Mapping[str, Any]) -> tuple[Any, ...]:
         What to run.
     inputs : mapping of str to number
         A value for every input.
+    interpretation : callable
+        From a call and the values of its rows to its results; not needed by a program without calls.
 
     Returns
     -------
@@ -82,5 +107,9 @@ def run(program: Program, inputs: Mapping[str, Any]) -> tuple[Any, ...]:
         return operand if isinstance(operand, int) else values[operand]
 
     for step in program.steps:
-        values[step.name] = _MEANING[step.operator](*map(value, step.operands))
+        if isinstance(step, Call):
+            rows = tuple(tuple(map(value, row)) for row in step.rows)
+            values |= dict(zip(step.names, interpretation(step, rows), strict=True))
+        else:
+            values[step.name] = _MEANING[step.operator](*map(value, step.operands))
     return tuple(value(output) for output in program.outputs)

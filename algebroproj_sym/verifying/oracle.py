@@ -5,7 +5,7 @@ It shares nothing with the generated code: neither the lowered form, nor the com
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -59,7 +59,7 @@ def oracle(kernel: Kernel) -> Callable[[Mapping[str, float]], Truth]:
         From the values of the inputs by name to the truth.  It raises `NoAgreementError` if 50 digits do not agree
         at 2000 digits of working precision, and ZeroDivisionError at a singular input.
     """
-    compiled = sympy.lambdify(kernel.symbols, _without_hidden_zeros(kernel), modules="mpmath", cse=True)
+    compiled = _compiled(kernel)
 
     def truth(inputs: Mapping[str, float]) -> Truth:
         point = [inputs[symbol.name] for symbol in kernel.symbols]
@@ -71,9 +71,62 @@ def oracle(kernel: Kernel) -> Callable[[Mapping[str, float]], Truth]:
     return truth
 
 
+def _compiled(kernel: Kernel) -> Callable[..., tuple[Any, ...]]:
+    """Return a function from mpmath numbers for the symbols of a kernel to the derived entries, stage by stage."""
+    known = list(kernel.symbols)
+    steps = []
+    for stage in kernel.stages:
+        operands = sympy.lambdify(known, entries(divided(stage.derived)), modules="mpmath", cse=True)
+        steps.append((_PRIMITIVES[stage.primitive], operands, stage.derived.cols))
+        known += stage.results
+    results = sympy.lambdify(known, _without_hidden_zeros(kernel), modules="mpmath", cse=True)
+
+    def function(*point: Any) -> tuple[Any, ...]:
+        values = list(point)
+        for primitive, operands, width in steps:
+            values += primitive(operands(*values), width)
+        return tuple(results(*values))
+
+    return function
+
+
+def _cos_sin(operands: Sequence[Any], width: int) -> Sequence[Any]:
+    return mpmath.cos(operands[0]), mpmath.sin(operands[0])
+
+
+def _arctan2(operands: Sequence[Any], width: int) -> Sequence[Any]:
+    return (mpmath.atan2(*operands),)
+
+
+def _solution(operands: Sequence[Any], width: int) -> Sequence[Any]:
+    system = _rows(operands, width)
+    return list(mpmath.lu_solve(mpmath.matrix([row[:-1] for row in system]), [row[-1] for row in system]))
+
+
+def _null_vector(operands: Sequence[Any], width: int) -> Sequence[Any]:
+    """Solve the system with one more equation, which gives a combination of the unknowns the value 1."""
+    system = _rows(operands, width)
+    combination = [mpmath.mpf(1) / (place + 2) for place in range(width)]
+    vector = list(mpmath.lu_solve(mpmath.matrix([*system, combination]), [0] * len(system) + [1]))
+    largest = max(vector, key=abs)
+    return [component / largest for component in vector]
+
+
+def _rows(operands: Sequence[Any], width: int) -> list[list[Any]]:
+    return [[mpmath.mpf(entry) for entry in operands[i : i + width]] for i in range(0, len(operands), width)]
+
+
+_PRIMITIVES: Mapping[str, Callable[[Sequence[Any], int], Sequence[Any]]] = {
+    "cos_sin": _cos_sin,
+    "arctan2": _arctan2,
+    "solve": _solution,
+    "null_vector": _null_vector,
+}
+
+
 def _without_hidden_zeros(kernel: Kernel) -> list[Scalar]:
     """Return the derived entries; one that is identically zero has no digits that could agree, and is written as 0."""
-    field = RationalFunctionField(kernel.symbols, "flint")
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
     values = evaluate(kernel.derived, field.variables, field.lift)
     derived = entries(divided(kernel.derived))
     return [sympy.Integer(0) if value.is_zero else entry for entry, value in zip(derived, values, strict=True)]
@@ -103,6 +156,8 @@ def _agree(value: Any, finer: Any) -> bool:
 
 def _exact_zeros(kernel: Kernel, inputs: Mapping[str, float]) -> list[bool]:
     """Tell which entries are exactly zero at an input: rounding keeps their digits from ever agreeing."""
+    if kernel.stages:
+        return [entry == 0 for entry in entries(kernel.derived)]
     point = {symbol: Fraction(inputs[symbol.name]) for symbol in kernel.symbols}
     return [value == 0 for value in evaluate(divided(kernel.derived), point)]
 

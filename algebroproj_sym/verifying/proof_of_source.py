@@ -1,14 +1,22 @@
-"""Proving the shipped source: run on rational functions, it must give the derivation, not only agree with it."""
+"""Proving the shipped source: run on rational functions, it must give the derivation, not only agree with it.
+
+Primitive functions are replaced for this run: what they are given must be what the derivation gives them, and what they
+return are free variables.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from fractions import Fraction
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 
 from algebroproj_sym.declaring import Kernel
 from algebroproj_sym.expressions import evaluate
-from algebroproj_sym.proving import RationalFunctionField
+from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 from algebroproj_sym.verifying.shipped import call, function_of
 
 
@@ -28,8 +36,46 @@ def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint")
     -------
     bool
     """
-    field = RationalFunctionField(kernel.symbols, engine)
-    expected = evaluate(kernel.derived, field.variables, field.lift)
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), engine)
     inputs = {symbol.name: np.array(value, dtype=object) for symbol, value in field.variables.items()}
-    computed = call(function_of(kernel, package), kernel, inputs)
-    return all((value - result).is_zero for value, result in zip(expected, computed.tolist(), strict=True))
+    wanted = (*(stage.derived for stage in kernel.stages), kernel.derived)
+    expected = [value for expression in wanted for value in evaluate(expression, field.variables, field.lift)]
+    function = function_of(kernel, package)
+    calls = _Calls(kernel, field)
+    with _replaced(function, {stage.primitive: calls for stage in kernel.stages}):
+        result = call(function, kernel, inputs)
+    computed = [*calls.given, *result.tolist()]
+    same_length = len(computed) == len(expected)
+    return same_length and all((value - got).is_zero for value, got in zip(expected, computed, strict=True))
+
+
+class _Calls:
+    """Stands in for the primitive functions: notes what they are given, and returns the variables of the stages."""
+
+    def __init__(self, kernel: Kernel, field: RationalFunctionField) -> None:
+        self.stages = iter(kernel.stages)
+        self.field = field
+        self.given: list[RationalFunction] = []
+
+    def __call__(self, *operands: Any) -> Any:
+        rows = [list(operand) if isinstance(operand, list) else [operand] for operand in operands]
+        self.given += [self._element(entry) for row in rows for entry in row]
+        symbols = next(self.stages).results
+        variables = [np.array(self.field.variables[symbol], dtype=object) for symbol in symbols]
+        return variables[0] if len(variables) == 1 else tuple(variables)
+
+    def _element(self, entry: Any) -> RationalFunction:
+        value = entry.item() if isinstance(entry, np.ndarray) else entry
+        return value if isinstance(value, RationalFunction) else self.field.lift(Fraction(value))
+
+
+@contextmanager
+def _replaced(function: Any, replacements: Mapping[str, Any]) -> Iterator[None]:
+    """Give names another meaning inside a function, for a while."""
+    names = function.__globals__
+    before = {name: names[name] for name in replacements}
+    names.update(replacements)
+    try:
+        yield
+    finally:
+        names.update(before)

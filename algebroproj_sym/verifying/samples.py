@@ -45,8 +45,10 @@ def stratified(lowered: Lowered, size: int, seed: int = 0) -> tuple[Sample, ...]
     symbols = lowered.kernel.symbols
     samples = [Sample("ordinary", _ordinary(symbols, generator)) for _ in range(size)]
     samples += [Sample("badly scaled", _badly_scaled(symbols, generator)) for _ in range(size)]
-    for factor in lowered.hypotheses:
-        samples += islice(_near(factor, symbols, generator), size)
+    for factor in lowered.input_hypotheses:
+        samples += islice(_near(factor, f"near {factor}", symbols, generator), size)
+    for determinant in lowered.determinants:
+        samples += islice(_near(determinant, "near a singular system", symbols, generator), size)
     return tuple(samples)
 
 
@@ -77,7 +79,7 @@ def _badly_scaled(symbols: Sequence[sympy.Symbol], generator: random.Random) -> 
     return {symbol.name: generator.choice((-1, 1)) * 10 ** generator.uniform(-8, 8) for symbol in symbols}
 
 
-def _near(factor: Scalar, symbols: Sequence[sympy.Symbol], generator: random.Random) -> Iterator[Sample]:
+def _near(factor: Scalar, stratum: str, symbols: Sequence[sympy.Symbol], generator: random.Random) -> Iterator[Sample]:
     """Yield samples at growing nearness, 1e-1 to 1e-14, to the zeros of a factor."""
     while True:
         for digits in DISTANCES:
@@ -85,7 +87,7 @@ def _near(factor: Scalar, symbols: Sequence[sympy.Symbol], generator: random.Ran
             distance = Fraction(generator.choice((-1, 1)), 10**digits)
             moved = _moved(factor, point, distance, generator)
             if moved is not None:
-                yield Sample(f"near {factor}", {symbol.name: float(value) for symbol, value in moved.items()})
+                yield Sample(stratum, {symbol.name: float(value) for symbol, value in moved.items()})
 
 
 def _moved(

@@ -88,11 +88,18 @@ def call(function: Function, kernel: Kernel, values: Mapping[str, Any]) -> NDArr
     Returns
     -------
     ndarray
-        The result with its core dimensions flattened to one, the last.
+        The results in one, their core dimensions flattened to the last.
     """
     arrays = [_gathered(argument, values) for argument in kernel.arguments]
-    result = np.asarray(function(*arrays))
-    batch = result.shape[: result.ndim - len(kernel.shape)]
+    returned = function(*arrays)
+    results = returned if len(kernel.results) > 1 else (returned,)
+    return np.concatenate(
+        [_flat(np.asarray(r), len(k.shape)) for r, k in zip(results, kernel.results, strict=True)], -1
+    )
+
+
+def _flat(result: NDArray[Any], core_dimensions: int) -> NDArray[Any]:
+    batch = result.shape[: result.ndim - core_dimensions]
     return result.reshape((*batch, -1))
 
 

@@ -29,7 +29,7 @@ def silent_factors(lowered: Lowered, package: ModuleType) -> tuple[Scalar, ...]:
     tuple of sympy.Expr
         Empty if every singular input gives an infinity or a NaN.
     """
-    return tuple(factor for factor in lowered.hypotheses if not _speaks_up(factor, lowered, package))
+    return tuple(factor for factor in lowered.input_hypotheses if not _speaks_up(factor, lowered, package))
 
 
 def _speaks_up(factor: Scalar, lowered: Lowered, package: ModuleType) -> bool:

@@ -1,0 +1,112 @@
+"""Stages of a kernel: values that are no rational functions of what comes before, such as the cosine of an angle.
+
+Each stage gives symbols that later stages and the results may use.  Proofs treat them as free: what is proved is that
+the right values go in, and that what comes out is used rightly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, get_args
+
+import sympy
+
+from algebroproj_sym.declaring.claim import DeclarationError
+from algebroproj_sym.expressions import Matrix, columns, entries, rational, shape
+
+Primitive = Literal["cos_sin", "arctan2", "solve", "null_vector"]
+PRIMITIVES: tuple[Primitive, ...] = get_args(Primitive)
+
+
+@dataclass(frozen=True)
+class Stage:
+    """Symbols, and the primitive function that defines them.
+
+    Attributes
+    ----------
+    primitive : str
+        One of `PRIMITIVES`.
+    results : tuple of Symbol
+        What it gives.
+    derived : Expression
+        What it takes, as derived: for linear equations a row is coefficients and right side.
+    form : Expression
+        The same, in the form to be lowered.
+    """
+
+    primitive: Primitive
+    results: tuple[sympy.Symbol, ...]
+    derived: Matrix
+    form: Matrix
+
+
+def cos_sin(cosine: sympy.Symbol, sine: sympy.Symbol, angle: Any) -> Stage:
+    """Return the stage that gives cosine and sine of an angle in radians.
+
+    Examples
+    --------
+    >>> cos_sin(*sympy.symbols("c s phi")).results
+    (c, s)
+    """
+    return _stage("cos_sin", (cosine, sine), Matrix([[_scalar(angle, "angle")]]))
+
+
+def arctan2(angle: sympy.Symbol, y: Any, x: Any) -> Stage:
+    """Return the stage that gives the angle, in radians between -pi and pi, of the direction (x, y)."""
+    return _stage("arctan2", (angle,), Matrix([[_scalar(y, "y"), _scalar(x, "x")]]))
+
+
+def solution(unknowns: Sequence[sympy.Symbol], matrix: Any, right_side: Any, *, form: Any = None) -> Stage:
+    """Return the stage that solves a square linear system.
+
+    `form` is the system with its right side as last column, in the form to be lowered.
+
+    Raises
+    ------
+    DeclarationError
+        If matrix, right side and unknowns do not fit.
+    """
+    system: Any = rational(matrix, "matrix")
+    values: Any = rational(right_side, "right_side")
+    size = len(unknowns)
+    if shape(system) != (size, size) or shape(values) != (size,):
+        raise DeclarationError(
+            f"solution: expected a matrix ({size}, {size}) and a right side ({size},), "
+            f"got {shape(system)} and {shape(values)}"
+        )
+    return _stage("solve", tuple(unknowns), columns(system, values), form)
+
+
+def null_vector(unknowns: Sequence[sympy.Symbol], matrix: Any, *, form: Any = None) -> Stage:
+    """Return the stage that spans the null space of a matrix with one column more than rows.
+
+    The vector is scaled so that its largest component is 1.
+
+    Raises
+    ------
+    DeclarationError
+        If matrix and unknowns do not fit.
+    """
+    system: Any = rational(matrix, "matrix")
+    size = len(unknowns)
+    if shape(system) != (size - 1, size):
+        raise DeclarationError(f"null_vector: expected a matrix ({size - 1}, {size}), got {shape(system)}")
+    return _stage("null_vector", tuple(unknowns), system, form)
+
+
+def _scalar(value: Any, argument: str) -> sympy.Expr:
+    expression = rational(value, argument)
+    if shape(expression) != ():
+        raise DeclarationError(f"{argument}: expected a scalar, got a matrix of shape {shape(expression)}")
+    return entries(expression)[0]
+
+
+def _stage(primitive: Primitive, results: tuple[Any, ...], derived: Matrix, form: Any = None) -> Stage:
+    plain = all(isinstance(result, sympy.Symbol) for result in results)
+    if not plain or len(set(results)) != len(results):
+        raise DeclarationError(f"{primitive}: expected different symbols for its results, got {results}")
+    lowered: Any = derived if form is None else rational(form, "form")
+    if lowered.shape != derived.shape:
+        raise DeclarationError(f"{primitive}: expected a form of shape {derived.shape}, got {lowered.shape}")
+    return Stage(primitive, results, derived, lowered)

@@ -15,7 +15,7 @@ from algebroproj_sym.declaring.display import evidence_lines
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.section import Section
-from algebroproj_sym.declaring.stage import PRIMITIVES, Primitive, Stage, arctan2, cos_sin, null_vector, solution
+from algebroproj_sym.declaring.stage import PRIMITIVES, Primitive, Stage, arctan2, cos_sin, let, null_vector, solution
 
 __all__ = [
     "PRIMITIVES",
@@ -42,6 +42,7 @@ __all__ = [
     "installed_papers",
     "judge",
     "kernels",
+    "let",
     "null_vector",
     "select",
     "solution",

@@ -1,4 +1,4 @@
-"""Stages of a kernel: values that are no rational functions of what comes before, such as the cosine of an angle.
+"""Stages of a kernel: values on the way that are no rational functions of what comes before, such as a cosine.
 
 Each stage gives symbols that later stages and the results may use.  Proofs treat them as free: what is proved is that
 the right values go in, and that what comes out is used rightly.
@@ -6,7 +6,7 @@ the right values go in, and that what comes out is used rightly.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
@@ -15,7 +15,7 @@ import sympy
 from algebroproj_sym.declaring.claim import DeclarationError
 from algebroproj_sym.expressions import Matrix, columns, entries, rational, shape
 
-Primitive = Literal["cos_sin", "arctan2", "solve", "null_vector"]
+Primitive = Literal["let", "cos_sin", "arctan2", "solve", "null_vector"]
 PRIMITIVES: tuple[Primitive, ...] = get_args(Primitive)
 
 
@@ -39,6 +39,19 @@ class Stage:
     results: tuple[sympy.Symbol, ...]
     derived: Matrix
     form: Matrix
+
+
+def let(values: Mapping[sympy.Symbol, Any]) -> Stage:
+    """Return the stage that gives rational expressions names of their own, so that no proof has to expand them.
+
+    Examples
+    --------
+    >>> a, x = sympy.symbols("a x")
+    >>> let({a: (x + 1)**2}).results
+    (a,)
+    """
+    expressions = [_scalar(value, str(symbol)) for symbol, value in values.items()]
+    return _stage("let", tuple(values), Matrix([expressions]))
 
 
 def cos_sin(cosine: sympy.Symbol, sine: sympy.Symbol, angle: Any) -> Stage:

@@ -66,7 +66,9 @@ def assignments(program: Program, targets: Sequence[str]) -> list[str]:
 
 
 def _call(call: Call, written: dict[Operand, _Text]) -> list[str]:
-    """Return the statement of a call: a single row of operands in its line, several ones in a line each."""
+    """Return the statements of a call: a single row of operands in its line, several ones in a line each."""
+    if call.primitive == "let":
+        return [f"{n} = {_operand(operand, written).text}" for n, operand in zip(call.names, call.rows[0], strict=True)]
     rows = [", ".join(_operand(operand, written).text for operand in row) for row in call.rows]
     head = f"{', '.join(call.names)} = {call.primitive}("
     if call.primitive in ("cos_sin", "arctan2"):

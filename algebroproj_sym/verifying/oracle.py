@@ -90,6 +90,10 @@ def _compiled(kernel: Kernel) -> Callable[..., tuple[Any, ...]]:
     return function
 
 
+def _let(operands: Sequence[Any], width: int) -> Sequence[Any]:
+    return operands
+
+
 def _cos_sin(operands: Sequence[Any], width: int) -> Sequence[Any]:
     return mpmath.cos(operands[0]), mpmath.sin(operands[0])
 
@@ -117,6 +121,7 @@ def _rows(operands: Sequence[Any], width: int) -> list[list[Any]]:
 
 
 _PRIMITIVES: Mapping[str, Callable[[Sequence[Any], int], Sequence[Any]]] = {
+    "let": _let,
     "cos_sin": _cos_sin,
     "arctan2": _arctan2,
     "solve": _solution,

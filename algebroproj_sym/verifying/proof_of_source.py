@@ -6,7 +6,7 @@ return are free variables.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from types import ModuleType
@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from algebroproj_sym.declaring import Kernel
+from algebroproj_sym.declaring import Kernel, Stage
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 from algebroproj_sym.verifying.shipped import call, function_of
@@ -36,24 +36,38 @@ def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint")
     -------
     bool
     """
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), engine)
-    inputs = {symbol.name: np.array(value, dtype=object) for symbol, value in field.variables.items()}
-    wanted = (*(stage.derived for stage in kernel.stages), kernel.derived)
-    expected = [value for expression in wanted for value in evaluate(expression, field.variables, field.lift)]
+    called = [stage for stage in kernel.stages if stage.primitive != "let"]
+    free = [symbol for stage in called for symbol in stage.results]
+    field = RationalFunctionField((*kernel.symbols, *free), engine)
+    inputs = {symbol.name: np.array(field.variables[symbol], dtype=object) for symbol in kernel.symbols}
     function = function_of(kernel, package)
-    calls = _Calls(kernel, field)
-    with _replaced(function, {stage.primitive: calls for stage in kernel.stages}):
+    calls = _Calls(called, field)
+    with _replaced(function, {stage.primitive: calls for stage in called}):
         result = call(function, kernel, inputs)
     computed = [*calls.given, *result.tolist()]
+    expected = _expected(kernel, field)
     same_length = len(computed) == len(expected)
     return same_length and all((value - got).is_zero for value, got in zip(expected, computed, strict=True))
+
+
+def _expected(kernel: Kernel, field: RationalFunctionField) -> list[RationalFunction]:
+    """Return what primitive functions must be given, and the results."""
+    values = dict(field.variables)
+    expected: list[RationalFunction] = []
+    for stage in kernel.stages:
+        operands = evaluate(stage.derived, values, field.lift)
+        if stage.primitive == "let":
+            values |= dict(zip(stage.results, operands, strict=True))
+        else:
+            expected += operands
+    return [*expected, *evaluate(kernel.derived, values, field.lift)]
 
 
 class _Calls:
     """Stands in for the primitive functions: notes what they are given, and returns the variables of the stages."""
 
-    def __init__(self, kernel: Kernel, field: RationalFunctionField) -> None:
-        self.stages = iter(kernel.stages)
+    def __init__(self, stages: Sequence[Stage], field: RationalFunctionField) -> None:
+        self.stages = iter(stages)
         self.field = field
         self.given: list[RationalFunction] = []
 

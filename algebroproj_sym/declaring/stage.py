@@ -41,8 +41,10 @@ class Stage:
     form: Matrix
 
 
-def let(values: Mapping[sympy.Symbol, Any]) -> Stage:
+def let(values: Mapping[sympy.Symbol, Any], *, form: Mapping[sympy.Symbol, Any] | None = None) -> Stage:
     """Return the stage that gives rational expressions names of their own, so that no proof has to expand them.
+
+    `form` has the same expressions in the form to be lowered.
 
     Examples
     --------
@@ -50,8 +52,10 @@ def let(values: Mapping[sympy.Symbol, Any]) -> Stage:
     >>> let({a: (x + 1)**2}).results
     (a,)
     """
-    expressions = [_scalar(value, str(symbol)) for symbol, value in values.items()]
-    return _stage("let", tuple(values), Matrix([expressions]))
+    derived, lowered = (
+        Matrix([[_scalar(given[symbol], str(symbol)) for symbol in values]]) for given in (values, form or values)
+    )
+    return _stage("let", tuple(values), derived, lowered)
 
 
 def cos_sin(cosine: sympy.Symbol, sine: sympy.Symbol, angle: Any) -> Stage:

@@ -72,8 +72,9 @@ class Program:
     outputs: tuple[Operand, ...]
 
     def operations(self) -> Counter[str]:
-        """Return how often each operator occurs."""
-        return Counter(step.operator if isinstance(step, Step) else step.primitive for step in self.steps)
+        """Return how often each operator, and each primitive function that computes something, occurs."""
+        kinds = (step.operator if isinstance(step, Step) else step.primitive for step in self.steps)
+        return Counter(kind for kind in kinds if kind != "let")
 
     def uses(self) -> Counter[Operand]:
         """Return how often each operand is used, by steps and outputs."""

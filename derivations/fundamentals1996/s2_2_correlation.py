@@ -11,9 +11,12 @@ from itertools import product
 import sympy
 
 from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion, ratios
+from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import Delta, P, delta, y0_of_mu
 from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C, at_basic_points
 from algebroproj_sym import Section
+from algebroproj_sym.declaring import null_vector, solution
 from algebroproj_sym.expressions import (
     Matrix,
     adjugate,
@@ -22,6 +25,7 @@ from algebroproj_sym.expressions import (
     determinant,
     dot,
     homogeneous,
+    inverse,
     linear_system,
     over,
     solve,
@@ -49,6 +53,16 @@ section.identity(
     where={z[j, k]: over(c[j, k], c[1, 0]) for j, k in product(range(3), repeat=2)},
     derived=c,
     note="The divisor c10 must not vanish, as the text says.",
+)
+section.count(
+    "2.2/eight-unknowns",
+    "of nine elements with a free factor eight are unknown",
+    printed=8,
+    derived=c.applyfunc(lambda element: over(element, c[1, 0])),
+    variables=tuple(c),
+    kernel=[vector(*c)],
+    note="As unknowns of linear equations.  The determinant makes one of them depend on the others, see "
+    "2.2/beyond/seven-parameters.",
 )
 
 # %% [markdown]
@@ -84,8 +98,54 @@ section.vanishing(
     "c10 and c01 are divisors in the normal case",
     printed=(base_length, distance, ordinates[1] - ordinates[0]),
     derived=C_normal[1, 0],
-    note="As c01 = -c10, it is a divisor as well, unless G0 and G1 have the same ordinate.  That they are the largest "
-    "elements would need an ordinate difference of G0 and G1 that is not smaller than that of G0 and G2.",
+    note="As c01 = -c10, it is a divisor as well, unless G0 and G1 have the same ordinate.",
+)
+
+# %% [markdown]
+# Which element is the largest one depends on the ordinates of the basic points, and on nothing else.
+
+# %%
+section.identity(
+    "2.2/beyond/largest",
+    "quotient of the elements in the normal case",
+    printed=(ordinates[2] - ordinates[0]) / (ordinates[1] - ordinates[0]),
+    derived=over(C_normal[2, 0], C_normal[1, 0]),
+    note="Not in the paper: c10 and c01 are the largest elements where the ordinates of G0 and G1 differ at least as "
+    "much as those of G0 and G2.",
+)
+
+
+def normal_case_at(*values: int) -> Matrix:
+    """Return C of the normal case with f = 1 and d1 = 1 for given ordinates of the basic points."""
+    origin_of_abscissas = dict.fromkeys((*abscissas_left, *abscissas_right), 0)
+    return C_normal.subs(
+        origin_of_abscissas | dict(zip(ordinates, values, strict=True)) | {distance: 1, base_length: 1}
+    )
+
+
+def largest_square(matrix: Matrix) -> sympy.Expr:
+    return max(element**2 for element in matrix)
+
+
+C_with_c10, C_with_c20 = normal_case_at(0, 2, 1), normal_case_at(0, 1, 2)
+section.identity(
+    "2.2/largest",
+    "in the normal case c10 is the numerically largest element",
+    printed=C_with_c20[1, 0] ** 2,
+    derived=largest_square(C_with_c20),
+    expect="false",
+    instead="2.2/beyond/largest",
+    note="Squares of the elements for the ordinates 0, 1, 2 of the basic points: c20 is twice c10.  The sentence says "
+    "c01 or c10, which are opposite.  It is right for basic points like those of Fig. 1.2/1, where G1 has the "
+    "ordinate that differs most from that of G0.",
+)
+section.identity(
+    "2.2/no-prediction",
+    "the largest element cannot be predicted",
+    printed=vector(largest_square(C_with_c10), largest_square(C_with_c20)),
+    derived=vector(C_with_c10[1, 0] ** 2, C_with_c20[2, 0] ** 2),
+    note="Two normal cases, of which one has c10, the other c20 for its largest element: the ordinates are 0, 2, 1 and "
+    "0, 1, 2.",
 )
 
 # %% [markdown]
@@ -116,6 +176,35 @@ section.identity(
     printed=Matrix([[1, upp1, upp2, up1 * upp1, up1 * upp2, up2, up2 * upp1, up2 * upp2, -up1]]),
     derived=design,
     note="Coefficients and right side, in the order of the print.",
+)
+
+# %% [markdown]
+# Conventional photogrammetry knows the interior orientation: $\mathbf C$ is made of a rotation and a base, in a system
+# of coordinates in which the left image is not rotated.
+
+# %%
+base_of_rotation = vector(*sympy.symbols("d1 d2 d3"))
+section.count(
+    "2.2/conventional",
+    "conventional relative orientation needs five homologous points",
+    printed=5,
+    derived=ratios(correlation_matrix(E3, scaled_rotation, base_of_rotation)),
+    variables=(*quaternion, *base_of_rotation),
+    kernel=[vector(*quaternion, 0, 0, 0), vector(0, 0, 0, 0, *base_of_rotation)],
+    note="The matrix of correlation of calibrated images has five independent parameters, and each point gives one "
+    "equation.",
+)
+a, b = vector(*sympy.symbols("a:3")), vector(*sympy.symbols("b:3"))
+s, t = sympy.symbols("s t")
+section.count(
+    "2.2/beyond/seven-parameters",
+    "a singular matrix has seven independent parameters but for its factor",
+    printed=7,
+    derived=ratios(columns(a, b, s * a + t * b)),
+    variables=(*a, *b, s, t),
+    kernel=[vector(*a, *b, 0, 0)],
+    note="Not in the paper: without knowledge of the interior orientation seven points are necessary; the eighth is "
+    "the price of linear equations.",
 )
 
 # %% [markdown]
@@ -190,6 +279,27 @@ section.rank(
 )
 
 # %% [markdown]
+# $\mathbf Z$ differs from $\mathbf C$ by a factor, which neither lines nor epipoles notice.
+
+# %%
+divided_by_c10 = c.applyfunc(lambda element: over(element, c[1, 0]))
+section.up_to_scale(
+    "2.2/Z-for-C#lines",
+    "epipolar lines by Z in place of C",
+    printed=columns(divided_by_c10 * u_right, divided_by_c10.T * u_left),
+    derived=columns(c * u_right, c.T * u_left),
+)
+section.up_to_scale(
+    "2.2/Z-for-C#epipoles",
+    "epipoles by Z in place of C",
+    printed=columns(
+        cross(divided_by_c10.col(1), divided_by_c10.col(2)), cross(divided_by_c10.row(1).T, divided_by_c10.row(2).T)
+    ),
+    derived=columns(cross(c.col(1), c.col(2)), cross(c.row(1).T, c.row(2).T)),
+    note="The solutions of (2.1.6) as in 2.1.6#left and 2.1.6#right.",
+)
+
+# %% [markdown]
 # ## Change of coordinates
 #
 # With $\mathbf u = \mathbf A \mathbf v$ in both images the equation keeps its form; the new matrix are the coefficients
@@ -204,8 +314,47 @@ section.identity(
     "correlation in other coordinates",
     printed=A_left.T * c * A_right,
     derived=Matrix(3, 3, lambda i, j: sympy.diff(transformed, v_left[i], v_right[j])),
-    note="For any homogeneous transformation of the images.  The scan lacks the prime of v' in the products.  The text "
-    "refers to (1.3.5) for u = A v and to (1.3.6), which are about other things; (1.4.5) and (1.4.6) may be meant.",
+    note="For any homogeneous transformation of the images.  The scan lacks the prime of v' in the products.",
+)
+AFFINE_REFERENCE = (
+    "Subsection 1.3 has nothing of the kind.  'Again' takes up subsection 1.4, where (1.4.5) holds for image "
+    "coordinates of any affine system, and both references point there with one and the same digit changed.  By its "
+    "content "
+)
+section.reference(
+    "2.2/ref-1.3.5",
+    "equation for the affine transformation of image coordinates",
+    printed="1.3.5",
+    meant="1.4.5",
+    note=AFFINE_REFERENCE + "(1.4.3), the affine transformation of space, would serve as well; (1.3.5) gives mu.",
+)
+section.reference(
+    "2.2/ref-1.3.6",
+    "equation to which the transformed correlation is analogous",
+    printed="1.3.6",
+    meant="1.4.6",
+    note=AFFINE_REFERENCE + "(1.4.5), the core between two affine transformations, would serve as well; (1.3.6) gives "
+    "P* in y0 and u3.",
+)
+
+# %% [markdown]
+# Centered cartesian coordinates have $\mathbf v = \mathbf A_v \mathbf u$ and
+# $\mathbf P = \mathbf R \mathbf A_v$, (1.4.1).
+
+# %%
+frames = [
+    Matrix([[1, 0, 0], *(sympy.symbols(f"{name}{i}0 {name}{i}1 {name}{i}2") for i in (1, 2))]) for name in ("ap", "app")
+]
+rotations = [Matrix(3, 3, sympy.symbols(f"{name}:3:3")) for name in ("rp", "rpp")]
+P_cartesian = [R * frame for R, frame in zip(rotations, frames, strict=True)]
+section.identity(
+    "2.2/C-bar#cartesian",
+    "in centered cartesian coordinates it is the projective correlation matrix",
+    printed=inverse(frames[0]).T * c * inverse(frames[1]),
+    where=dict(zip(c, correlation_matrix(*P_cartesian, base_of_rotation), strict=True)),
+    derived=correlation_matrix(*rotations, base_of_rotation),
+    note="The projective correlation matrix is taken to be R'^T D R'', made of the rotations of both images and the "
+    "base; the papers cited for it are not available.  The orthogonality of R is not needed.",
 )
 
 # %% [markdown]
@@ -232,8 +381,35 @@ section.rank(
     printed=5,
     derived=Matrix.vstack(*(homologous_row(reduced, index) for index in range(3, 8))),
     kernel=[vector(*remaining, -1).xreplace(singular)],
-    note="Coefficients and right side together, as in 2.2/eight-points.  The basic points are homologous as well: the "
-    "five rays of the text come in addition to the three of the basic points.",
+    note="Coefficients and right side together, as in 2.2/eight-points.",
+)
+section.rank(
+    "2.2/five-rays",
+    "five pairs of rays determine the eight unknowns",
+    printed=8,
+    derived=Matrix.vstack(*(homologous_row(design, index) for index in range(3, 8))),
+    expect="false",
+    instead="2.2/five-equations",
+    note="The sentence taken literally: five pairs of rays satisfy relative orientation.  It is true of conventional "
+    "photogrammetry, 2.2/conventional; here the five pairs come in addition to those of the three basic points, which "
+    "are homologous as well, and the five equations prove nothing about conventional orientation.",
+)
+section.count(
+    "2.2/five-parameters",
+    "five elements are left of the matrix referred to the basic points",
+    printed=5,
+    derived=Z_printed,
+    variables=remaining,
+    note="As elements of (2.2.3).  Independent of one another are four: 2.2/beyond/four-parameters.",
+)
+section.count(
+    "2.2/beyond/four-parameters",
+    "the determinant leaves four of the five elements independent",
+    printed=4,
+    derived=Z_singular,
+    variables=(z11, z20, z21, z22),
+    note="Not in the paper: z12 follows from det(Z) = 0.  Four further points would do, at the cost of a cubic "
+    "equation.",
 )
 
 # %% [markdown]
@@ -563,7 +739,7 @@ section.kernel(
     claims=["2.2.4"],
 )
 section.kernel(
-    "correlation.right_side",
+    "correlation.rhs",
     "Right side of one equation for the elements of the matrix of correlation.",
     **with_points,
     derived=reduced[0, 5],
@@ -613,4 +789,101 @@ section.kernel(
         "mu_right": ("0.75", "0.625", "0.875"),
         "u3_right": ("0.3125", "-0.25"),
     },
+)
+
+# %% [markdown]
+# Five homologous points give five equations; eight in any image coordinates, the nine elements but for a factor, which
+# makes the largest one 1.  The epipoles are those of (2.2.6) and (2.2.7), of any multiple of $\mathbf Z$.
+
+# %%
+EXAMPLE_LEFT = (
+    ("0.2718578", "0.0577379"),
+    ("0.6355182", "0.1372296"),
+    ("0.3708332", "0.6469605"),
+    ("0.6721215", "0.8655064"),
+    ("0.9987487", "0.8349783"),
+)
+EXAMPLE_RIGHT = (
+    ("0.3094497", "-0.2327183"),
+    ("0.6442013", "0.1043779"),
+    ("0.3638478", "0.7763496"),
+    ("0.6670692", "1.0009998"),
+    ("1.0056120", "0.6733497"),
+)
+five_left, five_right = (Matrix(5, 2, sympy.symbols(f"{name}(3:8)(1:3)")) for name in ("up", "upp"))
+factored_row = Matrix([[upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1), upp1 - up1]])
+
+
+def of_points(row: Matrix, left: Matrix, right: Matrix) -> Matrix:
+    """Return the equations of homologous points, one below the other."""
+    one_pair = (*image_left, *image_right)
+    pairs = zip(left.tolist(), right.tolist(), strict=True)
+    return Matrix.vstack(*(row.xreplace(dict(zip(one_pair, (*a, *b), strict=True))) for a, b in pairs))
+
+
+five_equations = of_points(reduced, five_left, five_right)
+factored_equations = of_points(factored_row, five_left, five_right)
+with_five_points = {
+    "arguments": {"u_left": five_left, "u_right": five_right},
+    "describe": {
+        "u_left": f"Five image points (u1', u2') of the left image in {ABOUT_IMAGE}",
+        "u_right": f"Homologous points (u1'', u2'') of the right image in {ABOUT_IMAGE}",
+    },
+    "example": {"u_left": EXAMPLE_LEFT, "u_right": EXAMPLE_RIGHT},
+}
+section.kernel(
+    "correlation.system",
+    "Matrix and right side of the five equations for the elements (z11, z12, z20, z21, z22).",
+    **with_five_points,
+    derived={"matrix": five_equations[:, :5], "right_side": five_equations[:, 5]},
+    form={"matrix": factored_equations[:, :5], "right_side": factored_equations[:, 5]},
+    claims=["2.2.4"],
+)
+section.kernel(
+    "correlation.correlation_matrix",
+    "Matrix of correlation Z, with z10 = 1, from five points beside the three basic points.",
+    **with_five_points,
+    through=[solution(remaining, five_equations[:, :5], five_equations[:, 5], form=factored_equations)],
+    derived=Z,
+    claims=["2.2.2", "2.2.3", "2.2.4"],
+    normwise=True,
+)
+eight_left, eight_right = (Matrix(8, 2, sympy.symbols(f"{name}(:8)(1:3)")) for name in ("vp", "vpp"))
+any_row = Matrix([[sympy.diff(equation(c), element) for element in c]])
+section.kernel(
+    "correlation.general_correlation_matrix",
+    "Matrix of correlation, from eight homologous points in any image coordinates, scaled to its largest element.",
+    arguments={"v_left": eight_left, "v_right": eight_right},
+    describe={
+        "v_left": "Eight image points (v1', v2') of the left image, in any affine coordinates of it, in any unit; "
+        "coordinates of the order of 1 keep the system well conditioned.",
+        "v_right": "Homologous points (v1'', v2'') of the right image, in any affine coordinates of it.",
+    },
+    through=[null_vector(list(c), of_points(any_row, eight_left, eight_right))],
+    derived=c,
+    claims=["2.2.1", "2.2/row", "2.2/C-bar", "2.2/eight-points"],
+    example={
+        "v_left": (("0", "0"), ("1", "0"), ("0", "1"), *EXAMPLE_LEFT),
+        "v_right": (("0", "0"), ("1", "0"), ("0", "1"), *EXAMPLE_RIGHT),
+    },
+    normwise=True,
+)
+any_line_left, any_line_right = z * u_right, z.T * u_left
+any_epipoles = {
+    "left": solve(*linear_system([any_line_right[1], any_line_right[2]], (up1, up2))),
+    "right": solve(*linear_system([any_line_left[1], any_line_left[2]], (upp1, upp2))),
+}
+section.kernel(
+    "correlation.epipoles",
+    "Epipoles (u01', u02') and (u01'', u02'') of the left and of the right image.",
+    arguments={"Z": z},
+    describe={"Z": ABOUT_Z},
+    derived=any_epipoles,
+    form={
+        "left": vector((z02 * z21 - z01 * z22) / D, (z01 * z12 - z02 * z11) / D),
+        "right": vector((z12 * z20 - z10 * z22) / D, (z10 * z21 - z11 * z20) / D),
+    },
+    where={D: D_printed},
+    claims=["2.2.6", "2.2.7", "2.2/D"],
+    example={"Z": EXAMPLE_Z},
 )

@@ -3,10 +3,11 @@
 #
 # Both bundles already see the basic points.  What ties them together is the epipolar axis, the line of the two centers:
 # its images are the epipoles, known from correlation.  A point $\mathbf y_A$ chosen on the axis gives the parameters
-# of the left bundle, $\mathbf y_A$ and the left center those of the right one.  The equations of this section are
-# numbered (2.3.0) to (2.3.4) in print.
+# of the left bundle, $\mathbf y_A$ and the left center those of the right one.
 
 # %%
+from itertools import combinations, product
+
 import sympy
 
 from algebroproj_derivations.fundamentals1996.notation import *
@@ -14,6 +15,7 @@ from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection i
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star, P, y0_of_mu
 from algebroproj_derivations.fundamentals1996.s1_5_space_to_space import M_star as core
 from algebroproj_sym import Section
+from algebroproj_sym.declaring import let
 from algebroproj_sym.expressions import (
     Matrix,
     columns,
@@ -30,6 +32,15 @@ from algebroproj_sym.expressions import (
 )
 
 section = Section("fundamentals1996", "2.4", "Relative orientation")
+
+section.reference(
+    "2.4/ref-2.3",
+    "number of the subsection in its equations, its figure and its table",
+    printed="2.3",
+    meant="2.4",
+    note="The equations are numbered (2.3.0) to (2.3.4), of which (2.3.1) to (2.3.3) occur in subsection 2.3 as well; "
+    "the figure and the table are 2.3, too.  Later references to 'subsection 2.3' mean this one.",
+)
 
 # %% [markdown]
 # Primes are left out where one bundle alone is concerned.  The epipole is $\mathbf u_0 = (u_{01}, u_{02})$; the
@@ -121,6 +132,7 @@ section.identity(
 
 # %%
 mu_a = image_of_axis[0]
+image_of_axis_point = vector(*(over(component, mu_a) for component in image_of_axis[1:, 0]))
 axis_equations = [mu_a * u01 - image_of_axis[1], mu_a * u02 - image_of_axis[2]]
 
 
@@ -143,6 +155,13 @@ section.up_to_scale(
     printed=vector(ya1 * u02, ya2 * (u02 - 1), ya3 * (u02 - u32), -u02 * ya0),
     where=COMPLETED,
     derived=as_form(axis_equations[1], mu1, mu2, mu3),
+)
+
+section.rank(
+    "2.4/underdetermined",
+    "two equations for three unknowns",
+    printed=2,
+    derived=linear_system(axis_equations, [mu1, mu2, mu3])[0],
 )
 
 # %% [markdown]
@@ -188,6 +207,24 @@ section.identity(
     printed=ya0 * (ya1 * u02 - ya2 * u01) / D,
     where=COMPLETED | {D: D_left},
     derived=mu_left[2],
+)
+
+# %% [markdown]
+# Where on the axis $\mathbf y_A$ is assumed does not matter: take any bundle with $\mu_1 = \mu_2$, any axis through its
+# center, and another point of the axis with the same epipole.
+
+# %%
+EQUAL = {mu1: mu2}
+equal_center = y0_of_mu.xreplace(EQUAL)
+other_point = equal_center + t * (axis_point - equal_center)
+at_other_point = dict(zip((*axis_point, *epipole), (*other_point, *image_of_axis_point.xreplace(EQUAL)), strict=True))
+section.identity(
+    "2.4/anywhere",
+    "the point may be assumed everywhere on the axis",
+    printed=vector(0, 0),
+    derived=vector(*left_equations).xreplace(at_other_point),
+    note="The parameters satisfy the equations of every point of the axis, and are their one solution where D' is not "
+    "zero.",
 )
 
 # %% [markdown]
@@ -292,10 +329,17 @@ for number, equation, printed_form in (
         printed=printed_form,
         where=COMPLETED,
         derived=as_form(equation, mu1, mu2),
-        note="The scan shows mu_01, mu_02 for u_01, u_02 and mu mu_31 for u_31, the known confusion of u and mu.  The "
-        "text refers to 'solutions of (2.2.3)' where it means this (2.3.3).",
+        note="The scan shows mu_01, mu_02 for u_01, u_02 and mu mu_31 for u_31, the known confusion of u and mu.",
     )
 
+section.up_to_scale(
+    "2.4/collinear",
+    "the axis point and the center define the direction of the base",
+    printed=axis_point - y0_of_mu,
+    derived=P * homogeneous(image_of_axis_point),
+    note="The ray of the epipole: all points that a bundle maps to the epipole, y_A and the other center among them, "
+    "are collinear with its center.",
+)
 pair_matrix, pair_right_side = linear_system(axis_equations, [mu1, mu2])
 mu12_of_axis_point = solve(pair_matrix, pair_right_side)
 mu12_of_center = vector(*(component.subs(AT_CENTER) for component in mu12_of_axis_point))
@@ -346,6 +390,14 @@ section.identity(
     printed=0,
     derived=determinant(pair_matrix),
     constraints=[COMPLETED[u00]],
+)
+section.reference(
+    "2.4/ref-1.3.6",
+    "equation with the restrictions that are extended to the epipole",
+    printed="1.3.6",
+    meant="1.3.8",
+    note="The restrictions a) and b) follow (1.3.8) and refer to it; (1.3.6) is the matrix P* in y0 and u3, for which "
+    "the paper states none.",
 )
 section.vanishing(
     "2.4/beyond/D''",
@@ -415,6 +467,14 @@ section.up_to_scale(
 # %%
 mu1_and_mu3 = solve(*linear_system([mu12_of_axis_point[0] - mu1, mu12_of_center[0] - mu1], [mu1, mu3]))
 mu2_and_mu3 = solve(*linear_system([mu12_of_axis_point[1] - mu2, mu12_of_center[1] - mu2], [mu2, mu3]))
+section.reference(
+    "2.4/ref-2.2.3",
+    "equations into whose solutions the third parameter is inserted",
+    printed="2.2.3",
+    meant="2.3.3",
+    note="(2.2.3) is the matrix Z; the solutions for mu''1 and mu''2 in terms of mu''3 are those of (2.3.3) of this "
+    "section.",
+)
 section.identity(
     "2.4/beyond/mu1,mu2",
     "first and second parameter of the right bundle, without the third",
@@ -490,7 +550,6 @@ section.vanishing(
 # %%
 left_product = (y01 * ya3 - y03 * ya1) * (y00 * ya2 - y02 * ya0) * first_braces * u02
 right_product = (y02 * ya3 - y03 * ya2) * (y00 * ya1 - y01 * ya0) * second_braces * u01
-image_of_axis_point = vector(*(over(component, image_of_axis[0]) for component in image_of_axis[1:, 0]))
 left_center = y0_of_mu + t * (axis_point - y0_of_mu)
 ON_AXIS = dict(zip(epipole, image_of_axis_point, strict=True)) | dict(zip(center, left_center, strict=True))
 ON_AXIS |= {symbol: COMPLETED[symbol].subs(ON_AXIS) for symbol in (y00, u00)} | {ya0: COMPLETED[ya0]}
@@ -699,25 +758,93 @@ def without_row(matrix: Matrix, row: int) -> Matrix:
     return rows(*(matrix.row(i).T for i in range(matrix.rows) if i != row))
 
 
-five = (mup2, mup3, *mu_pp)
-M_equal = M_left.subs(mup1, mup2)
-minors = vector(
-    *(
-        (-1) ** (i + j) * determinant(without_row(M_equal, i).col_join(without_row(M_right, j)))
-        for i in range(3)
-        for j in range(3)
+def correlation_of(first: Matrix, second: Matrix) -> Matrix:
+    return Matrix(
+        3, 3, lambda i, j: (-1) ** (i + j) * determinant(without_row(first, i).col_join(without_row(second, j)))
     )
-)
+
+
+five = (mup2, mup3, *mu_pp)
+C_of_five = correlation_of(M_left.subs(mup1, mup2), M_right)
+minors = vector(*C_of_five)
+changes = columns(*(minors.diff(parameter) for parameter in five))
 section.rank(
     "2.4/beyond/parameters",
     "the images alone determine three of the five parameters",
     printed=4,
-    derived=columns(minors, *(minors.diff(parameter) for parameter in five)),
+    derived=columns(minors, changes),
     kernel=[vector(-2, mup2, 0, mupp1, mupp2, 0), vector(-1, 0, mup3, 0, 0, mupp3)],
     note="Not in the paper: the correlation, up to its common factor (the first column), changes with three "
     "combinations of mu'2, mu'3, mu''1, mu''2, mu''3.  The other two are multiplications of both bundles by "
-    "tau_1 = tau_2 and by tau_3, and the choice of y_A fixes them.  A fifth general ray would give one condition for "
-    "the three; the epipolar axis is enough as fifth ray because both its images are known.",
+    "tau_1 = tau_2 and by tau_3, and the choice of y_A fixes them.",
+)
+C_of_six = correlation_of(M_left, M_right)
+section.count(
+    "2.4/five-parameters",
+    "five parameters are necessary for relative orientation",
+    printed=5,
+    derived=C_of_six.applyfunc(lambda element: over(element, C_of_six[1, 0])),
+    variables=(*mu_p, *mu_pp),
+    kernel=[
+        vector(mup1, 0, 0, mupp1, 0, 0),
+        vector(0, mup2, 0, 0, mupp2, 0),
+        vector(0, 0, mup3, 0, 0, mupp3),
+    ],
+    expect="false",
+    instead="2.4/beyond/parameters",
+    note="Read as the number of parameters that the intersection of rays determines: it is three of the six mu, for "
+    "given images of G3.  Five is the number of conventional orientation, 2.2/conventional, and the number of mu that "
+    "remain when one is assumed.",
+)
+
+# %% [markdown]
+# ### How many rays
+#
+# The rays of the basic points meet whatever the parameters are.  Each further pair of homologous points $\mathbf u'$,
+# $\mathbf u''$ gives one row $u'_i u''_j$ that the elements of $\mathbf C$ take to zero, and the changes of
+# $\mathbf C$ that it does not allow.
+
+# %%
+fourth_left, fourth_right = (homogeneous(vector(*fourth)) for fourth in (u3_p, u3_pp))
+section.identity(
+    "2.4/four-rays",
+    "the rays of the four basic points meet for all parameters",
+    printed=Matrix.zeros(4, 1),
+    derived=vector(
+        *(dot(image, C_of_six * image) for image in (image_e0, image_e1, image_e2)),
+        dot(fourth_left, C_of_six * fourth_right),
+    ),
+)
+
+
+def homologous_row(index: int) -> Matrix:
+    """Return the products of the coordinates of homologous points, of which u''_2 follows from C."""
+    left = homogeneous(vector(*sympy.symbols(f"up{index}1 up{index}2")))
+    first, second = sympy.symbols(f"upp{index}1 upp{index}2")
+    coplanarity = dot(left, C_of_five * homogeneous(vector(first, second)))
+    right = homogeneous(vector(first, solve(*linear_system([coplanarity], [second]))[0]))
+    return Matrix(1, 9, [a * b for a in left for b in right])
+
+
+further_rows = [homologous_row(index) for index in (4, 5, 6)]
+section.rank(
+    "2.4/five-rays",
+    "a fifth ray determines the relative orientation",
+    printed=3,
+    derived=further_rows[0] * changes,
+    expect="false",
+    instead="2.4/beyond/seven-rays",
+    note="The first sentence of the section, read of any five rays: after the four of the basic points three "
+    "parameters are undetermined, 2.4/beyond/parameters, and one ray gives one condition.  It is true of conventional "
+    "orientation, 2.2/conventional, and of the epipolar axis as fifth ray, whose two known images are four data: "
+    "2.4/beyond/epipoles.",
+)
+section.rank(
+    "2.4/beyond/seven-rays",
+    "seven rays determine the relative orientation",
+    printed=3,
+    derived=Matrix.vstack(*further_rows) * changes,
+    note="Not in the paper: the conditions of three further rays are independent.",
 )
 
 # %% [markdown]
@@ -783,4 +910,148 @@ section.kernel(
         "epipole": ("1.6170618", "-12.0027987"),
         "u3": ("0.3094497", "-0.2327183"),
     },
+)
+
+# %% [markdown]
+# ## Intersection of homologous rays
+#
+# The oriented bundles give the model.  (1.3.1) is linear in the object point: an image point gives two equations
+# $u_i\,\mathbf m_0^T \mathbf y = \mathbf m_i^T \mathbf y$, two images give four equations
+# $\mathbf A \mathbf y = \mathbf b$ for three coordinates.  The solution that treats all four alike minimises the sum of
+# squares of what is left of them: $\mathbf A^T \mathbf A \mathbf y = \mathbf A^T \mathbf b$.  By the theorem of Cauchy
+# and Binet it is the mean of the four solutions that omit one equation each, weighted with the squares of their
+# determinants.
+
+# %%
+augmented = Matrix(4, 4, sympy.symbols("a:4:4"))
+four_equations, right_sides = augmented[:, :3], augmented[:, 3]
+minors = Matrix(4, 4, sympy.symbols("d:4:4"))
+object_point = vector(y1, y2, y3)
+
+total = sympy.Add(*(minors[i, 3] ** 2 for i in range(4)))
+mean = vector(*(over(sympy.Add(*(minors[i, 3] * minors[i, j] for i in range(4))), total) for j in range(3)))
+
+
+def minor(row_omitted: int, unknown: int) -> sympy.Expr:
+    """Return the determinant of three equations, the right side in place of an unknown; for 3, without it."""
+    places = [3 if column == unknown else column for column in range(3)]
+    return determinant(augmented.extract([row for row in range(4) if row != row_omitted], places))
+
+
+MINORS = {minors[i, j]: minor(i, j) for i, j in product(range(4), repeat=2)}
+section.identity(
+    "2.4/beyond/intersection",
+    "the weighted mean satisfies the normal equations",
+    printed=four_equations.T * (four_equations * mean - right_sides),
+    where=MINORS,
+    derived=vector(0, 0, 0),
+    note="Not in the paper, which intersects two rays that do meet.",
+)
+section.identity(
+    "2.4/beyond/intersection#exact",
+    "four consistent equations have their common point as solution",
+    printed=mean.xreplace(MINORS).xreplace(dict(zip(right_sides, four_equations * object_point, strict=True))),
+    derived=object_point,
+    note="Not in the paper.",
+)
+
+# %% [markdown]
+# Each minor has both rows of one image: their own minors are the Plücker coordinates of its ray, and these are linear
+# in the image coordinates, as $(u_1 \mathbf m_0 - \mathbf m_1) \wedge (u_2 \mathbf m_0 - \mathbf m_2) =
+# \mathbf m_1 \wedge \mathbf m_2 + u_1\,\mathbf m_2 \wedge \mathbf m_0 + u_2\,\mathbf m_0 \wedge \mathbf m_1$.  The
+# product $u_1 u_2\,\mathbf m_0 \wedge \mathbf m_0$, large and zero, never arises.  Likewise the remaining row
+# $u_i \mathbf m_0 - \mathbf m_i$ is combined with the ray of the other image before the difference is taken.
+
+# %%
+PAIRS = list(combinations(range(4), 2))
+
+
+def wedge(first: Matrix, second: Matrix) -> dict[tuple[int, int], sympy.Expr]:
+    return {(i, j): first[i] * second[j] - first[j] * second[i] for i, j in PAIRS}
+
+
+def with_ray(row: Matrix, ray: dict[tuple[int, int], sympy.Expr], unknown: int) -> sympy.Expr:
+    """Return the determinant of a row and a ray, the right side in place of an unknown; for 3, without it."""
+    i, j, k = sorted({0, 1, 2, 3} - {unknown})
+    sign = (1, -1, 1, 1)[unknown]
+    return sign * (row[i] * ray[j, k] - row[j] * ray[i, k] + row[k] * ray[i, j])
+
+
+LEFT_RAY, RIGHT_RAY = wedge(augmented.row(0), augmented.row(1)), wedge(augmented.row(2), augmented.row(3))
+partner = {0: (1, RIGHT_RAY), 1: (0, RIGHT_RAY), 2: (3, LEFT_RAY), 3: (2, LEFT_RAY)}
+section.identity(
+    "2.4/beyond/intersection#rays",
+    "the minors are combinations of an equation of one image and the ray of the other",
+    printed=Matrix(4, 4, lambda i, j: with_ray(augmented.row(partner[i][0]), partner[i][1], j)),
+    derived=Matrix(4, 4, minor),
+    note="Not in the paper.  Row i omits equation i.",
+)
+
+
+def image_symbols(primes: str) -> dict[str, Matrix]:
+    names = {"u": f"u{primes}(1:3)", "mu": f"mu{primes}(1:4)", "u3": f"u{primes}3(1:3)"}
+    return {key: vector(*sympy.symbols(name)) for key, name in names.items()}
+
+
+def camera_rows(image: dict[str, Matrix]) -> Matrix:
+    """Return the rows m_0, m_1, m_2, the column of the constant last and with the sign of a right side."""
+    own = dict(zip((*mu, *fourth_image), (*image["mu"], *image["u3"]), strict=True))
+    camera = M_star[:3, :].xreplace(own)
+    return columns(camera[:, 1:], -camera[:, 0])
+
+
+def equations_of(image: dict[str, Matrix]) -> list[Matrix]:
+    m = camera_rows(image)
+    return [image["u"][i] * m.row(0) - m.row(i + 1) for i in range(2)]
+
+
+def linear_ray(image: dict[str, Matrix]) -> dict[tuple[int, int], sympy.Expr]:
+    m0, m1, m2 = (camera_rows(image).row(i) for i in range(3))
+    wedges, weights = (wedge(m1, m2), wedge(m2, m0), wedge(m0, m1)), (1, *image["u"])
+    return {place: sympy.Add(*(w * v[place] for w, v in zip(weights, wedges, strict=True))) for place in PAIRS}
+
+
+image_left, image_right = image_symbols("p"), image_symbols("pp")
+ray_left, ray_right = (dict(zip(PAIRS, sympy.symbols(f"{name}(:6)"), strict=True)) for name in ("rp", "rpp"))
+rays, linear_rays, rows_with_rays, split_rows = {}, {}, {}, {}
+for image, ray, other, first in ((image_left, ray_left, ray_right, 0), (image_right, ray_right, ray_left, 2)):
+    own_wedge, own_linear = wedge(*equations_of(image)), linear_ray(image)
+    rays |= {symbol: own_wedge[place] for place, symbol in ray.items()}
+    linear_rays |= {symbol: own_linear[place] for place, symbol in ray.items()}
+    m = camera_rows(image)
+    for i, j in product(range(2), range(4)):
+        symbol = minors[first + 1 - i, j]
+        rows_with_rays[symbol] = with_ray(equations_of(image)[i], other, j)
+        split_rows[symbol] = image["u"][i] * with_ray(m.row(0), other, j) - with_ray(m.row(i + 1), other, j)
+section.kernel(
+    "orientation.intersect",
+    "Object point of two homologous image points: least squares of the four equations of its images.",
+    arguments={
+        "u_left": image_left["u"],
+        "u_right": image_right["u"],
+        "mu_left": image_left["mu"],
+        "u3_left": image_left["u3"],
+        "mu_right": image_right["mu"],
+        "u3_right": image_right["u3"],
+    },
+    describe={
+        "u_left": "Left image point (u1', u2') in affine coordinates; dimensionless.",
+        "u_right": "Right image point (u1'', u2'') in affine coordinates; dimensionless.",
+        "mu_left": f"Left image: {ABOUT_MU}",
+        "u3_left": f"Left image: {ABOUT_U3}",
+        "mu_right": f"Right image: {ABOUT_MU}",
+        "u3_right": f"Right image: {ABOUT_U3}",
+    },
+    through=[let(rays, form=linear_rays), let(rows_with_rays, form=split_rows)],
+    derived=mean,
+    claims=["1.3.1", "2.4/beyond/intersection", "2.4/beyond/intersection#rays", "2.4/beyond/intersection#exact"],
+    example={
+        "u_left": ("0.625", "0.125"),
+        "u_right": ("0.65", "0.1"),
+        "mu_left": ("0.625", "0.75", "0.5"),
+        "u3_left": ("0.25", "0.125"),
+        "mu_right": ("0.75", "0.625", "0.875"),
+        "u3_right": ("0.3125", "-0.25"),
+    },
+    normwise=True,
 )

@@ -9,6 +9,7 @@
 import sympy
 
 from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.fundamentals1996.s1_1_projection import ratios, usual_parameters, usual_projection
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import (
     P,
     P_star,
@@ -18,6 +19,9 @@ from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection impo
     u_of_y,
     y0_of_mu,
 )
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import C_of_cameras, differences, q1, q2, reduced
+from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import mu_left as orientation_left
+from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import mu_right as orientation_right
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import (
     FOURTH,
     tau_of_fourth_points,
@@ -28,6 +32,7 @@ from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation im
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
+    adjugate,
     columns,
     cross,
     dot,
@@ -170,6 +175,15 @@ for name, numerator in (("uN01", epipole_weights[1]), ("uN02", epipole_weights[2
         note="The derived side is 1/u; where the numerator vanishes as well, the coordinate is 0/0.",
     )
 
+section.identity(
+    "3.2/linear-combination",
+    "one of the parameters is a linear combination of the other three",
+    printed=-(ya0 + ya1 * mu1 + ya2 * mu2) / ya3,
+    where=AXIS,
+    derived=solve(*linear_system([epipole_weights[0]], [mu3]))[0],
+    note="Here mu3; mu0 = 1 is the parameter with the coefficient yA0.",
+)
+
 # %% [markdown]
 # In space: the image plane of $\mu$, $\mu_0 = 1$, passes through $G_0$ and has the equation
 # $\sum (\mu_j - 1)\, y_j = 0$.  The condition (3.2.5) says that the base is parallel to it.
@@ -247,6 +261,35 @@ section.up_to_scale(
     where={z_n: z_of_pair},
     derived=C_N,
     note="C = P'^T D P'' as in (2.1.4), with z_N = c20/c10.  This is also the final check of the section.",
+)
+
+# %% [markdown]
+# And conversely: where the four elements of $\mathbf Z$ are zero, the parameters are equal.  Up to common factors of
+# $\mathbf C$, $c_{10}$ and $c_{20}$ are $q_2$ and $q_1$, which are not zero together unless the epipole is $G'_0$.
+
+# %%
+mup1, mup2, mup3, mupp1, mupp2, mupp3 = sympy.symbols("mup1 mup2 mup3 mupp1 mupp2 mupp3")
+EQUALITY = "The planes coincide and are parallel to the base where all three parameters are equal: 3.2/equal-mu."
+section.vanishing(
+    "3.2/equivalent#z11",
+    "z11 is zero exactly where the first parameters are equal",
+    printed=(mupp1 - mup1, differences[q2]),
+    derived=C_of_cameras[1, 1],
+    note="The factor that is not mu''1 - mu'1 is that of c10, which is not zero by (2.2.1).  " + EQUALITY,
+)
+section.vanishing(
+    "3.2/equivalent#z22",
+    "z22 is zero exactly where the second parameters are equal",
+    printed=(mupp2 - mup2, differences[q1]),
+    derived=C_of_cameras[2, 2],
+    note="The other factor is that of c20; where it is zero, z_N is zero and the base is parallel to G0 G2.",
+)
+section.vanishing(
+    "3.2/equivalent#z12",
+    "z12 is then zero exactly where the third parameters are equal",
+    printed=(mupp3 - mup3, mup1, mup2),
+    derived=C_of_cameras[1, 2].xreplace({mupp1: mup1, mupp2: mup2}),
+    note="The first and the second parameters are equal; a parameter of a projection is not zero.",
 )
 
 # %% [markdown]
@@ -337,6 +380,25 @@ for number, title, y00_printed, center_printed, fourth, parameters, note in (
     )
 
 # %% [markdown]
+# One linear condition for two coordinates; with the choice of the first one the plane is determined.
+
+# %%
+left_condition = sympy.expand(condition(y_a, center_left, left_fourth))
+section.rank(
+    "3.2/one-coordinate",
+    "parallelism to the base defines one coordinate of the fourth point",
+    printed=1,
+    derived=linear_system([left_condition], list(left_fourth))[0],
+)
+section.rank(
+    "3.2/unique-plane",
+    "with the first coordinate given the plane is uniquely defined",
+    printed=2,
+    derived=linear_system([left_condition, left_fourth[0] - u31], list(left_fourth))[0],
+    note="The condition determines u'_N32 where its coefficient in (3.2.7) is not zero.",
+)
+
+# %% [markdown]
 # The conditions do not depend on the choice of $\mathbf y_A$, unless it is the center of the same image: on the base
 # they are multiples of the condition with the other center for $\mathbf y_A$.
 
@@ -371,8 +433,15 @@ section.identity(
         *(center_right[j] * center_left[2] / (center_left[j] * center_right[2]) * left_fourth[j] for j in (0, 1))
     ),
     derived=fourth_of_right,
-    note="The scan has y03 without primes in both denominators, where (3.2.6) has y03'': read with two primes.  The "
-    "paper refers to conditions (3.3.6); meant are (3.2.6).",
+    note="The scan has y03 without primes in both denominators, where (3.2.6) has y03'': read with two primes.",
+)
+section.reference(
+    "3.2/ref-3.3.6",
+    "conditions on which (3.2.8) is based",
+    printed="3.3.6",
+    meant="3.2.6",
+    note="(3.3.6) is the formula for z_N from the elements of Z; the conditions between the fourth points of both "
+    "images are (3.2.6).",
 )
 
 # %% [markdown]
@@ -504,4 +573,183 @@ section.identity(
     printed=u30 / un30,
     where={u30: FOURTH[u30], un30: FOURTH[un30].xreplace({un31: u31})},
     derived=tau_of_fourth_points[0].xreplace({un31: u31}),
+)
+
+# %% [markdown]
+# The fourth points that belong to $\mathbf T'$ and $\mathbf T''$ are the images of $G_3$ in $P'_N$ and $P''_N$.
+
+# %%
+image_of_e3 = u_of_y.subs(mu0, 1).xreplace(dict(zip(point, e3, strict=True)))
+section.identity(
+    "3.2/fourth-points",
+    "the fourth points of both images",
+    printed=columns(right_fourth, right_fourth),
+    derived=columns(image_of_e3.xreplace(LEFT_FOURTH), image_of_e3.xreplace(RIGHT_FOURTH)),
+    expect="misprint",
+    corrected=columns(left_fourth, right_fourth),
+    note="Printed is u''_N3 twice; the first one must be u'_N3.  The scan alone cannot tell a slip of the scan from "
+    "one of the print.",
+)
+
+# %% [markdown]
+# ## The part of the fourth point
+#
+# Three counts: on how many coordinates of the images of $G_3$ the parameters depend when everything else is given.
+
+# %%
+section.count(
+    "3.2/G3#parameters",
+    "with the centers given, the parameters depend on both coordinates of the fourth point",
+    printed=2,
+    derived=mu_of_y0,
+    variables=tuple(fourth_image),
+)
+section.count(
+    "3.2/G3#orientation-left",
+    "the left bundle depends on both coordinates of the fourth point",
+    printed=2,
+    derived=orientation_left,
+    variables=tuple(fourth_image),
+)
+u01, u02 = sympy.symbols("u01 u02")
+section.count(
+    "3.2/G3#orientation-right",
+    "the right bundle depends on the fourth point",
+    printed=1,
+    derived=orientation_right,
+    variables=tuple(fourth_image),
+    kernel=[vector(1 - u01, -u02)],
+    note="On one combination of the coordinates, the other being given by the epipolar line of G3; (u01, u02) is the "
+    "epipole.",
+)
+section.count(
+    "3.2/G3#plane",
+    "with the center given, the fourth point determines both directions of the image plane",
+    printed=2,
+    derived=ratios(plane.xreplace(dict(zip(mu, mu_of_y0, strict=True)))),
+    variables=tuple(fourth_image),
+    note="The quotients of the coefficients of 3.2/beyond/plane: two, as tip and tilt are.",
+)
+section.reference(
+    "3.2/ref-2.3",
+    "subsection with the procedure of relative orientation",
+    printed="2.3",
+    meant="2.4",
+    note="See 2.4/ref-2.3; subsection 2.3 is on critical situations.",
+)
+
+# %% [markdown]
+# ## Flat models
+#
+# If all object points lie in the plane $G_0 G_1 G_2$, then $\mathbf u' \sim \mathbf M' \mathbf Y$ and
+# $\mathbf u'' \sim \mathbf M'' \mathbf Y$ with plane matrices.  The equation
+# $\mathbf u'^T \mathbf Z \mathbf u'' = 0$ holds for all of these points if $\mathbf M'^T \mathbf Z \mathbf M''$ is
+# any skew-symmetric matrix.
+
+# %%
+PLANE_LEFT = dict(zip(mu, (mup1, mup2, mup3), strict=True))
+PLANE_RIGHT = dict(zip(mu, (mupp1, mupp2, mupp3), strict=True))
+flat_image = u_of_y.subs(mu0, 1).subs(point[2], 0)
+flat_matrix = columns(image_e0, P_star.col(0), P_star.col(1))
+
+
+def flat_row(index: int) -> Matrix:
+    """Return one row of (2.2.4), right side included, for a point of the plane."""
+    place = dict(zip(point[:2, 0], sympy.symbols(f"y{index}1 y{index}2"), strict=True))
+    seen = [*flat_image.xreplace(place | PLANE_LEFT), *flat_image.xreplace(place | PLANE_RIGHT)]
+    return reduced.xreplace(dict(zip(sympy.symbols("up1 up2 upp1 upp2"), seen, strict=True)))
+
+
+def flat_solution(axis: Matrix) -> Matrix:
+    """Return what satisfies all rows: five elements of Z, and minus the element z10."""
+    skew = columns(*(cross(axis, unit) for unit in (e1, e2, e3)))
+    solution = adjugate(flat_matrix.xreplace(PLANE_LEFT)).T * skew * adjugate(flat_matrix.xreplace(PLANE_RIGHT))
+    return vector(solution[1, 1], solution[1, 2], solution[2, 0], solution[2, 1], solution[2, 2], -solution[1, 0])
+
+
+section.rank(
+    "3.2/flat-model",
+    "a flat model does not determine the correlation",
+    printed=3,
+    derived=Matrix.vstack(*(flat_row(index) for index in range(3, 8))),
+    kernel=[flat_solution(axis) for axis in (e1, e2, e3)],
+    note="The sentence, made precise: five points in the plane of G0, G1, G2 give equations (2.2.4) of rank 3 for five "
+    "unknowns; all matrices of a two-parameter family satisfy them.",
+)
+
+# %% [markdown]
+# The comparison with autocalibration: an image of the plane $y_3 = 0$, in cartesian coordinates, is a plane
+# projectivity, which has eight parameters; the camera has nine, 1.1/general#usual.
+
+# %%
+section.count(
+    "3.2/autocalibration",
+    "the image of a flat model has eight parameters",
+    printed=8,
+    derived=ratios(usual_projection[:, :3]),
+    variables=usual_parameters,
+    note="One less than interior and exterior orientation together: they cannot be determined at the same time.  This "
+    "holds for one image, of which the sentence is understood; several images with one interior orientation are not "
+    "considered.",
+)
+
+# %% [markdown]
+# ## Code
+#
+# (3.2.7) gives $u'_{N32}$ for the choice $u'_{N31} = u'_{31}$, (3.2.8) the fourth point of the right image, (3.2.9) the
+# factor $z_N$.  In $y_{00} y_{Aj} - y_{0j} y_{A0}$ the product $y_{0j} y_{Aj}$ cancels and is left out.
+
+# %%
+constant, first, second = coefficients(condition(y_a, center_left, left_fourth), left_fourth)
+left_of_choice = vector(u31, -over(constant + first * u31, second))
+CHOICE = dict(zip(left_fourth, left_of_choice, strict=True))
+z_of_centers = over(
+    -left_fourth[0] * center_left[1] * (y_a[0] * center_left[2] - center_left[0] * y_a[2]),
+    left_fourth[1] * center_left[0] * (y_a[1] * center_left[2] - center_left[1] * y_a[2]),
+)
+right_of_left = vector(
+    *(over(center_right[j] * center_left[2] * left_fourth[j], center_left[j] * center_right[2]) for j in (0, 1))
+)
+P01, P02, P03, A13, A23 = sympy.symbols("p01 p02 p03 a13 a23")
+un32_left, numerator, quotient = sympy.symbols("uN32 numerator quotient")
+yp01, yp02, yp03 = center_left
+ypp01, ypp02, ypp03 = center_right
+section.kernel(
+    "normal_case.from_orientation",
+    "Factor z_N and fourth image points of the normal case, with uN31 = u31 in the left image.",
+    arguments={"y_a": y_a, "y0_left": center_left, "y0_right": center_right, "u3_left": fourth_image},
+    describe={
+        "y_a": "Point (yA1, yA2, yA3) of the epipolar axis other than the left center, in affine coordinates; "
+        "dimensionless.",
+        "y0_left": "Left center of projection in affine coordinates; dimensionless.",
+        "y0_right": "Right center of projection in affine coordinates; dimensionless.",
+        "u3_left": f"Left image: {ABOUT_U3}",
+    },
+    derived={
+        "z_N": z_of_centers.xreplace(CHOICE),
+        "u3_normal_left": left_of_choice,
+        "u3_normal_right": right_of_left.xreplace(CHOICE),
+    },
+    form={
+        "z_N": -u31 * yp03 * P02 * A13 / (numerator * A23),
+        "u3_normal_left": vector(u31, un32_left),
+        "u3_normal_right": vector(u31 * ypp01 * quotient / yp01, un32_left * ypp02 * quotient / yp02),
+    },
+    where={
+        P01: (1 - yp02 - yp03) * ya1 - yp01 * (1 - ya2 - ya3),
+        P02: (1 - yp01 - yp03) * ya2 - yp02 * (1 - ya1 - ya3),
+        P03: (1 - yp01 - yp02) * ya3 - yp03 * (1 - ya1 - ya2),
+        A13: ya1 * yp03 - yp01 * ya3,
+        A23: ya2 * yp03 - yp02 * ya3,
+        numerator: yp01 * P03 - yp03 * P01 * u31,
+        un32_left: yp02 * numerator / (yp01 * yp03 * P02),
+        quotient: yp03 / ypp03,
+    },
+    claims=["3.2/u'N31", "3.2.7", "3.2.8", "3.2.9"],
+    example={
+        "y_a": ("-0.9009221", "0.8325803", "3.7908794"),
+        "y0_left": ("-0.8871075", "-0.2253355", "4.2692516"),
+        "y0_right": ("-0.9009221", "0.8325803", "3.7908794"),
+        "u3_left": ("0.2718578", "0.0577379"),
+    },
 )

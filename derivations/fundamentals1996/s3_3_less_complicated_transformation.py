@@ -308,6 +308,25 @@ section.identity(
 )
 
 # %% [markdown]
+# The text eliminates $z_N$ in (3.3.4) by (3.3.5): with $\tau'_2 z_N = z_{20}$ and $\tau'_1 = 1$, the entries (2, 1) and
+# (1, 2) contain one parameter each.
+
+# %%
+without_z_n = {taup1: parameters_of_z[0], taupp1: parameters_of_z[2], z_n: over(z20, taup2)}
+tau2_of_entries = [
+    solve(*linear_system([divided((product[place] - Z[place]).xreplace(without_z_n))], [unknown]))[0]
+    for place, unknown in (((2, 1), taup2), ((1, 2), taupp2))
+]
+section.identity(
+    "3.3/elimination",
+    "elimination of z_N in (3.3.4) gives what (3.3.6), inserted in (3.3.5), gives",
+    printed=vector(parameters_of_z[1].xreplace({z_n: z_of_21}), parameters_of_z[3].xreplace({z_n: z_of_12})),
+    derived=vector(*tau2_of_entries),
+    note="So that the references to (3.3.4) and (3.3.5) are right; (3.3.6) is not needed.  What is printed for the "
+    "result is the inverse of it: 3.3.7#left and 3.3.7#right.",
+)
+
+# %% [markdown]
 # ## All solutions
 #
 # $\mathbf Z$ is known but for a factor.  With $\tau'_1 = k$ the product is $k \mathbf Z$; every $k$ gives a solution.
@@ -427,6 +446,14 @@ section.identity(
     "Its divisor 1 + (k - 1)(u1 + z_N u2) is constant on every epipolar line.",
 )
 
+section.reference(
+    "3.3/ref-3.5",
+    "subsection with the numerical example",
+    printed="3.5",
+    meant="4",
+    note="There is no subsection 3.5.  The example is section 4, items f and i; its figure is still numbered 3.5.",
+)
+
 # %% [markdown]
 # ## Relative orientation from normal case images
 #
@@ -451,7 +478,20 @@ section.identity(
     printed=-z_n,
     where={z_n: z_of_pair},
     derived=over(w_left[1], w_left[2]),
-    note="The paper refers to (2.3.9); meant is (3.2.9).",
+)
+section.reference(
+    "3.3/ref-2.3",
+    "subsection with the parameters of relative orientation",
+    printed="2.3",
+    meant="2.4",
+    note="Twice on this page, for the procedure and for 'all explicit expressions'; see 2.4/ref-2.3.",
+)
+section.reference(
+    "3.3/ref-2.3.9",
+    "equation for the quotient of the coordinates of the epipole",
+    printed="2.3.9",
+    meant="3.2.9",
+    note="There is no (2.3.9), neither in 2.3 nor in 2.4; (3.2.9) gives z_N as this quotient.",
 )
 section.limit(
     "3.3/quotient#limit",
@@ -459,6 +499,14 @@ section.limit(
     printed=-z_n,
     derived=over(u01, u02),
     variable=eps,
+)
+section.reference(
+    "3.3/ref-3.3.7",
+    "display with the limiting process",
+    printed="3.3.7",
+    meant="3.3",
+    note="(3.3.7) gives tau'2 and tau''2, without any limit.  Meant is the display of subsection 3.3 with the limit of "
+    "u01/u02, which has no number: 3.3/quotient#limit.",
 )
 section.limit(
     "3.3/first-equation",
@@ -702,4 +750,32 @@ section.kernel(
         "u3": ("0.309509", "-0.258189"),
         "z_n": "0.1214564",
     },
+)
+
+# %% [markdown]
+# The second solution for any multiple of $\mathbf Z$: $z_N$ from entry (1, 2) and the parameters (3.3.5).  With
+# $z_N$ inserted, the parameters of the right image lose the divisors $z_N$ and $z_{02}$.
+
+# %%
+z_any = Matrix(3, 3, sympy.symbols("z:3:3"))
+z10 = z_any[1, 0]
+DIVIDED = {element: over(element, z10) for element in (z01, z02, z12, z20)}
+second_solution = vector(z_of_12, *parameters_of_z.xreplace({z_n: z_of_12})).xreplace(DIVIDED)
+section.kernel(
+    "normal_case.from_correlation",
+    "Factor z_N and parameters (tau1, tau2) of both images for the normal case, from the matrix of correlation alone.",
+    arguments={"Z": z_any},
+    describe={"Z": "Singular matrix of correlation referred to the basic points, up to a factor; dimensionless."},
+    derived={
+        "z_N": second_solution[0],
+        "tau_left": vector(second_solution[1], second_solution[2]),
+        "tau_right": vector(second_solution[3], second_solution[4]),
+    },
+    form={
+        "z_N": -z02 / (z10 + z12),
+        "tau_left": vector(1, -z20 * (z10 + z12) / (z10 * z02)),
+        "tau_right": vector(-z01 / z10, (z10 + z12) / z10),
+    },
+    claims=["3.3.5", "3.3.6#12", "3.3.7#left", "3.3.7#right", "3.3/manifold#second"],
+    example={"Z": (("0", "-0.975", "-0.125"), ("1", "-0.025", "0.075"), ("0.125", "-0.083333", "0"))},
 )

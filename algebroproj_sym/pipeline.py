@@ -12,7 +12,7 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import TypeVar
 
-from algebroproj_sym.declaring import Claim, Judgement, judge, kernels, select
+from algebroproj_sym.declaring import Claim, Judgement, Kernel, judge, select
 from algebroproj_sym.generating import Lowered, lower
 from algebroproj_sym.verifying import Verification, load_package, verify
 
@@ -45,20 +45,23 @@ def check(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iter
     return _mapped(partial(judge, engine=engine), claims, jobs)
 
 
-def claims_of_kernels() -> tuple[Claim, ...]:
-    """Return the claims that the kernels rest on."""
-    numbers = dict.fromkeys(f"{kernel.paper}:{number}" for kernel in kernels() for number in kernel.claims)
-    wanted = set(numbers)
-    return tuple(claim for claim in select() if f"{claim.paper}:{claim.number}" in wanted)
+def claims_of(chosen: Sequence[Kernel]) -> tuple[Claim, ...]:
+    """Return the claims that some kernels rest on."""
+    wanted = {(kernel.paper, number) for kernel in chosen for number in kernel.claims}
+    return tuple(claim for claim in select() if (claim.paper, claim.number) in wanted)
 
 
-def programs(judgements: Iterable[Judgement], engine: str = "flint", jobs: int = 1) -> Iterator[Lowered]:
-    """Lower all kernels, provided that the claims they rest on are decided as declared.
+def programs(
+    judgements: Iterable[Judgement], chosen: Sequence[Kernel], engine: str = "flint", jobs: int = 1
+) -> Iterator[Lowered]:
+    """Lower kernels, provided that the claims they rest on are decided as declared.
 
     Parameters
     ----------
     judgements : iterable of Judgement
         Must contain the claims that the kernels name.
+    chosen : sequence of Kernel
+        What to lower.
     engine : {"flint", "sympy"}
         Which polynomial arithmetic to use.
     jobs : int
@@ -70,14 +73,14 @@ def programs(judgements: Iterable[Judgement], engine: str = "flint", jobs: int =
         If a claim that a kernel names is open, false, or not as declared.
     """
     verdicts = {(judgement.claim.paper, judgement.claim.number): judgement for judgement in judgements}
-    for kernel in kernels():
+    for kernel in chosen:
         for number in kernel.claims:
             judgement = verdicts[kernel.paper, number]
             if not judgement.as_declared or judgement.verdict not in EMITTED:
                 raise UnprovedError(
                     f"kernel {kernel.qualified_name}: expected claim {number} to prove it, got {judgement.verdict}"
                 )
-    return _mapped(partial(lower, engine=engine), kernels(), jobs)
+    return _mapped(partial(lower, engine=engine), chosen, jobs)
 
 
 def verifications(

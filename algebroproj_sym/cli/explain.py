@@ -25,4 +25,4 @@ def explain(selector: str, engine: str) -> None:
 def _module(claim: Claim, selector: str) -> str:
     if selector.endswith(".py"):
         return selector
-    return next(d.module for d in derivations(claim.paper) if d.section.number == claim.section)
+    return next(d.module for d in derivations(claim.paper) if claim in d.section.claims)

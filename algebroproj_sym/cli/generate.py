@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
@@ -9,7 +10,7 @@ import click
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, progressing
-from algebroproj_sym.declaring import Judgement, kernels
+from algebroproj_sym.declaring import Judgement, Kernel, drivers, kernels
 from algebroproj_sym.generating import PACKAGE, Lowered, drift, render, write
 from algebroproj_sym.reporting import operations_table
 
@@ -23,7 +24,8 @@ from algebroproj_sym.reporting import operations_table
 @options.jobs
 def generate(out: Path, only_check: bool, engine: str, jobs: int) -> None:
     """Lower the kernels and write the package algebroproj to DIR/algebroproj."""
-    files = render(lowered := lowered_kernels(engine, jobs))
+    lowered = lowered_kernels(kernels(), engine, jobs)
+    files = render(lowered, drivers())
     folder = out / PACKAGE
     changed = drift(files, folder)
     if only_check and changed:
@@ -34,16 +36,16 @@ def generate(out: Path, only_check: bool, engine: str, jobs: int) -> None:
     console().print(f"{folder}: {len(lowered)} functions, {len(changed)} files {'differ' if only_check else 'changed'}")
 
 
-def lowered_kernels(engine: str, jobs: int) -> list[Lowered]:
-    """Judge the claims that the kernels rest on, and lower the kernels."""
-    claims = pipeline.claims_of_kernels()
+def lowered_kernels(chosen: Sequence[Kernel], engine: str, jobs: int) -> list[Lowered]:
+    """Judge the claims that some kernels rest on, and lower the kernels."""
+    claims = pipeline.claims_of(chosen)
     judgements = list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
-    return lowered_after(judgements, engine, jobs)
+    return lowered_after(judgements, chosen, engine, jobs)
 
 
-def lowered_after(judgements: list[Judgement], engine: str, jobs: int) -> list[Lowered]:
+def lowered_after(judgements: Sequence[Judgement], chosen: Sequence[Kernel], engine: str, jobs: int) -> list[Lowered]:
     """Lower the kernels; that a claim does not prove one is an error of the command."""
     try:
-        return list(progressing(pipeline.programs(judgements, engine, jobs), len(kernels()), "lowering"))
+        return list(progressing(pipeline.programs(judgements, chosen, engine, jobs), len(chosen), "lowering"))
     except pipeline.UnprovedError as error:
         raise click.ClickException(str(error)) from error

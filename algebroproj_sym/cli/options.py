@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from algebroproj_sym.declaring import Claim, UnknownSelectorError, select
+from algebroproj_sym.declaring import Claim, Kernel, UnknownSelectorError, kernels, select
 from algebroproj_sym.proving import ENGINES
 
 engine = click.option(
@@ -22,6 +22,7 @@ jobs = click.option(
     "--jobs", type=click.IntRange(min=1), default=1, show_default=True, metavar="N", help="Number of worker processes."
 )
 selectors = click.argument("selectors", nargs=-1, metavar="[SELECTOR]...")
+functions = click.argument("functions", nargs=-1, metavar="[FUNCTION]...")
 output_format = click.option(
     "--format",
     "output",
@@ -56,5 +57,13 @@ def selected(names: tuple[str, ...]) -> tuple[Claim, ...]:
     """Return the selected claims; a selector that names nothing is wrong usage."""
     try:
         return select(names)
+    except UnknownSelectorError as error:
+        raise click.UsageError(str(error)) from error
+
+
+def selected_kernels(names: tuple[str, ...]) -> tuple[Kernel, ...]:
+    """Return the kernels of some modules or names; a name that names nothing is wrong usage."""
+    try:
+        return kernels(names)
     except UnknownSelectorError as error:
         raise click.UsageError(str(error)) from error

@@ -16,6 +16,7 @@ from algebroproj_sym.verifying import BOUND, NotShippedError, verification_recor
 
 
 @click.command()
+@options.functions
 @click.option(
     "--package",
     "folder",
@@ -27,13 +28,15 @@ from algebroproj_sym.verifying import BOUND, NotShippedError, verification_recor
 @options.engine
 @options.jobs
 @options.output_format
-def verify(folder: Path | None, samples: int, engine: str, jobs: int, output: str) -> None:
-    """Verify every generated function.
+def verify(functions: tuple[str, ...], folder: Path | None, samples: int, engine: str, jobs: int, output: str) -> None:
+    """Verify the generated functions.
+
+    A FUNCTION is a module such as projection, or a name such as projection.project; without one, all are verified.
 
     Its source is executed on rational functions and proved; its values are compared with 50 digits of the derivation
     on stratified samples; on the zeros of each factor that must not vanish it must not stay finite.
     """
-    lowered = lowered_kernels(engine, jobs)
+    lowered = lowered_kernels(options.selected_kernels(functions), engine, jobs)
     try:
         found = pipeline.verifications(lowered, folder, samples, engine, jobs)
         verified = list(progressing(found, len(lowered), "verifying"))

@@ -7,11 +7,13 @@ from algebroproj_sym.declaring.discovery import (
     UnknownSelectorError,
     derivation_at,
     derivations,
+    drivers,
     installed_papers,
     kernels,
     select,
 )
 from algebroproj_sym.declaring.display import evidence_lines
+from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.section import Section
@@ -24,6 +26,7 @@ __all__ = [
     "Claim",
     "DeclarationError",
     "Derivation",
+    "Driver",
     "Judgement",
     "Kernel",
     "Primitive",
@@ -38,6 +41,7 @@ __all__ = [
     "derivation_at",
     "derivations",
     "differing_entries",
+    "drivers",
     "evidence_lines",
     "installed_papers",
     "judge",

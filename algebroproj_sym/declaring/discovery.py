@@ -14,6 +14,7 @@ from pathlib import Path
 from types import ModuleType
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.kernel import Kernel
 from algebroproj_sym.declaring.section import Section
 
@@ -112,10 +113,32 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
     return tuple({(claim.paper, claim.number): claim for claim in chosen}.values())
 
 
-def kernels() -> tuple[Kernel, ...]:
-    """Return the kernels of all installed papers, sorted by module, in the order of their declaration."""
+def kernels(names: Sequence[str] = ()) -> tuple[Kernel, ...]:
+    """Return the kernels of all installed papers, sorted by module, in the order of their declaration.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Modules or qualified names; without one, all kernels are returned.
+
+    Raises
+    ------
+    UnknownSelectorError
+        If a name names nothing.
+    """
     found = [k for paper in installed_papers() for d in derivations(paper) for k in d.section.kernels]
-    return tuple(sorted(found, key=lambda kernel: kernel.module))
+    modules = sorted({kernel.module for kernel in found})
+    for name in names:
+        if name not in modules and name not in {kernel.qualified_name for kernel in found}:
+            raise UnknownSelectorError(f"function: expected one of {', '.join(modules)} or module.name, got {name!r}")
+    chosen = [k for k in found if not names or k.module in names or k.qualified_name in names]
+    return tuple(sorted(chosen, key=lambda kernel: kernel.module))
+
+
+def drivers() -> tuple[Driver, ...]:
+    """Return the hand-written functions that travel with the kernels, sorted by module."""
+    found = [driver for paper in installed_papers() for d in derivations(paper) for driver in d.section.drivers]
+    return tuple(sorted(found, key=lambda driver: driver.module))
 
 
 def _sections(module: ModuleType) -> tuple[Section, ...]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError, Kind, Options, decimal, declared, reference
+from algebroproj_sym.declaring.driver import Driver, declared_driver
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, declared_kernel
 
 
@@ -35,6 +37,7 @@ class Section:
         self.title = title
         self.claims: list[Claim] = []
         self.kernels: list[Kernel] = []
+        self.drivers: list[Driver] = []
 
     def identity(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
         """Declare that two scalars, vectors or matrices are equal, wherever the constraints hold."""
@@ -92,6 +95,10 @@ class Section:
         kernel = declared_kernel(self.paper, self.number, qualified_name, summary, **parts)
         self.kernels.append(kernel)
         return kernel
+
+    def driver(self, qualified_name: str, function: Callable[..., Any]) -> None:
+        """Declare a hand-written function that calls generated ones and is shipped with them."""
+        self.drivers.append(declared_driver(qualified_name, function))
 
     def _declare(self, kind: Kind, number: str, title: str, printed: Any, derived: Any, **options: Any) -> Claim:
         if any(claim.number == number for claim in self.claims):

@@ -12,7 +12,7 @@ import numpy as np
 import sympy
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from algebroproj_sym.declaring import PRIMITIVES, Argument, Kernel, Result, Stage
+from algebroproj_sym.declaring import PRIMITIVES, Argument, Driver, Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, divided, entries
 from algebroproj_sym.generating import primitives
 from algebroproj_sym.generating.lowering import Lowered
@@ -30,13 +30,15 @@ _TEMPLATES = Environment(
 )
 
 
-def render(lowered: Iterable[Lowered]) -> dict[str, str]:
+def render(lowered: Iterable[Lowered], drivers: Sequence[Driver] = ()) -> dict[str, str]:
     """Return the files of the package.
 
     Parameters
     ----------
     lowered : iterable of Lowered
         The kernels with their programs.
+    drivers : sequence of Driver
+        Hand-written functions, whose modules are copied.
 
     Returns
     -------
@@ -49,7 +51,11 @@ def render(lowered: Iterable[Lowered]) -> dict[str, str]:
             sorted(lowered, key=lambda low: low.kernel.module), key=lambda low: low.kernel.module
         )
     }
-    files = {f"{name}.py": _module(group) for name, group in modules.items()}
+    files = {
+        f"{name}.py": _module(group, [driver for driver in drivers if driver.module == name])
+        for name, group in modules.items()
+    }
+    files |= {driver.source.name: driver.source.read_text(encoding="utf-8") for driver in drivers}
     files["__init__.py"] = _TEMPLATES.get_template("init.py.j2").render(notice=NOTICE, modules=sorted(modules))
     files["_arguments.py"] = _TEMPLATES.get_template("arguments.py.j2").render(notice=NOTICE)
     files["_primitives.py"] = _with_notice(Path(primitives.__file__).read_text(encoding="utf-8"))
@@ -81,7 +87,7 @@ def write(files: Mapping[str, str], folder: Path) -> None:
             path.unlink()
 
 
-def _module(group: Sequence[Lowered]) -> str:
+def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:
     sources = sorted({f"{low.kernel.paper} {low.kernel.section}" for low in group})
     title = f"Functions of {', '.join(sources)}."
     called: set[str] = {step.primitive for low in group for step in low.program.steps if isinstance(step, Call)}
@@ -90,6 +96,7 @@ def _module(group: Sequence[Lowered]) -> str:
         notice=NOTICE,
         primitives=sorted(called - {"let"}),
         functions=[_function(low) for low in group],
+        drivers=[{"name": driver.name, "module": driver.source.stem} for driver in drivers],
     )
 
 

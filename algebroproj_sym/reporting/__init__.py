@@ -1,7 +1,7 @@
 """Reporting: the ledger of verdicts and evidence, tables for the terminal, the report."""
 
 from algebroproj_sym.reporting.ledger import claim_record, ledger, summary, write_json, write_text
-from algebroproj_sym.reporting.report import report
+from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
     claims_table,
     explanation,
@@ -14,6 +14,7 @@ __all__ = [
     "claim_record",
     "claims_table",
     "explanation",
+    "findings",
     "ledger",
     "operations_table",
     "report",

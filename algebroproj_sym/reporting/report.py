@@ -42,10 +42,22 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
     return _TEMPLATES.get_template("report.md.j2").render(
         verdicts=VERDICTS,
         papers=[(paper, summary(group)) for paper, group in _by_paper(judgements)],
-        findings=[_finding(j) for j in judgements if j.verdict not in ("proved", "definition")],
+        findings=[_finding(j) for j in judgements if _is_finding(j)],
         functions=[_function(low, v) for low, v in zip(lowered, verified, strict=True)],
         bound=BOUND,
     )
+
+
+def findings(judgements: Sequence[Judgement]) -> str:
+    """Return a line for each claim that is not simply proved, as Markdown, paper by paper."""
+    papers = [(paper, [j for j in group if _is_finding(j)]) for paper, group in _by_paper(judgements)]
+    return _TEMPLATES.get_template("findings.md.j2").render(
+        papers=papers, total=sum(len(found) for _, found in papers), claims=len(judgements)
+    )
+
+
+def _is_finding(judgement: Judgement) -> bool:
+    return judgement.verdict not in ("proved", "definition")
 
 
 def _by_paper(judgements: Iterable[Judgement]) -> list[tuple[str, list[Judgement]]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any, TypeAlias
 
@@ -53,7 +54,7 @@ def rational(value: Any, argument: str) -> Expression:
     if isinstance(value, sympy.MatrixBase):
         matrix = sympy.ImmutableDenseMatrix(value)
         for entry in matrix:
-            _require_rational(entry, argument, entry)
+            _require_rational(entry, argument)
         return matrix
     if isinstance(value, Fraction):
         return sympy.Rational(value.numerator, value.denominator)
@@ -62,20 +63,33 @@ def rational(value: Any, argument: str) -> Expression:
     if not isinstance(value, sympy.Expr):
         given = f"{value!r} ({type(value).__name__})"
         raise NotRationalError(f"{argument}: expected a SymPy expression, a matrix or an exact number, got {given}")
-    _require_rational(value, argument, value)
+    _require_rational(value, argument)
     return value
 
 
-def _require_rational(node: Any, argument: str, whole: Any) -> None:
+def _require_rational(whole: Any, argument: str) -> None:
+    offender = _offender(whole)
+    if offender is None:
+        return
+    if isinstance(offender, sympy.Symbol):
+        raise NotRationalError(
+            f"{argument}: expected symbols for any number, got {offender} with assumptions in {whole}"
+        )
+    raise NotRationalError(f"{argument}: expected a rational expression over Q, got {offender} in {whole}")
+
+
+@lru_cache(maxsize=None, typed=True)
+def _offender(node: Any) -> Any:
+    """Return a part of an expression that does not belong into a rational expression, or None."""
+    if isinstance(node, sympy.Symbol):
+        return None if node.assumptions0.items() <= _ANY_REAL else node
+    if isinstance(node, sympy.Rational):
+        return node if node in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo) else None
     power = isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Integer)
-    allowed = power or isinstance(node, sympy.Symbol | sympy.Rational | sympy.Add | sympy.Mul | over)
-    if isinstance(node, sympy.Symbol) and not node.assumptions0.items() <= _ANY_REAL:
-        raise NotRationalError(f"{argument}: expected symbols for any number, got {node} with assumptions in {whole}")
-    if not allowed or node in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
-        raise NotRationalError(f"{argument}: expected a rational expression over Q, got {node} in {whole}")
-    children = node.args[:1] if isinstance(node, sympy.Pow) else node.args
-    for child in children:
-        _require_rational(child, argument, whole)
+    if not power and not isinstance(node, sympy.Add | sympy.Mul | over):
+        return node
+    children = node.args[:1] if power else node.args
+    return next((found for found in map(_offender, children) if found is not None), None)
 
 
 def entries(expression: Expression) -> tuple[Scalar, ...]:

@@ -312,3 +312,57 @@ section.identity(
     derived=determinant(P_star),
     note="Not in the paper: the center follows uniquely from the matrix, whatever the base is.",
 )
+
+# %% [markdown]
+# ## How general the definition is
+#
+# The usual definition of the image plane has a normal $\mathbf k$ and a distance $c$; with
+# $\mathbf R = [\mathbf k, \mathbf i, \mathbf j]$ the ray $\mathbf R^T \mathbf z$ has the direction
+# $(c, x - x_C, y - y_C)$, for a principal point $(x_C, y_C)$.  An unnormalised quaternion gives $\mathbf R$ but for a
+# factor, which a matrix of projection does not notice.
+
+# %%
+c, x_center, y_center = sympy.symbols("c xC yC")
+q0, q1, q2, q3 = quaternion = sympy.symbols("q:4")
+rotation = Matrix(
+    [
+        [q0**2 + q1**2 - q2**2 - q3**2, 2 * (q1 * q2 - q0 * q3), 2 * (q1 * q3 + q0 * q2)],
+        [2 * (q1 * q2 + q0 * q3), q0**2 - q1**2 + q2**2 - q3**2, 2 * (q2 * q3 - q0 * q1)],
+        [2 * (q1 * q3 - q0 * q2), 2 * (q2 * q3 + q0 * q1), q0**2 - q1**2 - q2**2 + q3**2],
+    ]
+)
+
+
+def projection_from(center: Matrix, matrix: Matrix) -> Matrix:
+    return columns(-matrix * center, matrix)
+
+
+def ratios(matrix: Matrix) -> Matrix:
+    """Return the elements of a matrix divided by the first one: what a common factor leaves."""
+    first, *others = matrix
+    return vector(*(over(element, first) for element in others))
+
+
+usual_projection = projection_from(center, Matrix([[1, 0, 0], [x_center, c, 0], [y_center, 0, c]]) * rotation.T)
+usual_parameters = (*quaternion, c, x_center, y_center, *center)
+
+section.count(
+    "1.1/general",
+    "center and base have eleven independent parameters",
+    printed=11,
+    derived=ratios(projection_from(center, adjugate(P))),
+    variables=(*b0, *b1, *b2, *center),
+    kernel=[vector(*b0, *b1, *b2, 0, 0, 0)],
+    note="The sentence, made precise: the projective matrix, without its zero row and but for a common factor, has all "
+    "of the eleven parameters that a matrix of this size can have.  The usual definition has nine: 1.1/general#usual.",
+)
+section.count(
+    "1.1/general#usual",
+    "center, normal, distance and principal point have nine independent parameters",
+    printed=9,
+    derived=ratios(usual_projection),
+    variables=usual_parameters,
+    kernel=[vector(*quaternion, *(0,) * 6)],
+    note="Three each for the center, the rotation and the interior orientation.  With c = 1 and the principal point as "
+    "origin there are six.",
+)

@@ -10,7 +10,7 @@ import sympy
 
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, inverse, rows, solve, vector
+from algebroproj_sym.expressions import Matrix, columns, determinant, homogeneous, inverse, rows, solve, vector
 
 section = Section("fundamentals1996", "1.2", "Determination of the matrix of projection")
 
@@ -46,6 +46,19 @@ section.identity("1.2/e'2", "image of the second unit point", printed=vector(1, 
 section.definition("1.2/e'3", "image of the third unit point, a general point", printed=image_e3)
 
 # %% [markdown]
+# Four points can be unit points of space, unless they are coplanar.
+
+# %%
+any_points = columns(*(homogeneous(vector(*sympy.symbols(f"g{j}1 g{j}2 g{j}3"))) for j in range(4)))
+section.rank(
+    "1.2/four-points",
+    "in general four points establish an affine coordinate system of space",
+    printed=4,
+    derived=any_points,
+    note="Their quasihomogeneous vectors are independent but where the four points are coplanar.",
+)
+
+# %% [markdown]
 # ## The equations of projection
 #
 # The rays are $\mathbf e_j - \mathbf y_0 = \mu_j \mathbf p_j$, and $\mathbf p_j = \mathbf b_j$ for $j = 0, 1, 2$.
@@ -60,6 +73,14 @@ P_star_of_rays = inverse(base * U)
 fourth = P_star_of_rays * rays[3]
 seen = {mu3: fourth[0], u31: fourth[1] / fourth[0], u32: fourth[2] / fourth[0]}
 
+section.vanishing(
+    "1.2/image-system",
+    "the images of G0, G1, G2 define an affine system, but where the center is in the plane of these points",
+    printed=(y03,),
+    derived=determinant(columns(*rays[:3])),
+    note="The images are collinear where the three rays are coplanar.  The paper states no restriction; y03 is a "
+    "divisor of (1.3.8).",
+)
 section.identity(
     "1.2.1",
     "equations of projection of the basic points",

@@ -57,6 +57,23 @@ section.identity(
     derived=u_of_y.subs({m: factor * m for m in (mu0, mu1, mu2, mu3)}, simultaneous=True),
     note="The derived side has every mu_j multiplied by k: division by one component of P* changes mu alone.",
 )
+section.identity(
+    "1.3/p00",
+    "the component that is made 1",
+    printed=mu0,
+    derived=M_star[0, 0],
+    note="p00 is read as the first element of M*; the element of P* that (1.2.1) denotes by two zeros is mu1 - mu0.",
+)
+section.count(
+    "1.3/parameters",
+    "of the parameters of the projection five are independent",
+    printed=5,
+    derived=vector(*(over(element, mu0) for element in M_star[:3, :])),
+    variables=(mu0, mu1, mu2, mu3, u31, u32),
+    kernel=[vector(mu0, mu1, mu2, mu3, 0, 0)],
+    note="That mu0 may be made 1, as a count: mu1, mu2, mu3, u31 and u32 remain.  With the six coordinates of the "
+    "images of G0, G1, G2 they are the eleven of 1.1/general.",
+)
 
 # %% [markdown]
 # ## The matrix, its determinant and its inverse
@@ -199,6 +216,15 @@ parameter_system = linear_system(list(center_equations), [mu1, mu2, mu3])
 mu_of_y0 = solve(*parameter_system)
 at_center = dict(zip((mu1, mu2, mu3), mu_of_y0, strict=True))
 
+first_equation, second_equation, third_equation = center_equations
+section.identity(
+    "1.3/sum",
+    "the sum of the equations contains the third parameter alone",
+    printed=y00 + u30 * y03 * mu3,
+    where=BARYCENTRIC,
+    derived=first_equation - second_equation - third_equation,
+    note="The sum is that of (1.3.4) as printed, where the second and the third equation have the opposite sign.",
+)
 section.identity("1.3.5#mu3", "third parameter", printed=-y00 / (u30 * y03), where=BARYCENTRIC, derived=mu_of_y0[2])
 section.identity(
     "1.3.5#mu2", "second parameter", printed=u32 * y00 / (u30 * y02), where=BARYCENTRIC, derived=mu_of_y0[1]
@@ -241,6 +267,13 @@ section.identity(
     printed=printed_scale * Matrix([[u31 / y01, 0, -u31 / y03], [0, u32 / y02, -u32 / y03]]),
     where=BARYCENTRIC,
     derived=P_star_of_y0[1:, :],
+)
+section.count(
+    "1.3/exclusively",
+    "the matrix of projection depends on center and fourth image, and on all of their coordinates",
+    printed=5,
+    derived=P_star_of_y0,
+    variables=(*center, *fourth_image),
 )
 section.identity(
     "1.3.7",

@@ -8,6 +8,8 @@
 import sympy
 
 from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion
+from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star as core
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
@@ -57,14 +59,7 @@ section.identity(
 orthogonal = [(R.T * R - E3)[row, column] for row in range(3) for column in range(row, 3)]
 unrotated = dict(zip(R, (1, 0, 0, 0, 1, 0, 0, 0, 1), strict=True))
 
-q0, q1, q2, q3 = sympy.symbols("q0 q1 q2 q3")
-rotation = Matrix(
-    [
-        [q0**2 + q1**2 - q2**2 - q3**2, 2 * (q1 * q2 - q0 * q3), 2 * (q1 * q3 + q0 * q2)],
-        [2 * (q1 * q2 + q0 * q3), q0**2 - q1**2 + q2**2 - q3**2, 2 * (q2 * q3 - q0 * q1)],
-        [2 * (q1 * q3 - q0 * q2), 2 * (q2 * q3 + q0 * q1), q0**2 - q1**2 - q2**2 + q3**2],
-    ]
-).applyfunc(lambda entry: over(entry, q0**2 + q1**2 + q2**2 + q3**2))
+rotation = scaled_rotation.applyfunc(lambda entry: over(entry, sum(q**2 for q in quaternion)))
 
 section.identity(
     "1.4/beyond/rotation",
@@ -97,7 +92,14 @@ section.identity(
     "image point, rotated sum of the internal base",
     printed=R * ((1 - u1 - u2) * internal[0] + u1 * internal[1] + u2 * internal[2]),
     derived=image_point(external),
-    note="The text refers to (1.1.3) for this sum; it stands in the displays before (1.1.4).",
+)
+section.reference(
+    "1.4/ref-1.1.3",
+    "equation into which the rotated base vectors are inserted",
+    printed="1.1.3",
+    meant="1.1.4",
+    note="(1.1.3) gives the reciprocal vectors; inserted there, R would rotate them and not give p.  The sum for p "
+    "stands in the displays before (1.1.4), and (1.1.4) is the first number that contains it, p = B U u.",
 )
 section.identity(
     "1.4.1#base",
@@ -318,6 +320,14 @@ section.structure(
     derived=inverse((R * A_v).xreplace(unrotated)),
     note="With R = E.  A quasihomogeneous vector keeps its leading 1 under a first row 1 0 0: that is what affine "
     "means; the other elements are not restricted.",
+)
+
+section.identity(
+    "1.4/normal-case#similarity",
+    "the normal case of analytical photogrammetry is a similarity transformation",
+    printed=lam * homogeneous(plane_point[1:, 0]),
+    derived=(lam * R * plane_point).xreplace(unrotated),
+    note="X - X0 = lam p with R = E is a multiple of (1, x, y), the point in rectangular image coordinates.",
 )
 
 # %% [markdown]

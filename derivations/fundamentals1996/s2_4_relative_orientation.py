@@ -925,11 +925,11 @@ section.kernel(
 # %%
 augmented = Matrix(4, 4, sympy.symbols("a:4:4"))
 four_equations, right_sides = augmented[:, :3], augmented[:, 3]
-minors = Matrix(4, 4, sympy.symbols("d:4:4"))
+minors_of_four = Matrix(4, 4, sympy.symbols("d:4:4"))
 object_point = vector(y1, y2, y3)
 
-total = sympy.Add(*(minors[i, 3] ** 2 for i in range(4)))
-mean = vector(*(over(sympy.Add(*(minors[i, 3] * minors[i, j] for i in range(4))), total) for j in range(3)))
+total = sympy.Add(*(minors_of_four[i, 3] ** 2 for i in range(4)))
+mean = vector(*(over(sympy.Add(*(minors_of_four[i, 3] * minors_of_four[i, j] for i in range(4))), total) for j in range(3)))
 
 
 def minor(row_omitted: int, unknown: int) -> sympy.Expr:
@@ -938,7 +938,7 @@ def minor(row_omitted: int, unknown: int) -> sympy.Expr:
     return determinant(augmented.extract([row for row in range(4) if row != row_omitted], places))
 
 
-MINORS = {minors[i, j]: minor(i, j) for i, j in product(range(4), repeat=2)}
+MINORS = {minors_of_four[i, j]: minor(i, j) for i, j in product(range(4), repeat=2)}
 section.identity(
     "2.4/beyond/intersection",
     "the weighted mean satisfies the normal equations",
@@ -1020,7 +1020,7 @@ for image, ray, other, first in ((image_left, ray_left, ray_right, 0), (image_ri
     linear_rays |= {symbol: own_linear[place] for place, symbol in ray.items()}
     m = camera_rows(image)
     for i, j in product(range(2), range(4)):
-        symbol = minors[first + 1 - i, j]
+        symbol = minors_of_four[first + 1 - i, j]
         rows_with_rays[symbol] = with_ray(equations_of(image)[i], other, j)
         split_rows[symbol] = image["u"][i] * with_ray(m.row(0), other, j) - with_ray(m.row(i + 1), other, j)
 section.kernel(

@@ -19,7 +19,7 @@ from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection impo
     u_of_y,
     y0_of_mu,
 )
-from algebroproj_derivations.fundamentals1996.s2_2_correlation import C_of_cameras, differences, q1, q2, reduced
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import C_of_cameras, differences, q2, reduced
 from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import mu_left as orientation_left
 from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import mu_right as orientation_right
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import (
@@ -264,8 +264,8 @@ section.up_to_scale(
 )
 
 # %% [markdown]
-# And conversely: where the four elements of $\mathbf Z$ are zero, the parameters are equal.  Up to common factors of
-# $\mathbf C$, $c_{10}$ and $c_{20}$ are $q_2$ and $q_1$, which are not zero together unless the epipole is $G'_0$.
+# And conversely: where the four elements of $\mathbf Z$ are zero, the parameters are equal.  The difference $q_2$ of
+# section 2.2 is a factor of $c_{10}$, by which $\mathbf Z$ is divided.
 
 # %%
 mup1, mup2, mup3, mupp1, mupp2, mupp3 = sympy.symbols("mup1 mup2 mup3 mupp1 mupp2 mupp3")
@@ -278,18 +278,19 @@ section.vanishing(
     note="The factor that is not mu''1 - mu'1 is that of c10, which is not zero by (2.2.1).  " + EQUALITY,
 )
 section.vanishing(
-    "3.2/equivalent#z22",
-    "z22 is zero exactly where the second parameters are equal",
-    printed=(mupp2 - mup2, differences[q1]),
-    derived=C_of_cameras[2, 2],
-    note="The other factor is that of c20; where it is zero, z_N is zero and the base is parallel to G0 G2.",
+    "3.2/equivalent#z12,z21",
+    "z12 and z21 are then zero only where the second parameters are equal",
+    printed=(mupp2 - mup2, mup1, differences[q2]),
+    derived=(mupp2 * C_of_cameras[1, 2] + mup2 * C_of_cameras[2, 1]).xreplace({mupp1: mup1}),
+    note="The first parameters are equal; derived is the sum that does not contain the third ones' difference.",
 )
 section.vanishing(
     "3.2/equivalent#z12",
     "z12 is then zero exactly where the third parameters are equal",
     printed=(mupp3 - mup3, mup1, mup2),
     derived=C_of_cameras[1, 2].xreplace({mupp1: mup1, mupp2: mup2}),
-    note="The first and the second parameters are equal; a parameter of a projection is not zero.",
+    note="The first and the second parameters are equal; a parameter of a projection is not zero.  z22 is zero as well "
+    "then, by 3.2.1#mu.",
 )
 
 # %% [markdown]

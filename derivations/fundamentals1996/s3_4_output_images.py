@@ -19,6 +19,7 @@ from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation im
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
+    columns,
     cross,
     determinant,
     dot,
@@ -172,6 +173,13 @@ section.up_to_scale(
 # %%
 h_lines = [line_through(epipolar_direction, point) for point in (origin, unit1)]
 g_lines = [line_through(g_direction, point) for point in (origin, unit2)]
+section.reference(
+    "3.4/ref-4.2",
+    "figure of the frame lines",
+    printed="4.2",
+    meant="3.4",
+    note="There is no Fig. 4.2; Fig. 3.4 shows the oblique and the rectangular coordinates, with this frame.",
+)
 for name, printed, line in (
     ("hN0", un1 + z_n * un2, h_lines[0]),
     ("hN1", un1 + z_n * un2 - 1, h_lines[1]),
@@ -351,6 +359,22 @@ section.identity(
     "another unit point on the horizontal axis changes the scale of the second coordinate",
     printed=a[1, :].xreplace(elements).T / k,
     derived=solve(*linear_system(stretched, list(a[1, :]))),
+)
+
+# %% [markdown]
+# Whatever is done to the image by an affine transformation, scaling or not, the coordinates that refer to the images of
+# the basic points are the same as before, and so is the model.
+
+# %%
+unit_images = columns(image_e0, image_e1, image_e2)
+output = Matrix([[1, 0, 0], *(sympy.symbols(f"b{i}0 b{i}1 b{i}2") for i in (1, 2))])
+section.identity(
+    "3.4/distortion",
+    "an affine distortion of the output does not concern the model",
+    printed=homogeneous(u_normal),
+    derived=unit_images * solve(output * unit_images, output * homogeneous(u_normal)),
+    note="The sentence, made precise: referred to the basic points the distorted coordinates are u_N again; the "
+    "reconstruction and the transformation (1.5.2) by five control points are the same as without distortion.",
 )
 
 # %% [markdown]

@@ -1,0 +1,170 @@
+# %% [markdown]
+# # 2 Collinearity
+#
+# Okamoto's general collinearity equations have eleven coefficients $A_1, \dots, A_{11}$; the matrix of projection of
+# 1996 has five parameters, referred to the basic points.  Affine frames of image and object make up the difference.
+
+# %%
+import sympy
+
+from algebroproj_derivations.fundamentals1996.notation import mu0, mu1, mu2, mu3, u31, u32
+from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star
+from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import y0_of_mu
+from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import coordinates, frame
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, columns, homogeneous, over, rows, vector
+
+section = Section("bridges", "2", "Collinearity")
+
+core = M_star[:3, :]
+core_parameters = (mu1, mu2, mu3, u31, u32)
+
+# %% [markdown]
+# ## The equations as a matrix
+#
+# With homogeneous vectors $(1, X, Y, Z)$ and $(1, x, y)$ the common denominator is the first row.
+
+
+# %%
+def okamoto(a: tuple[sympy.Symbol, ...]) -> Matrix:
+    """Return the matrix (3 by 4) of the collinearity equations with the coefficients A1 to A11."""
+    return Matrix([[1, *a[8:]], [a[3], *a[:3]], [a[7], *a[4:7]]])
+
+
+def inhomogeneous(image: Matrix) -> Matrix:
+    return vector(over(image[1], image[0]), over(image[2], image[0]))
+
+
+coefficients = sympy.symbols("A1:12")
+A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11 = coefficients
+X, Y, Z = point = vector(*sympy.symbols("X Y Z"))
+camera = okamoto(coefficients)
+denominator = A9 * X + A10 * Y + A11 * Z + 1
+
+section.identity(
+    "2/collinearity",
+    "collinearity equations",
+    printed=vector((A1 * X + A2 * Y + A3 * Z + A4) / denominator, (A5 * X + A6 * Y + A7 * Z + A8) / denominator),
+    derived=inhomogeneous(camera * homogeneous(point)),
+)
+
+# %% [markdown]
+# ## The core
+#
+# Rows of $G$ are four basic points.  In their affine system the camera is $\mathbf A \mathbf A_X$, whose columns give
+# the images of the basic points.
+
+# %%
+G = Matrix(4, 3, sympy.symbols("G:4:3"))
+
+
+def images_of_basic_points(affine_camera: Matrix) -> list[Matrix]:
+    first = affine_camera.col(0)
+    return [first, *(first + affine_camera.col(j) for j in (1, 2, 3))]
+
+
+section.identity(
+    "2/object-frame",
+    "the camera in the affine system of the object",
+    printed=columns(*images_of_basic_points(camera * frame(G))),
+    derived=columns(*(camera * homogeneous(G.row(n).T) for n in range(4))),
+)
+
+# %% [markdown]
+# These images are the affine frame of the image, their denominators are the factors $\mu_j$.
+
+# %%
+affine_camera = Matrix(3, 4, sympy.symbols("b:3:4"))
+seen = images_of_basic_points(affine_camera)
+g = rows(*map(inhomogeneous, seen[:3]))
+u3 = coordinates(inhomogeneous(seen[3]), g)
+of_camera = dict(zip((mu0, mu1, mu2, mu3, u31, u32), (*(image[0] for image in seen), *u3), strict=True))
+
+section.identity(
+    "2/core",
+    "the matrix of the collinearity equations and the core of 1996",
+    printed=frame(g) * core,
+    where=of_camera,
+    derived=affine_camera,
+    note="With 2/object-frame: A_v M* = A A_X without a factor, if mu_j is the denominator at the basic point G_j.",
+)
+section.identity(
+    "2/center",
+    "the center of projection of both papers",
+    printed=vector(0, 0, 0),
+    derived=core * homogeneous(y0_of_mu.xreplace({m: over(m, mu0) for m in (mu1, mu2, mu3)})),
+    note="With mu_j / mu_0 for the parameters of 1996.  By 2/core the collinearity equations annihilate A_X y0 then.",
+)
+
+# %% [markdown]
+# ## Eleven parameters
+#
+# Five parameters of the core and six of the affine frame of the image: in the affine system of the object they give
+# all eleven coefficients.
+
+# %%
+g_any = Matrix(3, 2, sympy.symbols("g:3:2"))
+in_affine_system = (frame(g_any) * core).xreplace({mu0: sympy.Integer(1)})
+section.count(
+    "2/eleven",
+    "core and frame of the image have as many parameters as the collinearity equations",
+    printed=11,
+    derived=vector(*in_affine_system[1:]),
+    variables=(*core_parameters, *g_any),
+    note="The element that belongs to the constant 1 of the denominator is mu0 = 1.",
+)
+
+# %% [markdown]
+# ## The photogrammetric parameters
+#
+# Okamoto's camera: rotation $(e_{ij})$ and center, principal distance $c$, then an orthogonal projection of the picture
+# to the comparator, with the rotation $(d_{ij})$.  The comparator sees the picture through an affine transformation,
+# which affine coordinates do not notice.
+
+# %%
+e = Matrix(3, 3, sympy.symbols("e:3:3"))
+D = Matrix(3, 3, sympy.symbols("d:3:3"))
+c, x_center, y_center = sympy.symbols("c xco yco")
+center = vector(*sympy.symbols("Xo Yo Zo"))
+x, y = sympy.symbols("x y")
+
+ray = e * (point - center)
+picture_point = vector(over(-c * ray[0], ray[2]), over(-c * ray[1], ray[2]))
+
+
+def comparator(picture: Matrix) -> Matrix:
+    """Return the measured coordinates of a point of the picture: two rows of the rotation, and the origin."""
+    return vector(x_center, y_center) + D[:2, :] * vector(*picture, -c)
+
+
+device = Matrix(
+    [
+        [1, 0, 0],
+        [x_center - c * D[0, 2], D[0, 0], D[0, 1]],
+        [y_center - c * D[1, 2], D[1, 0], D[1, 1]],
+    ]
+)
+section.identity(
+    "2/comparator",
+    "the comparator is an affine transformation of the picture",
+    printed=device * vector(1, x, y),
+    derived=homogeneous(comparator(vector(x, y))),
+)
+picture = vector(*sympy.symbols("v1 v2"))
+picture_frame = Matrix(3, 2, sympy.symbols("g:3:2"))
+section.identity(
+    "2/comparator#affine",
+    "the comparator does not change the affine coordinates of 1996",
+    printed=coordinates(picture, picture_frame),
+    derived=coordinates(comparator(picture), rows(*(comparator(picture_frame.row(n).T) for n in range(3)))),
+    note="Hence M* needs neither the interior orientation nor the inclination of the comparator.",
+)
+L = Matrix([[0, 0, 1], [-c, 0, 0], [0, -c, 0]])
+photogrammetric = device * L * e * columns(-center, Matrix.eye(3))
+section.identity(
+    "2/photogrammetric",
+    "the collinearity equations from the photogrammetric parameters",
+    printed=inhomogeneous(photogrammetric * homogeneous(point)),
+    derived=comparator(picture_point),
+    note="The right side is (6) of Okamoto.  Divided by its first element the matrix is that of 2/collinearity.",
+)

@@ -1,0 +1,211 @@
+# %% [markdown]
+# # 1.2 Determination of transformation elements
+#
+# Four points $\mathbf y_0, \dots, \mathbf y_3$ and a unit point $\mathbf y_E$ define the base of a projective
+# coordinate system.  The right column of the page is cut at its left edge; its beginnings of lines are all that
+# survives there.
+
+# %%
+import sympy
+
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, columns, determinant, dot, inverse, linear_system, over, solve, vector
+
+section = Section("rhodos1990", "1.2", "Determination of transformation elements")
+
+# %% [markdown]
+# ## The base
+#
+# A homogeneous vector has a free factor.  The base vectors are those multiples of the four vectors whose sum is the
+# unit point.
+
+# %%
+mu = vector(*sympy.symbols("mu:4"))
+Y = Matrix(4, 4, sympy.symbols("y:4:4"))
+points = [Y.col(i) for i in range(4)]
+unit_point = vector(*sympy.symbols("yE:4"))
+base = [mu[i] * points[i] for i in range(4)]
+B = columns(*base)
+
+section.definition("1.2.1", "base vectors and matrix of the base", printed=B)
+
+system, right_side = linear_system(list(B * vector(1, 1, 1, 1) - unit_point), list(mu))
+mu_of_points = solve(system, right_side)
+solved = dict(zip(mu, mu_of_points, strict=True))
+
+section.identity(
+    "1.2/unit-point",
+    "the base vectors add up to the unit point",
+    printed=columns(sum(base[1:], start=base[0]), Y * mu),
+    where=solved,
+    derived=columns(unit_point, unit_point),
+    note="The sum of the b_i, which are mu_i y_i, and the product Y mu; y_i are the columns of Y.",
+)
+section.identity(
+    "1.2/Y",
+    "the coefficients of the conditions are the matrix of the points",
+    printed=Y,
+    derived=system,
+)
+
+# %% [markdown]
+# The rows of $\mathbf Y^{-1}$ are the reciprocal vectors $\mathbf y^i$.
+
+# %%
+r = Matrix(4, 4, sympy.symbols("r:4:4"))
+reciprocal = dict(zip(r, inverse(Y), strict=True))
+
+section.identity(
+    "1.2/mu",
+    "the unknowns by inversion",
+    printed=r * unit_point,
+    where=reciprocal,
+    derived=mu_of_points,
+    note="Derived by Cramer's rule.",
+)
+section.identity(
+    "1.2/reciprocal",
+    "scalar products of the points and the reciprocal vectors",
+    printed=Matrix.eye(4),
+    where=reciprocal,
+    derived=Matrix(4, 4, lambda i, j: dot(inverse(Y).row(i), points[j])),
+    note="What reciprocal means: 1 for equal indices, 0 for any others.",
+)
+section.identity(
+    "1.2.2",
+    "the unknowns by reciprocal vectors",
+    printed=vector(*(sum(r[i, j] * unit_point[j] for j in range(4)) for i in range(4))),
+    where=reciprocal,
+    derived=mu_of_points,
+)
+
+# %% [markdown]
+# Each $\mu_i$ is a quotient of determinants: zero where the unit point is coplanar with the other three points.  Four
+# unit vectors for the points keep the statement short; $\mathbf y_E$ are the coordinates of the unit point in them.
+
+# %%
+simple = dict(zip(Y, Matrix.eye(4), strict=True))
+section.vanishing(
+    "1.2/beyond/base",
+    "where the base is singular",
+    printed=tuple(unit_point),
+    derived=determinant(B.xreplace(solved).xreplace(simple)),
+    note="Not in the paper as far as it survives; 'yE mus' at the margin may be the beginning of this restriction.  "
+    "The unit point must not be coplanar with three of the four points; these must be independent, which is what "
+    "'arbitrary' has to mean in section 1.1.",
+)
+for i in range(4):
+    replaced = [unit_point if j == i else points[j] for j in range(4)]
+    section.identity(
+        f"1.2/beyond/mu{i}",
+        f"the unknown mu{i} as a quotient of determinants",
+        printed=over(determinant(columns(*replaced)), determinant(Y)),
+        derived=dot(inverse(Y).row(i), unit_point),
+        note="Not in the paper: zero exactly if the unit point is coplanar with the other three points.",
+    )
+
+# %% [markdown]
+# ## Coordinates
+#
+# Any vector is a combination of the base vectors.
+
+# %%
+any_vector = vector(*sympy.symbols("v:4"))
+x = vector(*sympy.symbols("x:4"))
+coordinates = solve(B, any_vector)
+
+section.identity(
+    "1.2.3",
+    "a vector by its coordinates in the base",
+    printed=columns(sum((x[i] * base[i] for i in range(1, 4)), start=x[0] * base[0]), B * x),
+    where=dict(zip(x, coordinates, strict=True)),
+    derived=columns(any_vector, any_vector),
+    note="v stands for the vector y, to tell it from the four points.",
+)
+section.identity(
+    "1.2/x",
+    "the coordinates of a vector",
+    printed=None,
+    derived=coordinates,
+    where=reciprocal,
+    expect="illegible",
+    corrected=vector(*(over(sum(r[i, j] * any_vector[j] for j in range(4)), mu[i]) for i in range(4))),
+    note="The margin has 'x^i =' and the beginning of a sum, after 'where ... coord[inates] ... of B'.  What the sum "
+    "equals is determined, for (1.2.3) has one solution.  In which letters it was printed is not: reconstructed with "
+    "the reciprocal vectors y^i of (1.2.2), which the next lines of the margin name, divided by mu_i.",
+)
+section.identity(
+    "1.2/beyond/unit-coordinates",
+    "coordinates of the unit point and of the four points",
+    printed=columns(vector(1, 1, 1, 1), inverse(Matrix.diag(*mu))),
+    derived=columns(
+        solve(B, unit_point).xreplace(solved).xreplace(simple),
+        *(solve(B, point).xreplace(simple) for point in points),
+    ),
+    note="Not in the paper as far as it survives: what the unit point is for.  The four points are the unit vectors.",
+)
+
+# %% [markdown]
+# ## From homogeneous to affine coordinates
+#
+# With the base vectors as points, a point of the affine system with origin $\mathbf b_0$ and units
+# $\mathbf b_i - \mathbf b_0$ is $\mathbf b_0 + \sum u_i (\mathbf b_i - \mathbf b_0)$.
+
+# %%
+u = vector(1, *sympy.symbols("u1 u2 u3"))
+
+
+def affine_point(base: list[Matrix]) -> Matrix:
+    b0, *others = base
+    return sum((u[i] * (b - b0) for i, b in enumerate(others, start=1)), start=b0)
+
+
+unit_vectors = [Matrix.eye(4).col(i) for i in range(4)]
+linear, constant = linear_system(list(affine_point(unit_vectors)), list(u[1:, 0]))
+U = columns(-constant, linear)
+U_reconstructed = Matrix([[1, -1, -1, -1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+
+section.identity(
+    "1.2/U",
+    "matrix of the affine coordinates",
+    printed=None,
+    derived=U,
+    expect="illegible",
+    corrected=U_reconstructed,
+    note="The margin has 'U =', the product B U u and the column 1, u1, u2, u3, which agree with p = B U u in the "
+    "paper of 1996, (1.1.4) there, for the plane.  In space U is this matrix, if u are affine coordinates in the same "
+    "sense.",
+)
+section.identity(
+    "1.2/BUu",
+    "affine point, with base and matrix U",
+    printed=None,
+    derived=affine_point(base),
+    expect="illegible",
+    corrected=B * (U_reconstructed * u),
+    note="'B U u =' survives, the other side is lost.  Derived is the affine point; the reading is that of 1.2/U.",
+)
+
+# %% [markdown]
+# A homogeneous vector $\mathbf w$ has one multiple with a leading 1.
+
+# %%
+w = vector(*sympy.symbols("w:4"))
+factor = sympy.Symbol("t")
+scale = solve(*linear_system([factor * w[0] - 1], [factor]))[0]
+section.identity(
+    "1.2/w",
+    "inhomogeneous coordinates of an image point",
+    printed=None,
+    derived=scale * w,
+    expect="illegible",
+    corrected=vector(1, w[1] / w[0], w[2] / w[0], w[3] / w[0]),
+    note="The margin has w0, w0, w2, the end '= u3' and the divisor w0: w_i / w0 = u_i for i = 1, 2, 3, the only "
+    "multiple of w that has a leading 1.",
+)
+
+# %% [markdown]
+# What cannot be restored: the expression of $\mathbf w$ itself.  The line above it begins with 'In ordi', 'Image s'
+# and 'by Its', which fits an image space, an image system and a matrix of its own base, with or without the matrix
+# $\mathbf P$ of section 1.1; no sign of a formula survives that would decide between them.  The sentence with
+# 'recipr', 'vector' and 'systerr' names the reciprocal vectors of (1.2.2); its predicate is lost.

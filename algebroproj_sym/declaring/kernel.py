@@ -203,6 +203,11 @@ def _require_complete(kernel: Kernel, label: str) -> None:
             raise DeclarationError(
                 f"{label}: expected the scalar {argument.name} as its symbol, got {argument.symbols[0]}"
             )
+    taken = {symbol.name for symbol in (*inputs, *kernel.intermediate, *(s for s, _ in kernel.where))}
+    taken |= {argument.name for argument in kernel.arguments}
+    clashes = [result.name for result in kernel.results if len(kernel.results) > 1 and result.name in taken]
+    if clashes:
+        raise DeclarationError(f"{label}: expected results with names of their own, got {clashes}")
     unknown = _unknown_symbols(kernel)
     if unknown:
         raise DeclarationError(f"{label}: expected the symbols of the arguments, got also {sorted(map(str, unknown))}")

@@ -113,6 +113,7 @@ def _function(low: Lowered) -> dict[str, Any]:
             {"name": a.name, "shape": _batched(a.shape), "description": kernel.describe[a.name]}
             for a in kernel.arguments
         ],
+        "dtypes": _dtypes(kernel),
         "type": "NDArray[Any]" if len(kernel.results) == 1 else "tuple[NDArray[Any], ...]",
         "results": [{"name": result.name, "shape": _batched(result.shape)} for result in kernel.results],
         "formula": _formula(kernel),
@@ -141,6 +142,14 @@ def _places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
 def _outputs(kernel: Kernel) -> list[str]:
     """Return the names of the arrays for the results."""
     return [result.name for result in kernel.results] if len(kernel.results) > 1 else ["out"]
+
+
+def _dtypes(kernel: Kernel) -> str:
+    """Return the dtypes that a function takes: those for which its primitive functions are defined."""
+    called = {stage.primitive for stage in kernel.stages}
+    if "arctan2" in called:
+        return "float32, float64 or longdouble"
+    return "float32, float64, longdouble or complex" + ("" if "cos_sin" in called else ", or object")
 
 
 def _targets(kernel: Kernel) -> list[str]:

@@ -109,7 +109,7 @@ def _eliminated(matrices: NDArray[Any], columns: int) -> tuple[NDArray[Any], NDA
     order = np.broadcast_to(np.arange(columns), (*reduced.shape[:-2], columns)).copy()
     for step in range(height):
         left = np.abs(reduced[..., step:, step:columns])
-        largest = np.argmax(left.reshape(*left.shape[:-2], -1), axis=-1)
+        largest = np.argmax(left.reshape(*left.shape[:-2], (height - step) * (columns - step)), axis=-1)
         _swap(reduced, step, step + largest // (columns - step))
         _swap(reduced.swapaxes(-1, -2), step, step + largest % (columns - step))
         _swap(order[..., None], step, step + largest % (columns - step))

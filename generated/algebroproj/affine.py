@@ -32,7 +32,7 @@ def plane_frame(g: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -93,7 +93,7 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -154,7 +154,7 @@ def space_frame(g: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -230,7 +230,7 @@ def space_coordinates(x: ArrayLike, g: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------

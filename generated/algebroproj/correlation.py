@@ -40,7 +40,7 @@ def design_row(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 5)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -92,7 +92,7 @@ def rhs(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -136,7 +136,7 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -186,7 +186,7 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -240,7 +240,7 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -321,7 +321,7 @@ def system(u_left: ArrayLike, u_right: ArrayLike) -> tuple[NDArray[Any], ...]:
     Returns
     -------
     matrix : ndarray, shape (..., 5, 5)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
     right_side : ndarray, shape (..., 5)
         Likewise.
 
@@ -433,7 +433,7 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -515,7 +515,7 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike) -> NDArray
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -607,7 +607,7 @@ def epipoles(Z: ArrayLike) -> tuple[NDArray[Any], ...]:
     Returns
     -------
     left : ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
     right : ndarray, shape (..., 2)
         Likewise.
 

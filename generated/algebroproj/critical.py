@@ -35,7 +35,7 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -129,7 +129,7 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -183,7 +183,7 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -451,7 +451,7 @@ def invariants(Q: ArrayLike) -> tuple[NDArray[Any], ...]:
     Returns
     -------
     whole : ndarray, shape (..., 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
     at_infinity : ndarray, shape (..., 3)
         Likewise.
 

@@ -109,9 +109,9 @@ def classify(Q: ArrayLike, tolerance: float = 1e-12) -> Classification:  # noqa:
         raise ValueError(f"classify: expected Q of shape (..., 4, 4), got shape {forms.shape}")
     if not tolerance >= 0:
         raise ValueError(f"classify: expected a tolerance of at least 0, got {tolerance}")
-    largest = np.max(np.abs(forms), axis=(-2, -1))
-    if not np.all(np.isfinite(largest.astype(np.float64))):
+    if not np.all(np.isfinite(forms.astype(np.float64))):
         raise ValueError("classify: expected finite elements of Q, got infinity or NaN")
+    largest = np.asarray(np.max(np.abs(forms), axis=(-2, -1)))
     if np.any(np.abs(forms - forms.swapaxes(-1, -2)) > tolerance * largest[..., None, None]):
         raise ValueError("classify: expected symmetric matrices Q, got one that is not")
     whole, at_infinity = critical.invariants(forms)

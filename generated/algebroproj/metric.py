@@ -46,7 +46,7 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike) -> NDArray[
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -95,7 +95,7 @@ def rotation_left(phi: ArrayLike, kappa: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex; integers become float64).
 
     Raises
     ------
@@ -159,7 +159,7 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike) -> NDArra
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex; integers become float64).
 
     Raises
     ------
@@ -226,7 +226,7 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike) -> N
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -300,7 +300,7 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike) -> tuple[NDArray[Any]
     Returns
     -------
     phi_left : ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64 or longdouble; integers become float64).
     kappa_left : ndarray, shape (...)
         Likewise.
     omega_right : ndarray, shape (...)
@@ -414,7 +414,7 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     Returns
     -------
     ndarray, shape (..., 5)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -486,7 +486,7 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -537,7 +537,7 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -586,7 +586,7 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -642,7 +642,7 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2, 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -709,7 +709,7 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     Returns
     -------
     ndarray, shape (..., 2, 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -811,7 +811,7 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------

@@ -38,7 +38,7 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -87,7 +87,7 @@ def transform(tau: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -146,7 +146,7 @@ def map_points(tau: ArrayLike, u: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -199,7 +199,7 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     Returns
     -------
     z_N : ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
     u3_normal_left : ndarray, shape (..., 2)
         Likewise.
     u3_normal_right : ndarray, shape (..., 2)
@@ -281,7 +281,7 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -343,7 +343,7 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike) -> ND
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -407,7 +407,7 @@ def from_correlation(Z: ArrayLike) -> tuple[NDArray[Any], ...]:
     Returns
     -------
     z_N : ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
     tau_left : ndarray, shape (..., 2)
         Likewise.
     tau_right : ndarray, shape (..., 2)
@@ -465,7 +465,7 @@ def frame(z_n: ArrayLike, tau: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------

@@ -35,7 +35,7 @@ def lens_matrix(f: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -107,7 +107,7 @@ def image_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -156,7 +156,7 @@ def object_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -205,7 +205,7 @@ def scale(f: ArrayLike, x3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -245,7 +245,7 @@ def plane_homography(mu: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -304,7 +304,7 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -353,7 +353,7 @@ def vanishing_line(mu: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------

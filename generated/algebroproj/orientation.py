@@ -35,7 +35,7 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike) -> NDArray[An
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -98,7 +98,7 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -171,7 +171,7 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------

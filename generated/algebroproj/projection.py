@@ -40,7 +40,7 @@ def camera_matrix(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -106,7 +106,7 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -159,7 +159,7 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -213,7 +213,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -296,7 +296,7 @@ def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -356,7 +356,7 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -405,7 +405,7 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -449,7 +449,7 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -529,7 +529,7 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -605,7 +605,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------

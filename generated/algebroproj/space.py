@@ -32,7 +32,7 @@ def homography(mu: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -105,7 +105,7 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -160,7 +160,7 @@ def map_points(mu: ArrayLike, y: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -214,7 +214,7 @@ def map_plane(mu: ArrayLike, a: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------

@@ -1,10 +1,6 @@
 """The generated package is the same text wherever it is rendered, and its folder holds that text and nothing stale."""
 
 import ast
-import json
-import os
-import subprocess
-import sys
 from itertools import pairwise
 
 import pytest
@@ -76,25 +72,6 @@ def test_rendering_twice_gives_the_same_text(rendered, lowered):
 
 def test_the_order_of_the_kernels_of_other_modules_does_not_matter(files):
     assert render([lower(kernel("second.half")), lower(kernel("first.double"))]) == files
-
-
-def test_the_text_does_not_depend_on_the_process(rendered):
-    script = (
-        "import json; from algebroproj_sym.declaring import kernels; from algebroproj_sym.generating import *; "
-        "print(json.dumps(render(map(lower, kernels()))))"
-    )
-    processes = [
-        subprocess.Popen(
-            [sys.executable, "-c", script],
-            env={**os.environ, "PYTHONHASHSEED": seed},
-            stdout=subprocess.PIPE,
-            text=True,
-        )
-        for seed in ("1", "2")
-    ]
-    outputs = [process.communicate()[0] for process in processes]
-    assert [process.returncode for process in processes] == [0, 0]
-    assert [json.loads(output) for output in outputs] == [rendered, rendered]
 
 
 def test_every_module_imports_numpy_and_its_own_package_only(rendered):

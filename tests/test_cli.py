@@ -71,6 +71,21 @@ def test_every_numbered_equation_of_the_sections_done_has_a_claim(checked):
     assert {"table:2.2", "table:2.3", "table:3.4"} <= numbers
 
 
+@pytest.mark.parametrize(
+    ("paper", "numbers"),
+    [
+        ("okamoto1981", [*map(str, range(1, 56)), "14a"]),
+        ("normalcase1992", [f"1.1.{n}" for n in range(1, 7)] + [f"1.2.{n}" for n in range(1, 5)]),
+        ("normalcase1992", [f"1.3.{n}" for n in range(1, 5)] + ["2.1.1", "2.1.2", "2.1.3", "2.2/2.3.1", "2.2/2.3.2"]),
+        ("normalcase1992", ["2.3.1", "2.3.2", "3.2.1", "3.2.2", "3.2.3", "3.3.1", "3.3.2", "3.3/S_M"]),
+        ("rhodos1990", ["1.1.1", "1.2.1", "1.2.2", "1.2.3"]),
+    ],
+)
+def test_every_numbered_equation_of_the_other_papers_has_a_claim(paper, numbers):
+    declared = {claim.number.split("#")[0] for claim in select([paper])}
+    assert set(numbers) <= declared
+
+
 def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
     numbers = [claim["number"] for claim in checked["claims"]]
     assert sum(number.startswith("4/a#") for number in numbers) == 16 * 3

@@ -8,7 +8,18 @@ import pytest
 import sympy
 
 import algebroproj
-from algebroproj import affine, correlation, critical, metric, normal_case, optics, orientation, projection, space
+from algebroproj import (
+    affine,
+    collinearity,
+    correlation,
+    critical,
+    metric,
+    normal_case,
+    optics,
+    orientation,
+    projection,
+    space,
+)
 
 CONTRACT = {
     affine.plane_frame: ([(3, 2)], [(3, 3)]),
@@ -49,6 +60,16 @@ CONTRACT = {
     optics.plane_homography: ([(3,)], [(3, 3)]),
     optics.map_plane_points: ([(3,), (2,)], [(2,)]),
     optics.vanishing_line: ([(3,)], [(3,)]),
+    collinearity.coefficients: ([(3,), (3,), (), (2,), (2,)], [(11,)]),
+    collinearity.project: ([(11,), (3,)], [(2,)]),
+    collinearity.project_jacobian_parameters: ([(11,), (3,)], [(2, 11)]),
+    collinearity.project_jacobian_point: ([(11,), (3,)], [(2, 3)]),
+    collinearity.space_map: ([(15,), (3,)], [(3,)]),
+    collinearity.coplanarity_determinant: ([(11,), (11,), (2,), (2,)], [()]),
+    collinearity.intersect_three: ([(11,), (11,), (2,), (2,)], [(3,)]),
+    collinearity.intersect: ([(11,), (11,), (2,), (2,)], [(3,)]),
+    collinearity.model_point: ([(3,), (3,), ()], [(3,)]),
+    collinearity.similarity: ([(3,), (3,), (), (3,)], [(3,)]),
     critical.determinant: ([(5, 2), (5, 2)], [()]),
     critical.algebraic_distance: ([(4, 4), (3,)], [()]),
     critical.quadric: ([(3,), (2,), (3,), (2,), (4, 3)], [(4, 4)]),
@@ -76,7 +97,13 @@ CONTRACT = {
 FUNCTIONS = {function: arguments for function, (arguments, _) in CONTRACT.items()}
 RESULTS = {function: results for function, (_, results) in CONTRACT.items()}
 DRIVERS = {critical.classify, metric.adjust}
-TRIGONOMETRIC = {metric.rotation_left, metric.rotation_right, metric.rotations_from_correlation}
+TRIGONOMETRIC = {
+    collinearity.coefficients,
+    collinearity.similarity,
+    metric.rotation_left,
+    metric.rotation_right,
+    metric.rotations_from_correlation,
+}
 REAL_DTYPES = [np.float32, np.float64, np.longdouble]
 
 every_function = pytest.mark.parametrize(

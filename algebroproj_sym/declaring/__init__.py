@@ -17,9 +17,20 @@ from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.section import Section
-from algebroproj_sym.declaring.stage import PRIMITIVES, Primitive, Stage, arctan2, cos_sin, let, null_vector, solution
+from algebroproj_sym.declaring.stage import (
+    LINEAR,
+    PRIMITIVES,
+    Primitive,
+    Stage,
+    arctan2,
+    cos_sin,
+    let,
+    null_vector,
+    solution,
+)
 
 __all__ = [
+    "LINEAR",
     "PRIMITIVES",
     "VERDICTS",
     "Argument",

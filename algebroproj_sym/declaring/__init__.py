@@ -10,6 +10,7 @@ from algebroproj_sym.declaring.discovery import (
     drivers,
     installed_papers,
     kernels,
+    located,
     select,
 )
 from algebroproj_sym.declaring.display import evidence_lines
@@ -47,6 +48,7 @@ __all__ = [
     "judge",
     "kernels",
     "let",
+    "located",
     "null_vector",
     "select",
     "solution",

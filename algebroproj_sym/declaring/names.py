@@ -91,12 +91,12 @@ def parts(name: str) -> Name:
 
 
 def latex_name(name: str) -> str:
-    """Return the name of a symbol as LaTeX.
+    r"""Return the name of a symbol as LaTeX.
 
     Examples
     --------
-    >>> latex_name("up31"), latex_name("mu"), latex_name("x"), latex_name("ps00")
-    ('u^{\\\\prime}_{31}', '\\\\mu', 'x', 'p^{*}_{00}')
+    >>> print(latex_name("up31"), latex_name("mu"), latex_name("x"), latex_name("ps00"))
+    u^{\prime}_{31} \mu x p^{*}_{00}
     """
     read = parts(name)
     marks = "*" * read.star + r"\prime" * read.primes

@@ -1,5 +1,6 @@
 """Declaring: what derivations state and ask for, how each statement is judged and how it shows itself."""
 
+from algebroproj_sym.declaring.bibliography import Publication, bibtex, publication
 from algebroproj_sym.declaring.claim import VERDICTS, Claim, DeclarationError, Statement, Verdict, statement_text
 from algebroproj_sym.declaring.difference import differing_entries
 from algebroproj_sym.declaring.discovery import (
@@ -31,6 +32,7 @@ __all__ = [
     "Judgement",
     "Kernel",
     "Primitive",
+    "Publication",
     "Result",
     "Section",
     "Stage",
@@ -38,6 +40,7 @@ __all__ = [
     "UnknownSelectorError",
     "Verdict",
     "arctan2",
+    "bibtex",
     "cos_sin",
     "derivation_at",
     "derivations",
@@ -50,6 +53,7 @@ __all__ = [
     "let",
     "located",
     "null_vector",
+    "publication",
     "select",
     "solution",
     "statement_text",

@@ -63,8 +63,8 @@ def _matrix(matrix: Any, marks: Marks) -> str:
             opening = f'<mtd class="{MARK}">' if inside != NOTHING else "<mtd>"
             cells.append(f"{opening}{_scalar(matrix[i, j], Marks(inside=inside.inside))}</mtd>")
         rows.append(f"<mtr>{''.join(cells)}</mtr>")
-    table = f"<mtable>{''.join(rows)}</mtable>"
-    return _marked(f"<mrow><mo>[</mo>{table}<mo>]</mo></mrow>", marks)
+    table = f'<mtable displaystyle="true">{"".join(rows)}</mtable>'
+    return _marked(f'<mrow class="matrix"><mo>[</mo>{table}<mo>]</mo></mrow>', marks)
 
 
 def _scalar(expression: Any, marks: Marks) -> str:

@@ -48,6 +48,7 @@ GREEK = {
 _LATEX = {"eps": "varepsilon", "epsilon": "varepsilon", "lam": "lambda", "phi": "varphi"}
 _GREEK = "|".join(sorted(GREEK, key=len, reverse=True))
 _NAME = re.compile(rf"({_GREEK}|[A-Za-z])(s(?=p{{0,2}}\d))?(p{{1,2}}(?=[\dN_]|$))?_?(.*?)((?<=\d)p{{1,2}})?")
+_WORD = re.compile("[a-z]{3,}")
 
 
 @dataclass(frozen=True)
@@ -80,6 +81,8 @@ def parts(name: str) -> Name:
     --------
     >>> parts("up31")
     Name(base='u', star=False, primes=1, index='31')
+    >>> parts("weighted").base
+    'weighted'
     >>> parts("muN1").base, parts("pspp00").primes, parts("y0_3").index, parts("c_phi").index
     ('mu', 2, '0,3', 'phi')
     """
@@ -87,6 +90,8 @@ def parts(name: str) -> Name:
     if match is None:
         return Name(name, False, 0, "")
     base, star, before, index, after = match.groups()
+    if _WORD.fullmatch(index) and not name.startswith(f"{base}_"):
+        return Name(name, False, 0, "")
     return Name(base, star is not None, len(before or "") + len(after or ""), index.replace("_", ","))
 
 
@@ -129,4 +134,6 @@ def latex_names(symbols: Iterable[sympy.Symbol]) -> dict[sympy.Symbol, str]:
 
 
 def _latex_letter(word: str) -> str:
-    return f"\\{_LATEX.get(word, word)}" if word in GREEK else word
+    if word in GREEK:
+        return f"\\{_LATEX.get(word, word)}"
+    return rf"\mathrm{{{word}}}" if _WORD.fullmatch(word) else word

@@ -29,9 +29,9 @@ def math(*content: str, block: bool = False) -> Markup:
     Examples
     --------
     >>> print(math(presentation(sympy.Symbol("up31"))))
-    <math><msubsup><mi>u</mi><mn>31</mn><mo>′</mo></msubsup></math>
+    <math displaystyle="true"><msubsup><mi>u</mi><mn>31</mn><mo>′</mo></msubsup></math>
     """
-    display = ' display="block"' if block else ""
+    display = ' display="block"' if block else ' displaystyle="true"'
     return Markup(f"<math{display}>{''.join(content)}</math>")
 
 

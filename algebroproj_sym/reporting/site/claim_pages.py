@@ -19,7 +19,7 @@ from algebroproj_sym.reporting.site.comparison import (
     where,
 )
 from algebroproj_sym.reporting.site.evidence import evidence
-from algebroproj_sym.reporting.site.formulas import Form, block, described, inline
+from algebroproj_sym.reporting.site.formulas import Form, block, described, listed
 from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.templating import page
 
@@ -89,10 +89,10 @@ def _line(entry: Entry) -> Markup:
         printed, corrected = Markup(reference_text(claim.printed)), Markup(reference_text(claim.derived))
         return printed if claim.printed == claim.derived else _arrow(printed, corrected)
     marks = printed_marks(entry.judgement) if isinstance(claim.printed, Decimal) else ()
-    shown = inline(claim.printed, *marks[:1])
+    shown = listed(claim.printed, *marks[:1])
     if claim.corrected is None:
         return shown or _summary(claim.printed)
-    right = inline(claim.corrected, *marks[1:])
+    right = listed(claim.corrected, *marks[1:])
     if claim.printed is None:
         return Markup("reconstructed: {}").format(right or described(claim.corrected))
     if shown is None or right is None:

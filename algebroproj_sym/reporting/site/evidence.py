@@ -13,8 +13,7 @@ from markupsafe import Markup
 from algebroproj_sym.declaring import Claim, Judgement
 from algebroproj_sym.declaring.claim import in_derived_terms
 from algebroproj_sym.expressions import evaluate, shape
-from algebroproj_sym.reporting.site.formulas import inline
-from algebroproj_sym.reporting.site.mathml import math, presentation
+from algebroproj_sym.reporting.site.formulas import bullet, symbol
 from algebroproj_sym.reporting.site.tables import Table
 
 LONGEST_VALUE = 1200
@@ -60,7 +59,7 @@ class Evidence:
     """
 
     sentences: tuple[str, ...]
-    hypotheses: tuple[Markup | str, ...]
+    hypotheses: tuple[Markup, ...]
     tables: tuple[Table, ...]
     complete: bool
 
@@ -76,7 +75,7 @@ def evidence(judgement: Judgement) -> Evidence:
         *_cofactors(judgement.claim, certificate),
         *_data("Certificate", _rest(certificate, judgement)),
     ]
-    hypotheses = tuple(inline(factor, most=80) or _cut(str(factor)) for factor in judgement.hypotheses)
+    hypotheses = tuple(map(bullet, judgement.hypotheses))
     cut = [cell for table in tables for row in table.rows for cell in row if "…" in cell]
     return Evidence(_sentences(judgement, certificate, refutation), hypotheses, tuple(tables), not cut)
 
@@ -103,7 +102,7 @@ def _counterexample(judgement: Judgement) -> list[Table]:
     point = judgement.counterexample
     if not point:
         return []
-    rows = [(math(presentation(symbol)), _fraction(value)) for symbol, value in point.items()]
+    rows = [(symbol(key.name), _fraction(value)) for key, value in point.items()]
     tables = [Table("Counterexample: a point at which it fails", ("symbol", "value"), rows)]
     values = _values(judgement.claim, point)
     if values:
@@ -145,14 +144,10 @@ def _points(certificate: Mapping[str, Any]) -> list[Table]:
         "instance": "Instance",
     }
     return [
-        Table(caption, ("symbol", "value"), [(_symbol(name), value) for name, value in certificate[key].items()])
+        Table(caption, ("symbol", "value"), [(symbol(name), value) for name, value in certificate[key].items()])
         for key, caption in captions.items()
         if certificate.get(key)
     ]
-
-
-def _symbol(name: str) -> Markup:
-    return math(presentation(sympy.Symbol(name)))
 
 
 def _cofactors(claim: Claim, certificate: Mapping[str, Any]) -> list[Table]:

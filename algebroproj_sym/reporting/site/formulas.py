@@ -11,6 +11,7 @@ import sympy
 from markupsafe import Markup, escape
 
 from algebroproj_sym.declaring import Claim, Statement, statement_text
+from algebroproj_sym.declaring.names import letter, parts
 from algebroproj_sym.expressions import entries
 from algebroproj_sym.reporting.site.addresses import claim_record_file
 from algebroproj_sym.reporting.site.differences import NOTHING, WHOLE, Marks
@@ -19,6 +20,7 @@ from algebroproj_sym.reporting.site.mathml import MARK, math, presentation, rela
 LARGEST_FORMULA = 400
 LARGEST_ENTRY = 90
 LARGEST_INLINE = 24
+SMALL = 6
 LONGEST_TEXT = 5000
 LONGEST_FRACTION = 40
 
@@ -75,9 +77,10 @@ def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "for
     if isinstance(statement, Decimal):
         return Form(Markup('<p class="number">{}</p>').format(number(statement, marks)))
     if isinstance(statement, tuple):
-        pieces = [inline(factor) for factor in statement]
-        joined = Markup(" or ").join(_vanishing(piece) for piece in pieces) if all(pieces) else None
-        return Form(Markup("<p>{}</p>").format(joined)) if joined else _as_text(statement, label)
+        if not all(map(_is_formula, statement)):
+            return _as_text(statement, label)
+        pieces = [equation(presentation(factor), sympy.Integer(0), extent=size(factor)) for factor in statement]
+        return Form(Markup("<p>or</p>").join(pieces))
     if _is_formula(statement):
         return Form(_scrolling(math(presentation(statement, marks), block=True), label, size(statement)))
     return _as_text(statement, label)
@@ -95,11 +98,50 @@ def inline(statement: Statement | None, marks: Marks = NOTHING, most: int = LARG
     return math(presentation(statement, marks)) if size(statement, most) <= most else None
 
 
-def equation(left: str, expression: Any, sign: str = "=") -> Markup:
-    """Return ``left = expression`` as a block; text where it is too long."""
+def equation(left: str, expression: Any, extent: int = 1) -> Markup:
+    """Return ``left = expression`` as a block; text where it is too long.
+
+    Parameters
+    ----------
+    left : str
+        The left side, as MathML.
+    expression : Expression
+        The right side.
+    extent : int
+        The size of the left side.
+    """
     if _is_formula(expression):
-        return _scrolling(math(left, relation(sign), presentation(expression), block=True), "formula", size(expression))
-    return Markup("<p>{} {}</p>{}").format(math(left), sign, _as_text(expression, "formula").html)
+        content = math(left, relation("="), presentation(expression), block=True)
+        return _scrolling(content, "formula", extent + size(expression))
+    return Markup("<p>{} =</p>{}").format(math(left), _as_text(expression, "formula").html)
+
+
+def bullet(expression: Any) -> Markup:
+    """Return a factor in a list of factors, as a formula that scrolls or as text."""
+    if size(expression) > LARGEST_ENTRY:
+        return Markup("<code>{}</code>").format(_shortened(str(expression)))
+    return _scrolling(math(presentation(expression)), "factor", size(expression))
+
+
+def listed(statement: Statement | None, marks: Marks = NOTHING) -> Markup | None:
+    """Return a form within a line of a list, where a longer formula scrolls; None if it is too long."""
+    shown = inline(statement, marks)
+    if shown is None or isinstance(statement, Decimal | tuple) or size(statement) <= SMALL:
+        return shown
+    return _scrolling(shown, "formula", size(statement))
+
+
+def symbol(name: str) -> Markup:
+    """Return the name of a symbol as text.
+
+    Examples
+    --------
+    >>> print(symbol("up31"))
+    <var>u′</var><sub>31</sub>
+    """
+    read = parts(name)
+    base = Markup("<var>{}{}{}</var>").format(letter(read.base), "*" * read.star, "′" * read.primes)
+    return base + Markup("<sub>{}</sub>").format(letter(read.index)) if read.index else base
 
 
 def number(value: Decimal, marks: Marks = NOTHING) -> Markup:
@@ -171,6 +213,10 @@ def record_link(claim: Claim) -> Markup:
     return Markup('<a href="{}">ledger record</a>').format(address)
 
 
+def _shortened(text: str) -> str:
+    return text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]} …"
+
+
 def _exactly(shown: Markup) -> Markup:
     return Markup(" <span>exactly {}</span>").format(shown)
 
@@ -180,12 +226,12 @@ def _vanishing(piece: Markup | None) -> Markup:
 
 
 def _is_formula(expression: Any) -> bool:
-    parts = entries(expression) if isinstance(expression, sympy.MatrixBase) else (expression,)
-    return size(expression) <= LARGEST_FORMULA and all(size(part) <= LARGEST_ENTRY for part in parts)
+    pieces = entries(expression) if isinstance(expression, sympy.MatrixBase) else (expression,)
+    return size(expression) <= LARGEST_FORMULA and all(size(piece) <= LARGEST_ENTRY for piece in pieces)
 
 
 def _scrolling(content: Markup, label: str, extent: int) -> Markup:
-    if extent <= 8:
+    if extent <= SMALL:
         return Markup('<div class="formula">{}</div>').format(content)
     return Markup('<div class="formula" tabindex="0" role="group" aria-label="{}">{}</div>').format(label, content)
 

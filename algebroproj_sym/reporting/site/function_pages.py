@@ -13,7 +13,7 @@ from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
-from algebroproj_sym.reporting.site.formulas import block, equation, inline
+from algebroproj_sym.reporting.site.formulas import block, bullet, equation, inline
 from algebroproj_sym.reporting.site.mathml import presentation
 from algebroproj_sym.reporting.site.plots import accuracy_plot
 from algebroproj_sym.reporting.site.tables import Table
@@ -71,9 +71,7 @@ def _page(catalogue: Catalogue, function: Function) -> str:
         arguments=_arguments(kernel),
         results=[(result.name, _batched(result.shape)) for result in kernel.results],
         formulas=_formulas(kernel),
-        singular=[
-            inline(factor, most=80) or escape(f"a factor of {len(factor.args)} terms") for factor in low.hypotheses
-        ],
+        singular=[bullet(factor) for factor in low.hypotheses],
         claims=[(number, _claim(catalogue, kernel, number)) for number in kernel.claims],
         figures=figures,
         accuracy=_accuracy(figures),

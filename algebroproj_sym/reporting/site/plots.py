@@ -9,7 +9,7 @@ from markupsafe import Markup
 
 from algebroproj_sym.verifying import Accuracy
 
-WIDTH, LEFT, RIGHT, ROW, TOP = 640, 40, 24, 26, 14
+WIDTH, LEFT, RIGHT, ROW, TOP = 440, 40, 24, 24, 14
 LOWEST = -2.0
 
 
@@ -39,7 +39,7 @@ def _x(value: float, top: float) -> str:
 
 
 def _grid(top: float, bottom: int) -> Markup:
-    step = max(1, round((top - LOWEST) / 8))
+    step = max(1, round((top - LOWEST) / 6))
     exponents: Sequence[int] = range(int(LOWEST), int(top) + 1, step)
     ticks = [
         Markup('<path class="grid" d="M{0} {1}V{2}"/><text x="{0}" y="{3}" text-anchor="middle">{4}</text>').format(

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import judged, lowered_after, require_as_declared, verified
+from algebroproj_sym.cli.steps import derived, judged, lowered_after, require_as_declared, verified
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels, select
 from algebroproj_sym.generating import PACKAGE, render, write
@@ -25,7 +25,9 @@ def build(out: Path, samples: int, engine: str, jobs: int) -> None:
 
     Writes DIR/ledger.json, DIR/findings.md, DIR/algebroproj/, DIR/accuracy.json and DIR/report.md.
     """
-    judgements = judged(select(), engine, jobs)
+    claims = select()
+    judgements = judged(claims, engine, jobs)
+    derived(claims, jobs)
     write_json(ledger(judgements, timed=False), out / "ledger.json")
     console().print(summary_text(judgements))
     write_text(findings(judgements), out / "findings.md")

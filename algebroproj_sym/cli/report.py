@@ -8,7 +8,7 @@ from tempfile import TemporaryDirectory
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import judged, lowered_after, require_as_declared, verified
+from algebroproj_sym.cli.steps import derived, judged, lowered_after, require_as_declared, verified
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels, located
 from algebroproj_sym.generating import PACKAGE, render, write
@@ -37,6 +37,7 @@ def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, job
         raise click.UsageError(f"--out: {error}") from error
     judgements = judged(claims, engine, jobs)
     console().print(summary_text(judgements))
+    derived(claims, jobs)
     numbers = {(claim.paper, claim.number) for claim in claims}
     chosen = [k for k in kernels() if numbers >= {(k.paper, number) for number in k.claims}]
     lowered = lowered_after(judgements, chosen, engine, jobs)

@@ -11,12 +11,18 @@ from algebroproj_sym import pipeline
 from algebroproj_sym.cli.terminal import progressing
 from algebroproj_sym.declaring import Claim, Judgement, Kernel
 from algebroproj_sym.generating import Lowered
+from algebroproj_sym.reporting import remember
 from algebroproj_sym.verifying import NotShippedError, Verification
 
 
 def judged(claims: Sequence[Claim], engine: str, jobs: int) -> list[Judgement]:
     """Judge claims, in order."""
     return list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
+
+
+def derived(claims: Sequence[Claim], jobs: int) -> None:
+    """Write what is derived in lowest terms, for all that is shown later."""
+    remember(claims, progressing(pipeline.derived_forms(claims, jobs), len(claims), "reducing"))
 
 
 def lowered_kernels(chosen: Sequence[Kernel], engine: str, jobs: int) -> list[Lowered]:

@@ -96,7 +96,7 @@ class Paper:
         """The paper key."""
         return self.about.key
 
-    @property
+    @cached_property
     def entries(self) -> tuple[Entry, ...]:
         """All claims in the paper's order."""
         return tuple(entry for chapter in self.chapters for entry in chapter.entries)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from decimal import Decimal
+from typing import Any
 
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import bibtex
-from algebroproj_sym.reporting.ledger import claim_record
 from algebroproj_sym.reporting.site.addresses import claim_record_file, errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
@@ -24,7 +25,7 @@ from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.templating import page
 
 
-def claim_files(catalogue: Catalogue, paper: Paper, place: int) -> dict[str, str]:
+def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: Mapping[str, Any]) -> dict[str, str]:
     """Return the page of a claim, and its record in the ledger if something was too long for the page."""
     entry = paper.entries[place]
     claim = entry.judgement.claim
@@ -53,8 +54,7 @@ def claim_files(catalogue: Catalogue, paper: Paper, place: int) -> dict[str, str
     )
     if record is None:
         return {entry.page: html}
-    written = claim_record(entry.judgement, timed=False)
-    return {entry.page: html, record: json.dumps(written, indent=1, ensure_ascii=False) + "\n"}
+    return {entry.page: html, record: json.dumps(ledger_record, indent=1, ensure_ascii=False) + "\n"}
 
 
 def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:

@@ -237,8 +237,8 @@ def _scrolling(content: Markup, label: str, extent: int) -> Markup:
 
 
 def _as_text(statement: Any, label: str) -> Form:
-    text = _lines(statement)
-    if len(text) <= LONGEST_TEXT:
+    text = _lines(statement) if sum(size(part, LONGEST_TEXT) for part in _parts(statement)) < LONGEST_TEXT // 3 else ""
+    if 0 < len(text) <= LONGEST_TEXT:
         wrapped = Markup('<pre class="text" tabindex="0" role="group" aria-label="{}">{}</pre>')
         return Form(wrapped.format(f"{label}, as text", text))
     terms = sum(len(sympy.Add.make_args(sympy.fraction(entry)[0])) for entry in _parts(statement))

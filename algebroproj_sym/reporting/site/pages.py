@@ -32,8 +32,9 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
         "style.css": static("style.css"),
         "search.js": static("search.js"),
     }
+    records = iter(record["claims"])
     for paper in catalogue.papers:
         files |= paper_files(catalogue, paper)
         for place in range(len(paper.entries)):
-            files |= claim_files(catalogue, paper, place)
+            files |= claim_files(catalogue, paper, place, next(records))
     return files | function_files(catalogue)

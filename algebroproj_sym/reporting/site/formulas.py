@@ -20,6 +20,7 @@ from algebroproj_sym.reporting.site.mathml import MARK, math, presentation, rela
 LARGEST_FORMULA = 400
 LARGEST_ENTRY = 90
 LARGEST_INLINE = 24
+LARGEST_FACTOR = 8
 SMALL = 6
 LONGEST_TEXT = 5000
 LONGEST_FRACTION = 40
@@ -93,7 +94,7 @@ def inline(statement: Statement | None, marks: Marks = NOTHING, most: int = LARG
     if isinstance(statement, Decimal):
         return number(statement, marks)
     if isinstance(statement, tuple):
-        pieces = [inline(factor, most=most) for factor in statement]
+        pieces = [inline(factor, most=min(most, LARGEST_FACTOR)) for factor in statement]
         return Markup(" or ").join(map(_vanishing, pieces)) if all(pieces) and len(pieces) <= 6 else None
     return math(presentation(statement, marks)) if size(statement, most) <= most else None
 

@@ -6,10 +6,9 @@ from pathlib import Path
 
 import click
 
-from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.generate import lowered_after
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.steps import derived, judged, lowered_after, require_as_declared, verified
+from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels, select
 from algebroproj_sym.generating import PACKAGE, render, write
 from algebroproj_sym.reporting import findings, ledger, report, summary_text, verification_table, write_json, write_text
@@ -27,17 +26,16 @@ def build(out: Path, samples: int, engine: str, jobs: int) -> None:
     Writes DIR/ledger.json, DIR/findings.md, DIR/algebroproj/, DIR/accuracy.json and DIR/report.md.
     """
     claims = select()
-    judgements = list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
+    judgements = judged(claims, engine, jobs)
+    derived(claims, jobs)
     write_json(ledger(judgements, timed=False), out / "ledger.json")
     console().print(summary_text(judgements))
     write_text(findings(judgements), out / "findings.md")
     lowered = lowered_after(judgements, kernels(), engine, jobs)
     write(render(lowered, drivers()), out / PACKAGE)
-    found = pipeline.verifications(lowered, out, samples, engine, jobs)
-    verified = list(progressing(found, len(lowered), "verifying"))
-    write_json(verification_record(verified), out / "accuracy.json")
-    write_text(report(judgements, lowered, verified), out / "report.md")
-    console().print(verification_table(verified))
+    verifications = verified(lowered, out, samples, engine, jobs)
+    write_json(verification_record(verifications), out / "accuracy.json")
+    write_text(report(judgements, lowered, verifications), out / "report.md")
+    console().print(verification_table(verifications))
     console().print(f"written to {out}: ledger.json, findings.md, {PACKAGE}/, accuracy.json, report.md")
-    if not all(j.as_declared for j in judgements) or not all(v.passed for v in verified):
-        raise SystemExit(1)
+    require_as_declared(judgements, verifications)

@@ -6,9 +6,9 @@ import json
 
 import click
 
-from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.steps import judged, require_as_declared
+from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.reporting import claims_table, ledger, summary_text
 
 
@@ -23,12 +23,10 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str) -> No
     A SELECTOR is a paper key, paper:section, paper:number or the path of a derivation module; without one, every
     claim of every paper is judged.
     """
-    claims = options.selected(selectors)
-    judgements = list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
+    judgements = judged(options.selected(selectors), engine, jobs)
     if output == "json":
         click.echo(json.dumps(ledger(judgements), indent=1, ensure_ascii=False))
     else:
         console().print(claims_table(judgements))
         console().print(summary_text(judgements))
-    if not all(judgement.as_declared for judgement in judgements):
-        raise SystemExit(1)
+    require_as_declared(judgements)

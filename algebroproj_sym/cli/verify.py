@@ -7,12 +7,11 @@ from pathlib import Path
 
 import click
 
-from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.generate import lowered_kernels
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.steps import lowered_kernels, require_as_declared, verified
+from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.reporting import verification_table
-from algebroproj_sym.verifying import BOUND, NotShippedError, verification_record
+from algebroproj_sym.verifying import BOUND, verification_record
 
 
 @click.command()
@@ -37,16 +36,11 @@ def verify(functions: tuple[str, ...], folder: Path | None, samples: int, engine
     on stratified samples; on the zeros of each factor that must not vanish it must not stay finite.
     """
     lowered = lowered_kernels(options.selected_kernels(functions), engine, jobs)
-    try:
-        found = pipeline.verifications(lowered, folder, samples, engine, jobs)
-        verified = list(progressing(found, len(lowered), "verifying"))
-    except NotShippedError as error:
-        raise click.ClickException(str(error)) from error
+    verifications = verified(lowered, folder, samples, engine, jobs)
     if output == "json":
-        click.echo(json.dumps(verification_record(verified), indent=1))
+        click.echo(json.dumps(verification_record(verifications), indent=1))
     else:
-        console().print(verification_table(verified))
-        passed = sum(verification.passed for verification in verified)
-        console().print(f"{passed} of {len(verified)} functions verified; bound of error/(cond u): {BOUND:g}")
-    if not all(verification.passed for verification in verified):
-        raise SystemExit(1)
+        console().print(verification_table(verifications))
+        passed = sum(verification.passed for verification in verifications)
+        console().print(f"{passed} of {len(verifications)} functions verified; bound of error/(cond u): {BOUND:g}")
+    require_as_declared((), verifications)

@@ -1,5 +1,6 @@
 """Declaring: what derivations state and ask for, how each statement is judged and how it shows itself."""
 
+from algebroproj_sym.declaring.bibliography import Publication, bibtex, publication
 from algebroproj_sym.declaring.claim import VERDICTS, Claim, DeclarationError, Statement, Verdict, statement_text
 from algebroproj_sym.declaring.difference import differing_entries
 from algebroproj_sym.declaring.discovery import (
@@ -10,6 +11,7 @@ from algebroproj_sym.declaring.discovery import (
     drivers,
     installed_papers,
     kernels,
+    located,
     select,
 )
 from algebroproj_sym.declaring.display import evidence_lines
@@ -41,6 +43,7 @@ __all__ = [
     "Judgement",
     "Kernel",
     "Primitive",
+    "Publication",
     "Result",
     "Section",
     "Stage",
@@ -48,6 +51,7 @@ __all__ = [
     "UnknownSelectorError",
     "Verdict",
     "arctan2",
+    "bibtex",
     "cos_sin",
     "derivation_at",
     "derivations",
@@ -58,7 +62,9 @@ __all__ = [
     "judge",
     "kernels",
     "let",
+    "located",
     "null_vector",
+    "publication",
     "select",
     "solution",
     "statement_text",

@@ -109,8 +109,13 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
     UnknownSelectorError
         If a selector names nothing.
     """
-    chosen = [claim for selector in selectors or installed_papers() for claim in _claims(selector)]
-    return tuple({(claim.paper, claim.number): claim for claim in chosen}.values())
+    return tuple(claim for _, claim in located(selectors))
+
+
+def located(selectors: Sequence[str] = ()) -> tuple[tuple[Derivation, Claim], ...]:
+    """Return the claims that some selectors name, as `select` does, each with the derivation that declares it."""
+    chosen = [found for selector in selectors or installed_papers() for found in _located(selector)]
+    return tuple({(claim.paper, claim.number): (source, claim) for source, claim in chosen}.values())
 
 
 def kernels(names: Sequence[str] = ()) -> tuple[Kernel, ...]:
@@ -146,19 +151,19 @@ def _sections(module: ModuleType) -> tuple[Section, ...]:
     return (section,) if isinstance(section, Section) else ()
 
 
-def _claims(selector: str) -> list[Claim]:
+def _located(selector: str) -> list[tuple[Derivation, Claim]]:
     if selector.endswith(".py"):
         path = Path(selector)
         if not path.is_file():
             raise UnknownSelectorError(f"selector: expected an existing derivation module, got {selector}")
-        return [claim for derivation in derivation_at(path) for claim in derivation.section.claims]
+        return [(source, claim) for source in derivation_at(path) for claim in source.section.claims]
     paper, _, part = selector.partition(":")
     if paper not in installed_papers():
         raise UnknownSelectorError(
             f"selector: expected one of the papers {', '.join(installed_papers())}, got {selector!r}"
         )
-    claims = [claim for derivation in derivations(paper) for claim in derivation.section.claims]
-    named = [claim for claim in claims if not part or _names(part, claim)]
+    found = [(source, claim) for source in derivations(paper) for claim in source.section.claims]
+    named = [(source, claim) for source, claim in found if not part or _names(part, claim)]
     if part and not named:
         raise UnknownSelectorError(f"selector: expected a section or number of {paper}, got {part!r}")
     return named

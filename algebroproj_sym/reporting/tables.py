@@ -13,6 +13,7 @@ from algebroproj_sym.declaring import Judgement, Statement, differing_entries, e
 from algebroproj_sym.expressions import divided
 from algebroproj_sym.generating import Lowered, operation_counts
 from algebroproj_sym.proving import reduced
+from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.verifying import Verification
 
@@ -60,8 +61,8 @@ def explanation(judgement: Judgement, module: str, functions: Sequence[str]) -> 
     lines.append(f"{'verdict':<12}").append_text(verdict_text(judgement.verdict)).append(
         f", a claim of kind {claim.kind}\n"
     )
-    derived = None if claim.derived is None else reduced(claim.derived)
-    for label, statement in (("printed", claim.printed), ("derived", derived), ("corrected", claim.corrected)):
+    forms = (("printed", claim.printed), ("derived", derived_form(claim)), ("corrected", claim.corrected))
+    for label, statement in forms:
         if statement is not None:
             lines.append(_labelled(label, *_statement_lines(statement)))
     for place, printed_entry, derived_entry in differing_entries(claim):

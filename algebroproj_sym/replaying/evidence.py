@@ -81,20 +81,16 @@ def _membership(
     algebra = statement.algebra(field)
     constraints = [evaluate(form, algebra)[0] for form in statement.listed("constraints")]
     units = [evaluate(form, algebra)[0] for form in statement.listed("nonzero")] + units
-    generators = [statement.element(text, field).polynomial() for text in certificate["generators"]]
-    require(
-        bool(constraints) and [_numerator(constraint) for constraint in constraints] == list(map(_primitive, generators)),
-        "the generators are not the numerators of the constraints",
-    )
+    generators = [statement.element(text, field) for text in certificate["generators"]]
+    require(bool(constraints) and len(constraints) == len(generators), "expected a generator for each constraint")
+    for constraint, generator in zip(constraints, generators, strict=True):
+        require(not generator.is_zero, "a generator is zero")
+        require((_above(constraint) - generator).is_zero, "the generators are not the numerators of the constraints")
     multiplier = statement.element(certificate["multiplier"], field)
-    nonvanishing = [Element(field, factor, {}, 1) for factor in field.factors[: field.listed]]
     product = field.number(Fraction(1))
-    for factor in (*nonvanishing, *units):
+    for factor in (*(Element(field, listed, {}, 1) for listed in field.factors[: field.listed]), *map(_above, units)):
         product = product * factor
-    require(
-        _numerator(product) == _numerator(multiplier),
-        "the multiplier is not the product of what does not vanish",
-    )
+    require((product - multiplier).is_zero, "the multiplier is not the product of what does not vanish")
     names = [parse(text) for text in certificate["denominators"]]
     require(len(certificate["entries"]) == len(difference), "the certificate has not as many entries as the statement")
     for entry, part in zip(difference, certificate["entries"], strict=True):
@@ -106,7 +102,7 @@ def _membership(
         cofactors = [statement.element(text, field) for text in part["cofactors"]]
         require(len(cofactors) == len(generators), "expected a cofactor for each constraint")
         for cofactor, generator in zip(cofactors, generators, strict=True):
-            cleared = cleared - cofactor * Element(field, generator, {}, 1)
+            cleared = cleared - cofactor * generator
         require(cleared.is_zero, "the cofactors do not multiply out to the difference")
         require(bool(part["power"]) <= (not entry.is_zero), "zero needs no multiplier")
     witness = statement.point(certificate["witness"])
@@ -120,6 +116,12 @@ def _membership(
 def _natural(value: Any) -> int:
     require(isinstance(value, int) and not isinstance(value, bool) and value >= 0, "expected a number of times")
     return int(value)
+
+
+def _above(element: Element) -> Element:
+    """Return what is left when the divisors are dropped."""
+    raised = {place: power for place, power in element.exponents.items() if power > 0}
+    return Element(element.field, element.numerator, raised, element.denominator)
 
 
 def _numerator(element: Element) -> Polynomial:
@@ -234,12 +236,13 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> None
     factors = {name for name, _ in certificate["factors"]}
     claimed = {name for powers in certificate["printed"] for name, _ in powers}
     units = [evaluate(unit, algebra)[0] for unit in statement.listed("nonzero")]
-    for name in certificate["excluded"]:
-        require(name in factors and certificate["excluded"].count(name) == 1, "an excluded factor is none")
+    excluded = []
+    for name in sorted(factors):
         factor = named[name].polynomial()
         listed = factor in field.factors[: field.listed] or -factor in field.factors[: field.listed]
-        unit = any(_numerator(value).quotient(_primitive(factor)) is not None for value in units)
-        require(listed or unit, "an excluded factor is neither divisor nor hypothesis")
+        if listed or any(_numerator(value).quotient(_primitive(factor)) is not None for value in units):
+            excluded.append(name)
+    require(certificate["excluded"] == excluded, "the excluded factors are not those of divisors and hypotheses")
     require(factors - {*certificate["excluded"]} == claimed, "the factors of the two sides differ")
     _exact(field)
 
@@ -321,6 +324,7 @@ def _bound(statement: Statement, certificate: Certificate, others: set[str]) -> 
     field = Field(statement.symbols)
     field.list([statement.element(text, field) for text in statement.record["hypotheses"]])
     if not certificate.get("kernel"):
+        require(not field.listed, "a listed divisor is met by no division")
         _keys(certificate, "method", "kernel", *others)
         return smaller
     _keys(certificate, "method", "kernel", "kernel at", "kernel rows", "kernel minor", *others)
@@ -330,7 +334,9 @@ def _bound(statement: Statement, certificate: Certificate, others: set[str]) -> 
     point = statement.point(certificate["kernel at"])
     columns = [evaluate(parse(text), at_point(point)) for text in certificate["kernel"]]
     at = {**certificate, "kernel columns": [*range(len(columns))]}
-    independent = _size([list(row) for row in zip(*columns, strict=True)], at, "kernel rows", "kernel columns", "kernel minor")
+    independent = _size(
+        [list(row) for row in zip(*columns, strict=True)], at, "kernel rows", "kernel columns", "kernel minor"
+    )
     require(field.used >= {*range(field.listed)}, "a listed divisor is met by no division")
     return width - independent
 
@@ -365,7 +371,7 @@ def limit(statement: Statement, form: str, certificate: Certificate) -> None:
         assert found is not None
         numerator, denominator = found
         require((value * denominator - numerator).is_zero, "the limit is another one")
-    require({*statement.record["hypotheses"]} <= {*_divisors_of(statement, form, limits)}, "a hypothesis is no divisor")
+    require(statement.record["hypotheses"] == _divisors_of(statement, form, limits), "a hypothesis is no divisor")
 
 
 def _divisors_of(statement: Statement, form: str, limits: Sequence[tuple[Element, Element] | None]) -> list[str]:
@@ -447,7 +453,10 @@ def _rounded(statement: Statement, form: str, certificate: Certificate) -> bool:
         *("method", "difference", "units of the last digit", "unrounded difference", "with unrounded inputs"),
     )
     unrounded = evaluate(parse(inputs), at_point({}))[0]
-    return abs(_compared(statement, form, unrounded, certificate, "unrounded difference", "with unrounded inputs")) <= units
+    return (
+        abs(_compared(statement, form, unrounded, certificate, "unrounded difference", "with unrounded inputs"))
+        <= units
+    )
 
 
 def _compared(
@@ -570,6 +579,7 @@ def limit_refuted(statement: Statement, form: str, certificate: Certificate) -> 
     if certificate.get("method") == "divergence":
         _keys(certificate, "method", "divisors", "leading")
         _, limits = _limits(statement, certificate)
+        _hypotheses(statement, certificate["divisors"])
         require(None in limits, "every entry has a limit")
         return
     _method(certificate, "counterexample")

@@ -102,7 +102,10 @@ def _follow(record: Mapping[str, Any]) -> None:
     if verdict in ("misprint", "false"):
         require(verdict == "misprint" or bool(record["instead"]), "what is true instead is not named")
         require(verdict == "misprint" or not statement.has("corrected"), "a false claim has no corrected form")
-        REFUTATIONS[kind](statement, "printed", certificate["refutation"] if verdict == "misprint" else certificate)
+        refutation = certificate["refutation"] if verdict == "misprint" else certificate
+        if verdict == "false" and refutation.get("method") == "counterexample":
+            require(not record["hypotheses"], "a counterexample needs no hypotheses")
+        REFUTATIONS[kind](statement, "printed", refutation)
 
 
 def replay(ledger: Mapping[str, Any], jobs: int = 1) -> Iterator[Replayed]:

@@ -135,7 +135,9 @@ class Statement:
         """Reject a text that is not the form which its steps make."""
         for name in self.record.get("divisions") or {}:
             if name == "where":
-                pairs = [(f"value of {key}", parse(self.record["where"][key]), self.where[key]) for key in self._steps(name)]
+                pairs = [
+                    (f"value of {key}", parse(self.record["where"][key]), self.where[key]) for key in self._steps(name)
+                ]
             else:
                 pairs = [(f"form {name}", self.text_form(name), self.form(name))]
             for what, shown, made in pairs:

@@ -20,10 +20,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from algebroproj_sym.replaying.rejection import Rejected
+from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
 _TOKEN = re.compile(r"\s*(?:(\d+)|([A-Za-z_]\w*)|(\$\d+)|(\*\*|[-+*/(),\[\]]))")
 DEPTH = 400
+LARGEST_EXPONENT = 1000
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,8 +127,8 @@ def number(text: Any) -> Fraction:
     >>> number("-3/4")
     Fraction(-3, 4)
     """
-    if not isinstance(text, str) or not re.fullmatch(r"-?\d+(/[1-9]\d*)?", text):
-        raise Rejected(f"expected a rational number, got {text!r}")
+    if not isinstance(text, str) or not re.fullmatch(r"-?\d+(/[1-9]\d*)?", text) or str(Fraction(text)) != text:
+        raise Rejected(f"expected a rational number in lowest terms, got {text!r}")
     return Fraction(text)
 
 
@@ -234,6 +235,8 @@ class _Reader:
         value = self.integer()
         if bracket:
             self.expect(")")
+        if value > LARGEST_EXPONENT:
+            raise NotReplayable(f"an exponent exceeds {LARGEST_EXPONENT}")
         return -value if negative else value
 
     def integer(self) -> int:

@@ -110,14 +110,15 @@ def generic_rank(
     if largest > printed:
         return Proof("refuted", (), {"method": "counterexample", "rank": largest, **below}, point, engine)
     above = _above(claim, bound, bound_point)
+    met = hypotheses() if bound.independent else ()
     if bound.rank < printed:
         certificate = {"method": "kernel vectors", "rank at most": bound.rank, **above}
-        return Proof("refuted", hypotheses(), certificate, {}, engine)
+        return Proof("refuted", met, certificate, {}, engine)
     if largest < printed or bound.rank > printed:
         reason = f"the rank lies between {largest} and {bound.rank}"
-        return Proof("open", hypotheses(), {"method": "none", "reason": reason}, None, engine)
+        return Proof("open", met, {"method": "none", "reason": reason}, None, engine)
     certificate = {"method": "rank at a point and kernel vectors", "point": _as_text(point), **below, **above}
-    return Proof("proved", hypotheses(), certificate, None, engine)
+    return Proof("proved", met, certificate, None, engine)
 
 
 def _above(claim: Claim, bound: Bound, point: Point) -> dict[str, Any]:

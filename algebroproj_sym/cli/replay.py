@@ -7,16 +7,16 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import click
 from rich.table import Table
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, progressing
-from algebroproj_sym.replaying import Rejected, Replayed, replay, unsupported
+from algebroproj_sym.replaying import Rejected, Replayed, Status, replay, unsupported
 
-STATUSES = ("replayed", "rejected", "not replayable")
+STATUSES: tuple[Status, ...] = get_args(Status)
 
 
 @click.command(name="replay")

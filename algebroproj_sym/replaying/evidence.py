@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, cast
 
 from algebroproj_sym.replaying.evaluation import at_point, derivatives, evaluate
 from algebroproj_sym.replaying.field import Element, Field
@@ -134,13 +134,18 @@ def _primitive(polynomial: Polynomial) -> Polynomial:
     return polynomial.divided(polynomial.content())
 
 
+def _pivot(certificate: Certificate, places: int) -> int:
+    pivot = certificate.get("pivot")
+    require(isinstance(pivot, int) and 0 <= pivot < places, "the pivot is no place of the form")
+    return cast(int, pivot)
+
+
 def projective(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that one side is the other times a factor that is not zero."""
     field = statement.field(certificate.get("denominators"))
     algebra = statement.algebra(field)
     printed, derived = statement.side(form, algebra), statement.side("derived", algebra)
-    pivot = certificate.get("pivot")
-    require(isinstance(pivot, int) and 0 <= pivot < len(derived), "the pivot is no place of the form")
+    pivot = _pivot(certificate, len(derived))
     require(len(printed) == len(derived), "the two sides have not the same shape")
     p, d = printed[pivot], derived[pivot]
     require(not p.is_zero and not d.is_zero, "the entry at the pivot is zero")
@@ -284,18 +289,21 @@ def _rows(entries: list[Any], shape: tuple[int, ...]) -> list[list[Any]]:
 
 
 def _size(matrix: list[list[Fraction]], certificate: Certificate, rows: str, columns: str, value: str) -> int:
-    chosen_rows, chosen_columns = certificate.get(rows), certificate.get(columns)
     width = len(matrix[0]) if matrix else 0
-    for chosen, limit in ((chosen_rows, len(matrix)), (chosen_columns, width)):
-        valid = isinstance(chosen, list) and all(isinstance(i, int) and 0 <= i < limit for i in chosen)
-        require(valid and chosen == sorted({*chosen}), "rows and columns are not places of the matrix in order")
-    assert isinstance(chosen_rows, list)
-    assert isinstance(chosen_columns, list)
+    chosen_rows = _chosen(certificate.get(rows), len(matrix))
+    chosen_columns = _chosen(certificate.get(columns), width)
     require(len(chosen_rows) == len(chosen_columns), "a minor has as many rows as columns")
     determinant = _determinant([[matrix[i][j] for j in chosen_columns] for i in chosen_rows])
     require(determinant != 0, "the minor is zero")
     require(determinant == number(certificate.get(value)), "the minor has another value")
     return len(chosen_rows)
+
+
+def _chosen(places: Any, limit: int) -> list[int]:
+    require(isinstance(places, list), "a minor has rows and columns")
+    found = [place for place in places if isinstance(place, int) and 0 <= place < limit]
+    require(found == places == sorted({*found}), "rows and columns are not places of the matrix in order")
+    return found
 
 
 def _determinant(matrix: list[list[Fraction]]) -> Fraction:
@@ -450,7 +458,11 @@ def _rounded(statement: Statement, form: str, certificate: Certificate) -> bool:
     _method(certificate, "rounding of inputs")
     _keys(
         certificate,
-        *("method", "difference", "units of the last digit", "unrounded difference", "with unrounded inputs"),
+        "method",
+        "difference",
+        "units of the last digit",
+        "unrounded difference",
+        "with unrounded inputs",
     )
     unrounded = evaluate(parse(inputs), at_point({}))[0]
     return (
@@ -519,8 +531,8 @@ def projective_refuted(statement: Statement, form: str, certificate: Certificate
     _keys(certificate, "method", "left", "right", "pivot")
     algebra = at_point(_counterexample(statement))
     printed, derived = statement.side(form, algebra), statement.side("derived", algebra)
-    pivot = certificate["pivot"]
-    require(isinstance(pivot, int) and 0 <= pivot < len(derived) == len(printed), "the pivot is no place of the form")
+    pivot = _pivot(certificate, len(derived))
+    require(len(derived) == len(printed), "the two sides have not the same shape")
     left = [entry * derived[pivot] for entry in printed]
     right = [entry * printed[pivot] for entry in derived]
     require(derived[pivot] != 0, "the entry at the pivot is zero")
@@ -584,7 +596,7 @@ def limit_refuted(statement: Statement, form: str, certificate: Certificate) -> 
         return
     _method(certificate, "counterexample")
     _keys(certificate, "method", "divisors", "leading", "left", "right")
-    field, limits = _limits(statement, certificate)
+    _, limits = _limits(statement, certificate)
     point = _counterexample(statement)
     left = statement.side(form, at_point(point))
     right = []

@@ -64,7 +64,7 @@ class Field:
         """Enter the listed divisors."""
         for divisor in divisors:
             factor = divisor.polynomial()
-            if factor.is_constant() or factor.content() != 1 and factor.content() != -1 or factor in self.factors:
+            if factor.is_constant() or abs(factor.content()) != 1 or factor in self.factors:
                 raise Rejected("a listed divisor is a constant, has a numeric factor, or is listed twice")
             self.factors.append(factor)
         self.listed = len(self.factors)

@@ -1,4 +1,4 @@
-"""From records to results: does the verdict follow from the evidence that the ledger keeps?"""
+"""From records to results: whether each verdict follows from the evidence that the ledger keeps."""
 
 from __future__ import annotations
 
@@ -64,18 +64,23 @@ def replay_claim(record: Mapping[str, Any]) -> Replayed:
     >>> replay_claim({**record, "derived": "x + 2"}).reason
     'the two sides differ'
     """
-    named = [str(record.get(key)) for key in ("paper", "number", "kind", "verdict")]
+    paper, number, kind, verdict = (str(record.get(key)) for key in ("paper", "number", "kind", "verdict"))
+    status, reason = _judged(record)
+    return Replayed(paper, number, kind, verdict, status, reason)
+
+
+def _judged(record: Mapping[str, Any]) -> tuple[Status, str]:
     try:
         _follow(record)
     except NotReplayable as why:
-        return Replayed(*named, "not replayable", str(why))
+        return ("not replayable", str(why))
     except Rejected as why:
-        return Replayed(*named, "rejected", str(why))
+        return ("rejected", str(why))
     except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
-        return Replayed(*named, "rejected", f"the record is not well-formed ({type(error).__name__}: {error})")
+        return ("rejected", f"the record is not well-formed ({type(error).__name__}: {error})")
     except (RecursionError, OverflowError):
-        return Replayed(*named, "not replayable", "the expressions are too large")
-    return Replayed(*named, "replayed")
+        return ("not replayable", "the expressions are too large")
+    return "replayed", ""
 
 
 def _follow(record: Mapping[str, Any]) -> None:

@@ -109,7 +109,7 @@ class Polynomial:
         return not self.terms or self.terms.keys() == {0}
 
     def quotient(self, divisor: Polynomial) -> Polynomial | None:
-        """Return the polynomial that times `divisor` is this one, or None if there is none with integer coefficients."""
+        """Return the integer polynomial that times `divisor` is this one, or None if there is none."""
         lead = max(divisor.terms)
         leading = divisor.terms[lead]
         others = [(monomial, value) for monomial, value in divisor.terms.items() if monomial != lead]

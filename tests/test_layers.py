@@ -6,7 +6,10 @@ from pathlib import Path
 
 import pytest
 
-STAGES = ("expressions", "proving", "declaring", "generating", "verifying", "reporting", "pipeline", "replaying", "cli")
+STAGES = (
+    *("expressions", "proving", "declaring", "generating", "verifying", "mutating"),
+    *("reporting", "pipeline", "replaying", "cli"),
+)
 
 
 def imported_stages(path: Path) -> set[str]:

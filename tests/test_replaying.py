@@ -311,6 +311,21 @@ def still_true(record, path):
         return False
 
 
+def same_steps(record, path):
+    """Whether the changed steps still make the same rational functions as the text, by SymPy."""
+    symbols = {name: sympy.Symbol(name) for name in re.findall(r"[A-Za-z_]\w*", json.dumps(record["divisions"]))}
+    place = len(path) - 2 if path[-2] in ("steps", "entries") else len(path)
+    written = at_path(record, path[:place])
+    made = []
+    for text in (*written["steps"], *written["entries"]):
+        value = sympy.sympify(text.replace("$", "step_"), locals=symbols)
+        made.append(value.xreplace({sympy.Symbol(f"step_{i}"): step for i, step in enumerate(made)}))
+    shown = record["where"][path[2]] if path[1] == "where" else record[path[1]]
+    entries = list(sympy.Matrix([sympy.sympify(shown, locals=symbols)]))
+    pairs = zip(entries, made[len(written["steps"]) :], strict=True)
+    return all(sympy.cancel(sympy.together(first - second)) == 0 for first, second in pairs)
+
+
 def point_shows(record, path):
     """Whether the changed point shows the same, by substitution into SymPy expressions."""
     claim = reread(record)
@@ -345,6 +360,8 @@ def point_shows(record, path):
 def is_equivalent(before, after, path):
     """Whether a change leaves a true statement and valid evidence, judged without the replay."""
     old, new = at_path(before, path), at_path(after, path)
+    if path[0] == "divisions":
+        return same_steps(after, path)
     if path[0] in EXPRESSIONS:
         return still_true(after, path)
     if path[0] == "counterexample" or (

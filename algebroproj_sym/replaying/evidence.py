@@ -104,7 +104,8 @@ def _membership(
         for cofactor, generator in zip(cofactors, generators, strict=True):
             cleared = cleared - cofactor * generator
         require(cleared.is_zero, "the cofactors do not multiply out to the difference")
-        require(bool(part["power"]) <= (not entry.is_zero), "zero needs no multiplier")
+        trivial = entry.is_zero or multiplier.polynomial().is_constant()
+        require(not (part["power"] and trivial), "zero needs no multiplier, and the power of a constant is none")
     witness = statement.point(certificate["witness"])
     statement.require_allowed(witness)
     require(

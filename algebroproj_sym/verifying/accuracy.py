@@ -98,17 +98,25 @@ def accuracy(lowered: Lowered, package: ModuleType, size: int, seed: int = 0) ->
     return measured(lowered, function, stratified(lowered, size, seed))
 
 
-def measured(lowered: Lowered, function: Function, samples: Sequence[Sample]) -> Accuracy:
-    """Measure any function against the derivation of a kernel, on given samples."""
+def truths(lowered: Lowered, samples: Sequence[Sample]) -> tuple[Truth, ...]:
+    """Return the exact results of a kernel at some samples."""
+    truth = oracle(lowered.kernel)
+    return tuple(truth(sample.values) for sample in samples)
+
+
+def measured(
+    lowered: Lowered, function: Function, samples: Sequence[Sample], known: Sequence[Truth] | None = None
+) -> Accuracy:
+    """Measure any function against the derivation of a kernel, on given samples, whose exact results may be known."""
     kernel = lowered.kernel
-    truth = oracle(kernel)
+    exact = truths(lowered, samples) if known is None else known
     batch = {symbol.name: np.array([sample.values[symbol.name] for sample in samples]) for symbol in kernel.symbols}
     with np.errstate(all="ignore"):
         computed = call(function, kernel, batch)
     varying = [isinstance(output, str) for output in lowered.program.outputs]
     errors = [
-        _errors(sample.stratum, row.tolist(), truth(sample.values), varying)
-        for sample, row in zip(samples, computed, strict=True)
+        _errors(sample.stratum, row.tolist(), truth, varying)
+        for sample, row, truth in zip(samples, computed, exact, strict=True)
     ]
     names = dict.fromkeys(error.stratum for error in errors)
     strata = tuple(_summary(name, [error for error in errors if error.stratum == name]) for name in names)

@@ -296,7 +296,7 @@ def same_function(old, new, signs):
     if isinstance(old, int) or "$" in old + new:
         return False
     first, second = (
-        sympy.sympify(text, locals={n: sympy.Symbol(n) for n in re.findall(r"[A-Za-z_]\w*", text)})
+        sympy.sympify(text, locals={n: sympy.Symbol(n) for n in re.findall(r"(?!Matrix)[A-Za-z_]\w*", text)})
         for text in (old, new)
     )
     pairs = [(first, second)] if isinstance(first, sympy.Expr) else zip(first, second, strict=True)

@@ -6,6 +6,7 @@ import json
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any, get_args
 
 import click
@@ -17,6 +18,7 @@ from algebroproj_sym.cli.generate import lowered_kernels
 from algebroproj_sym.cli.terminal import console, progressing
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.mutating import Fate, MutatedClaim, MutatedKernel
+from algebroproj_sym.verifying import NotShippedError
 
 FATES: tuple[Fate, ...] = get_args(Fate)
 
@@ -32,10 +34,25 @@ FATES: tuple[Fate, ...] = get_args(Fate)
     help="Changes of each claim or function, chosen always in the same way; 0 for all.",
 )
 @click.option("--only", type=click.Choice(("claims", "functions")), help="Change claims alone, or functions alone.")
+@click.option(
+    "--package",
+    "folder",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="A folder that contains the package; by default the functions of the installed one are changed.",
+)
 @options.engine
 @options.jobs
 @options.output_format
-def mutate(selectors: tuple[str, ...], limit: int, only: str | None, engine: str, jobs: int, output: str) -> None:
+def mutate(
+    selectors: tuple[str, ...],
+    limit: int,
+    only: str | None,
+    folder: Path | None,
+    engine: str,
+    jobs: int,
+    output: str,
+) -> None:
     """Change proved claims, and the generated functions that rest on them, in single places.
 
     A changed printed form (a sign, an index, a prime, a factor, a numerator against its denominator, an entry) must be
@@ -54,8 +71,11 @@ def mutate(selectors: tuple[str, ...], limit: int, only: str | None, engine: str
         names = {(claim.paper, claim.number) for claim in chosen}
         resting = [kernel for kernel in kernels() if names & {(kernel.paper, number) for number in kernel.claims}]
         lowered = lowered_kernels(resting, engine, jobs)
-        changed = pipeline.mutated_kernels(lowered, None, limit, engine=engine, jobs=jobs)
-        functions = list(progressing(changed, len(lowered), "changing functions"))
+        changed = pipeline.mutated_kernels(lowered, folder, limit, engine=engine, jobs=jobs)
+        try:
+            functions = list(progressing(changed, len(lowered), "changing functions"))
+        except NotShippedError as error:
+            raise click.ClickException(str(error)) from error
     if output == "json":
         click.echo(json.dumps(_record(claims, functions), indent=1, ensure_ascii=False))
     else:
@@ -113,9 +133,7 @@ def _print_functions(functions: Sequence[MutatedKernel]) -> None:
     console().print(table)
     every = [fate for function in functions for fate in function.fates if not fate.equivalent]
     proof, numbers = sum(fate.by_proof for fate in every), sum(fate.by_numbers for fate in every)
-    console().print(
-        f"{len(every)} changed sources are not equivalent: {proof} noticed by the proof of the source, {numbers} by numbers"
-    )
+    console().print(f"{len(every)} changed sources are not equivalent: {proof} noticed by proof, {numbers} by numbers")
 
 
 def _record(claims: Sequence[MutatedClaim], functions: Sequence[MutatedKernel]) -> dict[str, Any]:

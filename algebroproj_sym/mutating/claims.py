@@ -65,9 +65,9 @@ def mutate_claim(claim: Claim, limit: int = 0, engine: str = "flint") -> Mutated
     --------
     >>> from algebroproj_sym import Section
     >>> x, y = sympy.symbols("x y")
-    >>> claim = Section("demo", "1", "Squares").identity("1.1", "square", printed=(x - y)**2, derived=(y - x)**2)
+    >>> claim = Section("demo", "1", "Squares").identity("1.1", "square", printed=x**2, derived=x * x)
     >>> [(fate.form, fate.fate) for fate in mutate_claim(claim).fates]
-    [('(x - y)**(-2)', 'refuted'), ('(x - y)**3', 'refuted'), ('(-x - y)**2', 'refuted'), ('(x + y)**2', 'refuted')]
+    [('x**(-2)', 'refuted'), ('x**3', 'refuted')]
     """
     if claim.expected != "proved" or judge(claim, engine).verdict != "proved":
         return MutatedClaim(claim.paper, claim.number, claim.kind, 0, ())

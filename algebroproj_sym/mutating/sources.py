@@ -34,7 +34,7 @@ def source_mutants(function: Callable[..., Any]) -> list[SourceMutant]:
     --------
     >>> from algebroproj import optics
     >>> [mutant.line for mutant in source_mutants(optics.scale)][:2]
-    ['out[...] = f * (p3 * y - f)', 'out[...] = f / (p3 * y + f)']
+    ['out[...] = f * (f + x3)', 'out[...] = (f + x3) / f']
     """
     tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
     found, seen = [], {ast.unparse(tree)}

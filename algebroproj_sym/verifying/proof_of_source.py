@@ -6,8 +6,7 @@ return are free variables.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from fractions import Fraction
 from types import ModuleType
 from typing import Any
@@ -17,7 +16,7 @@ import numpy as np
 from algebroproj_sym.declaring import Kernel, Stage
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
-from algebroproj_sym.verifying.shipped import call, function_of
+from algebroproj_sym.verifying.shipped import call, function_of, replaced
 
 
 def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint") -> bool:
@@ -42,7 +41,7 @@ def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint")
     inputs = {symbol.name: np.array(field.variables[symbol], dtype=object) for symbol in kernel.symbols}
     function = function_of(kernel, package)
     calls = _Calls(called, field)
-    with _replaced(function, {stage.primitive: calls for stage in called}):
+    with replaced(function, {stage.primitive: calls for stage in called}):
         result = call(function, kernel, inputs)
     computed = [*calls.given, *result.tolist()]
     expected = _expected(kernel, field)
@@ -81,15 +80,3 @@ class _Calls:
     def _element(self, entry: Any) -> RationalFunction:
         value = entry.item() if isinstance(entry, np.ndarray) else entry
         return value if isinstance(value, RationalFunction) else self.field.lift(Fraction(value))
-
-
-@contextmanager
-def _replaced(function: Any, replacements: Mapping[str, Any]) -> Iterator[None]:
-    """Give names another meaning inside a function, for a while."""
-    names = function.__globals__
-    before = {name: names[name] for name in replacements}
-    names.update(replacements)
-    try:
-        yield
-    finally:
-        names.update(before)

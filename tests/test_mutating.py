@@ -146,6 +146,14 @@ def test_changes_of_a_generated_function_are_noticed_twice(name):
     assert sum(fate.by_proof for fate in found.fates) >= 0.8 * len(found.fates)
 
 
+def test_a_constant_entry_that_is_not_set_is_noticed_by_numbers():
+    (kernel,) = kernels(["optics.lens_matrix"])
+    found = mutate_kernel(lower(kernel), load_package(), size=2)
+    moved = [fate for fate in found.fates if fate.change == "number" and fate.line.endswith("= 0")]
+    assert moved
+    assert all(fate.by_numbers for fate in moved)
+
+
 def test_the_function_as_it_is_is_noticed_by_neither(monkeypatch):
     (kernel,) = kernels(["optics.scale"])
     unchanged = SimpleNamespace(change="none", line="", function=optics.scale)

@@ -127,7 +127,7 @@ def _errors(stratum: str, computed: Sequence[float], truth: Truth, varying: Sequ
     ulps, ratio, undetermined = [], 0.0, 0
     for value, exact, sensitivity, varies in zip(computed, truth.values, truth.sensitivities, varying, strict=True):
         finite = isfinite(value)
-        if not finite and UNIT_ROUNDOFF * BOUND * sensitivity >= abs(exact):
+        if not finite and varies and UNIT_ROUNDOFF * BOUND * sensitivity >= abs(exact):
             undetermined += 1
             continue
         error = abs(mpmath.mpf(value) - exact) if finite else mpmath.inf

@@ -227,7 +227,8 @@ def _membership(
     field: RationalFunctionField, entry: RationalFunction, generators: Sequence[Any], multiplier: Any
 ) -> dict[str, Any] | None:
     """Return the cofactors of the numerator times a power of the multiplier, and the denominator that was cleared."""
-    denominator = {str(field.expression(field.factors[place])): count for place, count in entry.denominator if count}
+    cleared = () if entry.is_zero else entry.denominator
+    denominator = {str(field.expression(field.factors[place])): count for place, count in cleared if count}
     for power in range(SATURATION + 1):
         found = cofactors(field.ring, entry.numerator * multiplier**power, generators)
         if found is not None:

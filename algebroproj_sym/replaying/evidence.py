@@ -104,6 +104,7 @@ def _membership(
         for cofactor, generator in zip(cofactors, generators, strict=True):
             cleared = cleared - cofactor * generator
         require(cleared.is_zero, "the cofactors do not multiply out to the difference")
+        require(not (entry.is_zero and part["denominator"]), "zero has no denominator to be cleared")
         trivial = entry.is_zero or multiplier.polynomial().is_constant()
         require(not (part["power"] and trivial), "zero needs no multiplier, and the power of a constant is none")
     witness = statement.point(certificate["witness"])

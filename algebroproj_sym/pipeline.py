@@ -15,6 +15,7 @@ from typing import TypeVar
 from algebroproj_sym.declaring import Claim, Judgement, Kernel, judge, select
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.generating import Lowered, lower
+from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
 from algebroproj_sym.reporting import derived_form
 from algebroproj_sym.verifying import Verification, load_package, verify
 
@@ -109,6 +110,24 @@ def verifications(
         How many processes.
     """
     return _mapped(partial(_verify, folder=folder, size=size, engine=engine), lowered, jobs)
+
+
+def mutated_claims(
+    claims: Sequence[Claim], limit: int = 0, engine: str = "flint", jobs: int = 1
+) -> Iterator[MutatedClaim]:
+    """Change proved claims in single places; at most `limit` changes of each are judged, all if it is 0."""
+    return _mapped(partial(mutate_claim, limit=limit, engine=engine), claims, jobs)
+
+
+def mutated_kernels(
+    lowered: Sequence[Lowered], folder: Path | None, limit: int = 0, size: int = 5, engine: str = "flint", jobs: int = 1
+) -> Iterator[MutatedKernel]:
+    """Change the source of generated functions in single places; at most `limit` changes of each are tried."""
+    return _mapped(partial(_mutate, folder=folder, limit=limit, size=size, engine=engine), lowered, jobs)
+
+
+def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine: str) -> MutatedKernel:
+    return mutate_kernel(lowered, load_package(folder), limit, size, engine)
 
 
 def _verify(lowered: Lowered, folder: Path | None, size: int, engine: str) -> Verification:

@@ -8,6 +8,8 @@ from algebroproj_sym.cli.build import build
 from algebroproj_sym.cli.check import check
 from algebroproj_sym.cli.explain import explain
 from algebroproj_sym.cli.generate import generate
+from algebroproj_sym.cli.mutate import mutate
+from algebroproj_sym.cli.replay import replay_command
 from algebroproj_sym.cli.report import report
 from algebroproj_sym.cli.verify import verify
 
@@ -21,5 +23,5 @@ def main() -> None:
     """
 
 
-for command in (build, check, explain, generate, report, verify):
+for command in (build, check, explain, generate, mutate, replay_command, report, verify):
     main.add_command(command)

@@ -12,7 +12,7 @@ from typing import Any, Literal, TypeAlias, TypedDict, cast, get_args
 
 import sympy
 
-from algebroproj_sym.expressions import Expression, divided, rational, shape, symbols_of, text
+from algebroproj_sym.expressions import Expression, divided, rational, remembered, shape, symbols_of, text
 
 Kind = Literal[
     "identity",
@@ -275,19 +275,22 @@ def _parsed(name: str) -> Any:
 
 
 def in_derived_terms(statement: Statement, where: Mapping[sympy.Symbol, sympy.Expr]) -> Statement:
-    """Return a printed form with its symbols replaced by what they stand for.
+    """Return a printed form with its symbols replaced by what they stand for; no divisor is lost on the way.
 
     Examples
     --------
     >>> x, y = sympy.symbols("x y")
     >>> in_derived_terms(x + y, {x: y**2})
     y**2 + y
+    >>> in_derived_terms(x / y, {x: y})
+    y*over(1, y)
     """
     if isinstance(statement, Decimal) or not where:
         return statement
+    values = {symbol: remembered(value) for symbol, value in where.items()}
     if isinstance(statement, tuple):
-        return tuple(factor.xreplace(where) for factor in statement)
-    return statement.xreplace(where)
+        return tuple(remembered(factor).xreplace(values) for factor in statement)
+    return remembered(statement).xreplace(values)
 
 
 def statement_text(statement: Statement | None) -> str | None:

@@ -27,7 +27,8 @@ from algebroproj_sym.expressions.linear import (
     solve,
     vector,
 )
-from algebroproj_sym.expressions.quotient import over
+from algebroproj_sym.expressions.quotient import over, remembered
+from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
 
 __all__ = [
     "Expression",
@@ -44,10 +45,13 @@ __all__ = [
     "entries",
     "evaluate",
     "homogeneous",
+    "in_steps",
     "inverse",
+    "keeps_divisions",
     "linear_system",
     "over",
     "rational",
+    "remembered",
     "rows",
     "shape",
     "solve",

@@ -62,3 +62,21 @@ class over(sympy.Function):  # type: ignore[misc]  # noqa: N801 - reads as mathe
         numerator, denominator = (printer.doprint(argument) for argument in self.args)
         fraction = rf"\frac{{{numerator}}}{{{denominator}}}"
         return fraction if exp is None else rf"\left({fraction}\right)^{{{exp}}}"
+
+
+def remembered(expression: Any) -> Any:
+    """Return an expression, or a matrix, with its negative powers written as `over`, so that none can cancel.
+
+    Examples
+    --------
+    >>> from sympy import Symbol
+    >>> x = Symbol("x")
+    >>> remembered(1 / x).xreplace({x: x**2}) * x**2
+    x**2*over(1, x**2)
+    """
+    powers = {
+        power: over(1, remembered(power.base) ** -power.exp)
+        for power in expression.atoms(sympy.Pow)
+        if isinstance(power.exp, sympy.Integer) and power.exp.is_negative
+    }
+    return expression.xreplace(powers)

@@ -209,12 +209,13 @@ def _prove_constrained(question: _Question) -> Proof:
         return _open(question, field, "no point was found that satisfies constraints and hypotheses")
     generators = [_numerator(field, constraint) for constraint in question.constraints]
     multiplier = _nonvanishing(field, question.nonzero)
-    evidence = [_membership(field, entry.numerator, generators, multiplier) for entry in difference]
+    evidence = [_membership(field, entry, generators, multiplier) for entry in difference]
     if any(part is None for part in evidence):
         return _open(question, field, "no cofactors were found")
     certificate = {
         "method": "ideal membership",
         "denominators": [text(factor) for factor in field.divisors()],
+        "generators": [text(field.expression(generator)) for generator in generators],
         "multiplier": text(field.expression(multiplier)),
         "entries": evidence,
         "witness": {symbol.name: str(witness[symbol]) for symbol in question.symbols},
@@ -223,12 +224,19 @@ def _prove_constrained(question: _Question) -> Proof:
 
 
 def _membership(
-    field: RationalFunctionField, numerator: Any, generators: Sequence[Any], multiplier: Any
+    field: RationalFunctionField, entry: RationalFunction, generators: Sequence[Any], multiplier: Any
 ) -> dict[str, Any] | None:
+    """Return the cofactors of the numerator times a power of the multiplier, and the denominator that was cleared."""
+    cleared = () if entry.is_zero else entry.denominator
+    denominator = {str(field.expression(field.factors[place])): count for place, count in cleared if count}
     for power in range(SATURATION + 1):
-        found = cofactors(field.ring, numerator * multiplier**power, generators)
+        found = cofactors(field.ring, entry.numerator * multiplier**power, generators)
         if found is not None:
-            return {"power": power, "cofactors": [text(field.expression(cofactor)) for cofactor in found]}
+            return {
+                "power": power,
+                "denominator": dict(sorted(denominator.items())),
+                "cofactors": [text(field.expression(cofactor)) for cofactor in found],
+            }
     return None
 
 

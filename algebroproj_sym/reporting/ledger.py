@@ -8,7 +8,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from algebroproj_sym.declaring import VERDICTS, Judgement, statement_text
+import sympy
+
+from algebroproj_sym.declaring import VERDICTS, Claim, Judgement, statement_text
+from algebroproj_sym.expressions import Expression, in_steps, keeps_divisions, text
 from algebroproj_sym.reporting.forms import derived_form
 
 SCHEMA = 1
@@ -43,9 +46,14 @@ def summary(judgements: Sequence[Judgement]) -> dict[str, int]:
 
 
 def claim_record(judgement: Judgement, *, timed: bool = True) -> dict[str, Any]:
-    """Return a judgement as plain data; expressions are text that SymPy parses."""
+    """Return a judgement as plain data; expressions are text that SymPy parses.
+
+    What is needed to replay the certificate stands in ``setting`` (what else the claim declares) and in ``divisions``
+    (forms with divisions that their text no longer shows, in steps, see `algebroproj_sym.expressions.in_steps`).
+    """
     claim = judgement.claim
     counterexample = judgement.counterexample
+    derived = derived_form(claim)
     record = {
         "paper": claim.paper,
         "number": claim.number,
@@ -55,9 +63,11 @@ def claim_record(judgement: Judgement, *, timed: bool = True) -> dict[str, Any]:
         "verdict": judgement.verdict,
         "expected": claim.expected,
         "printed": statement_text(claim.printed),
-        "derived": statement_text(derived_form(claim)),
+        "derived": statement_text(derived),
         "corrected": statement_text(claim.corrected),
         "where": {symbol.name: statement_text(value) for symbol, value in claim.where.items()},
+        "setting": _setting(claim),
+        "divisions": _divisions(claim, derived),
         "hypotheses": [str(factor) for factor in judgement.hypotheses],
         "counterexample": None if counterexample is None else {s.name: str(v) for s, v in counterexample.items()},
         "certificate": judgement.certificate,
@@ -66,6 +76,36 @@ def claim_record(judgement: Judgement, *, timed: bool = True) -> dict[str, Any]:
         "note": claim.note,
     }
     return record | {"seconds": round(judgement.seconds, 4)} if timed else record
+
+
+def _setting(claim: Claim) -> dict[str, Any]:
+    """Return what a claim declares beside its forms."""
+    setting: dict[str, Any] = {}
+    if claim.constraints:
+        setting["constraints"] = [text(constraint) for constraint in claim.constraints]
+    if claim.nonzero:
+        setting["nonzero"] = [text(unit) for unit in claim.nonzero]
+    if claim.variable is not None:
+        setting["variable"] = claim.variable.name
+    if claim.variables:
+        setting["variables"] = [variable.name for variable in claim.variables]
+    if claim.kind == "numeric":
+        setting["units"] = str(claim.units)
+        if claim.unrounded is not None:
+            setting["unrounded"] = text(claim.unrounded)
+    return setting
+
+
+def _divisions(claim: Claim, derived: Expression | None) -> dict[str, Any]:
+    """Return the forms, and the values of symbols, whose text hides a division, in steps."""
+    divisions: dict[str, Any] = {}
+    for name, form in (("printed", claim.printed), ("derived", claim.derived), ("corrected", claim.corrected)):
+        if isinstance(form, sympy.Expr | sympy.MatrixBase):
+            shortened = name == "derived" and derived is not None and text(form) != text(derived)
+            if shortened or not keeps_divisions(form):
+                divisions[name] = in_steps(form)
+    where = {symbol.name: in_steps(value) for symbol, value in claim.where.items() if not keeps_divisions(value)}
+    return divisions | ({"where": where} if where else {})
 
 
 def write_json(record: Mapping[str, Any], path: Path) -> None:

@@ -6,8 +6,7 @@ return are free variables.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import partial
 from types import ModuleType
@@ -18,7 +17,7 @@ import numpy as np
 from algebroproj_sym.declaring import LINEAR, Kernel, Stage
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
-from algebroproj_sym.verifying.shipped import call, function_of
+from algebroproj_sym.verifying.shipped import call, function_of, replaced
 
 
 def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint") -> bool:
@@ -47,7 +46,7 @@ def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint")
     if not replacements.keys() <= function.__globals__.keys():
         return False
     try:
-        with _replaced(function, replacements):
+        with replaced(function, replacements):
             result = call(function, kernel, inputs)
     except _OtherCallError:
         return False
@@ -96,15 +95,3 @@ class _Calls:
     def _element(self, entry: Any) -> RationalFunction:
         value = entry.item() if isinstance(entry, np.ndarray) else entry
         return value if isinstance(value, RationalFunction) else self.field.lift(Fraction(value))
-
-
-@contextmanager
-def _replaced(function: Any, replacements: Mapping[str, Any]) -> Iterator[None]:
-    """Give names another meaning inside a function, for a while."""
-    names = function.__globals__
-    before = {name: names[name] for name in replacements}
-    names.update(replacements)
-    try:
-        yield
-    finally:
-        names.update(before)

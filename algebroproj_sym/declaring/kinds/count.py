@@ -12,7 +12,8 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.kinds.rank import generic_rank, rank_of
+from algebroproj_sym.declaring.kinds.minor import Minor, largest_minor
+from algebroproj_sym.declaring.kinds.rank import Bound, bounded, generic_rank, values_at
 from algebroproj_sym.expressions import columns, derivatives, entries, evaluate, symbols_of
 from algebroproj_sym.proving import Point, Proof, RationalFunctionField
 
@@ -29,22 +30,20 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
         raise DeclarationError(f"{claim.number}: expected directions of {len(claim.variables)} components, got {wrong}")
     symbols = symbols_of((functions, *claim.kernel, *claim.variables))
 
-    def rank_at(point: Point) -> int:
-        return rank_of([_derivatives(claim, point, unit) for unit in _units(len(claim.variables))])
+    def minor_at(point: Point) -> Minor:
+        by_variable = [_derivatives(claim, point, unit) for unit in _units(len(claim.variables))]
+        return largest_minor([list(row) for row in zip(*by_variable, strict=True)])
 
     field = RationalFunctionField(symbols, engine)
     invariant = all(_is_invariant(claim, direction, field) for direction in claim.kernel)
     largest = min(len(entries(functions)), len(claim.variables))
 
-    def bound_at(point: Point) -> int:
+    def bound_at(point: Point) -> Bound:
         if not invariant or not claim.kernel:
-            return largest
-        kernel: Any = columns(*claim.kernel)
-        values = evaluate(kernel, point)
-        independent = rank_of([list(values[i :: kernel.cols]) for i in range(kernel.cols)])
-        return min(largest, len(claim.variables) - independent)
+            return Bound(largest, None)
+        return bounded(largest, len(claim.variables), largest_minor(values_at(columns(*claim.kernel), point)))
 
-    return generic_rank(claim, printed, symbols, rank_at, bound_at, field.divisors, engine)
+    return generic_rank(claim, printed, symbols, minor_at, bound_at, field.divisors, engine)
 
 
 def _units(count: int) -> list[list[Fraction]]:

@@ -29,12 +29,20 @@ def last_digit(printed: Decimal) -> Fraction:
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide whether the exact number lies within the tolerance of the printed one, half a unit of its last digit."""
     difference = _difference(printed, claim.derived)
-    certificate = {"method": "exact rounding", "units of the last digit": _text(difference)}
+    certificate = {
+        "method": "exact rounding",
+        "units of the last digit": _text(difference),
+        "difference": str(difference),
+    }
     if abs(difference) <= claim.units:
         return Proof("proved", (), certificate, None, engine)
     if claim.unrounded is not None:
         unrounded = _difference(printed, claim.unrounded)
-        certificate |= {"method": "rounding of inputs", "with unrounded inputs": _text(unrounded)}
+        certificate |= {
+            "method": "rounding of inputs",
+            "with unrounded inputs": _text(unrounded),
+            "unrounded difference": str(unrounded),
+        }
         if abs(unrounded) <= claim.units:
             return Proof("proved", (), certificate, None, engine)
     return Proof("refuted", (), certificate, {}, engine)

@@ -7,16 +7,17 @@ from typing import Any
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.expressions import Scalar, entries, over, text, vector
-from algebroproj_sym.proving import Proof, prove
+from algebroproj_sym.proving import Point, Proof, prove, reduced
 
 
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed ~ derived`` through p_i d_k = p_k d_i, for an entry k that is not identically zero.
 
-    The factor p_k / d_k is kept in the certificate; it must not be identically zero, nor may one side be.
+    The certificate keeps the pivot k and the factor p_k / d_k, which must not be identically zero, with a point that
+    shows it where there are constraints.  A refutation is a point at which p_i d_k and p_k d_i differ.
     """
     p, d = entries(printed), entries(claim.derived)
-    pivot = next((k for k, entry in enumerate(d) if _is_nonzero(claim, entry, engine)), None)
+    pivot = next((k for k, entry in enumerate(d) if _nonzero_at(claim, entry, engine) is not None), None)
     if pivot is None:
         raise DeclarationError(f"{claim.number}: expected a derived form that is not identically zero")
     proof = prove(
@@ -27,15 +28,19 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
         witness=claim.witness,
         engine=engine,
     )
+    certificate = {**(proof.certificate or {}), "pivot": pivot}
     if proof.verdict != "proved":
-        return proof
-    if not _is_nonzero(claim, p[pivot], engine):
+        return replace(proof, certificate=certificate)
+    point = _nonzero_at(claim, p[pivot], engine)
+    if point is None:
         return replace(proof, verdict="open", certificate={"method": "none", "reason": "the printed form is zero"})
-    scale = over(p[pivot], d[pivot])
-    return replace(proof, certificate={**(proof.certificate or {}), "scale": text(scale)})
+    certificate["scale"] = text(reduced(over(p[pivot], d[pivot]), engine))
+    if claim.constraints:
+        certificate["nonzero at"] = {symbol.name: str(value) for symbol, value in point.items()}
+    return replace(proof, certificate=certificate)
 
 
-def _is_nonzero(claim: Claim, entry: Scalar, engine: str) -> bool:
-    """Whether an entry differs from zero at some point that satisfies the constraints."""
+def _nonzero_at(claim: Claim, entry: Scalar, engine: str) -> Point | None:
+    """Return a point that satisfies the constraints and at which an entry differs from zero."""
     proof = prove(entry, 0, constraints=claim.constraints, nonzero=claim.nonzero, witness=claim.witness, engine=engine)
-    return proof.verdict == "refuted"
+    return dict(proof.counterexample) if proof.verdict == "refuted" and proof.counterexample is not None else None

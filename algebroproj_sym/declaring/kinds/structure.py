@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -19,9 +20,10 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     equal entries, the negative symbol for opposite ones; an integer for itself.
     """
     representatives: dict[sympy.Expr, sympy.Expr] = {}
+    marks = entries(printed)
     expected = [
         _expected(mark, entry, representatives, claim)
-        for mark, entry in zip(entries(printed), entries(claim.derived), strict=True)
+        for mark, entry in zip(marks, entries(claim.derived), strict=True)
     ]
     proof = prove(vector(*expected), vector(*entries(claim.derived)), engine=engine)
     if proof.verdict != "proved":
@@ -30,7 +32,16 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
         if prove(entry, 0, engine=engine).verdict != "refuted":
             reason = f"the entry marked {mark} is identically zero"
             return replace(proof, verdict="open", certificate={"method": "none", "reason": reason})
-    return proof
+    return replace(proof, certificate={**(proof.certificate or {}), "pattern": _pattern(marks)})
+
+
+def _pattern(marks: Sequence[Any]) -> dict[str, list[int]]:
+    """Return the places of each mark, counted from 1; a negative place has the opposite entry."""
+    pattern: dict[str, list[int]] = {}
+    for place, mark in enumerate(marks, start=1):
+        opposite = mark.could_extract_minus_sign() and not mark.is_Integer
+        pattern.setdefault(str(-mark if opposite else mark), []).append(-place if opposite else place)
+    return dict(sorted(pattern.items()))
 
 
 def _expected(mark: Any, entry: sympy.Expr, representatives: dict[sympy.Expr, sympy.Expr], claim: Claim) -> sympy.Expr:

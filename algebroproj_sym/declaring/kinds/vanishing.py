@@ -15,7 +15,7 @@ import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.expressions import evaluate, symbols_of
-from algebroproj_sym.proving import Point, Proof, RationalFunctionField, points_on, prove, seed_of
+from algebroproj_sym.proving import Point, Proof, RationalFunction, RationalFunctionField, points_on, prove, seed_of
 
 TRIES = 200
 
@@ -33,11 +33,21 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     zeros = {str(field.expression(f)): (field.expression(f), count) for f, count in factors}
     excluded = {*map(str, field.divisors()), *_irreducible(claim.nonzero, field)}
     restricted = {name: entry for name, entry in zeros.items() if name not in excluded}
-    claimed = _irreducible(printed, field)
+    parts = [_irreducible([factor], field) for factor in printed]
+    claimed: Factors = {name: entry for part in parts for name, entry in part.items()}
     if restricted.keys() == claimed.keys():
         denominator = field.expression(field.product(value.denominator))
         factored = sympy.Rational(content.numerator, content.denominator) * _product(zeros) / denominator
-        return _factorisation(prove(derived, factored, engine=engine), zeros)
+        certificate = {
+            "method": "factorisation",
+            "content": str(content),
+            "factors": _powers(zeros),
+            "denominator": _powers(_exponents(value)),
+            "printed": [_powers(part) for part in parts],
+            "excluded": sorted(zeros.keys() & excluded),
+        }
+        proof = prove(derived, factored, engine=engine)
+        return replace(proof, certificate=certificate) if proof.verdict == "proved" else proof
     suspects = [(restricted | claimed)[name][0] for name in sorted(restricted.keys() ^ claimed.keys())]
     return _refutation(claim, sympy.Mul(*printed), suspects, engine)
 
@@ -52,11 +62,13 @@ def _product(factors: Factors) -> sympy.Expr:
     return sympy.Mul(*(factor**count for factor, count in factors.values()))
 
 
-def _factorisation(proof: Proof, factors: Factors) -> Proof:
-    if proof.verdict != "proved":
-        return proof
-    powers = [[name, count] for name, (_, count) in sorted(factors.items())]
-    return replace(proof, certificate={"method": "factorisation", "factors": powers})
+def _powers(factors: Factors) -> list[list[Any]]:
+    return [[name, count] for name, (_, count) in sorted(factors.items())]
+
+
+def _exponents(value: RationalFunction) -> Factors:
+    factors = [(value.field.expression(value.field.factors[place]), count) for place, count in value.denominator]
+    return {str(factor): (factor, count) for factor, count in factors if count}
 
 
 def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr], engine: str) -> Proof:

@@ -1,0 +1,140 @@
+"""algebroproj mutate: see whether the checks notice single changes."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, get_args
+
+import click
+from rich.table import Table
+
+from algebroproj_sym import pipeline
+from algebroproj_sym.cli import options
+from algebroproj_sym.cli.steps import lowered_kernels
+from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.declaring import kernels
+from algebroproj_sym.mutating import Fate, MutatedClaim, MutatedKernel
+from algebroproj_sym.verifying import NotShippedError
+
+FATES: tuple[Fate, ...] = get_args(Fate)
+
+
+@click.command()
+@options.selectors
+@click.option(
+    "--limit",
+    type=click.IntRange(min=0),
+    default=10,
+    show_default=True,
+    metavar="N",
+    help="Changes of each claim or function, chosen always in the same way; 0 for all.",
+)
+@click.option("--only", type=click.Choice(("claims", "functions")), help="Change claims alone, or functions alone.")
+@click.option(
+    "--package",
+    "folder",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="A folder that contains the package; by default the functions of the installed one are changed.",
+)
+@options.engine
+@options.jobs
+@options.output_format
+def mutate(
+    selectors: tuple[str, ...],
+    limit: int,
+    only: str | None,
+    folder: Path | None,
+    engine: str,
+    jobs: int,
+    output: str,
+) -> None:
+    """Change proved claims, and the generated functions that rest on them, in single places.
+
+    A changed printed form (a sign, an index, a prime, a factor, a numerator against its denominator, an entry) must be
+    refuted by an exact counterexample, or be proved the same statement. A changed source (an operator, operands, an
+    index, a dropped term, a number) must be noticed by the proof of the source, and by the comparison with 50 digits.
+    Exit status 1 if a change survives.
+    """
+    chosen = options.selected(selectors)
+    claims: list[MutatedClaim] = []
+    functions: list[MutatedKernel] = []
+    if only != "functions":
+        proved = [claim for claim in chosen if claim.expected == "proved"]
+        found = pipeline.mutated_claims(proved, limit, engine, jobs)
+        claims = list(progressing(found, len(proved), "changing claims"))
+    if only != "claims":
+        names = {(claim.paper, claim.number) for claim in chosen}
+        resting = [kernel for kernel in kernels() if names & {(kernel.paper, number) for number in kernel.claims}]
+        lowered = lowered_kernels(resting, engine, jobs)
+        changed = pipeline.mutated_kernels(lowered, folder, limit, engine=engine, jobs=jobs)
+        try:
+            functions = list(progressing(changed, len(lowered), "changing functions"))
+        except NotShippedError as error:
+            raise click.ClickException(str(error)) from error
+    if output == "json":
+        click.echo(json.dumps(_record(claims, functions), indent=1, ensure_ascii=False))
+    else:
+        _print_claims(claims)
+        _print_functions(functions)
+    if _survivors(claims) or any(_unnoticed(function) for function in functions):
+        raise SystemExit(1)
+
+
+def _survivors(claims: Sequence[MutatedClaim]) -> list[tuple[MutatedClaim, Any]]:
+    return [(claim, fate) for claim in claims for fate in claim.fates if fate.fate == "survived"]
+
+
+def _unnoticed(function: MutatedKernel) -> list[Any]:
+    """Return the changes that only one of the two checks noticed."""
+    return [fate for fate in function.fates if fate.by_proof != fate.by_numbers]
+
+
+def _print_claims(claims: Sequence[MutatedClaim]) -> None:
+    if not claims:
+        return
+    table = Table("kind", box=None, pad_edge=False)
+    for heading in ("claims", "changes", "tried", *FATES):
+        table.add_column(heading, justify="right")
+    for kind in sorted({claim.kind for claim in claims}):
+        group = [claim for claim in claims if claim.kind == kind]
+        counts = Counter(fate.fate for claim in group for fate in claim.fates)
+        tried = sum(len(claim.fates) for claim in group)
+        total = sum(claim.total for claim in group)
+        table.add_row(kind, *map(str, (len(group), total, tried, *(counts[fate] for fate in FATES))))
+    for claim, fate in _survivors(claims):
+        console().print(f"{claim.paper}:{claim.number}  {fate.change}: {fate.form}: {fate.reason}", markup=False)
+    console().print(table)
+    counts = Counter(fate.fate for claim in claims for fate in claim.fates)
+    wrong = counts["refuted"] + counts["undefined"] + counts["survived"]
+    console().print(
+        f"{wrong - counts['survived']} of {wrong} changed statements refuted; {counts['equivalent']} are equivalent"
+    )
+
+
+def _print_functions(functions: Sequence[MutatedKernel]) -> None:
+    if not functions:
+        return
+    table = Table("function", box=None, pad_edge=False)
+    for heading in ("changes", "tried", "by proof", "by numbers", "equivalent"):
+        table.add_column(heading, justify="right")
+    for function in functions:
+        fates = function.fates
+        counts = [sum(f.by_proof for f in fates), sum(f.by_numbers for f in fates), sum(f.equivalent for f in fates)]
+        table.add_row(function.function, *map(str, (function.total, len(fates), *counts)))
+    for function in functions:
+        for fate in _unnoticed(function):
+            missed = "the numbers" if fate.by_proof else "the proof of the source"
+            console().print(f"{function.function}  {fate.change}: {fate.line}: not noticed by {missed}", markup=False)
+    console().print(table)
+    every = [fate for function in functions for fate in function.fates if not fate.equivalent]
+    proof, numbers = sum(fate.by_proof for fate in every), sum(fate.by_numbers for fate in every)
+    console().print(f"{len(every)} changed sources are not equivalent: {proof} noticed by proof, {numbers} by numbers")
+
+
+def _record(claims: Sequence[MutatedClaim], functions: Sequence[MutatedKernel]) -> dict[str, Any]:
+    return {"schema": 1, "claims": [asdict(claim) for claim in claims], "functions": [asdict(f) for f in functions]}

@@ -1,0 +1,20 @@
+"""Mutating: are the checks able to fail?  Single changes of claims and of generated functions must be noticed."""
+
+from algebroproj_sym.mutating.claims import Fate, MutantFate, MutatedClaim, mutate_claim
+from algebroproj_sym.mutating.forms import Mutant, mutants
+from algebroproj_sym.mutating.kernels import MutatedKernel, SourceFate, mutate_kernel
+from algebroproj_sym.mutating.sources import SourceMutant, source_mutants
+
+__all__ = [
+    "Fate",
+    "Mutant",
+    "MutantFate",
+    "MutatedClaim",
+    "MutatedKernel",
+    "SourceFate",
+    "SourceMutant",
+    "mutants",
+    "mutate_claim",
+    "mutate_kernel",
+    "source_mutants",
+]

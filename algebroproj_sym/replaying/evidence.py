@@ -1,0 +1,640 @@
+"""Checking the evidence, kind by kind: nothing is searched for, everything is multiplied out.
+
+``PROOFS`` shows that a form holds, ``REFUTATIONS`` that the printed one does not.  Each is a function of the statement,
+the name of the form, the certificate and the other parts of the evidence; it returns nothing, or raises `Rejected`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from typing import Any, TypeAlias, cast
+
+from algebroproj_sym.replaying.evaluation import at_point, derivatives, evaluate
+from algebroproj_sym.replaying.field import Element, Field
+from algebroproj_sym.replaying.polynomial import Polynomial
+from algebroproj_sym.replaying.rejection import Rejected
+from algebroproj_sym.replaying.statement import Point, Statement
+from algebroproj_sym.replaying.text import decimal, number, parse
+
+Certificate: TypeAlias = Mapping[str, Any]
+Check: TypeAlias = Callable[[Statement, str, Certificate], None]
+
+
+def require(holds: bool, reason: str) -> None:
+    """Reject with a reason, unless something holds."""
+    if not holds:
+        raise Rejected(reason)
+
+
+def _method(certificate: Certificate, expected: str) -> None:
+    found = certificate.get("method")
+    require(found == expected, f"expected the method {expected!r}, got {found!r}")
+
+
+def _keys(certificate: Certificate, *expected: str) -> None:
+    found = certificate.keys() - {"refutation"}
+    require(found == {*expected}, f"expected the entries {sorted(expected)} in the certificate, got {sorted(found)}")
+
+
+def _exact(field: Field) -> None:
+    """Require that the listed divisors are those that were met, no more and no fewer."""
+    require(not field.unlisted, "a division meets a factor that is not listed")
+    require(field.used == {*range(field.listed)}, "a listed divisor is met by no division")
+
+
+def _hypotheses(statement: Statement, listed: Any) -> None:
+    require(statement.record["hypotheses"] == listed, "the hypotheses are not the divisors of the certificate")
+
+
+def _difference(statement: Statement, form: str, field: Field) -> list[Element]:
+    left = statement.side(form, statement.algebra(field))
+    right = statement.side("derived", statement.algebra(field))
+    require(len(left) == len(right), "the two sides have not the same shape")
+    return [a - b for a, b in zip(left, right, strict=True)]
+
+
+def identity(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that two sides are equal as rational functions."""
+    _method(certificate, "normal form")
+    _keys(certificate, "method", "denominators")
+    require("constraints" not in statement.setting, "a normal form decides nothing under constraints")
+    field = statement.field(certificate["denominators"])
+    require(all(entry.is_zero for entry in _difference(statement, form, field)), "the two sides differ")
+    _hypotheses(statement, certificate["denominators"])
+    _exact(field)
+
+
+def constrained(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that the difference of two sides times what does not vanish is a combination of the constraints."""
+    _keys(certificate, "method", "denominators", "generators", "multiplier", "entries", "witness")
+    field = statement.field(certificate["denominators"])
+    _membership(statement, certificate, field, _difference(statement, form, field), [])
+    _exact(field)
+
+
+def _membership(
+    statement: Statement, certificate: Certificate, field: Field, difference: Sequence[Element], units: list[Element]
+) -> None:
+    _method(certificate, "ideal membership")
+    _hypotheses(statement, certificate["denominators"])
+    algebra = statement.algebra(field)
+    constraints = [evaluate(form, algebra)[0] for form in statement.listed("constraints")]
+    units = [evaluate(form, algebra)[0] for form in statement.listed("nonzero")] + units
+    generators = [statement.element(text, field) for text in certificate["generators"]]
+    require(bool(constraints) and len(constraints) == len(generators), "expected a generator for each constraint")
+    for constraint, generator in zip(constraints, generators, strict=True):
+        require(not generator.is_zero, "a generator is zero")
+        require((_above(constraint) - generator).is_zero, "the generators are not the numerators of the constraints")
+    multiplier = statement.element(certificate["multiplier"], field)
+    product = field.number(Fraction(1))
+    for factor in (*(Element(field, listed, {}, 1) for listed in field.factors[: field.listed]), *map(_above, units)):
+        product = product * factor
+    require((product - multiplier).is_zero, "the multiplier is not the product of what does not vanish")
+    names = [parse(text) for text in certificate["denominators"]]
+    require(len(certificate["entries"]) == len(difference), "the certificate has not as many entries as the statement")
+    for entry, part in zip(difference, certificate["entries"], strict=True):
+        require(part.keys() == {"power", "denominator", "cofactors"}, "a part of the certificate is missing")
+        cleared = entry * multiplier ** _natural(part["power"])
+        require(part["denominator"].keys() <= {*certificate["denominators"]}, "an unknown divisor is cleared")
+        for name, text in zip(names, certificate["denominators"], strict=True):
+            cleared = cleared * evaluate(name, algebra)[0] ** _natural(part["denominator"].get(text, 0))
+        cofactors = [statement.element(text, field) for text in part["cofactors"]]
+        require(len(cofactors) == len(generators), "expected a cofactor for each constraint")
+        for cofactor, generator in zip(cofactors, generators, strict=True):
+            cleared = cleared - cofactor * generator
+        require(cleared.is_zero, "the cofactors do not multiply out to the difference")
+        require(not (entry.is_zero and part["denominator"]), "zero has no denominator to be cleared")
+        trivial = entry.is_zero or multiplier.polynomial().is_constant()
+        require(not (part["power"] and trivial), "zero needs no multiplier, and the power of a constant is none")
+    witness = statement.point(certificate["witness"])
+    statement.require_allowed(witness)
+    require(
+        evaluate(parse(certificate["multiplier"]), at_point(witness))[0] != 0,
+        "the witness violates a hypothesis",
+    )
+
+
+def _natural(value: Any) -> int:
+    require(isinstance(value, int) and not isinstance(value, bool) and value >= 0, "expected a number of times")
+    return int(value)
+
+
+def _above(element: Element) -> Element:
+    """Return what is left when the divisors are dropped."""
+    raised = {place: power for place, power in element.exponents.items() if power > 0}
+    return Element(element.field, element.numerator, raised, element.denominator)
+
+
+def _numerator(element: Element) -> Polynomial:
+    raised = {place: power for place, power in element.exponents.items() if power > 0}
+    return _primitive(element.numerator * element.field.powers(raised))
+
+
+def _primitive(polynomial: Polynomial) -> Polynomial:
+    require(bool(polynomial), "a constraint or a divisor is identically zero")
+    return polynomial.divided(polynomial.content())
+
+
+def _pivot(certificate: Certificate, places: int) -> int:
+    pivot = certificate.get("pivot")
+    require(isinstance(pivot, int) and 0 <= pivot < places, "the pivot is no place of the form")
+    return cast(int, pivot)
+
+
+def projective(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that one side is the other times a factor that is not zero."""
+    field = statement.field(certificate.get("denominators"))
+    algebra = statement.algebra(field)
+    printed, derived = statement.side(form, algebra), statement.side("derived", algebra)
+    pivot = _pivot(certificate, len(derived))
+    require(len(printed) == len(derived), "the two sides have not the same shape")
+    p, d = printed[pivot], derived[pivot]
+    require(not p.is_zero and not d.is_zero, "the entry at the pivot is zero")
+    require(all(entry.is_zero for entry in derived[:pivot]) or bool(statement.setting), "the pivot is not the first")
+    crossed = [a * d - b * p for a, b in zip(printed, derived, strict=True)]
+    if "constraints" in statement.setting:
+        members = {"method", "denominators", "generators", "multiplier", "entries", "witness"}
+        _keys(certificate, *members, "pivot", "scale", "nonzero at")
+        _membership(statement, certificate, field, crossed, [d])
+        point = statement.point(certificate["nonzero at"])
+        statement.require_allowed(point)
+        require(statement.side(form, at_point(point))[pivot] != 0, "the printed form is zero at the point")
+    else:
+        _method(certificate, "normal form")
+        _keys(certificate, "method", "denominators", "pivot", "scale")
+        _hypotheses(statement, certificate["denominators"])
+        require(all(entry.is_zero for entry in crossed), "the two sides are not proportional")
+    _exact(field)
+    require((p - d * statement.element(certificate["scale"], field)).is_zero, "the scale is not the ratio of the sides")
+
+
+def structure(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that the derived matrix has the zeros, equal and opposite entries of the pattern."""
+    _method(certificate, "normal form")
+    _keys(certificate, "method", "denominators", "pattern")
+    marks = _marks(statement, form)
+    pattern: dict[str, list[int]] = {}
+    for place, (sign, mark) in enumerate(marks, start=1):
+        pattern.setdefault(mark, []).append(sign * place)
+    require(pattern == certificate["pattern"], "the pattern of the certificate is not the printed one")
+    field = statement.field(certificate["denominators"])
+    entries = statement.side("derived", statement.algebra(field))
+    require(len(entries) == len(marks), "the pattern has not the shape of the matrix")
+    first: dict[str, Element] = {}
+    for (sign, mark), entry in zip(marks, entries, strict=True):
+        signed = entry if sign > 0 else -entry
+        if mark.lstrip("-").isdecimal():
+            require((signed - field.number(Fraction(mark))).is_zero, f"an entry marked {mark} is not {mark}")
+            continue
+        require(not signed.is_zero, f"an entry marked {mark} is zero")
+        require((first.setdefault(mark, signed) - signed).is_zero, f"the entries marked {mark} differ")
+    _hypotheses(statement, certificate["denominators"])
+    _exact(field)
+
+
+def _marks(statement: Statement, form: str) -> list[tuple[int, str]]:
+    """Return the sign and the mark of each entry of a pattern."""
+    require(not statement.where, "the marks of a pattern stand for nothing but themselves")
+    marks = []
+    for node in statement.form(form).entries:
+        sign = -1 if node.kind == "-" else 1
+        inner = node.children[0] if node.kind == "-" else node
+        integer = inner.kind == "number" and inner.value.denominator == 1
+        require(inner.kind == "symbol" or (integer and sign > 0), "expected symbols with signs and integers")
+        marks.append((sign, str(inner.value)))
+    return marks
+
+
+def vanishing(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that an expression and a product of factors vanish at the same places, from their factors.
+
+    That the factors are irreducible is not needed for this direction, and not checked.
+    """
+    _method(certificate, "factorisation")
+    _keys(certificate, "method", "content", "factors", "denominator", "printed", "excluded")
+    divisors = statement.record["hypotheses"]
+    field = statement.field(divisors)
+    algebra = statement.algebra(field)
+    named: dict[str, Element] = {}
+
+    def product(powers: Any) -> Element:
+        total = field.number(Fraction(1))
+        require(len({name for name, _ in powers}) == len(powers), "a factor is listed twice")
+        for name, count in powers:
+            require(_natural(count) > 0, "expected a number of times")
+            if name not in named:
+                named[name] = statement.element(name, field)
+                require(not named[name].polynomial().is_constant(), "a listed factor is a constant")
+            total = total * named[name] ** count
+        return total
+
+    content = field.number(number(certificate["content"]))
+    derived = statement.side("derived", algebra)[0]
+    multiplied = content * product(certificate["factors"])
+    below = product(certificate["denominator"])
+    require({name for name, _ in certificate["denominator"]} <= {*divisors}, "a divisor is no hypothesis")
+    require(not derived.is_zero, "the derived expression is identically zero")
+    require((derived * below - multiplied).is_zero, "the factors do not multiply out to the expression")
+    printed = statement.side(form, algebra)
+    require(len(printed) == len(certificate["printed"]), "expected the factors of each printed factor")
+    for value, powers in zip(printed, certificate["printed"], strict=True):
+        require(_numerator(value) == _numerator(product(powers)), "the factors of a printed factor do not multiply out")
+    factors = {name for name, _ in certificate["factors"]}
+    claimed = {name for powers in certificate["printed"] for name, _ in powers}
+    units = [evaluate(unit, algebra)[0] for unit in statement.listed("nonzero")]
+    excluded = []
+    for name in sorted(factors):
+        factor = named[name].polynomial()
+        listed = factor in field.factors[: field.listed] or -factor in field.factors[: field.listed]
+        if listed or any(_numerator(value).quotient(_primitive(factor)) is not None for value in units):
+            excluded.append(name)
+    require(certificate["excluded"] == excluded, "the excluded factors are not those of divisors and hypotheses")
+    require(factors - {*certificate["excluded"]} == claimed, "the factors of the two sides differ")
+    _exact(field)
+
+
+def rank(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that a matrix has a rank: a minor that is not zero below, vectors that it takes to zero above."""
+    _method(certificate, "rank at a point and kernel vectors")
+    claimed = _integer(statement, form)
+    require(_minor(statement, certificate, certificate.get("point")) == claimed, "the minor is not of the claimed size")
+    require(_bound(statement, certificate, {"point", "rows", "columns", "minor"}) == claimed, "the rank may be larger")
+
+
+def _integer(statement: Statement, form: str) -> int:
+    node = statement.form(form).entries[0]
+    require(node.kind == "number" and node.value.denominator == 1, "expected a whole number")
+    return int(node.value)
+
+
+def _minor(statement: Statement, certificate: Certificate, point: Any) -> int:
+    """Return the size of the minor of the certificate, which is not zero at a point."""
+    exact = statement.point(point)
+    require(exact.keys() == statement.symbols, "the point has not a value for every symbol")
+    return _size(_matrix_at(statement, exact), certificate, "rows", "columns", "minor")
+
+
+def _matrix_at(statement: Statement, point: Point) -> list[list[Fraction]]:
+    """Return the matrix, or the Jacobian matrix of the functions, at a point."""
+    form = statement.form("derived")
+    if statement.kind == "rank":
+        return _rows(evaluate(form, at_point(point)), form.shape)
+    variables = statement.setting["variables"]
+    units = {name: [Fraction(i == j) for j in range(len(variables))] for i, name in enumerate(variables)}
+    return derivatives(form, at_point(point), units, len(variables))
+
+
+def _rows(entries: list[Any], shape: tuple[int, ...]) -> list[list[Any]]:
+    require(len(shape) == 2, "expected a matrix")
+    return [entries[i * shape[1] : (i + 1) * shape[1]] for i in range(shape[0])]
+
+
+def _size(matrix: list[list[Fraction]], certificate: Certificate, rows: str, columns: str, value: str) -> int:
+    width = len(matrix[0]) if matrix else 0
+    chosen_rows = _chosen(certificate.get(rows), len(matrix))
+    chosen_columns = _chosen(certificate.get(columns), width)
+    require(len(chosen_rows) == len(chosen_columns), "a minor has as many rows as columns")
+    determinant = _determinant([[matrix[i][j] for j in chosen_columns] for i in chosen_rows])
+    require(determinant != 0, "the minor is zero")
+    require(determinant == number(certificate.get(value)), "the minor has another value")
+    return len(chosen_rows)
+
+
+def _chosen(places: Any, limit: int) -> list[int]:
+    require(isinstance(places, list), "a minor has rows and columns")
+    found = [place for place in places if isinstance(place, int) and 0 <= place < limit]
+    require(found == places == sorted({*found}), "rows and columns are not places of the matrix in order")
+    return found
+
+
+def _determinant(matrix: list[list[Fraction]]) -> Fraction:
+    rows, result = [list(row) for row in matrix], Fraction(1)
+    for place in range(len(rows)):
+        pivot = next((i for i in range(place, len(rows)) if rows[i][place]), None)
+        if pivot is None:
+            return Fraction(0)
+        if pivot != place:
+            rows[place], rows[pivot] = rows[pivot], rows[place]
+            result = -result
+        result *= rows[place][place]
+        for row in rows[place + 1 :]:
+            if row[place]:
+                factor = row[place] / rows[place][place]
+                row[place:] = [a - factor * b for a, b in zip(row[place:], rows[place][place:], strict=True)]
+    return result
+
+
+def _bound(statement: Statement, certificate: Certificate, others: set[str]) -> int:
+    """Return the upper bound that size and kernel vectors give."""
+    derived = statement.form("derived")
+    counted = statement.kind == "count"
+    width = len(statement.setting["variables"]) if counted else derived.shape[1]
+    smaller = min(len(derived.entries) if counted else derived.shape[0], width)
+    field = Field(statement.symbols)
+    field.list([statement.element(text, field) for text in statement.record["hypotheses"]])
+    if not certificate.get("kernel"):
+        require(not field.listed, "a listed divisor is met by no division")
+        _keys(certificate, "method", "kernel", *others)
+        return smaller
+    _keys(certificate, "method", "kernel", "kernel at", "kernel rows", "kernel minor", *others)
+    vectors = [evaluate(parse(text), statement.algebra(field)) for text in certificate["kernel"]]
+    require(all(len(vector) == width for vector in vectors), "a kernel vector has not as many entries as columns")
+    require(all(entry.is_zero for entry in _along(statement, field, vectors)), "a vector is not in the kernel")
+    point = statement.point(certificate["kernel at"])
+    columns = [evaluate(parse(text), at_point(point)) for text in certificate["kernel"]]
+    at = {**certificate, "kernel columns": [*range(len(columns))]}
+    independent = _size(
+        [list(row) for row in zip(*columns, strict=True)], at, "kernel rows", "kernel columns", "kernel minor"
+    )
+    require(field.used >= {*range(field.listed)}, "a listed divisor is met by no division")
+    return width - independent
+
+
+def _along(statement: Statement, field: Field, vectors: Sequence[Sequence[Element]]) -> list[Element]:
+    """Return the matrix, or the Jacobian matrix of the functions, times the vectors."""
+    form, algebra = statement.form("derived"), statement.algebra(field)
+    if statement.kind == "count":
+        variables = statement.setting["variables"]
+        directions = {name: [vector[i] for vector in vectors] for i, name in enumerate(variables)}
+        return [value for row in derivatives(form, algebra, directions, len(vectors)) for value in row]
+    rows = _rows(evaluate(form, algebra), form.shape)
+    products = []
+    for row in rows:
+        for vector in vectors:
+            total = field.number(Fraction(0))
+            for a, b in zip(row, vector, strict=True):
+                total = total + a * b
+            products.append(total)
+    return products
+
+
+def limit(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that the leading coefficients have the claimed quotient."""
+    _method(certificate, "leading coefficients")
+    _keys(certificate, "method", "divisors", "leading")
+    field, limits = _limits(statement, certificate)
+    printed = statement.side(form, statement.algebra(field))
+    require(len(printed) == len(limits), "the two sides have not the same shape")
+    for value, found in zip(printed, limits, strict=True):
+        require(found is not None, "an entry has no limit")
+        assert found is not None
+        numerator, denominator = found
+        require((value * denominator - numerator).is_zero, "the limit is another one")
+    require(statement.record["hypotheses"] == _divisors_of(statement, form, limits), "a hypothesis is no divisor")
+
+
+def _divisors_of(statement: Statement, form: str, limits: Sequence[tuple[Element, Element] | None]) -> list[str]:
+    """Return the hypotheses that the divisions of the printed form and of the limit meet."""
+    hypotheses: list[str] = statement.record["hypotheses"]
+    field = statement.field(hypotheses)
+    statement.side(form, statement.algebra(field))
+    for found in limits:
+        if found is not None and not found[0].is_zero:
+            field.factored(found[1].cleared())
+    require(not field.unlisted, "a divisor of the limit is no hypothesis")
+    return [text for place, text in enumerate(hypotheses) if place in field.used]
+
+
+def _limits(statement: Statement, certificate: Certificate) -> tuple[Field, list[tuple[Element, Element] | None]]:
+    """Return, for each entry, numerator and denominator of its limit; None for a pole."""
+    field = statement.field(certificate["divisors"])
+    values = statement.side("derived", statement.algebra(field))
+    _exact(field)
+    require(len(values) == len(certificate["leading"]), "expected leading coefficients for each entry")
+    place = field.places[statement.setting["variable"]]
+    limits: list[tuple[Element, Element] | None] = []
+    for value, (order, above, below) in zip(values, certificate["leading"], strict=True):
+        found_order, numerator, denominator = _leading(value, place)
+        given, divisor = statement.element(above, field), statement.element(below, field)
+        require(found_order == order, "the lowest power is another one")
+        require(not divisor.is_zero, "a leading coefficient below is zero")
+        require((numerator * divisor - denominator * given).is_zero, "the leading coefficients are others")
+        zero = field.number(Fraction(0))
+        limits.append(None if order < 0 else (given, divisor) if order == 0 else (zero, divisor))
+    return field, limits
+
+
+def _leading(value: Element, place: int) -> tuple[int, Element, Element]:
+    field = value.field
+    if value.is_zero:
+        return 0, value, field.number(Fraction(1))
+    below = {i: -power for i, power in value.exponents.items() if power < 0}
+    numerator, denominator = _lowest(_numerator_of(value), place), _lowest(field.powers(below), place)
+    scale = field.number(Fraction(1, value.denominator))
+    return (
+        numerator[0] - denominator[0],
+        Element(field, numerator[1], {}, 1) * scale,
+        Element(field, denominator[1], {}, 1),
+    )
+
+
+def _numerator_of(value: Element) -> Polynomial:
+    return value.numerator * value.field.powers({i: power for i, power in value.exponents.items() if power > 0})
+
+
+def _lowest(polynomial: Polynomial, place: int) -> tuple[int, Polynomial]:
+    parts = polynomial.parts(place)
+    return min(parts), parts[min(parts)]
+
+
+def numeric(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that a printed number is the exact one, rounded."""
+    require(_rounded(statement, form, certificate), "the number is further away than the tolerance")
+
+
+def numeric_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that a printed number is not the exact one, rounded."""
+    require(not _rounded(statement, form, certificate), "the number lies within the tolerance")
+
+
+def _rounded(statement: Statement, form: str, certificate: Certificate) -> bool:
+    units = number(statement.setting.get("units"))
+    inputs = statement.setting.get("unrounded")
+    exact = evaluate(statement.form("derived"), at_point({}))[0]
+    difference = _compared(statement, form, exact, certificate, "difference", "units of the last digit")
+    if abs(difference) <= units or inputs is None:
+        _method(certificate, "exact rounding")
+        _keys(certificate, "method", "difference", "units of the last digit")
+        return abs(difference) <= units
+    _method(certificate, "rounding of inputs")
+    _keys(
+        certificate,
+        "method",
+        "difference",
+        "units of the last digit",
+        "unrounded difference",
+        "with unrounded inputs",
+    )
+    unrounded = evaluate(parse(inputs), at_point({}))[0]
+    return (
+        abs(_compared(statement, form, unrounded, certificate, "unrounded difference", "with unrounded inputs"))
+        <= units
+    )
+
+
+def _compared(
+    statement: Statement, form: str, exact: Fraction, certificate: Certificate, key: str, rounded: str
+) -> Fraction:
+    printed, digit = decimal(statement.record[form])
+    difference = (printed - exact) / digit
+    require(number(certificate.get(key)) == difference, "the difference is another one")
+    require(certificate.get(rounded) == f"{float(difference):+.3g}", "the rounded difference is another one")
+    return difference
+
+
+def reference(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that a reference is the meant one."""
+    require(_referred(statement, form, certificate), "the reference is another one")
+
+
+def reference_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that a reference is not the meant one."""
+    require(not _referred(statement, form, certificate), "the reference is the meant one")
+
+
+def _referred(statement: Statement, form: str, certificate: Certificate) -> bool:
+    _method(certificate, "comparison of references")
+    _keys(certificate, "method")
+    return evaluate(statement.form(form), at_point({})) == evaluate(statement.form("derived"), at_point({}))
+
+
+def definition(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that what is defined has the recorded values at a point."""
+    _method(certificate, "instance")
+    _keys(certificate, "method", "instance", "values")
+    values = statement.side(form, at_point(statement.point(certificate["instance"])))
+    require(values == list(map(number, certificate["values"])), "the values of the instance are others")
+    field = statement.field(statement.record["hypotheses"])
+    statement.side(form, statement.algebra(field))
+    _exact(field)
+
+
+def differing(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that two sides differ at the point."""
+    _method(certificate, "counterexample")
+    _keys(certificate, "method", "left", "right")
+    algebra = at_point(_counterexample(statement))
+    left, right = statement.side(form, algebra), statement.side("derived", algebra)
+    require(left == list(map(number, certificate["left"])), "the left side has another value at the point")
+    require(right == list(map(number, certificate["right"])), "the right side has another value at the point")
+    require(left != right, "the two sides do not differ at the point")
+
+
+def _counterexample(statement: Statement) -> Point:
+    point = statement.point(statement.record["counterexample"])
+    statement.require_allowed(point)
+    return point
+
+
+def projective_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that two sides are not proportional at the point."""
+    _method(certificate, "counterexample")
+    _keys(certificate, "method", "left", "right", "pivot")
+    algebra = at_point(_counterexample(statement))
+    printed, derived = statement.side(form, algebra), statement.side("derived", algebra)
+    pivot = _pivot(certificate, len(derived))
+    require(len(derived) == len(printed), "the two sides have not the same shape")
+    left = [entry * derived[pivot] for entry in printed]
+    right = [entry * printed[pivot] for entry in derived]
+    require(derived[pivot] != 0, "the entry at the pivot is zero")
+    require(left == list(map(number, certificate["left"])), "the left side has another value at the point")
+    require(right == list(map(number, certificate["right"])), "the right side has another value at the point")
+    require(left != right, "the two sides are proportional at the point")
+
+
+def structure_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that a matrix does not follow the pattern at the point."""
+    _method(certificate, "counterexample")
+    _keys(certificate, "method", "left", "right")
+    values = statement.side("derived", at_point(_counterexample(statement)))
+    first: dict[str, Fraction] = {}
+    expected = []
+    marks = _marks(statement, form)
+    require(len(marks) == len(values), "the pattern has not the shape of the matrix")
+    for (sign, mark), value in zip(marks, values, strict=True):
+        constant = mark.lstrip("-").isdecimal()
+        expected.append(Fraction(mark) if constant else sign * first.setdefault(mark, sign * value))
+    require(expected == list(map(number, certificate["left"])), "the pattern has another value at the point")
+    require(values == list(map(number, certificate["right"])), "the matrix has another value at the point")
+    require(expected != values, "the matrix follows the pattern at the point")
+
+
+def vanishing_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that at the point only one side vanishes."""
+    _method(certificate, "counterexample")
+    _keys(certificate, "method", "derived", "product of the factors")
+    algebra = at_point(_counterexample(statement))
+    derived, product = statement.side("derived", algebra)[0], Fraction(1)
+    for factor in statement.side(form, algebra):
+        product *= factor
+    require(derived == number(certificate["derived"]), "the derived expression has another value at the point")
+    require(product == number(certificate["product of the factors"]), "the product has another value at the point")
+    require((derived == 0) != (product == 0), "the two sides vanish together at the point")
+
+
+def rank_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that a rank is larger, by a minor, or smaller, by kernel vectors."""
+    claimed = _integer(statement, form)
+    if certificate.get("method") == "counterexample":
+        _keys(certificate, "method", "rank", "rows", "columns", "minor")
+        size = _minor(statement, certificate, statement.record["counterexample"])
+        require(size == certificate["rank"], "the minor is not of the recorded size")
+        require(size > claimed, "the rank is not larger")
+        return
+    _method(certificate, "kernel vectors")
+    bound = _bound(statement, certificate, {"rank at most"})
+    require(bound == certificate["rank at most"], "the bound is another one")
+    require(bound < claimed, "the rank is not smaller")
+
+
+def limit_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
+    """Show that an entry has a pole, or that the limit differs at the point."""
+    if certificate.get("method") == "divergence":
+        _keys(certificate, "method", "divisors", "leading")
+        _, limits = _limits(statement, certificate)
+        _hypotheses(statement, certificate["divisors"])
+        require(None in limits, "every entry has a limit")
+        return
+    _method(certificate, "counterexample")
+    _keys(certificate, "method", "divisors", "leading", "left", "right")
+    _, limits = _limits(statement, certificate)
+    point = _counterexample(statement)
+    left = statement.side(form, at_point(point))
+    right = []
+    for found, (_, above, below) in zip(limits, certificate["leading"], strict=True):
+        require(found is not None, "an entry has no limit")
+        assert found is not None
+        value, divisor = (evaluate(parse(text), at_point(point))[0] for text in (above, below))
+        require(divisor != 0, "the limit is not defined at the point")
+        right.append(Fraction(0) if found[0].is_zero else value / divisor)
+    require(left == list(map(number, certificate["left"])), "the left side has another value at the point")
+    require(right == list(map(number, certificate["right"])), "the right side has another value at the point")
+    require(left != right, "the limit does not differ at the point")
+
+
+PROOFS: Mapping[str, Check] = {
+    "identity": identity,
+    "identity under constraints": constrained,
+    "identity up to scale": projective,
+    "structure": structure,
+    "vanishing": vanishing,
+    "rank": rank,
+    "count": rank,
+    "limit": limit,
+    "numeric": numeric,
+    "reference": reference,
+    "definition": definition,
+}
+REFUTATIONS: Mapping[str, Check] = {
+    "identity": differing,
+    "identity under constraints": differing,
+    "identity up to scale": projective_refuted,
+    "structure": structure_refuted,
+    "vanishing": vanishing_refuted,
+    "rank": rank_refuted,
+    "count": rank_refuted,
+    "limit": limit_refuted,
+    "numeric": numeric_refuted,
+    "reference": reference_refuted,
+}

@@ -1,0 +1,167 @@
+"""Polynomials with integer coefficients: dictionaries from monomials to integers, and nothing else.
+
+A monomial is one integer: the exponents side by side, each in a field of `BITS` bits.  The product of monomials is the
+sum of such integers and their order is the lexicographic one, as long as no exponent leaves its field; a bound of the
+exponents travels with every polynomial and is checked in every product.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import reduce
+from heapq import heapify, heappop, heappush
+from math import gcd
+
+from algebroproj_sym.replaying.rejection import NotReplayable
+
+BITS = 12
+LARGEST = 2 ** (BITS - 1) - 1
+
+
+class Polynomial:
+    """A polynomial: integer coefficients by monomial, and a bound of the exponents.
+
+    Examples
+    --------
+    >>> x, y = variables(2)
+    >>> product = (x + y) * (x - y)
+    >>> product.quotient(x - y) == x + y, product.quotient(x + y + y) is None
+    (True, True)
+    """
+
+    __slots__ = ("degree", "terms")
+
+    def __init__(self, terms: dict[int, int], degree: int) -> None:
+        if degree > LARGEST:
+            raise NotReplayable(f"an exponent may exceed {LARGEST}")
+        self.terms = terms
+        self.degree = degree
+
+    def __bool__(self) -> bool:
+        return bool(self.terms)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Polynomial) and self.terms == other.terms
+
+    def __hash__(self) -> int:
+        return hash(frozenset(self.terms.items()))
+
+    def __add__(self, other: Polynomial) -> Polynomial:
+        if len(self.terms) < len(other.terms):
+            self, other = other, self
+        terms = dict(self.terms)
+        for monomial, value in other.terms.items():
+            total = terms.get(monomial, 0) + value
+            if total:
+                terms[monomial] = total
+            else:
+                del terms[monomial]
+        return Polynomial(terms, max(self.degree, other.degree))
+
+    def __neg__(self) -> Polynomial:
+        return Polynomial({monomial: -value for monomial, value in self.terms.items()}, self.degree)
+
+    def __sub__(self, other: Polynomial) -> Polynomial:
+        return self + -other
+
+    def __mul__(self, other: Polynomial) -> Polynomial:
+        degree = self.degree + other.degree
+        few, many = sorted((self.terms, other.terms), key=len)
+        if len(few) == 1:
+            ((shift, scale),) = few.items()
+            return Polynomial({monomial + shift: value * scale for monomial, value in many.items()}, degree)
+        terms: dict[int, int] = {}
+        known = terms.get
+        pairs = list(many.items())
+        for shift, scale in few.items():
+            for monomial, value in pairs:
+                place = monomial + shift
+                terms[place] = known(place, 0) + value * scale
+        return Polynomial({monomial: value for monomial, value in terms.items() if value}, degree)
+
+    def __pow__(self, exponent: int) -> Polynomial:
+        result = constant(1)
+        for digit in bin(exponent)[2:]:
+            result = result * result
+            if digit == "1":
+                result = result * self
+        return result
+
+    def scaled(self, factor: int) -> Polynomial:
+        """Return the product with an integer."""
+        if factor == 0:
+            return constant(0)
+        return Polynomial({monomial: value * factor for monomial, value in self.terms.items()}, self.degree)
+
+    def content(self) -> int:
+        """Return the greatest common divisor of the coefficients, with the sign of the leading one; 0 for zero."""
+        if not self.terms:
+            return 0
+        divisor = gcd(*self.terms.values())
+        return divisor if self.terms[max(self.terms)] > 0 else -divisor
+
+    def divided(self, divisor: int) -> Polynomial:
+        """Return the quotient by an integer that divides all coefficients."""
+        return Polynomial({monomial: value // divisor for monomial, value in self.terms.items()}, self.degree)
+
+    def is_constant(self) -> bool:
+        """Whether no variable occurs."""
+        return not self.terms or self.terms.keys() == {0}
+
+    def quotient(self, divisor: Polynomial) -> Polynomial | None:
+        """Return the integer polynomial that times `divisor` is this one, or None if there is none."""
+        lead = max(divisor.terms)
+        leading = divisor.terms[lead]
+        others = [(monomial, value) for monomial, value in divisor.terms.items() if monomial != lead]
+        rest = dict(self.terms)
+        waiting = [-monomial for monomial in rest]
+        heapify(waiting)
+        found: dict[int, int] = {}
+        guards = _guards(max(max(self.terms, default=0), lead))
+        while waiting:
+            monomial = -heappop(waiting)
+            value = rest.pop(monomial, 0)
+            if not value:
+                continue
+            share, remainder = divmod(value, leading)
+            if remainder or ((monomial | guards) - lead) & guards != guards:
+                return None
+            shift = monomial - lead
+            found[shift] = share
+            for place, coefficient in others:
+                target = place + shift
+                if target in rest:
+                    rest[target] -= share * coefficient
+                else:
+                    rest[target] = -share * coefficient
+                    heappush(waiting, -target)
+        return Polynomial(found, self.degree)
+
+    def parts(self, place: int) -> dict[int, Polynomial]:
+        """Return the coefficients of the powers of one variable, as polynomials in the others."""
+        mask = (1 << BITS) - 1
+        found: dict[int, dict[int, int]] = {}
+        for monomial, value in self.terms.items():
+            power = monomial >> (BITS * place) & mask
+            found.setdefault(power, {})[monomial - (power << (BITS * place))] = value
+        return {power: Polynomial(terms, self.degree) for power, terms in found.items()}
+
+
+def _guards(monomial: int) -> int:
+    fields = monomial.bit_length() // BITS + 1
+    return sum(1 << (BITS * field + BITS - 1) for field in range(fields))
+
+
+def constant(value: int) -> Polynomial:
+    """Return a constant polynomial."""
+    return Polynomial({0: value} if value else {}, 0)
+
+
+def variables(count: int) -> list[Polynomial]:
+    """Return the variables of a ring."""
+    return [Polynomial({1 << (BITS * place): 1}, 1) for place in range(count)]
+
+
+def product(factors: Iterable[Polynomial]) -> Polynomial:
+    """Return the product of some polynomials, 1 without any."""
+    return reduce(Polynomial.__mul__, factors, constant(1))

@@ -1,0 +1,180 @@
+"""Mutation: the checks notice single changes of claims and of generated functions."""
+
+import json
+from fractions import Fraction
+from types import SimpleNamespace
+
+import pytest
+import sympy
+from click.testing import CliRunner
+
+from algebroproj import optics, projection
+from algebroproj_sym import Section
+from algebroproj_sym.cli import main
+from algebroproj_sym.declaring import kernels, select
+from algebroproj_sym.expressions import Matrix, vector
+from algebroproj_sym.generating import lower
+from algebroproj_sym.mutating import mutants, mutate_claim, mutate_kernel, source_mutants
+from algebroproj_sym.verifying import load_package
+
+x, y, u1, u2, up1, upp1 = sympy.symbols("x y u1 u2 up1 upp1")
+
+
+def declared(kind, printed, derived, **options):
+    return getattr(Section("demo", "1", "Squares"), kind)("1.1", "", printed=printed, derived=derived, **options)
+
+
+def fates(claim, **options):
+    return {fate.form: fate.fate for fate in mutate_claim(claim, **options).fates}
+
+
+def test_every_place_of_an_expression_is_changed():
+    changes = {mutant.change for mutant in mutants(declared("identity", u1 * up1 / u2 + 2, u1 * up1 / u2 + 2))}
+    assert {"sign of 2", "index: u1 for u2", "prime: up1 for u1", "factor u1", "integer 2"} <= changes
+    assert "numerator and denominator exchanged" in changes
+
+
+def test_primes_are_exchanged():
+    forms = {mutant.form for mutant in mutants(declared("identity", up1 + 1, up1 + 1, nonzero=[upp1]))}
+    assert -up1 + 1 in forms
+    forms = {mutant.form for mutant in mutants(declared("identity", up1 + x * upp1, up1 + x * upp1))}
+    assert upp1 + x * upp1 in forms
+    assert up1 + x * up1 in forms
+
+
+def test_entries_of_a_matrix_are_exchanged_and_left_out():
+    forms = {mutant.form for mutant in mutants(declared("identity", vector(x, y), vector(x, y)))}
+    assert {vector(y, x), vector(0, y), vector(x, 0), vector(-x, y)} >= forms >= {vector(y, x), vector(0, y)}
+
+
+def test_no_change_leaves_the_form_as_it_is():
+    claim = declared("identity", x / y + x**2, x / y + x**2)
+    forms = [mutant.form for mutant in mutants(claim)]
+    assert claim.printed not in forms
+    assert len(forms) == len(set(forms))
+
+
+def test_a_wrong_form_is_refuted_and_an_equal_one_recognised():
+    found = fates(declared("identity", (x - y) ** 2 * sympy.Integer(1), (y - x) ** 2))
+    assert set(found.values()) == {"refuted"}
+    circle = declared(
+        "identity",
+        x**2,
+        1 - y**2,
+        constraints=[x**2 + y**2 - 1],
+        witness={x: sympy.Rational(3, 5), y: sympy.Rational(4, 5)},
+    )
+    assert fates(circle)["x**3"] == "refuted"
+    scaled = fates(declared("up_to_scale", vector(x * y, y), vector(x, 1)))
+    assert scaled["Matrix([[x], [y]])"] == "refuted"
+
+
+def test_an_equivalent_change_is_proved_the_same_statement():
+    symmetric = fates(declared("up_to_scale", vector(-x, 0), vector(x, 0)))
+    assert symmetric["Matrix([[x], [0]])"] == "equivalent"
+    pattern = fates(declared("structure", Matrix([[0, u1], [-u1, u2]]), Matrix([[0, x], [-x, y]])))
+    assert pattern["Matrix([[0, -u1], [-u1, u2]])"] == "refuted"
+    assert pattern["Matrix([[0, u1], [-u1, -u2]])"] == "equivalent"
+    factors = fates(declared("vanishing", (x + y, y**2), (x + y) * y))
+    assert factors["(x + y, y**3)"] == "equivalent"
+    assert factors["(x - y, y**2)"] == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("kind", "printed", "derived", "options"),
+    [
+        ("rank", 1, Matrix([[x, y], [2 * x, 2 * y]]), {"kernel": [vector(y, -x)]}),
+        ("count", 1, vector(x, x**2), {"variables": [x]}),
+        ("limit", x + u1, x + u1 + y, {"variable": y}),
+        ("numeric", "0.33", sympy.Rational(1, 3), {}),
+    ],
+)
+def test_changes_of_other_kinds_are_refuted(kind, printed, derived, options):
+    found = fates(declared(kind, printed, derived, **options))
+    assert found
+    assert set(found.values()) == {"refuted"}
+
+
+def test_a_tolerance_lets_changes_survive_and_says_so():
+    claim = declared("numeric", "0.33", sympy.Rational(1, 3), units=Fraction(3, 2))
+    survivors = [fate for fate in mutate_claim(claim).fates if fate.fate == "survived"]
+    assert [fate.form for fate in survivors] == ["0.34", "0.32"]
+    assert "tolerance" in survivors[0].reason
+
+
+def test_what_is_not_proved_has_no_mutants():
+    claim = declared("identity", x, y, expect="false", instead="1.1")
+    assert mutate_claim(claim).fates == ()
+
+
+def test_the_choice_is_always_the_same():
+    claim = declared("identity", x / y + u1 * u2, x / y + u1 * u2)
+    first, second = (mutate_claim(claim, limit=4) for _ in range(2))
+    assert first == second
+    assert len(first.fates) == 4 < first.total
+
+
+def test_changes_of_real_claims_are_refuted():
+    found = [mutate_claim(claim, limit=3) for claim in select(["fundamentals1996:1.2"])]
+    fates_found = [fate.fate for claim in found for fate in claim.fates]
+    assert len(fates_found) > 20
+    assert "survived" not in fates_found
+    assert fates_found.count("refuted") > 0.9 * len(fates_found)
+
+
+def test_sources_are_changed_in_single_places():
+    lines = [mutant.line for mutant in source_mutants(projection.camera_matrix)]
+    assert "out[..., 0, 1] = mu1 + 1" in lines
+    assert "out[..., 0, 1] = 1 - mu1" in lines
+    assert "out[..., 0, 1] = mu2 - 1" in lines
+    assert "out[..., 0, 1] = mu1 - 0" in lines
+    assert not any(line.startswith(("mu, u3, out = arguments", "return")) for line in lines)
+
+
+def test_a_changed_function_computes_something_else():
+    changed = source_mutants(optics.scale)[0].function
+    assert changed(2.0, 3.0) != optics.scale(2.0, 3.0)
+
+
+@pytest.mark.parametrize("name", ["optics.scale", "projection.mu_from_center", "correlation.epipolar_line_left"])
+def test_changes_of_a_generated_function_are_noticed_twice(name):
+    (kernel,) = kernels([name])
+    found = mutate_kernel(lower(kernel), load_package(), limit=12, size=3)
+    assert len(found.fates) == min(12, found.total)
+    for fate in found.fates:
+        assert fate.by_proof == fate.by_numbers, fate
+    assert sum(fate.by_proof for fate in found.fates) >= 0.8 * len(found.fates)
+
+
+def test_a_constant_entry_that_is_not_set_is_noticed_by_numbers():
+    (kernel,) = kernels(["optics.lens_matrix"])
+    found = mutate_kernel(lower(kernel), load_package(), size=2)
+    moved = [fate for fate in found.fates if fate.change == "number" and fate.line.endswith("= 0")]
+    assert moved
+    assert all(fate.by_numbers for fate in moved)
+
+
+def test_the_function_as_it_is_is_noticed_by_neither(monkeypatch):
+    (kernel,) = kernels(["optics.scale"])
+    unchanged = SimpleNamespace(change="none", line="", function=optics.scale)
+    monkeypatch.setattr("algebroproj_sym.mutating.kernels.source_mutants", lambda function: [unchanged])
+    (fate,) = mutate_kernel(lower(kernel), load_package(), size=3).fates
+    assert fate.equivalent
+
+
+def run(*arguments):
+    return CliRunner().invoke(main, ["mutate", *arguments])
+
+
+def test_the_command_reports_scores():
+    result = run("fundamentals1996:1.2.3", "--limit", "3")
+    assert result.exit_code == 0
+    assert "changed statements refuted" in result.stdout
+    assert "changed sources are not equivalent" in result.stdout
+    record = json.loads(run("fundamentals1996:1.2.3", "--limit", "3", "--only", "claims", "--format", "json").stdout)
+    assert record["claims"]
+    assert not record["functions"]
+
+
+def test_a_selector_that_names_nothing_is_wrong_usage():
+    assert run("nobody").exit_code == 2

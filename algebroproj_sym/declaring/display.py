@@ -63,7 +63,7 @@ def evidence_lines(judgement: Judgement) -> list[str]:
 def _formula(claim: Claim, verdict: Verdict) -> str:
     if claim.derived is None:
         return _latex(claim.printed)
-    derived = _latex(reduced(claim.derived))
+    derived = _latex(claim.derived if claim.kind in ("count", "rank") else reduced(claim.derived))
     if claim.kind == "vanishing":
         return f"{derived} {_RELATION[claim.kind]} {_latex(claim.printed)}"
     if claim.printed is None:

@@ -12,8 +12,14 @@ _KNOWN: dict[Expression, Expression] = {}
 
 
 def derived_form(claim: Claim) -> Expression | None:
-    """Return what is derived, in lowest terms; None for a definition."""
-    return None if claim.derived is None else _reduced(claim.derived)
+    """Return what is derived, in lowest terms; None for a definition.
+
+    Functions that are counted, and matrices whose rank is claimed, are returned as they are: no verdict needs them
+    expanded, and expanded they may be too large for any memory.
+    """
+    if claim.derived is None or claim.kind in ("count", "rank"):
+        return claim.derived
+    return _reduced(claim.derived)
 
 
 def remember(claims: Iterable[Claim], forms: Iterable[Expression | None]) -> None:

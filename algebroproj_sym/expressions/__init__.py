@@ -27,12 +27,14 @@ from algebroproj_sym.expressions.linear import (
     solve,
     vector,
 )
+from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over
 
 __all__ = [
     "Expression",
     "Matrix",
     "NotRationalError",
+    "ParseError",
     "Scalar",
     "adjugate",
     "columns",
@@ -47,6 +49,8 @@ __all__ = [
     "inverse",
     "linear_system",
     "over",
+    "parse",
+    "parse_zero",
     "rational",
     "rows",
     "shape",

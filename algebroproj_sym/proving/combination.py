@@ -1,0 +1,191 @@
+"""Powers of a claim, times powers of what never vanishes, as combinations of the constraints.
+
+A claim n = 0 follows from g_i = 0 and s != 0 over every field of characteristic 0 exactly if
+``n**k * s**m == sum(c_i * g_i)`` for some k and m (Hilbert's Nullstellensatz).  Variables are eliminated first, then
+Groebner bases with memory find the cofactors: of the ideal, of its saturation by s, and last of its radical.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import prod
+from typing import Any
+
+from algebroproj_sym.proving.buchberger import EffortExceededError, GroebnerBasis
+from algebroproj_sym.proving.elimination import Elimination, Relation
+
+MAX_EXPONENT = 12
+MAX_PRODUCT = 3_000_000
+
+
+@dataclass(frozen=True)
+class Combination:
+    """``target**exponent * multiplier == sum(cofactors_i * constraint_i)``."""
+
+    exponent: int
+    multiplier: Any
+    cofactors: list[Any]
+
+
+class System:
+    """What is zero and what is not zero, ready for claims.
+
+    Parameters
+    ----------
+    constraints : sequence of flint.fmpq_mpoly
+        What is zero.
+    units : sequence of flint.fmpq_mpoly
+        Irreducible polynomials that are not zero.
+    context : flint.fmpq_mpoly_ctx
+        Degree reverse lexicographic; its last variable occurs in no polynomial.
+    """
+
+    def __init__(self, constraints: Sequence[Any], units: Sequence[Any], context: Any) -> None:
+        self._context = context
+        self._one = context.constant(1)
+        self._spare = context.gens()[-1]
+        self.constraints = list(constraints)
+        self.units = list(units)
+        self.elimination = Elimination(constraints, units, context)
+        self.members = [member.polynomial for member in self.elimination.members]
+
+    @cached_property
+    def basis(self) -> GroebnerBasis | None:
+        """The Groebner basis of what is left after elimination; None if it takes too long."""
+        return self._attempt(lambda: GroebnerBasis(self.members)) if self.members else None
+
+    @cached_property
+    def saturated(self) -> GroebnerBasis | None:
+        """The same, where the units do not vanish."""
+        return self._attempt(lambda: GroebnerBasis([*self.members, 1 - self._spare * self._reduced_units.rest]))
+
+    @property
+    def is_inconsistent(self) -> bool:
+        """Whether the constraints have no common zero off the zeros of the units; False also if that is not known."""
+        if not self.members:
+            return False
+        if any(member.is_constant() for member in self.members) or (self.basis is not None and self.basis.is_unit):
+            return True
+        return self._reduced_units.rest == 0 or (self.saturated is not None and self.saturated.is_unit)
+
+    def combination(self, target: Any) -> Combination | None:
+        """Return a power of a polynomial, times units, as a combination of the constraints; None if none was found."""
+        relation = self.elimination.relation(target)
+        if relation.rest == 0:
+            return Combination(1, relation.left, relation.cofactors)
+        if not self.members:
+            return None
+        for search in (self._single, self._plain, self._saturated, self._radical):
+            found = self._attempt(lambda search=search: search(relation))  # type: ignore[misc]
+            if found is not None:
+                return self._lifted(target, relation, *found)
+        return None
+
+    @cached_property
+    def _reduced_units(self) -> Relation:
+        return self.elimination.relation(prod(self.units, start=self._one))
+
+    def _attempt(self, search: Callable[[], Any]) -> Any:
+        try:
+            return search()
+        except EffortExceededError:
+            return None
+
+    def _single(self, relation: Relation) -> tuple[int, int, list[Any]] | None:
+        """One member: it divides a power of the claim, or the claim does not follow."""
+        if len(self.members) != 1:
+            return None
+        power = self._one
+        for exponent in range(1, MAX_EXPONENT + 1):
+            power = power * relation.rest
+            _require_small(power)
+            quotient, rest = divmod(power, self.members[0])
+            if rest == 0:
+                return exponent, 0, [quotient]
+            if exponent == 1 and self.members[0].factor_squarefree()[1][0][1] == 1 == len(
+                self.members[0].factor_squarefree()[1]
+            ):
+                return None
+        return None
+
+    def _plain(self, relation: Relation) -> tuple[int, int, list[Any]] | None:
+        if self.basis is None:
+            return None
+        parts = self.basis.cofactors(relation.rest)
+        return None if parts is None else (1, 0, parts)
+
+    def _saturated(self, relation: Relation) -> tuple[int, int, list[Any]] | None:
+        if not self.units or self.saturated is None:
+            return None
+        parts = self.saturated.cofactors(relation.rest)
+        return None if parts is None else self._without_spare(parts[:-1], self._reduced_units.rest, 1)
+
+    def _radical(self, relation: Relation) -> tuple[int, int, list[Any]] | None:
+        for basis in (self.basis, self.saturated if self.units else None):
+            power = relation.rest
+            for exponent in (2, 3):
+                power = power * relation.rest
+                _require_small(power)
+                parts = None if basis is None else basis.cofactors(power)
+                if parts is not None:
+                    if basis is self.basis:
+                        return exponent, 0, parts
+                    return self._without_spare(parts[:-1], self._reduced_units.rest, exponent)
+        unit = self._reduced_units.rest * relation.rest
+        whole = GroebnerBasis([*self.members, 1 - self._spare * unit])
+        parts = whole.cofactors(self._one)
+        if parts is None:
+            return None
+        _, power, cleared = self._without_spare(parts[:-1], unit, 0)
+        return power, power, cleared
+
+    def _without_spare(self, parts: list[Any], unit: Any, exponent: int) -> tuple[int, int, list[Any]]:
+        """Put 1/unit for the spare variable and multiply by the power of the unit that clears it."""
+        last = len(self._context.names()) - 1
+        power = max((int(part.degrees()[last]) for part in parts if part != 0), default=0)
+        if power > MAX_EXPONENT:
+            raise EffortExceededError
+        powers = [unit**k for k in range(power + 1)]
+        _require_small(powers[-1])
+        cleared = []
+        for part in parts:
+            by_degree: dict[int, dict[tuple[int, ...], Any]] = {}
+            for exponents, value in part.to_dict().items():
+                kept = (*map(int, exponents[:-1]), 0)
+                by_degree.setdefault(int(exponents[-1]), {})[kept] = value
+            total = self._context.constant(0)
+            for degree, terms in by_degree.items():
+                total = total + self._context.from_dict(terms) * powers[power - degree]
+            cleared.append(total)
+        return exponent, power, cleared
+
+    def _lifted(self, target: Any, claim: Relation, exponent: int, power: int, parts: list[Any]) -> Combination:
+        """Turn ``rest**exponent * units_rest**power == sum(parts_i * members_i)`` into one of the constraints."""
+        common, sums = self.elimination.combined(parts)
+        units = self._reduced_units
+        whole = prod(self.units, start=self._one)
+        claim_power, claim_cofactors = _power_of(claim, target, exponent, self._one)
+        unit_power, unit_cofactors = _power_of(units, whole, power, self._one)
+        unit_full = (units.left * whole) ** power
+        first, second = common * unit_full, common * claim_power
+        scale = claim.right**exponent * units.right**power
+        cofactors = [
+            first * c + second * d + scale * e for c, d, e in zip(claim_cofactors, unit_cofactors, sums, strict=True)
+        ]
+        return Combination(exponent, common * claim.left**exponent * (units.left * whole) ** power, cofactors)
+
+
+def _power_of(relation: Relation, target: Any, exponent: int, one: Any) -> tuple[Any, list[Any]]:
+    """Return ``(right * rest)**k`` and the cofactors of ``(left * target)**k`` minus that."""
+    full, reduced = relation.left * target, relation.right * relation.rest
+    between = one - one
+    for k in range(exponent):
+        between = between + full**k * reduced ** (exponent - 1 - k)
+    return reduced**exponent, [between * cofactor for cofactor in relation.cofactors]
+
+
+def _require_small(polynomial: Any) -> None:
+    if len(polynomial) > MAX_PRODUCT // 100:
+        raise EffortExceededError

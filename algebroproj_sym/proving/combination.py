@@ -54,12 +54,15 @@ class System:
     @cached_property
     def basis(self) -> GroebnerBasis | None:
         """The Groebner basis of what is left after elimination; None if it takes too long."""
-        return self._attempt(lambda: GroebnerBasis(self.members)) if self.members else None
+        found: GroebnerBasis | None = self._attempt(lambda: GroebnerBasis(self.members)) if self.members else None
+        return found
 
     @cached_property
     def saturated(self) -> GroebnerBasis | None:
         """The same, where the units do not vanish."""
-        return self._attempt(lambda: GroebnerBasis([*self.members, 1 - self._spare * self._reduced_units.rest]))
+        generators = [*self.members, 1 - self._spare * self._reduced_units.rest]
+        found: GroebnerBasis | None = self._attempt(lambda: GroebnerBasis(generators))
+        return found
 
     @property
     def is_inconsistent(self) -> bool:
@@ -167,7 +170,7 @@ class System:
         units = self._reduced_units
         whole = prod(self.units, start=self._one)
         claim_power, claim_cofactors = _power_of(claim, target, exponent, self._one)
-        unit_power, unit_cofactors = _power_of(units, whole, power, self._one)
+        _, unit_cofactors = _power_of(units, whole, power, self._one)
         unit_full = (units.left * whole) ** power
         first, second = common * unit_full, common * claim_power
         scale = claim.right**exponent * units.right**power

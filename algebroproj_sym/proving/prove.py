@@ -170,7 +170,7 @@ class _Question:
         return chain(self._given_witness(), searched)
 
     def given_witnesses(self) -> list[Point]:
-        """The given witness, if there is one and hypotheses hold there."""
+        """Return the given witness, if there is one and hypotheses hold there."""
         return [point for point in self._given_witness() if self.differs_at(point) is not None]
 
     def _given_witness(self) -> Iterator[Point]:

@@ -135,7 +135,9 @@ class Problem:
         names = [symbol.name for symbol in self.field.symbols]
         terms = []
         for powers, value in polynomial.to_dict().items():
-            factors = [name if n == 1 else f"{name}**{n}" for name, n in zip(names, map(int, powers), strict=False) if n]
+            factors = [
+                name if n == 1 else f"{name}**{n}" for name, n in zip(names, map(int, powers), strict=False) if n
+            ]
             number = [] if value == 1 and factors else [f"({value})" if value.q != 1 else str(value)]
             terms.append("*".join(number + factors))
         return " + ".join(terms).replace("+ -", "- ") or "0"

@@ -230,7 +230,9 @@ class _Start:
                 value = self._reduced(_replaced(value, other, values[other]))
             values[variable] = value
         if self._minimal is None:
-            return [_fraction(values[i].leading_coefficient() if values[i] != 0 else flint.fmpq(0)) for i in range(size)]
+            return [
+                _fraction(values[i].leading_coefficient() if values[i] != 0 else flint.fmpq(0)) for i in range(size)
+            ]
         field = RealField(self._univariate(self._minimal))
         return [Algebraic(field, self._univariate(values[i])) for i in range(size)]
 
@@ -251,4 +253,5 @@ def _fmpq(value: Fraction) -> Any:
 
 
 def _fraction(value: Any) -> Fraction:
+    value = flint.fmpq(value)
     return Fraction(int(value.p), int(value.q))

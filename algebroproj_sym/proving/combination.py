@@ -14,10 +14,9 @@ from math import prod
 from typing import Any
 
 from algebroproj_sym.proving.buchberger import EffortExceededError, GroebnerBasis
-from algebroproj_sym.proving.elimination import Elimination, Relation
+from algebroproj_sym.proving.elimination import MAX_LENGTH, Elimination, Relation, cleared_of_spare
 
 MAX_EXPONENT = 12
-MAX_PRODUCT = 3_000_000
 
 
 @dataclass(frozen=True)
@@ -77,7 +76,8 @@ class System:
         """Return a power of a polynomial, times units, as a combination of the constraints; None if none was found."""
         relation = self.elimination.relation(target)
         if relation.rest == 0:
-            return Combination(1, relation.left, relation.cofactors)
+            multiplier, cofactors = self.elimination.discharged(target, relation.left, relation.cofactors)
+            return Combination(1, multiplier, cofactors)
         if not self.members:
             return None
         for search in (self._single, self._plain, self._saturated, self._radical):
@@ -145,23 +145,7 @@ class System:
         return power, power, cleared
 
     def _without_spare(self, parts: list[Any], unit: Any, exponent: int) -> tuple[int, int, list[Any]]:
-        """Put 1/unit for the spare variable and multiply by the power of the unit that clears it."""
-        last = len(self._context.names()) - 1
-        power = max((int(part.degrees()[last]) for part in parts if part != 0), default=0)
-        if power > MAX_EXPONENT:
-            raise EffortExceededError
-        powers = [unit**k for k in range(power + 1)]
-        _require_small(powers[-1])
-        cleared = []
-        for part in parts:
-            by_degree: dict[int, dict[tuple[int, ...], Any]] = {}
-            for exponents, value in part.to_dict().items():
-                kept = (*map(int, exponents[:-1]), 0)
-                by_degree.setdefault(int(exponents[-1]), {})[kept] = value
-            total = self._context.constant(0)
-            for degree, terms in by_degree.items():
-                total = total + self._context.from_dict(terms) * powers[power - degree]
-            cleared.append(total)
+        power, cleared = cleared_of_spare(parts, unit)
         return exponent, power, cleared
 
     def _lifted(self, target: Any, claim: Relation, exponent: int, power: int, parts: list[Any]) -> Combination:
@@ -177,7 +161,9 @@ class System:
         cofactors = [
             first * c + second * d + scale * e for c, d, e in zip(claim_cofactors, unit_cofactors, sums, strict=True)
         ]
-        return Combination(exponent, common * claim.left**exponent * (units.left * whole) ** power, cofactors)
+        multiplier = common * claim.left**exponent * unit_full
+        multiplier, cofactors = self.elimination.discharged(target**exponent, multiplier, cofactors)
+        return Combination(exponent, multiplier, cofactors)
 
 
 def _power_of(relation: Relation, target: Any, exponent: int, one: Any) -> tuple[Any, list[Any]]:
@@ -190,5 +176,5 @@ def _power_of(relation: Relation, target: Any, exponent: int, one: Any) -> tuple
 
 
 def _require_small(polynomial: Any) -> None:
-    if len(polynomial) > MAX_PRODUCT // 100:
+    if len(polynomial) > MAX_LENGTH:
         raise EffortExceededError

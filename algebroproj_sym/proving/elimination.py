@@ -1,16 +1,27 @@
 """Fewer variables: a constraint ``u x + v = 0`` with u that never vanishes takes x out of all the others.
 
+Two constraints that are affine in x and y, with a determinant that never vanishes, are solved by Cramer's rule first.
+Whether something never vanishes may itself be a consequence: w does not, if w = 0 contradicts the constraints.
+
 Every step is remembered, so that a combination of what is left becomes a combination of the constraints themselves.
 The polynomials are FLINT's; the result is multiplied out again elsewhere before it is believed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import combinations
+from math import prod
 from typing import Any
 
-MAX_LENGTH = 4_000
+from algebroproj_sym.proving.buchberger import EffortExceededError, GroebnerBasis
+
+DERIVATION_STEPS = 400
+MAX_DERIVATIONS = 24
+MAX_UNIT_LENGTH = 400
+MAX_POWER = 12
+MAX_LENGTH = 30_000
 
 
 @dataclass(frozen=True)
@@ -56,6 +67,20 @@ class Solved:
     pivot: Member
 
 
+@dataclass(frozen=True)
+class DerivedUnit:
+    """Something that does not vanish because the constraints say so.
+
+    ``product == sum(parts_i * members_i) + cofactor * unit``, the product one of units known before.
+    """
+
+    unit: Any
+    product: Any
+    parts: list[Any]
+    members: list[Member]
+    cofactor: Any
+
+
 class Elimination:
     """Constraints with as many variables taken out as can be without dividing by what may vanish.
 
@@ -74,6 +99,8 @@ class Elimination:
         What is left of the constraints, without factors that never vanish.
     solved : list of Solved
         The variables taken out, in order.
+    derived : list of DerivedUnit
+        What was found not to vanish, in order.
 
     Examples
     --------
@@ -92,12 +119,23 @@ class Elimination:
         self._constraints = list(constraints)
         self._units = list(units)
         self._context = context
+        self._given_units = len(self._units)
         self.solved: list[Solved] = []
+        self.derived: list[DerivedUnit] = []
+        self._refused: set[str] = set()
         self.members = [
             self._stripped(self._given(place)) for place, polynomial in enumerate(constraints) if polynomial != 0
         ]
-        while (choice := self._choice()) is not None:
+        while self._advance():
+            pass
+
+    def _advance(self) -> bool:
+        """Take a variable out, or prepare it; False if there is nothing left to do."""
+        choice = self._choice()
+        if choice is not None:
             self._take_out(*choice)
+            return True
+        return self._solve_pair() or self._derive_unit()
 
     def without_units(self, polynomial: Any) -> tuple[Any, Any]:
         """Return a polynomial without the factors that never vanish, and the product of those."""
@@ -131,10 +169,29 @@ class Elimination:
                 left, right, rest = left * scale, right * multiplier, after
         return Relation(left, right, rest, sums)
 
-    def combined(self, parts: Sequence[Any]) -> tuple[Any, list[Any]]:
+    def discharged(self, claim: Any, multiplier: Any, cofactors: list[Any]) -> tuple[Any, list[Any]]:
+        """Return ``multiplier * claim == sum(c_i * constraint_i)`` with the given units alone in the multiplier."""
+        for found in reversed(self.derived):
+            rest, count = multiplier, 0
+            while (division := divmod(rest, found.unit))[1] == 0:
+                rest, count = division[0], count + 1
+            if not count:
+                continue
+            common, sums = self.combined(found.parts, found.members)
+            whole, part = common * found.product, common * found.cofactor * found.unit
+            between = self._context.constant(0)
+            for k in range(count):
+                between = between + whole**k * part ** (count - 1 - k)
+            first, second = (common * found.cofactor) ** count, between * rest * claim
+            cofactors = [first * c + second * s for c, s in zip(cofactors, sums, strict=True)]
+            multiplier = whole**count * rest
+        return multiplier, cofactors
+
+    def combined(self, parts: Sequence[Any], members: Sequence[Member] | None = None) -> tuple[Any, list[Any]]:
         """Return ``(m, c)`` with ``m * sum(parts_i * members_i) == sum(c_i * constraint_i)``."""
         common = self._context.constant(1)
-        relations = [member.relation() if part != 0 else None for part, member in zip(parts, self.members, strict=True)]
+        chosen = self.members if members is None else members
+        relations = [member.relation() if part != 0 else None for part, member in zip(parts, chosen, strict=True)]
         for found in relations:
             if found is not None:
                 common = _lcm(common, found[0])
@@ -175,6 +232,79 @@ class Elimination:
                         best = key, member, variable, slope
         return None if best is None else best[1:]
 
+    def _pairs(self) -> Iterator[tuple[Member, Member, list[Any], Any]]:
+        """Pairs of members that are affine in two variables, with the matrix and the determinant."""
+        for first, second in combinations(self.members, 2):
+            degrees = [member.polynomial.degrees() for member in (first, second)]
+            common = [i for i, (m, n) in enumerate(zip(*degrees, strict=True)) if m <= 1 and n <= 1 and m + n]
+            for x, y in combinations(common, 2):
+                matrix = [m.polynomial.derivative(v) for m in (first, second) for v in (x, y)]
+                if any(entry != 0 and (entry.degrees()[x] or entry.degrees()[y]) for entry in matrix):
+                    continue
+                determinant = matrix[0] * matrix[3] - matrix[1] * matrix[2]
+                if determinant != 0 and all(m != 0 for m in (*matrix[:2],)) and all(m != 0 for m in (*matrix[2:],)):
+                    yield first, second, matrix, determinant
+
+    def _solve_pair(self) -> bool:
+        for first, second, matrix, determinant in self._pairs():
+            if self.without_units(determinant)[0].is_constant():
+                left = [member for member in self.members if member is not first and member is not second]
+                solved = [
+                    self._combination(first, matrix[3], second, -matrix[1]),
+                    self._combination(first, -matrix[2], second, matrix[0]),
+                ]
+                self.members = left + solved
+                return True
+        return False
+
+    def _combination(self, first: Member, a: Any, second: Member, b: Any) -> Member:
+        def relation() -> tuple[Any, list[Any]]:
+            multiplier, cofactors = first.relation()
+            others, other_cofactors = second.relation()
+            common = _lcm(multiplier, others)
+            p, q = a * divmod(common, multiplier)[0], b * divmod(common, others)[0]
+            return common, [p * c + q * d for c, d in zip(cofactors, other_cofactors, strict=True)]
+
+        return Member(a * first.polynomial + b * second.polynomial, relation)
+
+    def _derive_unit(self) -> bool:
+        """Find a slope or a determinant that cannot vanish where the constraints hold."""
+        candidates: list[tuple[int, str, Any, list[Member]]] = []
+        for member in self.members:
+            for variable, degree in enumerate(member.polynomial.degrees()):
+                if degree == 1:
+                    slope = self.without_units(_affine(member.polynomial, variable)[0])[0]
+                    candidates.append((len(slope), str(slope), slope, [member]))
+        for first, second, _, determinant in self._pairs():
+            rest = self.without_units(determinant)[0]
+            candidates.append((len(rest), str(rest), rest, [first, second]))
+        for _, key, polynomial, members in sorted(candidates, key=lambda candidate: candidate[:2]):
+            if key in self._refused or len(self._refused) > MAX_DERIVATIONS:
+                continue
+            self._refused.add(key)
+            for factor, _ in polynomial.factor()[1]:
+                if self._derived(factor, members):
+                    return True
+        return False
+
+    def _derived(self, factor: Any, members: list[Member]) -> bool:
+        product = prod(self._units[: self._given_units], start=self._context.constant(1))
+        if product.is_constant() or len(product) > MAX_UNIT_LENGTH:
+            return False
+        spare = self._context.gens()[-1]
+        generators = [*(member.polynomial for member in members), factor, 1 - spare * product]
+        try:
+            parts = GroebnerBasis(generators, DERIVATION_STEPS).cofactors(self._context.constant(1))
+        except EffortExceededError:
+            return False
+        if parts is None:
+            return False
+        power, cleared = cleared_of_spare(parts[:-1], product)
+        self.derived.append(DerivedUnit(factor, product**power, cleared[:-1], members, cleared[-1]))
+        self._units.append(factor)
+        self.members = [self._stripped(member) for member in self.members]
+        return True
+
     def _take_out(self, pivot: Member, variable: int, slope: Any) -> None:
         step = Solved(variable, slope, _affine(pivot.polynomial, variable)[1], pivot)
         self.solved.append(step)
@@ -196,6 +326,29 @@ class Elimination:
             return common, [first * c - second * d for c, d in zip(cofactors, other_cofactors, strict=True)]
 
         return self._stripped(Member(after, relation))
+
+
+def cleared_of_spare(parts: Sequence[Any], unit: Any) -> tuple[int, list[Any]]:
+    """Put 1/unit for the last variable, and multiply by the power of the unit that clears it; return that power."""
+    context = unit.context()
+    last = len(context.names()) - 1
+    power = max((int(part.degrees()[last]) for part in parts if part != 0), default=0)
+    if power > MAX_POWER:
+        raise EffortExceededError
+    powers = [unit**k for k in range(power + 1)]
+    if len(powers[-1]) > MAX_LENGTH:
+        raise EffortExceededError
+    cleared = []
+    for part in parts:
+        by_degree: dict[int, dict[tuple[int, ...], Any]] = {}
+        for exponents, value in part.to_dict().items():
+            kept = (*map(int, exponents[:-1]), 0)
+            by_degree.setdefault(int(exponents[-1]), {})[kept] = value
+        total = context.constant(0)
+        for degree, terms in by_degree.items():
+            total = total + context.from_dict(terms) * powers[power - degree]
+        cleared.append(total)
+    return power, cleared
 
 
 def _affine(polynomial: Any, variable: int) -> tuple[Any, Any]:

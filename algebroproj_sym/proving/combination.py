@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import prod
 from typing import Any
 
 from algebroproj_sym.proving.buchberger import EffortExceededError, GroebnerBasis
@@ -59,18 +58,17 @@ class System:
     @cached_property
     def saturated(self) -> GroebnerBasis | None:
         """The same, where the units do not vanish."""
-        generators = [*self.members, 1 - self._spare * self._reduced_units.rest]
+        generators = [*self.members, 1 - self._spare * self._unit]
         found: GroebnerBasis | None = self._attempt(lambda: GroebnerBasis(generators))
         return found
 
     @property
     def is_inconsistent(self) -> bool:
         """Whether the constraints have no common zero off the zeros of the units; False also if that is not known."""
-        if not self.members:
-            return False
         if any(member.is_constant() for member in self.members) or (self.basis is not None and self.basis.is_unit):
             return True
-        return self._reduced_units.rest == 0 or (self.saturated is not None and self.saturated.is_unit)
+        reduced = (self.elimination.reduced(unit) for unit in self.units)
+        return any(unit == 0 for unit in reduced) or (self.saturated is not None and self.saturated.is_unit)
 
     def combination(self, target: Any) -> Combination | None:
         """Return a power of a polynomial, times units, as a combination of the constraints; None if none was found."""
@@ -87,8 +85,8 @@ class System:
         return None
 
     @cached_property
-    def _reduced_units(self) -> Relation:
-        return self.elimination.relation(prod(self.units, start=self._one))
+    def _unit(self) -> Any:
+        return self.elimination.unit_product()
 
     def _attempt(self, search: Callable[[], Any]) -> Any:
         try:
@@ -123,7 +121,7 @@ class System:
         if not self.units or self.saturated is None:
             return None
         parts = self.saturated.cofactors(relation.rest)
-        return None if parts is None else self._without_spare(parts[:-1], self._reduced_units.rest, 1)
+        return None if parts is None else self._without_spare(parts[:-1], self._unit, 1)
 
     def _radical(self, relation: Relation) -> tuple[int, int, list[Any]] | None:
         for basis in (self.basis, self.saturated if self.units else None):
@@ -135,8 +133,8 @@ class System:
                 if parts is not None:
                     if basis is self.basis:
                         return exponent, 0, parts
-                    return self._without_spare(parts[:-1], self._reduced_units.rest, exponent)
-        unit = self._reduced_units.rest * relation.rest
+                    return self._without_spare(parts[:-1], self._unit, exponent)
+        unit = self._unit * relation.rest
         whole = GroebnerBasis([*self.members, 1 - self._spare * unit])
         parts = whole.cofactors(self._one)
         if parts is None:
@@ -149,30 +147,25 @@ class System:
         return exponent, power, cleared
 
     def _lifted(self, target: Any, claim: Relation, exponent: int, power: int, parts: list[Any]) -> Combination:
-        """Turn ``rest**exponent * units_rest**power == sum(parts_i * members_i)`` into one of the constraints."""
+        """Turn ``rest**exponent * units**power == sum(parts_i * members_i)`` into one of the constraints."""
         common, sums = self.elimination.combined(parts)
-        units = self._reduced_units
-        whole = prod(self.units, start=self._one)
-        claim_power, claim_cofactors = _power_of(claim, target, exponent, self._one)
-        _, unit_cofactors = _power_of(units, whole, power, self._one)
-        unit_full = (units.left * whole) ** power
-        first, second = common * unit_full, common * claim_power
-        scale = claim.right**exponent * units.right**power
+        units = common * self._unit**power
         cofactors = [
-            first * c + second * d + scale * e for c, d, e in zip(claim_cofactors, unit_cofactors, sums, strict=True)
+            units * c + claim.right**exponent * d
+            for c, d in zip(_power_cofactors(claim, target, exponent, self._one), sums, strict=True)
         ]
-        multiplier = common * claim.left**exponent * unit_full
+        multiplier = units * claim.left**exponent
         multiplier, cofactors = self.elimination.discharged(target**exponent, multiplier, cofactors)
         return Combination(exponent, multiplier, cofactors)
 
 
-def _power_of(relation: Relation, target: Any, exponent: int, one: Any) -> tuple[Any, list[Any]]:
-    """Return ``(right * rest)**k`` and the cofactors of ``(left * target)**k`` minus that."""
+def _power_cofactors(relation: Relation, target: Any, exponent: int, one: Any) -> list[Any]:
+    """Return the cofactors of ``(left * target)**k - (right * rest)**k``."""
     full, reduced = relation.left * target, relation.right * relation.rest
     between = one - one
     for k in range(exponent):
         between = between + full**k * reduced ** (exponent - 1 - k)
-    return reduced**exponent, [between * cofactor for cofactor in relation.cofactors]
+    return [between * cofactor for cofactor in relation.cofactors]
 
 
 def _require_small(polynomial: Any) -> None:

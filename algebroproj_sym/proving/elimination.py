@@ -12,13 +12,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from math import prod
+from math import gcd, lcm
 from typing import Any
+
+import flint
 
 from algebroproj_sym.proving.buchberger import EffortExceededError, GroebnerBasis
 
 DERIVATION_STEPS = 400
-MAX_DERIVATIONS = 24
+MAX_DERIVATIONS = 80
 MAX_UNIT_LENGTH = 400
 MAX_POWER = 12
 MAX_LENGTH = 30_000
@@ -71,14 +73,12 @@ class Solved:
 class DerivedUnit:
     """Something that does not vanish because the constraints say so.
 
-    ``product == sum(parts_i * members_i) + cofactor * unit``, the product one of units known before.
+    ``relation()`` returns ``(m, c, h)`` with ``m == sum(c_i * constraint_i) + h * unit``, m a product of units known
+    before.
     """
 
     unit: Any
-    product: Any
-    parts: list[Any]
-    members: list[Member]
-    cofactor: Any
+    relation: Callable[[], tuple[Any, list[Any], Any]]
 
 
 class Elimination:
@@ -119,7 +119,6 @@ class Elimination:
         self._constraints = list(constraints)
         self._units = list(units)
         self._context = context
-        self._given_units = len(self._units)
         self.solved: list[Solved] = []
         self.derived: list[DerivedUnit] = []
         self._refused: set[str] = set()
@@ -177,12 +176,12 @@ class Elimination:
                 rest, count = division[0], count + 1
             if not count:
                 continue
-            common, sums = self.combined(found.parts, found.members)
-            whole, part = common * found.product, common * found.cofactor * found.unit
+            whole, sums, cofactor = found.relation()
+            part = cofactor * found.unit
             between = self._context.constant(0)
             for k in range(count):
                 between = between + whole**k * part ** (count - 1 - k)
-            first, second = (common * found.cofactor) ** count, between * rest * claim
+            first, second = cofactor**count, between * rest * claim
             cofactors = [first * c + second * s for c, s in zip(cofactors, sums, strict=True)]
             multiplier = whole**count * rest
         return multiplier, cofactors
@@ -211,6 +210,8 @@ class Elimination:
 
     def _stripped(self, member: Member) -> Member:
         polynomial, removed = self.without_units(member.polynomial)
+        content = _content(polynomial)
+        polynomial, removed = polynomial / content, removed * content
         if removed == 1:
             return member
 
@@ -222,18 +223,26 @@ class Elimination:
 
     def _choice(self) -> tuple[Member, int, Any] | None:
         """Return the shortest member that is affine in a variable, with a slope that never vanishes."""
-        best: tuple[tuple[int, int, int], Member, int, Any] | None = None
+        best: tuple[tuple[int, ...], Member, int, Any] | None = None
+        uses = self._uses()
         for member in self.members:
             for variable, degree in enumerate(member.polynomial.degrees()):
                 if degree == 1:
                     slope, _ = _affine(member.polynomial, variable)
-                    key = (len(slope), len(member.polynomial), variable)
+                    key = (len(slope), uses[variable], len(member.polynomial), variable)
                     if (best is None or key < best[0]) and self.without_units(slope)[0].is_constant():
                         best = key, member, variable, slope
         return None if best is None else best[1:]
 
+    def _uses(self) -> list[int]:
+        """Return in how many members each variable occurs."""
+        degrees = [member.polynomial.degrees() for member in self.members]
+        return [sum(bool(n) for n in column) for column in zip(*degrees, strict=True)]
+
     def _pairs(self) -> Iterator[tuple[Member, Member, list[Any], Any]]:
         """Pairs of members that are affine in two variables, with the matrix and the determinant."""
+        found: list[tuple[int, int, int, tuple[Member, Member, list[Any], Any]]] = []
+        uses = self._uses()
         for first, second in combinations(self.members, 2):
             degrees = [member.polynomial.degrees() for member in (first, second)]
             common = [i for i, (m, n) in enumerate(zip(*degrees, strict=True)) if m <= 1 and n <= 1 and m + n]
@@ -243,7 +252,10 @@ class Elimination:
                     continue
                 determinant = matrix[0] * matrix[3] - matrix[1] * matrix[2]
                 if determinant != 0 and all(m != 0 for m in (*matrix[:2],)) and all(m != 0 for m in (*matrix[2:],)):
-                    yield first, second, matrix, determinant
+                    pair = first, second, matrix, determinant
+                    found.append((uses[x] + uses[y], len(determinant), len(found), pair))
+        for *_, pair in sorted(found, key=lambda entry: entry[:3]):
+            yield pair
 
     def _solve_pair(self) -> bool:
         for first, second, matrix, determinant in self._pairs():
@@ -288,8 +300,8 @@ class Elimination:
         return False
 
     def _derived(self, factor: Any, members: list[Member]) -> bool:
-        product = prod(self._units[: self._given_units], start=self._context.constant(1))
-        if product.is_constant() or len(product) > MAX_UNIT_LENGTH:
+        product = self.unit_product()
+        if product.is_constant():
             return False
         spare = self._context.gens()[-1]
         generators = [*(member.polynomial for member in members), factor, 1 - spare * product]
@@ -300,8 +312,12 @@ class Elimination:
         if parts is None:
             return False
         power, cleared = cleared_of_spare(parts[:-1], product)
-        self.derived.append(DerivedUnit(factor, product**power, cleared[:-1], members, cleared[-1]))
-        self._units.append(factor)
+
+        def relation() -> tuple[Any, list[Any], Any]:
+            common, sums = self.combined(cleared[:-1], members)
+            return common * product**power, sums, common * cleared[-1]
+
+        self._add_unit(factor, relation)
         self.members = [self._stripped(member) for member in self.members]
         return True
 
@@ -309,7 +325,45 @@ class Elimination:
         step = Solved(variable, slope, _affine(pivot.polynomial, variable)[1], pivot)
         self.solved.append(step)
         left = [self._without(member, step) for member in self.members if member is not pivot]
-        self.members = [member for member in left if member.polynomial != 0]
+        self._renew_units(step)
+        self.members = [self._stripped(member) for member in left if member.polynomial != 0]
+
+    def _renew_units(self, step: Solved) -> None:
+        """Write what does not vanish without the variable that was taken out."""
+        for unit in list(self._units):
+            after, power = _substituted(unit, step)
+            if power:
+                self._units.remove(unit)
+                for factor, _ in after.factor()[1] if after != 0 else ():
+                    if factor not in self._units:
+                        self._add_unit(factor, self._renewed(unit, after, power, factor, step))
+
+    def _renewed(
+        self, unit: Any, after: Any, power: int, factor: Any, step: Solved
+    ) -> Callable[[], tuple[Any, list[Any], Any]]:
+        def relation() -> tuple[Any, list[Any], Any]:
+            multiplier, cofactors = step.pivot.relation()
+            scaled = step.slope**power * unit
+            quotient = divmod(scaled - after, step.pivot.polynomial)[0]
+            return multiplier * scaled, [quotient * c for c in cofactors], multiplier * divmod(after, factor)[0]
+
+        return relation
+
+    def _add_unit(self, unit: Any, relation: Callable[[], tuple[Any, list[Any], Any]]) -> None:
+        self.derived.append(DerivedUnit(unit, relation))
+        self._units.append(unit)
+
+    def unit_product(self) -> Any:
+        """Return the product of what does not vanish and occurs in what is left, as far as it stays short."""
+        present = {i for member in self.members for i, n in enumerate(member.polynomial.degrees()) if n}
+        product = self._context.constant(1)
+        for unit in sorted(self._units, key=len):
+            if (
+                any(i in present for i, n in enumerate(unit.degrees()) if n)
+                and len(unit) * len(product) <= MAX_UNIT_LENGTH
+            ):
+                product = product * unit
+        return product
 
     def _without(self, member: Member, step: Solved) -> Member:
         after, power = _substituted(member.polynomial, step)
@@ -349,6 +403,13 @@ def cleared_of_spare(parts: Sequence[Any], unit: Any) -> tuple[int, list[Any]]:
             total = total + context.from_dict(terms) * powers[power - degree]
         cleared.append(total)
     return power, cleared
+
+
+def _content(polynomial: Any) -> Any:
+    """Return the rational number that leaves a primitive polynomial."""
+    values = polynomial.coeffs()
+    above, below = gcd(*(int(value.p) for value in values)), lcm(*(int(value.q) for value in values))
+    return flint.fmpq(above or 1, below)
 
 
 def _affine(polynomial: Any, variable: int) -> tuple[Any, Any]:

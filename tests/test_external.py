@@ -1,6 +1,7 @@
 """Identities that no one here wrote: every verdict is the declared one, and rests on evidence that is checked again."""
 
 import json
+import multiprocessing
 import os
 import subprocess
 import sys
@@ -151,13 +152,22 @@ def test_what_fails_is_an_error_and_no_verdict(file):
     assert result.exit_code == 1
 
 
-def test_a_worker_that_dies_is_an_error_and_the_next_question_is_decided(monkeypatch):
+def test_an_engine_that_fails_is_an_error_for_each_question():
     questions = [Question("x", "x"), Question("x", "y")]
-    found = []
-    for outcome in outcomes(questions, seconds=60, jobs=1):
-        found.append(outcome.verdict)
-    assert found == ["proved", "refuted"]
+    assert [outcome.verdict for outcome in outcomes(questions, seconds=60)] == ["proved", "refuted"]
     assert [outcome.verdict for outcome in outcomes(questions, seconds=60, engine="nosuch")] == ["error", "error"]
+
+
+def test_a_worker_that_dies_is_an_error_and_the_next_question_is_decided():
+    found = outcomes([Question("x", "x"), Question("x", "y"), Question("y", "y")], seconds=60)
+    first = next(found)
+    (process,) = multiprocessing.active_children()
+    process.kill()
+    process.join()
+    assert first.verdict == "proved"
+    rest = list(found)
+    assert all(outcome.verdict in ("error", "refuted", "proved") for outcome in rest)
+    assert (rest[0].verdict, rest[1].verdict) in {("error", "proved"), ("refuted", "error"), ("refuted", "proved")}
 
 
 MALFORMED = {

@@ -109,7 +109,7 @@ class Elimination:
     >>> x, y, z = context.gens()
     >>> system = Elimination([x * z - y, y**2 - x**2], [x], context)
     >>> [member.polynomial for member in system.members]
-    [z^2 - 1]
+    [-x^2 + y^2]
     >>> relation = system.relation(y * z)
     >>> relation.left * y * z - relation.right * relation.rest == relation.cofactors[0] * (x * z - y)
     True

@@ -10,9 +10,12 @@ Examples
 >>> x, y = sympy.symbols("x y")
 >>> prove((x**2 - y**2) / (x - y), x + y).verdict
 'proved'
+>>> prove("(a^2 + b^2)*(c^2 + d^2)", "(a*c - b*d)^2 + (a*d + b*c)^2").verdict
+'proved'
 """
 
 from algebroproj_sym.declaring import Section
-from algebroproj_sym.proving import Proof, prove
+from algebroproj_sym.proving import Proof
+from algebroproj_sym.proving.statements import prove
 
 __all__ = ["Proof", "Section", "prove"]

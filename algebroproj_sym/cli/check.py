@@ -3,13 +3,24 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
+from pathlib import Path
 
 import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import judged, require_as_declared
-from algebroproj_sym.cli.terminal import console
-from algebroproj_sym.reporting import claims_table, ledger, summary_text
+from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.declaring import Answer, MalformedFileError, identities
+from algebroproj_sym.proving import outcomes
+from algebroproj_sym.reporting import (
+    answers_record,
+    answers_summary,
+    answers_table,
+    claims_table,
+    ledger,
+    summary_text,
+)
 
 
 @click.command()
@@ -17,12 +28,22 @@ from algebroproj_sym.reporting import claims_table, ledger, summary_text
 @options.engine
 @options.jobs
 @options.output_format
-def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str) -> None:
+@options.seconds
+def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
     A SELECTOR is a paper key, paper:section, paper:number or the path of a derivation module; without one, every
     claim of every paper is judged.
+
+    A SELECTOR may also be a file of identities, NAME.json: a list of objects with lhs, rhs, and optionally
+    constraints, nonzero, name, variables, witness, expected.  Each is decided within the time limit.
     """
+    files = [Path(selector) for selector in selectors if selector.endswith(".json")]
+    if files:
+        if len(files) < len(selectors):
+            raise click.UsageError("expected either claims or files of identities, got both")
+        _check_files(files, engine, jobs, output, seconds)
+        return
     judgements = judged(options.selected(selectors), engine, jobs)
     if output == "json":
         click.echo(json.dumps(ledger(judgements), indent=1, ensure_ascii=False))
@@ -30,3 +51,20 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str) -> No
         console().print(claims_table(judgements))
         console().print(summary_text(judgements))
     require_as_declared(judgements)
+
+
+def _check_files(files: Sequence[Path], engine: str, jobs: int, output: str, seconds: float) -> None:
+    try:
+        chosen = [identity for file in files for identity in identities(file)]
+    except MalformedFileError as error:
+        raise click.UsageError(str(error)) from error
+    decided = outcomes([identity.question for identity in chosen], seconds=seconds, engine=engine, jobs=jobs)
+    found = progressing(decided, len(chosen), "deciding")
+    answers = [Answer(identity, outcome) for identity, outcome in zip(chosen, found, strict=True)]
+    if output == "json":
+        click.echo(json.dumps(answers_record(answers), indent=1, ensure_ascii=False))
+    else:
+        console().print(answers_table(answers))
+        console().print(answers_summary(answers))
+    if not all(answer.as_declared for answer in answers):
+        raise SystemExit(1)

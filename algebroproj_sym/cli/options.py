@@ -31,6 +31,14 @@ output_format = click.option(
     show_default=True,
     help="Form of the output.",
 )
+seconds = click.option(
+    "--seconds",
+    type=click.FloatRange(min=0, min_open=True),
+    default=10.0,
+    show_default=True,
+    metavar="S",
+    help="Time limit of each identity of a file.",
+)
 samples = click.option(
     "--samples",
     type=click.IntRange(min=1),

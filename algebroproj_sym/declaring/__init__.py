@@ -16,6 +16,7 @@ from algebroproj_sym.declaring.discovery import (
 )
 from algebroproj_sym.declaring.display import evidence_lines
 from algebroproj_sym.declaring.driver import Driver
+from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.section import Section
@@ -35,13 +36,16 @@ __all__ = [
     "LINEAR",
     "PRIMITIVES",
     "VERDICTS",
+    "Answer",
     "Argument",
     "Claim",
     "DeclarationError",
     "Derivation",
     "Driver",
+    "Identity",
     "Judgement",
     "Kernel",
+    "MalformedFileError",
     "Primitive",
     "Publication",
     "Result",
@@ -58,6 +62,7 @@ __all__ = [
     "differing_entries",
     "drivers",
     "evidence_lines",
+    "identities",
     "installed_papers",
     "judge",
     "kernels",

@@ -27,6 +27,7 @@ from algebroproj_sym.expressions.linear import (
     solve,
     vector,
 )
+from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over, remembered
 from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
 
@@ -34,6 +35,7 @@ __all__ = [
     "Expression",
     "Matrix",
     "NotRationalError",
+    "ParseError",
     "Scalar",
     "adjugate",
     "columns",
@@ -50,6 +52,8 @@ __all__ = [
     "keeps_divisions",
     "linear_system",
     "over",
+    "parse",
+    "parse_zero",
     "rational",
     "remembered",
     "rows",

@@ -5,15 +5,19 @@ from algebroproj_sym.proving.points import Point, points_on, rational_points, se
 from algebroproj_sym.proving.prove import Decision, Proof, UndefinedError, prove
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
 from algebroproj_sym.proving.reduction import reduced
+from algebroproj_sym.proving.worker import Outcome, Question, outcomes
 
 __all__ = [
     "ENGINES",
     "Decision",
+    "Outcome",
     "Point",
     "Proof",
+    "Question",
     "RationalFunction",
     "RationalFunctionField",
     "UndefinedError",
+    "outcomes",
     "points_on",
     "prove",
     "rational_points",

@@ -21,6 +21,7 @@ from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.membership import cofactors
 from algebroproj_sym.proving.points import Point, points_on, rational_points, seed_of
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
+from algebroproj_sym.proving.thorough import Problem
 
 Decision = Literal["proved", "refuted", "open"]
 
@@ -46,7 +47,7 @@ class Proof:
     certificate : mapping or None
         The evidence of a proof, or why the statement stays open.
     counterexample : mapping of Symbol to Fraction, or None
-        A point at which both sides are defined and differ.
+        A point at which both sides are defined and differ; a thorough search may give SymPy's real algebraic numbers.
     engine : str
         The polynomial arithmetic that was used.
     """
@@ -66,6 +67,7 @@ def prove(
     nonzero: Sequence[Any] = (),
     witness: Mapping[sympy.Symbol, Fraction | int] | None = None,
     engine: str = "flint",
+    thorough: bool = False,
 ) -> Proof:
     """Decide whether ``lhs == rhs`` wherever both are defined and the hypotheses hold.
 
@@ -81,6 +83,9 @@ def prove(
         A point that satisfies constraints and hypotheses, where no search would find one.
     engine : {"flint", "sympy"}
         Which polynomial arithmetic to use.
+    thorough : bool
+        With constraints, search further than bounded cofactors and triangular systems: Groebner bases, powers of the
+        claim, real points over an extension of Q.
 
     Returns
     -------
@@ -108,6 +113,8 @@ def prove(
     'open'
     >>> prove(x**3, x, constraints=[x**2 - 1], witness={x: 1}).verdict
     'proved'
+    >>> prove(x, 1, constraints=[x**2 - 2], thorough=True).counterexample
+    {x: -sqrt(2)}
     """
     if engine not in ENGINES:
         raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
@@ -117,7 +124,9 @@ def prove(
     given = tuple(_scalar(expression, "constraints") for expression in constraints)
     units = tuple(_scalar(expression, "nonzero") for expression in nonzero)
     question = _Question(left, right, given, units, witness, engine)
-    return _prove_constrained(question) if given else _prove_identity(question)
+    if not given:
+        return _prove_identity(question)
+    return _prove_thoroughly(question) if thorough else _prove_constrained(question)
 
 
 def _scalar(value: Any, argument: str) -> sympy.Expr:
@@ -159,6 +168,10 @@ class _Question:
             return islice(rational_points(self.symbols, self.seed), SEARCH_POINTS)
         searched = points_on(self.constraints, self.symbols, self.seed, SEARCH_POINTS)
         return chain(self._given_witness(), searched)
+
+    def given_witnesses(self) -> list[Point]:
+        """Return the given witness, if there is one and hypotheses hold there."""
+        return [point for point in self._given_witness() if self.differs_at(point) is not None]
 
     def _given_witness(self) -> Iterator[Point]:
         if self.witness is None:
@@ -221,6 +234,22 @@ def _prove_constrained(question: _Question) -> Proof:
         "witness": {symbol.name: str(witness[symbol]) for symbol in question.symbols},
     }
     return Proof("proved", field.divisors(), certificate, None, question.engine)
+
+
+def _prove_thoroughly(question: _Question) -> Proof:
+    field, difference = _normal_form(question)
+    finding = Problem(
+        field=field,
+        left=question.left,
+        right=question.right,
+        numerators=[entry.numerator for entry in difference],
+        constraints=[_numerator(field, constraint) for constraint in question.constraints],
+        nonzero=[_numerator(field, unit) for unit in question.nonzero],
+        seed=question.seed,
+        given=question.given_witnesses(),
+    ).decided()
+    hypotheses = () if finding.verdict == "refuted" else field.divisors()
+    return Proof(finding.verdict, hypotheses, finding.certificate, finding.point, question.engine)
 
 
 def _membership(

@@ -1,0 +1,162 @@
+"""Identities from elsewhere: files of statements as text, with the verdicts that are expected of them."""
+
+from __future__ import annotations
+
+import difflib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from algebroproj_sym.expressions import ParseError, parse, parse_zero, shape
+from algebroproj_sym.proving.worker import Outcome, Question
+
+EXPECTED = ("proved", "refuted", "open")
+KEYS = ("name", "lhs", "rhs", "constraints", "nonzero", "variables", "witness", "expected")
+MAX_BYTES = 20_000_000
+
+
+class MalformedFileError(ValueError):
+    """A file is not a list of identities."""
+
+
+@dataclass(frozen=True)
+class Identity:
+    """A statement of a file.
+
+    Attributes
+    ----------
+    file : Path
+        Where it stands.
+    name : str
+        Its name, or its place in the file.
+    question : Question
+        What is asked.
+    expected : str or None
+        The verdict that is declared, if one is.
+    """
+
+    file: Path
+    name: str
+    question: Question
+    expected: str | None
+
+
+@dataclass(frozen=True)
+class Answer:
+    """An identity and what became of it."""
+
+    identity: Identity
+    outcome: Outcome
+
+    @property
+    def as_declared(self) -> bool:
+        """Whether it is decided, and as declared; an identity declared open may stay open."""
+        expected = self.identity.expected
+        if expected is None:
+            return self.outcome.verdict in ("proved", "refuted")
+        return self.outcome.verdict == expected
+
+
+def identities(path: Path) -> tuple[Identity, ...]:
+    """Read a file of identities.
+
+    Parameters
+    ----------
+    path : Path
+        JSON: a list of objects with ``lhs`` and ``rhs`` as text, and optionally ``constraints`` and ``nonzero`` (lists
+        of text), ``name``, ``variables`` (the names that may occur), ``witness`` (name to rational number as text) and
+        ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
+
+    Raises
+    ------
+    MalformedFileError
+        Naming file, item and key.
+    """
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise MalformedFileError(f"{path}: expected at most {MAX_BYTES} bytes, got {path.stat().st_size}")
+        items = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise MalformedFileError(f"{path}: expected a readable file, got {error.strerror}") from error
+    except (json.JSONDecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise MalformedFileError(f"{path}: expected JSON, got {error}") from error
+    if not isinstance(items, list):
+        raise MalformedFileError(f"{path}: expected a list of objects, got {_kind(items)}")
+    return tuple(_identity(path, place, item) for place, item in enumerate(items))
+
+
+def _identity(path: Path, place: int, item: Any) -> Identity:
+    where = f"{path}, item {place}"
+    if not isinstance(item, dict):
+        raise MalformedFileError(f"{where}: expected an object, got {_kind(item)}")
+    name = item.get("name", f"{path.stem}[{place}]")
+    if not isinstance(name, str):
+        raise MalformedFileError(f"{where}, key 'name': expected text, got {_kind(name)}")
+    where = f"{where} ({name})"
+    for key in item:
+        near = [] if key in KEYS else difflib.get_close_matches(key, KEYS, n=1, cutoff=0.8)
+        if near:
+            raise MalformedFileError(f"{where}: expected the key {near[0]!r}, got {key!r}")
+    for key in ("lhs", "rhs"):
+        if key not in item:
+            raise MalformedFileError(f"{where}, key {key!r}: expected text, got nothing")
+    expected = item.get("expected")
+    if expected is not None and expected not in EXPECTED:
+        raise MalformedFileError(f"{where}, key 'expected': expected one of {', '.join(EXPECTED)}, got {expected!r}")
+    variables = _texts(where, "variables", item["variables"]) if "variables" in item else None
+    question = Question(
+        _text(where, "lhs", item["lhs"]),
+        _text(where, "rhs", item["rhs"]),
+        _texts(where, "constraints", item.get("constraints", [])),
+        _texts(where, "nonzero", item.get("nonzero", [])),
+        _witness(where, item["witness"]) if "witness" in item else None,
+    )
+    _require_readable(where, question, variables)
+    return Identity(path, name, question, expected)
+
+
+def _require_readable(where: str, question: Question, variables: tuple[str, ...] | None) -> None:
+    try:
+        sides = [parse(getattr(question, key), f"key {key!r}", variables) for key in ("lhs", "rhs")]
+        for place, text in enumerate(question.constraints):
+            parse_zero(text, f"key 'constraints', entry {place}", variables)
+        for place, text in enumerate(question.nonzero):
+            parse_zero(text, f"key 'nonzero', entry {place}", variables)
+    except ParseError as error:
+        raise MalformedFileError(f"{where}, {error}") from error
+    if shape(sides[0]) != shape(sides[1]):
+        shapes = f"{shape(sides[0])} and {shape(sides[1])}"
+        raise MalformedFileError(f"{where}, key 'rhs': expected the shape of 'lhs', got {shapes}")
+
+
+def _text(where: str, key: str, value: Any) -> str:
+    if not isinstance(value, str):
+        raise MalformedFileError(f"{where}, key {key!r}: expected text, got {_kind(value)}")
+    return value
+
+
+def _texts(where: str, key: str, value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list):
+        raise MalformedFileError(f"{where}, key {key!r}: expected a list of text, got {_kind(value)}")
+    return tuple(_text(where, f"{key}', entry '{place}", entry) for place, entry in enumerate(value))
+
+
+def _witness(where: str, value: Any) -> Mapping[str, str]:
+    if not isinstance(value, dict):
+        raise MalformedFileError(f"{where}, key 'witness': expected an object, got {_kind(value)}")
+    for name, number in value.items():
+        try:
+            Fraction(_text(where, f"witness', entry '{name}", number))
+        except (ValueError, ZeroDivisionError):
+            raise MalformedFileError(
+                f"{where}, key 'witness', entry {name!r}: expected a rational number as text, got {number!r}"
+            ) from None
+    return value
+
+
+def _kind(value: Any) -> str:
+    names = {dict: "an object", list: "a list", str: "text", bool: "true or false", type(None): "null"}
+    return names.get(type(value), "a number")

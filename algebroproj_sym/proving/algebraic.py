@@ -1,0 +1,132 @@
+"""Real algebraic numbers as far as points need them: one real root of an irreducible polynomial, and its field."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import flint
+import sympy
+
+
+@dataclass(frozen=True)
+class RealField:
+    """The field Q(r) of a real root r of an irreducible polynomial.
+
+    Parameters
+    ----------
+    polynomial : flint.fmpq_poly
+        Irreducible over Q, with a real root; r is the smallest.
+    """
+
+    polynomial: Any
+
+    @cached_property
+    def root(self) -> sympy.Expr:
+        """The root as a SymPy expression."""
+        return sympy.rootof(_sympy_poly(self.polynomial), 0)
+
+    @cached_property
+    def interval(self) -> tuple[sympy.Rational, sympy.Rational]:
+        """Rational bounds between which the root lies, and no other real root."""
+        return tuple(_sympy_poly(self.polynomial).intervals()[0][0])
+
+    def lift(self, value: Fraction) -> Algebraic:
+        """Return a rational number as an element."""
+        return Algebraic(self, flint.fmpq_poly([flint.fmpq(value.numerator, value.denominator)]))
+
+
+def has_real_root(polynomial: Any) -> bool:
+    """Whether a polynomial has a real root, by exact counting.
+
+    Examples
+    --------
+    >>> has_real_root(flint.fmpq_poly([-2, 0, 1])), has_real_root(flint.fmpq_poly([2, 0, 1]))
+    (True, False)
+    """
+    return bool(_sympy_poly(polynomial).count_roots())
+
+
+@dataclass(frozen=True, eq=False)
+class Algebraic:
+    """An element of a `RealField`; supports ``+ - * / **`` and comparison with elements, integers and fractions.
+
+    Examples
+    --------
+    >>> field = RealField(flint.fmpq_poly([-2, 0, 1]))
+    >>> r = Algebraic(field, flint.fmpq_poly([0, 1]))
+    >>> r * r == 2, (1 / r).expression
+    (True, -sqrt(2)/2)
+    """
+
+    field: RealField
+    polynomial: Any
+
+    @property
+    def expression(self) -> sympy.Expr:
+        """The number as a SymPy expression in the root."""
+        terms = enumerate(self.polynomial.coeffs())
+        return sympy.Add(*(sympy.Rational(int(c.p), int(c.q)) * self.field.root**k for k, c in terms))
+
+    def __add__(self, other: object) -> Algebraic:
+        return self._with(other, lambda a, b: a + b)
+
+    def __sub__(self, other: object) -> Algebraic:
+        return self._with(other, lambda a, b: a - b)
+
+    def __mul__(self, other: object) -> Algebraic:
+        return self._with(other, lambda a, b: (a * b) % self.field.polynomial)
+
+    def __truediv__(self, other: object) -> Algebraic:
+        return self._with(other, lambda a, b: (a * _inverse(b, self.field.polynomial)) % self.field.polynomial)
+
+    def __neg__(self) -> Algebraic:
+        return Algebraic(self.field, -self.polynomial)
+
+    def __pow__(self, exponent: int) -> Algebraic:
+        result = self.field.lift(Fraction(1))
+        for _ in range(abs(exponent)):
+            result = result * self
+        return result if exponent >= 0 else self.field.lift(Fraction(1)) / result
+
+    def __radd__(self, other: object) -> Algebraic:
+        return self + other
+
+    def __rmul__(self, other: object) -> Algebraic:
+        return self * other
+
+    def __rsub__(self, other: object) -> Algebraic:
+        return -self + other
+
+    def __rtruediv__(self, other: object) -> Algebraic:
+        return self._coerced(other) / self
+
+    def __eq__(self, other: object) -> bool:
+        return bool(self.polynomial == self._coerced(other).polynomial)
+
+    def __hash__(self) -> int:
+        return hash(tuple(map(str, self.polynomial.coeffs())))
+
+    def _coerced(self, other: object) -> Algebraic:
+        if isinstance(other, Algebraic):
+            return other
+        if isinstance(other, int | Fraction):
+            return self.field.lift(Fraction(other))
+        raise TypeError(f"Algebraic: expected an element, an integer or a fraction, got {type(other).__name__}")
+
+    def _with(self, other: object, operation: Callable[[Any, Any], Any]) -> Algebraic:
+        return Algebraic(self.field, operation(self.polynomial, self._coerced(other).polynomial))
+
+
+def _inverse(polynomial: Any, modulus: Any) -> Any:
+    if polynomial == 0:
+        raise ZeroDivisionError("division by the algebraic number zero")
+    return polynomial.xgcd(modulus)[1]
+
+
+def _sympy_poly(polynomial: Any) -> sympy.Poly:
+    coefficients = [sympy.Rational(int(c.p), int(c.q)) for c in reversed(polynomial.coeffs())]
+    return sympy.Poly(coefficients, sympy.Dummy("r"))

@@ -1,0 +1,257 @@
+"""Real points of systems that are not triangular: rational ones where they are found, else over one extension of Q.
+
+Random values are put for some variables until the rest is determined: a constraint in one variable is factored, one
+that is affine with a constant slope is solved, resultants are taken where neither is left.  That no point is found
+proves nothing.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations
+from typing import Any
+
+import flint
+
+from algebroproj_sym.proving.algebraic import Algebraic, RealField, has_real_root
+
+Value = Fraction | Algebraic
+
+MAX_DEGREE = 24
+MAX_LENGTH = 3_000
+_SMALL = [Fraction(n) for n in (1, 2, 3, -1, -2, 4, 5, -3, 7, -4)]
+_PYTHAGOREAN = [Fraction(a, b) for a, b in ((3, 5), (4, 5), (5, 13), (12, 13), (8, 17), (15, 17), (-3, 5), (-4, 5))]
+
+
+class _DeadEndError(Exception):
+    pass
+
+
+def real_points(
+    constraints: Sequence[Any], context: Any, seed: int, tries: int, *, extension: bool = False
+) -> Iterator[list[Value]]:
+    """Yield points with real coordinates on which the constraints vanish.
+
+    Parameters
+    ----------
+    constraints : sequence of flint.fmpq_mpoly
+        What is zero.
+    context : flint.fmpq_mpoly_ctx
+        Its variables are the coordinates.
+    seed : int
+        Which random values are tried.
+    tries : int
+        How many starts are made.
+    extension : bool
+        Whether one irrational root may be taken.
+
+    Yields
+    ------
+    list of Fraction or Algebraic
+        All in one field.
+
+    Examples
+    --------
+    >>> context = flint.fmpq_mpoly_ctx.get(("x", "y"), flint.Ordering.degrevlex)
+    >>> x, y = context.gens()
+    >>> next(real_points([x * y - 1, x + y - 2], context, 1, 9))
+    [Fraction(1, 1), Fraction(1, 1)]
+    >>> list(real_points([x**2 - 2, x - y], context, 1, 9))
+    []
+    >>> [number.expression for number in next(real_points([x**2 - 2, x + y], context, 1, 9, extension=True))]
+    [-sqrt(2), sqrt(2)]
+    """
+    generator = random.Random(seed)
+    for attempt in range(tries):
+        try:
+            start = _Start(context, generator, attempt, extension)
+            point = start.completed(list(constraints))
+        except (_DeadEndError, ZeroDivisionError):
+            continue
+        if all(value_at(constraint, point) == 0 for constraint in constraints):
+            yield point
+
+
+def value_at(polynomial: Any, point: Sequence[Value]) -> Value:
+    """Return the exact value of a polynomial at a point."""
+    if all(isinstance(value, Fraction) for value in point):
+        return _fraction(polynomial(*(flint.fmpq(v.numerator, v.denominator) for v in point)))  # type: ignore[union-attr]
+    total: Value = point[0] * 0
+    powers: dict[tuple[int, int], Value] = {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        term = point[0] * 0 + _fraction(coefficient)
+        for place, exponent in enumerate(map(int, exponents)):
+            if exponent:
+                key = place, exponent
+                if key not in powers:
+                    powers[key] = point[place] ** exponent
+                term = term * powers[key]
+        total = total + term
+    return total
+
+
+class _Start:
+    """One attempt: values for the variables, one after the other."""
+
+    def __init__(self, context: Any, generator: random.Random, attempt: int, extension: bool) -> None:
+        self._context = context
+        self._variables = context.gens()
+        self._generator = generator
+        self._attempt = attempt
+        self._may_extend = extension
+        self._known: list[tuple[int, Any]] = []
+        self._root: int | None = None
+        self._minimal: Any = None
+
+    def completed(self, constraints: list[Any]) -> list[Value]:
+        dependent = self._dependent(constraints)
+        while constraints := [constraint for constraint in constraints if constraint != 0]:
+            constraints = self._step(constraints, dependent)
+        return self._point()
+
+    def _step(self, constraints: list[Any], dependent: set[int]) -> list[Any]:
+        if any(constraint.is_constant() or len(constraint) > MAX_LENGTH for constraint in constraints):
+            raise _DeadEndError
+        present = [self._present(constraint) for constraint in constraints]
+        for constraint, variables in zip(constraints, present, strict=True):
+            if not variables:
+                raise _DeadEndError
+            if len(variables) == 1:
+                return self._assign(constraints, variables[0], self._root_of(constraint, variables[0]))
+        for constraint, variables in zip(constraints, present, strict=True):
+            for variable in variables:
+                slope = constraint.derivative(variable)
+                if slope.is_constant() and constraint.degrees()[variable] == 1:
+                    rest = constraint - slope * self._variables[variable]
+                    return self._assign(constraints, variable, -rest / slope.leading_coefficient())
+        everywhere = sorted({variable for variables in present for variable in variables})
+        free = [variable for variable in everywhere if variable not in dependent]
+        if not free and len(constraints) > 1:
+            found = self._resultant(constraints, present)
+            if found is not None:
+                return [found, *constraints]
+        variable = self._generator.choice(free or everywhere)
+        return self._assign(constraints, variable, self._context.constant(_fmpq(self._value())))
+
+    def _dependent(self, constraints: list[Any]) -> set[int]:
+        """Choose, at random, a variable for each constraint that will be solved for."""
+        chosen: set[int] = set()
+        for constraint in self._generator.sample(constraints, len(constraints)):
+            variables = [v for v in self._present(constraint) if v not in chosen]
+            affine = [v for v in variables if constraint.degrees()[v] == 1]
+            if variables:
+                chosen.add(self._generator.choice(affine if affine and self._generator.random() < 0.8 else variables))
+        return chosen
+
+    def _present(self, polynomial: Any) -> list[int]:
+        return [i for i, degree in enumerate(polynomial.degrees()) if degree > 0 and i != self._root]
+
+    def _value(self) -> Fraction:
+        kind = self._generator.random()
+        if kind < 0.12 and self._attempt % 2:
+            return Fraction(0)
+        if kind < 0.3 and self._attempt % 3 == 2:
+            return self._generator.choice(_PYTHAGOREAN)
+        if kind < 0.7 or self._attempt < 8:
+            return self._generator.choice(_SMALL)
+        height = 3 + self._attempt // 6
+        return Fraction(self._generator.randint(-height, height), self._generator.randint(1, 1 + self._attempt // 12))
+
+    def _assign(self, constraints: list[Any], variable: int, value: Any) -> list[Any]:
+        self._known.append((variable, value))
+        return [self._reduced(_replaced(constraint, variable, value)) for constraint in constraints]
+
+    def _reduced(self, polynomial: Any) -> Any:
+        return polynomial if self._minimal is None else divmod(polynomial, self._minimal)[1]
+
+    def _root_of(self, constraint: Any, variable: int) -> Any:
+        if self._minimal is not None and constraint.degrees()[self._root] > 0:
+            return self._affine_root(constraint, variable)
+        factors = [factor for factor, _ in constraint.factor()[1] if factor.degrees()[variable] > 0]
+        affine = [factor for factor in factors if factor.degrees()[variable] == 1]
+        rational_only = self._minimal is not None or not self._may_extend or self._attempt % 2 == 1
+        if affine and (rational_only or len(affine) == len(factors)):
+            factor = self._generator.choice(affine)
+            slope = factor.derivative(variable)
+            return -(factor - slope * self._variables[variable]) / slope.leading_coefficient()
+        others = [factor for factor in factors if 1 < factor.degrees()[variable] <= MAX_DEGREE]
+        real = [factor for factor in others if not rational_only and self._is_real(factor)]
+        if rational_only or not real:
+            raise _DeadEndError
+        self._minimal, self._root = self._generator.choice(real), variable
+        return self._variables[variable]
+
+    def _affine_root(self, constraint: Any, variable: int) -> Any:
+        if constraint.degrees()[variable] != 1:
+            raise _DeadEndError
+        slope = constraint.derivative(variable)
+        rest = constraint - slope * self._variables[variable]
+        inverse = self._univariate(slope).xgcd(self._univariate(self._minimal))
+        if inverse[0] != 1:
+            raise _DeadEndError
+        root = self._variables[self._root or 0]
+        reciprocal = sum((c * root**k for k, c in enumerate(inverse[1].coeffs())), self._context.constant(0))
+        return self._reduced(-rest * reciprocal)
+
+    def _is_real(self, factor: Any) -> bool:
+        return has_real_root(self._univariate(factor))
+
+    def _univariate(self, polynomial: Any) -> Any:
+        coefficients: dict[int, Any] = {sum(map(int, powers)): value for powers, value in polynomial.to_dict().items()}
+        return flint.fmpq_poly([coefficients.get(k, 0) for k in range(max(coefficients, default=0) + 1)])
+
+    def _resultant(self, constraints: list[Any], present: list[list[int]]) -> Any:
+        """Return a consequence with fewer variables, or None."""
+        pairs = [
+            (len({*present[i], *present[j]}), i, j, variable)
+            for i, j in combinations(range(len(constraints)), 2)
+            for variable in present[i]
+            if variable in present[j]
+        ]
+        for _, i, j, variable in sorted(pairs)[:3]:
+            if constraints[i].degrees()[variable] * constraints[j].degrees()[variable] <= 12:
+                found = self._reduced(constraints[i].resultant(constraints[j], variable))
+                if found != 0 and found not in constraints:
+                    return found
+        return None
+
+    def _point(self) -> list[Value]:
+        """Return the values of all variables, those that do not matter at random."""
+        size = len(self._variables)
+        names = {variable for variable, _ in self._known}
+        for variable in range(size):
+            if variable not in names and variable != self._root:
+                self._known.append((variable, self._context.constant(_fmpq(self._value()))))
+        values: dict[int, Any] = {}
+        for variable, value in reversed(self._known):
+            for other in [i for i, degree in enumerate(value.degrees()) if degree > 0 and i != self._root]:
+                value = self._reduced(_replaced(value, other, values[other]))
+            values[variable] = value
+        if self._minimal is None:
+            return [
+                _fraction(values[i].leading_coefficient() if values[i] != 0 else flint.fmpq(0)) for i in range(size)
+            ]
+        field = RealField(self._univariate(self._minimal))
+        return [Algebraic(field, self._univariate(values[i])) for i in range(size)]
+
+
+def _replaced(polynomial: Any, variable: int, value: Any) -> Any:
+    """Return a polynomial with a polynomial for a variable."""
+    if polynomial == 0 or not polynomial.degrees()[variable]:
+        return polynomial
+    arguments = list(polynomial.context().gens())
+    if arguments[variable] == value:
+        return polynomial
+    arguments[variable] = value
+    return polynomial.compose(*arguments)
+
+
+def _fmpq(value: Fraction) -> Any:
+    return flint.fmpq(value.numerator, value.denominator)
+
+
+def _fraction(value: Any) -> Fraction:
+    value = flint.fmpq(value)
+    return Fraction(int(value.p), int(value.q))

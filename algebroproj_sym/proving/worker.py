@@ -1,0 +1,206 @@
+"""Deciding with a time limit: in worker processes that are killed when it is over.
+
+A question that takes too long is open, and says so; a worker that fails or dies is an error, never a verdict.
+"""
+
+from __future__ import annotations
+
+import queue
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from dataclasses import dataclass, field
+from fractions import Fraction
+from multiprocessing import get_context
+from time import monotonic
+from typing import Any
+
+STARTING_SECONDS = 120.0
+MEMORY_BYTES = 4 * 2**30
+
+
+@dataclass(frozen=True)
+class Question:
+    """An identity as text.
+
+    Attributes
+    ----------
+    lhs, rhs : str
+        The two sides.
+    constraints, nonzero : tuple of str
+        What is zero, and what is not.
+    witness : mapping of name to text of a rational number, or None
+        A point at which they hold.
+    """
+
+    lhs: str
+    rhs: str
+    constraints: tuple[str, ...] = ()
+    nonzero: tuple[str, ...] = ()
+    witness: Mapping[str, str] | None = None
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a question.
+
+    Attributes
+    ----------
+    verdict : {"proved", "refuted", "open", "error"}
+        ``"error"`` if there is no decision because something failed.
+    method : str
+        How it was decided, ``"none"`` if it was not.
+    seconds : float
+        How long it took.
+    reason : str
+        Why it is open or an error, else empty.
+    hypotheses : tuple of str
+        What must not vanish, for a proof.
+    counterexample : mapping of name to text, or None
+        For a refutation.
+    certificate : mapping or None
+        The evidence.
+    """
+
+    verdict: str
+    method: str
+    seconds: float
+    reason: str = ""
+    hypotheses: tuple[str, ...] = ()
+    counterexample: Mapping[str, str] | None = None
+    certificate: Mapping[str, Any] | None = field(default=None, repr=False)
+
+
+def outcomes(
+    questions: Sequence[Question], *, seconds: float, engine: str = "flint", jobs: int = 1
+) -> Iterator[Outcome]:
+    """Decide questions, in order, each within a time limit.
+
+    Parameters
+    ----------
+    questions : sequence of Question
+        As text.
+    seconds : float
+        How long each may take.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
+    jobs : int
+        How many worker processes.
+
+    Yields
+    ------
+    Outcome
+    """
+    workers = [_Worker(engine) for _ in range(jobs)]
+    free: queue.Queue[_Worker] = queue.Queue()
+    for worker in workers:
+        free.put(worker)
+
+    def decide(question: Question) -> Outcome:
+        worker = free.get()
+        try:
+            return worker.decide(question, seconds)
+        finally:
+            free.put(worker)
+
+    threads = ThreadPoolExecutor(jobs)
+    try:
+        yield from threads.map(decide, questions)
+    finally:
+        threads.shutdown(cancel_futures=True)
+        for worker in workers:
+            worker.stop()
+
+
+class _Worker:
+    """A process that decides one question after the other, started again after it was killed."""
+
+    def __init__(self, engine: str) -> None:
+        self._engine = engine
+        self._process: Any = None
+        self._connection: Any = None
+
+    def decide(self, question: Question, seconds: float) -> Outcome:
+        if self._process is None and not self._start():
+            return self._failed(0.0, "the worker process did not start")
+        start = monotonic()
+        try:
+            self._connection.send(question)
+            if self._connection.poll(seconds):
+                outcome = self._connection.recv()
+                return outcome if isinstance(outcome, Outcome) else self._failed(monotonic() - start, str(outcome))
+        except (EOFError, OSError):
+            self._process.join(5)
+            status = self._process.exitcode
+            return self._failed(monotonic() - start, f"the worker process ended with exit status {status}")
+        self.stop()
+        return Outcome("open", "none", monotonic() - start, f"no decision within {seconds:g} s")
+
+    def stop(self) -> None:
+        if self._process is not None:
+            self._process.kill()
+            self._process.join()
+            self._connection.close()
+        self._process = self._connection = None
+
+    def _start(self) -> bool:
+        context = get_context("spawn")
+        self._connection, other = context.Pipe()
+        self._process = context.Process(target=_serve, args=(other, self._engine), daemon=True)
+        self._process.start()
+        other.close()
+        try:
+            if self._connection.poll(STARTING_SECONDS):
+                return bool(self._connection.recv() == "ready")
+        except (EOFError, OSError):
+            pass
+        self.stop()
+        return False
+
+    def _failed(self, seconds: float, reason: str) -> Outcome:
+        self.stop()
+        return Outcome("error", "none", seconds, reason)
+
+
+def _serve(connection: Any, engine: str) -> None:
+    from algebroproj_sym.proving import statements
+
+    with suppress(ImportError, ValueError, OSError):
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
+    connection.send("ready")
+    with suppress(EOFError, KeyboardInterrupt):
+        while True:
+            question = connection.recv()
+            try:
+                connection.send(_decided(question, engine, statements.prove))
+            except Exception as error:  # anything that fails is reported as a failure, never as a verdict
+                connection.send(f"{type(error).__name__}: {str(error)[:500]}")
+
+
+def _decided(question: Question, engine: str, prove: Any) -> Outcome:
+    import sympy
+
+    start = monotonic()
+    given = question.witness
+    witness = None if given is None else {sympy.Symbol(name): Fraction(value) for name, value in given.items()}
+    proof = prove(
+        question.lhs,
+        question.rhs,
+        constraints=question.constraints,
+        nonzero=question.nonzero,
+        witness=witness,
+        engine=engine,
+    )
+    certificate = dict(proof.certificate or {})
+    point = proof.counterexample
+    return Outcome(
+        proof.verdict,
+        str(certificate.get("method", "none")),
+        monotonic() - start,
+        str(certificate.get("reason", "")),
+        tuple(map(str, proof.hypotheses)),
+        None if point is None else {symbol.name: str(value) for symbol, value in point.items()},
+        certificate,
+    )

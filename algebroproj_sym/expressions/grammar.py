@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
-from itertools import pairwise
+from itertools import islice, pairwise
 from typing import Any, TypeAlias
 
 import sympy
@@ -15,6 +15,8 @@ from algebroproj_sym.expressions.quotient import over
 Scalar: TypeAlias = sympy.Expr
 Expression: TypeAlias = "sympy.Expr | sympy.ImmutableDenseMatrix"
 
+
+LONG = 300
 
 _ANY_REAL = sympy.Symbol("x", real=True).assumptions0.items()
 
@@ -132,10 +134,15 @@ def divided(expression: Expression) -> Expression:
 def text(expression: Expression) -> str:
     """Return the expression as text that SymPy parses back.
 
+    The terms of a long one keep the order they are stored in: sorting them takes longer than any proof.
+
     Examples
     --------
     >>> x = sympy.Symbol("x")
     >>> text(over(x, 2))
     'x/2'
     """
-    return str(divided(expression))
+    written = divided(expression)
+    nodes = (node for entry in entries(written) for node in sympy.preorder_traversal(entry))
+    is_long = next(islice(nodes, LONG, None), None) is not None
+    return str(sympy.sstr(written, order="none")) if is_long else str(written)

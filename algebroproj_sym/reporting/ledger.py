@@ -11,7 +11,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.declaring import VERDICTS, Claim, Judgement, statement_text
-from algebroproj_sym.expressions import Expression, in_steps, keeps_divisions, text
+from algebroproj_sym.expressions import Expression, divided, in_steps, keeps_divisions, text
 from algebroproj_sym.reporting.forms import derived_form
 
 SCHEMA = 1
@@ -101,7 +101,7 @@ def _divisions(claim: Claim, derived: Expression | None) -> dict[str, Any]:
     divisions: dict[str, Any] = {}
     for name, form in (("printed", claim.printed), ("derived", claim.derived), ("corrected", claim.corrected)):
         if isinstance(form, sympy.Expr | sympy.MatrixBase):
-            shortened = name == "derived" and derived is not None and text(form) != text(derived)
+            shortened = name == "derived" and derived is not None and divided(form) != divided(derived)
             if shortened or not keeps_divisions(form):
                 divisions[name] = in_steps(form)
     where = {symbol.name: in_steps(value) for symbol, value in claim.where.items() if not keeps_divisions(value)}

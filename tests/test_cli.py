@@ -54,6 +54,7 @@ def checked():
     return json.loads(result.stdout)
 
 
+@pytest.mark.xdist_group("checked")
 def test_check_prints_one_json_object_of_the_contract(checked):
     assert checked["schema"] == 1
     assert all(set(claim) >= KEYS for claim in checked["claims"])
@@ -62,6 +63,7 @@ def test_check_prints_one_json_object_of_the_contract(checked):
     assert all(claim["verdict"] == claim["expected"] for claim in checked["claims"])
 
 
+@pytest.mark.xdist_group("checked")
 def test_every_numbered_equation_of_the_sections_done_has_a_claim(checked):
     numbers = {claim["number"].split("#")[0] for claim in checked["claims"]}
     last = {"1.1": 7, "1.2": 3, "1.3": 8, "1.4": 6, "1.5": 7, "1.6": 6}
@@ -86,12 +88,14 @@ def test_every_numbered_equation_of_the_other_papers_has_a_claim(paper, numbers)
     assert set(numbers) <= declared
 
 
+@pytest.mark.xdist_group("checked")
 def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
     numbers = [claim["number"] for claim in checked["claims"]]
     assert sum(number.startswith("4/a#") for number in numbers) == 16 * 3
     assert sum(number.startswith("4/b#") and ".R" not in number for number in numbers) == 15 * 8
 
 
+@pytest.mark.xdist_group("checked")
 def test_forms_are_text_that_sympy_parses(checked):
     for claim in checked["claims"]:
         for form in ("printed", "derived", "corrected"):
@@ -99,6 +103,7 @@ def test_forms_are_text_that_sympy_parses(checked):
                 sympy.sympify(claim[form])
 
 
+@pytest.mark.xdist_group("checked")
 def test_a_false_or_misprinted_identity_carries_an_exact_point_at_which_it_fails(checked):
     refuted = [c for c in checked["claims"] if c["verdict"] in ("misprint", "false") and c["kind"] == "identity"]
     assert refuted

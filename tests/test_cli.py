@@ -199,49 +199,39 @@ def build(out, seed, jobs):
     return subprocess.run(command, env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True, text=True)
 
 
-@pytest.fixture(scope="module")
-def built(tmp_path_factory):
-    out = tmp_path_factory.mktemp("build") / "out"
-    return build(out, "1", "1"), out
-
-
-@pytest.mark.xdist_group("build")
-def test_build_writes_ledger_findings_package_figures_and_report(built):
-    result, out = built
-    assert result.returncode == 0, result.stdout
-    written = {str(path.relative_to(out)) for path in out.rglob("*") if path.is_file()}
-    assert {"ledger.json", "findings.md", "accuracy.json", "report.md", "algebroproj/projection.py"} <= written
-    assert not any("partial" in name for name in written)
-    figures = json.loads((out / "accuracy.json").read_text(encoding="utf-8"))
-    assert all(function["passed"] for function in figures["functions"])
-    ledger = json.loads((out / "ledger.json").read_text(encoding="utf-8"))
-    report = (out / "report.md").read_text(encoding="utf-8")
-    for claim in ledger["claims"]:
-        assert (f"({claim['number']})" in report) or claim["verdict"] in ("proved", "definition")
-
-
-@pytest.mark.xdist_group("build")
-def test_the_bytes_depend_neither_on_the_hash_seed_nor_on_the_workers(built, tmp_path):
-    folders = (built[1], tmp_path / "out")
-    assert build(folders[1], "2", "2").returncode == 0
+def test_build_is_complete_and_repeatable_and_what_the_repository_says(tmp_path, repository):
+    """Two builds, which take long: other hash seeds and numbers of workers give the same bytes."""
+    folders = [tmp_path / "one", tmp_path / "two"]
+    for out, seed, jobs in zip(folders, ("1", "2"), ("1", "2"), strict=True):
+        result = build(out, seed, jobs)
+        assert result.returncode == 0, result.stdout + result.stderr
     first, second = (
         {str(p.relative_to(out)): p.read_bytes() for p in sorted(out.rglob("*")) if p.is_file()} for out in folders
     )
     assert first.keys() == second.keys()
     assert [name for name in first if first[name] != second[name]] == []
+    require_all_files(first)
+    require_the_tables(json.loads(first["ledger.json"]), repository)
+    assert first["findings.md"] == (repository / "FINDINGS.md").read_bytes()
 
 
-@pytest.mark.xdist_group("build")
-def test_the_readme_and_the_findings_are_what_build_finds(built, repository):
-    """The table of verdicts and the list of findings, as committed."""
-    ledger = json.loads((built[1] / "ledger.json").read_text(encoding="utf-8"))
+def require_all_files(files):
+    assert {"ledger.json", "findings.md", "accuracy.json", "report.md", "algebroproj/projection.py"} <= files.keys()
+    assert not any("partial" in name for name in files)
+    assert all(function["passed"] for function in json.loads(files["accuracy.json"])["functions"])
+    report = files["report.md"].decode()
+    for claim in json.loads(files["ledger.json"])["claims"]:
+        assert (f"({claim['number']})" in report) or claim["verdict"] in ("proved", "definition")
+
+
+def require_the_tables(ledger, repository):
+    """The table of verdicts of the README and the list of findings are those of the ledger."""
     readme = (repository / "README.md").read_text(encoding="utf-8")
     for paper in {claim["paper"] for claim in ledger["claims"]}:
         verdicts = Counter(claim["verdict"] for claim in ledger["claims"] if claim["paper"] == paper)
         counts = [verdicts.total(), *(verdicts[verdict] for verdict in VERDICTS)]
         assert f"| `{paper}` | {' | '.join(map(str, counts))} |" in readme
     findings = (repository / "FINDINGS.md").read_text(encoding="utf-8")
-    assert findings == (built[1] / "findings.md").read_text(encoding="utf-8")
     for claim in ledger["claims"]:
         listed = f"| {claim['number']} | {claim['verdict']} | {claim['title']} |" in findings
         assert listed is (claim["verdict"] not in ("proved", "definition")), claim["number"]

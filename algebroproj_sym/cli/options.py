@@ -42,7 +42,7 @@ seconds = click.option(
 samples = click.option(
     "--samples",
     type=click.IntRange(min=1),
-    default=100,
+    default=50,
     show_default=True,
     metavar="N",
     help="Samples in each stratum: ordinary, badly scaled, near each factor.",

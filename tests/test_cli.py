@@ -191,7 +191,7 @@ def test_generate_writes_the_package_and_check_finds_drift(tmp_path):
     assert result.exit_code == 1
     assert "optics.py" in result.output
     assert run("verify", "optics", "--package", str(out), "--samples", "4").exit_code == 1
-    assert run("verify", "optics.scale", "affine", "--package", str(out), "--samples", "4").exit_code == 0
+    assert run("verify", "space", "affine.plane_frame", "--package", str(out), "--samples", "4").exit_code == 0
 
 
 def build(out, seed, jobs):

@@ -166,7 +166,7 @@ def test_the_five_equations_hold_for_the_matrix_of_two_cameras(mu_left, fourth_l
     unknowns = np.array([z[1, 1], z[1, 2], z[2, 0], z[2, 1], z[2, 2]], dtype=object)
     for point in points:
         left, right = seen(point, mu_left, fourth_left), seen(point, mu_right, fourth_right)
-        assert correlation.design_row(left, right) @ unknowns == correlation.right_side(left, right)
+        assert correlation.design_row(left, right) @ unknowns == correlation.rhs(left, right)
 
 
 @given(vectors(3, nonzero), vectors(2), vectors(2))

@@ -180,7 +180,7 @@ def test_a_wrong_sign_of_a_whole_print_is_not_proved_unless_it_prints_zero(claim
 
 def test_no_derived_matrix_is_the_printed_one():
     for claim in CLAIMS:
-        if isinstance(claim.derived, sympy.MatrixBase):
+        if isinstance(claim.derived, sympy.MatrixBase) and claim.kind != "reference":
             assert claim.derived is not claim.printed, claim.number
             assert claim.derived is not claim.corrected, claim.number
 

@@ -63,7 +63,7 @@ coordinates = st.builds(lambda sign, size: sign * size, st.sampled_from((-1.0, 1
 
 
 @every_kernel
-@settings(max_examples=25)
+@settings(max_examples=8)
 @given(data=st.data())
 def test_drawn_inputs_stay_within_the_bound(name, lowered, data):
     low = lowered(name)

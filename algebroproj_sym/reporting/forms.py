@@ -8,6 +8,8 @@ from algebroproj_sym.declaring import Claim
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.proving import reduced
 
+AS_WRITTEN = ("count", "rank")
+
 _KNOWN: dict[Expression, Expression] = {}
 
 
@@ -17,7 +19,7 @@ def derived_form(claim: Claim) -> Expression | None:
     Functions that are counted, and matrices whose rank is claimed, are returned as they are: no verdict needs them
     expanded, and expanded they may be too large for any memory.
     """
-    if claim.derived is None or claim.kind in ("count", "rank"):
+    if claim.derived is None or claim.kind in AS_WRITTEN:
         return claim.derived
     return _reduced(claim.derived)
 
@@ -25,7 +27,7 @@ def derived_form(claim: Claim) -> Expression | None:
 def remember(claims: Iterable[Claim], forms: Iterable[Expression | None]) -> None:
     """Take over derived forms that were computed elsewhere, such as in a worker process."""
     for claim, form in zip(claims, forms, strict=True):
-        if claim.derived is not None and form is not None:
+        if claim.derived is not None and form is not None and claim.kind not in AS_WRITTEN:
             _KNOWN[claim.derived] = form
 
 

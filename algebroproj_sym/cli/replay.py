@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, get_args
@@ -38,7 +38,9 @@ def replay_command(path: Path, jobs: int, output: str) -> None:
     ledger = _read(path)
     try:
         found = replay(ledger, jobs)
-        results = [_supported(result, ledger) for result in progressing(found, len(ledger["claims"]), "replaying")]
+        replayed = list(progressing(found, len(ledger["claims"]), "replaying"))
+        reasons = unsupported(ledger)
+        results = [_supported(result, reasons) for result in replayed]
     except Rejected as error:
         raise click.ClickException(f"{path}: {error}") from error
     if output == "json":
@@ -68,10 +70,10 @@ def _read(path: Path) -> dict[str, Any]:
     return ledger
 
 
-def _supported(result: Replayed, ledger: dict[str, Any]) -> Replayed:
+def _supported(result: Replayed, reasons: Mapping[tuple[str, str], str]) -> Replayed:
     if result.verdict != "false" or result.status != "replayed":
         return result
-    reason = unsupported(ledger).get((result.paper, result.number))
+    reason = reasons.get((result.paper, result.number))
     return result if reason is None else replace(result, status="rejected", reason=reason)
 
 

@@ -10,6 +10,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
 
 LINE = 100
@@ -71,7 +72,7 @@ def _call(call: Call, written: dict[Operand, _Text]) -> list[str]:
         return [f"{n} = {_operand(operand, written).text}" for n, operand in zip(call.names, call.rows[0], strict=True)]
     rows = [", ".join(_operand(operand, written).text for operand in row) for row in call.rows]
     head = f"{', '.join(call.names)} = {call.primitive}("
-    if call.primitive in ("cos_sin", "arctan2"):
+    if call.primitive not in LINEAR:
         return [f"{head}{rows[0]})"]
     return [head, *(f"    [{row}]," for row in rows), ")"]
 

@@ -174,7 +174,7 @@ def _stage(stage: Stage) -> list[str]:
     names = ", ".join(map(str, stage.results))
     if stage.primitive == "let":
         return [f"{symbol} = {entry}" for symbol, entry in zip(stage.results, rows[0], strict=True)]
-    if stage.primitive in ("cos_sin", "arctan2"):
+    if stage.primitive not in LINEAR:
         return [f"{names} = {stage.primitive}({', '.join(rows[0])})"]
     return [f"{names} = {stage.primitive} of", *(f"    {', '.join(row)}" for row in rows)]
 

@@ -10,13 +10,15 @@ import click
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.generate import lowered_kernels
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.terminal import console, progressing, verbosity
+from algebroproj_sym.declaring import kernels
 from algebroproj_sym.reporting import verification_table
-from algebroproj_sym.verifying import BOUND, NotShippedError, verification_record
+from algebroproj_sym.verifying import BOUND, verification_record
 
 
 @click.command()
 @options.functions
+@options.derivations
 @click.option(
     "--package",
     "folder",
@@ -24,11 +26,21 @@ from algebroproj_sym.verifying import BOUND, NotShippedError, verification_recor
     metavar="DIR",
     help="A folder that contains the package; by default the installed one is verified.",
 )
+@options.package_name
 @options.samples
 @options.engine
 @options.jobs
 @options.output_format
-def verify(functions: tuple[str, ...], folder: Path | None, samples: int, engine: str, jobs: int, output: str) -> None:
+def verify(
+    functions: tuple[str, ...],
+    sources: tuple[str, ...],
+    folder: Path | None,
+    package: str,
+    samples: int,
+    engine: str,
+    jobs: int,
+    output: str,
+) -> None:
     """Verify the generated functions.
 
     A FUNCTION is a module such as projection, or a name such as projection.project; without one, all are verified.
@@ -36,17 +48,17 @@ def verify(functions: tuple[str, ...], folder: Path | None, samples: int, engine
     Its source is executed on rational functions and proved; its values are compared with 50 digits of the derivation
     on stratified samples; on the zeros of each factor that must not vanish it must not stay finite.
     """
-    lowered = lowered_kernels(options.selected_kernels(functions), engine, jobs)
-    try:
-        found = pipeline.verifications(lowered, folder, samples, engine, jobs)
-        verified = list(progressing(found, len(lowered), "verifying"))
-    except NotShippedError as error:
-        raise click.ClickException(str(error)) from error
+    lowered = lowered_kernels(kernels(functions, sources), sources, engine, jobs)
+    found = pipeline.verifications(lowered, folder, samples, engine, jobs, package)
+    verified = list(progressing(found, len(lowered), "verifying"))
     if output == "json":
         click.echo(json.dumps(verification_record(verified), indent=1))
     else:
         console().print(verification_table(verified))
         passed = sum(verification.passed for verification in verified)
         console().print(f"{passed} of {len(verified)} functions verified; bound of error/(cond u): {BOUND:g}")
-    if not all(verification.passed for verification in verified):
+    failed = [verification.accuracy.function for verification in verified if not verification.passed]
+    if failed and verbosity() == "quiet":
+        click.echo(f"not verified: {', '.join(failed)}", err=True)
+    if failed:
         raise SystemExit(1)

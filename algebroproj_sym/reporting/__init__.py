@@ -5,6 +5,7 @@ from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
     claims_table,
     explanation,
+    failure_text,
     operations_table,
     summary_text,
     verification_table,
@@ -14,6 +15,7 @@ __all__ = [
     "claim_record",
     "claims_table",
     "explanation",
+    "failure_text",
     "findings",
     "ledger",
     "operations_table",

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from algebroproj_sym.declaring import VERDICTS, Judgement, statement_text
+from algebroproj_sym.files import write_texts
 from algebroproj_sym.proving import reduced
 
 SCHEMA = 1
@@ -75,7 +76,4 @@ def write_json(record: Mapping[str, Any], path: Path) -> None:
 
 def write_text(content: str, path: Path) -> None:
     """Write a text file, whole or not at all."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.name}.partial")
-    temporary.write_text(content, encoding="utf-8")
-    temporary.replace(path)
+    write_texts({path.name: content}, path.parent)

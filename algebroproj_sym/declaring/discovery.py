@@ -102,14 +102,12 @@ def derivation_at(path: Path, *, alone: bool = False) -> tuple[Derivation, ...]:
 
 def derivations_of(sources: Sequence[str] = ()) -> tuple[Derivation, ...]:
     """Return the derivation modules of some sources, in order; those of all installed papers without one."""
-    found = [derivation for source in sources or installed_papers() for derivation in _modules_of(source)]
-    return tuple({derivation.path: derivation for derivation in found}.values())
+    return _united([derivation for source in sources or installed_papers() for derivation in _modules_of(source)])
 
 
 def numbered_with(sources: Sequence[str] = ()) -> tuple[Derivation, ...]:
     """Return the derivation modules of some sources, and those that are numbered together with them."""
-    found = [derivation for source in sources or installed_papers() for derivation in _body_of(source)]
-    return tuple({derivation.path: derivation for derivation in found}.values())
+    return _united([derivation for source in sources or installed_papers() for derivation in _body_of(source)])
 
 
 def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
@@ -124,7 +122,11 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
     ------
     UnknownSelectorError
         If a selector names nothing.
+    DeclarationError
+        If modules that are not numbered together declare the same number of the same paper.
     """
+    sources = [split(selector)[0] for selector in selectors] or installed_papers()
+    derivations_of(sources)
     chosen = [claim for selector in selectors or installed_papers() for claim in _claims(selector)]
     return tuple({(claim.paper, claim.number): claim for claim in chosen}.values())
 
@@ -180,17 +182,35 @@ def drivers(sources: Sequence[str] = ()) -> tuple[Driver, ...]:
     return tuple(sorted(found, key=lambda driver: driver.module))
 
 
+def _united(found: Sequence[Derivation]) -> tuple[Derivation, ...]:
+    """Return each derivation once; what is numbered apart must not use the same numbers of the same paper."""
+    united = tuple({derivation.path: derivation for derivation in found}.values())
+    for paper, sections in _by_paper(united).items():
+        _require_different_numbers(paper, sections)
+    return united
+
+
 def _require_consistent(found: Sequence[Derivation]) -> None:
-    for paper in dict.fromkeys(derivation.section.paper for derivation in found):
-        _require_consistent_numbers(paper, [d.section for d in found if d.section.paper == paper])
+    for paper, sections in _by_paper(found).items():
+        _require_different_numbers(paper, sections)
+        _require_references(sections)
 
 
-def _require_consistent_numbers(paper: str, sections: Sequence[Section]) -> None:
-    claims = [claim for section in sections for claim in section.claims]
-    numbers = Counter(claim.number for claim in claims)
+def _by_paper(found: Sequence[Derivation]) -> dict[str, list[Section]]:
+    papers = dict.fromkeys(derivation.section.paper for derivation in found)
+    return {paper: [d.section for d in found if d.section.paper == paper] for paper in papers}
+
+
+def _require_different_numbers(paper: str, sections: Sequence[Section]) -> None:
+    numbers = Counter(claim.number for section in sections for claim in section.claims)
     twice = sorted(number for number, count in numbers.items() if count > 1)
     if twice:
         raise DeclarationError(f"{paper}: expected numbers that are declared once, got {twice} twice")
+
+
+def _require_references(sections: Sequence[Section]) -> None:
+    claims = [claim for section in sections for claim in section.claims]
+    numbers = {claim.number for claim in claims}
     referred = {(claim.number, claim.instead) for claim in claims if claim.instead}
     referred |= {(k.qualified_name, number) for section in sections for k in section.kernels for number in k.claims}
     for source, number in sorted(referred):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
-from importlib.machinery import PathFinder
+from importlib.util import find_spec
 from keyword import iskeyword
 from pathlib import Path
 
@@ -12,6 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.files import write_texts
 
+OWN = ("algebroproj", "algebroproj_derivations", "algebroproj_sym")
 FILES = ("__init__.py", "s1_thin_lens.py")
 _NAME = re.compile(r"[a-z][a-z0-9_]*")
 
@@ -68,6 +69,8 @@ def _require_well_formed(name: str) -> None:
 
 def _require_free(name: str) -> None:
     """Refuse the name of an installed package; the working directory holds what the user makes."""
-    installed = [folder for folder in sys.path if folder and Path(folder).resolve() != Path.cwd()]
-    if name in sys.stdlib_module_names or PathFinder.find_spec(name, installed) is not None:
+    spec = find_spec(name)
+    places = [] if spec is None else spec.submodule_search_locations or [str(spec.origin)]
+    elsewhere = any(Path(place).resolve().parent != Path.cwd() for place in places)
+    if name in sys.stdlib_module_names or name in OWN or elsewhere:
         raise InvalidNameError(f"expected a name of its own, but {name!r} is already that of another Python package")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, wait
 from functools import partial
 from multiprocessing import active_children, get_context
 from pathlib import Path
@@ -19,6 +19,9 @@ from algebroproj_sym.verifying import Verification, load_package, verify
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
+
+GRACE = 1.0
+"""Seconds that workers have to finish what they do when the work is given up."""
 
 EMITTED = ("proved", "misprint", "illegible")
 
@@ -138,10 +141,13 @@ def _mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int
         yield from map(function, tasks)
         return
     with ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_leave_interrupts_alone) as pool:
+        futures = [pool.submit(function, task) for task in tasks]
         try:
-            yield from pool.map(function, tasks)
+            for future in futures:
+                yield future.result()
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
+            wait([future for future in futures if not future.cancelled()], GRACE)
             for child in active_children():
                 child.terminate()
             raise

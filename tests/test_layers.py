@@ -5,7 +5,19 @@ from pathlib import Path
 
 import pytest
 
-STAGES = ("expressions", "proving", "declaring", "generating", "verifying", "reporting", "pipeline", "cli")
+STAGES = (
+    "files",
+    "expressions",
+    "proving",
+    "declaring",
+    "generating",
+    "verifying",
+    "reporting",
+    "pipeline",
+    "scaffolding",
+    "cli",
+    "plugin",
+)
 
 
 def imported_stages(path: Path) -> set[str]:

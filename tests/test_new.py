@@ -56,7 +56,7 @@ def test_generate_and_verify_take_the_kernels_of_the_folder(folder, tmp_path):
     assert run("generate", *options, "--out", out, "--check").exit_code == 0
     assert run("verify", *options, "--package", out, "--samples", "4").exit_code == 0
     module = out / "lenses" / "lens.py"
-    module.write_text(module.read_text(encoding="utf-8").replace("(a * f) / ", "(a * f) * "), encoding="utf-8")
+    module.write_text(module.read_text(encoding="utf-8").replace("a * f / ", "a * f * "), encoding="utf-8")
     changed = run("generate", *options, "--out", out, "--check")
     assert changed.exit_code == 1
     assert "lens.py" in changed.output

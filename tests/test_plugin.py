@@ -154,7 +154,10 @@ def test_a_module_that_cannot_be_imported_is_an_error_with_cause_and_line(pytest
     result = claims(pytester, "--continue-on-collection-errors", "lines")
     result.assert_outcomes(passed=3, errors=1)
     result.stdout.fnmatch_lines(
-        ["*ERROR collecting lines/s2.py*", "*s2.py: cannot be imported (line 2): NameError: name 'Section' is not defined"]
+        [
+            "*ERROR collecting lines/s2.py*",
+            "*s2.py: cannot be imported (line 2): NameError: name 'Section' is not defined",
+        ]
     )
     result.stdout.no_fnmatch_line("*importing.py*")
 

@@ -50,6 +50,8 @@ def load_package(folder: Path | None = None, package_name: str = PACKAGE) -> Mod
     spec = importlib.util.spec_from_file_location(name, location)
     if spec is None or spec.loader is None or not location.is_file():
         raise NotShippedError(f"package: expected {location}, which does not exist")
+    for loaded in [module for module in sys.modules if module.startswith(f"{name}.")]:
+        del sys.modules[loaded]
     package = importlib.util.module_from_spec(spec)
     sys.modules[name] = package
     with _no_bytecode():

@@ -125,9 +125,8 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
     DeclarationError
         If modules that are not numbered together declare the same number of the same paper.
     """
-    sources = [split(selector)[0] for selector in selectors] or installed_papers()
-    derivations_of(sources)
     chosen = [claim for selector in selectors or installed_papers() for claim in _claims(selector)]
+    derivations_of([split(selector)[0] for selector in selectors])
     return tuple({(claim.paper, claim.number): claim for claim in chosen}.values())
 
 
@@ -225,15 +224,15 @@ def _declared_by(module: ModuleType) -> tuple[Derivation, ...]:
     return (Derivation(module.__name__, section, Path(str(module.__file__)).resolve()),)
 
 
-def _modules_of(source: str) -> tuple[Derivation, ...]:
-    return derivation_at(_existing(source)) if _is_path(source) else derivations(source)
+def _modules_of(source: str, selector: str = "") -> tuple[Derivation, ...]:
+    return derivation_at(_existing(source)) if _is_path(source, selector or source) else derivations(source)
 
 
 def _body_of(source: str) -> tuple[Derivation, ...]:
-    return _body_at(_existing(source).resolve()) if _is_path(source) else derivations(source)
+    return _body_at(_existing(source).resolve()) if _is_path(source, source) else derivations(source)
 
 
-def _is_path(source: str) -> bool:
+def _is_path(source: str, selector: str) -> bool:
     """Whether a source is a path; the key of an installed paper is none, whatever the working directory holds."""
     if source in installed_papers():
         return False
@@ -241,7 +240,7 @@ def _is_path(source: str) -> bool:
         return True
     raise UnknownSelectorError(
         f"selector: expected one of the papers {', '.join(installed_papers())}, or the path of a derivation module "
-        f"or folder, got {source!r}"
+        f"or folder, got {selector!r}"
     )
 
 
@@ -256,16 +255,18 @@ def _existing(source: str) -> Path:
 def _body_at(target: Path) -> tuple[Derivation, ...]:
     """Return what is numbered together at a path: a folder, the package of a module, or a module that stands alone."""
     if target.is_dir():
-        files, kind = modules_in(target), "folder with modules that make a Section named section"
+        files = modules_in(target)
     elif is_package(target.parent):
-        files, kind = (*dict.fromkeys((*modules_in(target.parent), target)),), "module"
+        files = (*dict.fromkeys((*modules_in(target.parent), target)),)
     else:
-        files, kind = (target,), "module"
+        files = (target,)
     found = _derivations_in(files, tuple(_stamp(file) for file in _beside(files)))
-    if not found:
-        raise UnknownSelectorError(f"selector: expected a {kind}, got {target}")
     if target.is_file() and target not in {derivation.path for derivation in found}:
         raise UnknownSelectorError(f"selector: expected a module that makes a Section named section, got {target}")
+    if not found:
+        raise UnknownSelectorError(
+            f"selector: expected a folder with modules that make a Section named section, got {target}"
+        )
     return found
 
 
@@ -299,7 +300,7 @@ def _folders(paper: str) -> set[Path]:
 
 def _claims(selector: str) -> list[Claim]:
     source, part = split(selector)
-    claims = [claim for derivation in _modules_of(source) for claim in derivation.section.claims]
+    claims = [claim for derivation in _modules_of(source, selector) for claim in derivation.section.claims]
     named = [claim for claim in claims if not part or _names(part, claim)]
     if part and not named:
         raise UnknownSelectorError(f"selector: expected a section or number of {source}, got {part!r}")

@@ -14,7 +14,9 @@ from pathlib import Path
 from typing import TypeVar
 
 from algebroproj_sym.declaring import Claim, Judgement, Kernel, judge, numbered_with
+from algebroproj_sym.expressions import Expression
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
+from algebroproj_sym.reporting import derived_form
 from algebroproj_sym.verifying import Verification, load_package, verify
 
 Task = TypeVar("Task")
@@ -57,6 +59,11 @@ def check(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iter
     Judgement
     """
     return _mapped(partial(judge, engine=engine), claims, jobs)
+
+
+def derived_forms(claims: Sequence[Claim], jobs: int = 1) -> Iterator[Expression | None]:
+    """Write what is derived in lowest terms, claim by claim, as ledger and reports show it."""
+    return _mapped(derived_form, claims, jobs)
 
 
 def claims_of(chosen: Sequence[Kernel], sources: Sequence[str] = ()) -> tuple[Claim, ...]:

@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from collections import Counter
 from fractions import Fraction
 
 import pytest
@@ -11,7 +12,7 @@ import sympy
 from click.testing import CliRunner
 
 from algebroproj_sym.cli import main
-from algebroproj_sym.declaring import select
+from algebroproj_sym.declaring import VERDICTS, select
 from algebroproj_sym.expressions import evaluate
 
 KEYS = {
@@ -64,10 +65,25 @@ def test_check_prints_one_json_object_of_the_contract(checked):
 def test_every_numbered_equation_of_the_sections_done_has_a_claim(checked):
     numbers = {claim["number"].split("#")[0] for claim in checked["claims"]}
     last = {"1.1": 7, "1.2": 3, "1.3": 8, "1.4": 6, "1.5": 7, "1.6": 6}
-    last |= {"2.1": 13, "2.2": 9, "3.1": 3, "3.2": 10, "3.3": 9, "3.4": 1}
+    last |= {"2.1": 13, "2.2": 9, "2.3": 3, "3.1": 3, "3.2": 10, "3.3": 9, "3.4": 1}
     assert {f"{section}.{n}" for section, count in last.items() for n in range(1, count + 1)} <= numbers
     assert {f"2.4/2.3.{n}" for n in range(5)} <= numbers
     assert {"table:2.2", "table:2.3", "table:3.4"} <= numbers
+
+
+@pytest.mark.parametrize(
+    ("paper", "numbers"),
+    [
+        ("okamoto1981", [*map(str, range(1, 56)), "14a"]),
+        ("normalcase1992", [f"1.1.{n}" for n in range(1, 7)] + [f"1.2.{n}" for n in range(1, 5)]),
+        ("normalcase1992", [f"1.3.{n}" for n in range(1, 5)] + ["2.1.1", "2.1.2", "2.1.3", "2.2/2.3.1", "2.2/2.3.2"]),
+        ("normalcase1992", ["2.3.1", "2.3.2", "3.2.1", "3.2.2", "3.2.3", "3.3.1", "3.3.2", "3.3/S_M"]),
+        ("rhodos1990", ["1.1.1", "1.2.1", "1.2.2", "1.2.3"]),
+    ],
+)
+def test_every_numbered_equation_of_the_other_papers_has_a_claim(paper, numbers):
+    declared = {claim.number.split("#")[0] for claim in select([paper])}
+    assert set(numbers) <= declared
 
 
 def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
@@ -134,6 +150,7 @@ def test_a_claim_that_is_not_as_declared_exits_with_1(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
+        (("check", "nosuch"), "expected one of the papers bridges, critical1996, fundamentals1996,"),
         (("check", "nosuch"), "or the path of a derivation module or folder, got 'nosuch'"),
         (("check", "fundamentals1996:7.7"), "expected a section or number of fundamentals1996, got '7.7'"),
         (("check", "missing.py"), "expected an existing derivation module, got missing.py"),
@@ -141,6 +158,7 @@ def test_a_claim_that_is_not_as_declared_exits_with_1(tmp_path):
         (("check", "--jobs", "0"), "0 is not in the range"),
         (("explain",), "Missing argument"),
         (("verify", "--package", "nowhere"), "does not exist"),
+        (("verify", "optic"), "expected one of affine, "),
         (("nonsense",), "No such command"),
     ],
 )
@@ -168,15 +186,27 @@ def test_generate_writes_the_package_and_check_finds_drift(tmp_path):
     result = run("generate", "--check", "--out", str(out))
     assert result.exit_code == 1
     assert "optics.py" in result.output
-    assert run("verify", "--package", str(out), "--samples", "4").exit_code == 1
+    assert run("verify", "optics", "--package", str(out), "--samples", "4").exit_code == 1
+    assert run("verify", "optics.scale", "affine", "--package", str(out), "--samples", "4").exit_code == 0
 
 
-def test_build_writes_ledger_package_figures_and_report(tmp_path):
-    out = tmp_path / "out"
-    result = run("build", "--out", str(out), "--samples", "4")
-    assert result.exit_code == 0, result.output
+def build(out, seed, jobs):
+    command = [sys.executable, "-m", "algebroproj_sym", "build", "--out", str(out), "--samples", "2", "--jobs", jobs]
+    return subprocess.run(command, env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True, text=True)
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    out = tmp_path_factory.mktemp("build") / "out"
+    return build(out, "1", "1"), out
+
+
+@pytest.mark.xdist_group("build")
+def test_build_writes_ledger_findings_package_figures_and_report(built):
+    result, out = built
+    assert result.returncode == 0, result.stdout
     written = {str(path.relative_to(out)) for path in out.rglob("*") if path.is_file()}
-    assert {"ledger.json", "accuracy.json", "report.md", "algebroproj/projection.py"} <= written
+    assert {"ledger.json", "findings.md", "accuracy.json", "report.md", "algebroproj/projection.py"} <= written
     assert not any("partial" in name for name in written)
     figures = json.loads((out / "accuracy.json").read_text(encoding="utf-8"))
     assert all(function["passed"] for function in figures["functions"])
@@ -186,26 +216,31 @@ def test_build_writes_ledger_package_figures_and_report(tmp_path):
         assert (f"({claim['number']})" in report) or claim["verdict"] in ("proved", "definition")
 
 
-def test_the_bytes_depend_neither_on_the_hash_seed_nor_on_the_workers(tmp_path):
-    outputs = []
-    for seed, jobs in (("1", "1"), ("2", "2")):
-        out = tmp_path / seed
-        command = [
-            sys.executable,
-            "-m",
-            "algebroproj_sym",
-            "build",
-            "--out",
-            str(out),
-            "--samples",
-            "2",
-            "--jobs",
-            jobs,
-        ]
-        subprocess.run(command, check=True, env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True)
-        outputs.append({str(p.relative_to(out)): p.read_bytes() for p in sorted(out.rglob("*")) if p.is_file()})
-    assert outputs[0].keys() == outputs[1].keys()
-    assert [name for name in outputs[0] if outputs[0][name] != outputs[1][name]] == []
+@pytest.mark.xdist_group("build")
+def test_the_bytes_depend_neither_on_the_hash_seed_nor_on_the_workers(built, tmp_path):
+    folders = (built[1], tmp_path / "out")
+    assert build(folders[1], "2", "2").returncode == 0
+    first, second = (
+        {str(p.relative_to(out)): p.read_bytes() for p in sorted(out.rglob("*")) if p.is_file()} for out in folders
+    )
+    assert first.keys() == second.keys()
+    assert [name for name in first if first[name] != second[name]] == []
+
+
+@pytest.mark.xdist_group("build")
+def test_the_readme_and_the_findings_are_what_build_finds(built, repository):
+    """The table of verdicts and the list of findings, as committed."""
+    ledger = json.loads((built[1] / "ledger.json").read_text(encoding="utf-8"))
+    readme = (repository / "README.md").read_text(encoding="utf-8")
+    for paper in {claim["paper"] for claim in ledger["claims"]}:
+        verdicts = Counter(claim["verdict"] for claim in ledger["claims"] if claim["paper"] == paper)
+        counts = [verdicts.total(), *(verdicts[verdict] for verdict in VERDICTS)]
+        assert f"| `{paper}` | {' | '.join(map(str, counts))} |" in readme
+    findings = (repository / "FINDINGS.md").read_text(encoding="utf-8")
+    assert findings == (built[1] / "findings.md").read_text(encoding="utf-8")
+    for claim in ledger["claims"]:
+        listed = f"| {claim['number']} | {claim['verdict']} | {claim['title']} |" in findings
+        assert listed is (claim["verdict"] not in ("proved", "definition")), claim["number"]
 
 
 def test_no_progress_in_a_pipe():

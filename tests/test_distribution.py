@@ -60,7 +60,7 @@ def test_every_package_of_the_tree_is_in_the_wheel(wheel, repository):
     }
     for name, folder in folders.items():
         for path in folder.rglob("*"):
-            if path.suffix in (".py", ".j2", ".typed"):
+            if path.suffix in (".css", ".j2", ".js", ".py", ".toml", ".typed"):
                 assert f"{name}/{path.relative_to(folder).as_posix()}" in contents, path
 
 
@@ -79,6 +79,10 @@ def test_the_command_line_works_from_another_directory(python, tmp_path):
         run(python, "-m", "algebroproj_sym", "check", "fundamentals1996:1.2", "--format", "json", cwd=tmp_path)
     )
     assert checked["summary"]["proved"] > 0
-    run(python, "-m", "algebroproj_sym", "build", "--samples", "2", cwd=tmp_path)
-    assert (tmp_path / "out" / "ledger.json").is_file()
-    assert (tmp_path / "out" / "algebroproj" / "projection.py").is_file()
+    run(python, "-m", "algebroproj_sym", "generate", cwd=tmp_path)
+    assert (tmp_path / "generated" / "algebroproj" / "projection.py").is_file()
+    figures = json.loads(
+        run(python, "-m", "algebroproj_sym", "verify", "optics", "--samples", "2", "--format", "json", cwd=tmp_path)
+    )
+    assert figures["functions"]
+    assert all(function["passed"] for function in figures["functions"])

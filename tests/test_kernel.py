@@ -31,7 +31,7 @@ def test_a_complete_kernel_is_accepted():
     assert (made.module, made.name, made.qualified_name) == ("shapes", "area", "shapes.area")
     assert made.symbols == (*p, x)
     assert [argument.shape for argument in made.arguments] == [(2,), ()]
-    assert made.shape == ()
+    assert [result.shape for result in made.results] == [()]
 
 
 def test_the_form_is_the_derived_expression_unless_another_is_given():
@@ -40,8 +40,8 @@ def test_the_form_is_the_derived_expression_unless_another_is_given():
 
 
 def test_the_shape_of_the_result_is_that_of_the_derived_expression():
-    assert kernel(derived=p).shape == (2,)
-    assert kernel(derived=Matrix([[x, 0, 1]])).shape == (1, 3)
+    assert kernel(derived=p).results[0].shape == (2,)
+    assert kernel(derived=Matrix([[x, 0, 1]])).results[0].shape == (1, 3)
 
 
 @pytest.mark.parametrize("name", ["area", "shapes.", ".area", ""])

@@ -284,13 +284,14 @@ def test_the_hypotheses_are_those_of_the_derivation_and_of_the_form():
     assert (lowered.guarded, lowered.hypotheses) == ((), (x,))
 
 
-@pytest.mark.parametrize("lowered", [lower(kernel) for kernel in kernels()], ids=lambda low: low.kernel.name)
-def test_the_kernels_of_the_papers_are_exact_at_a_rational_point(lowered):
-    symbols = lowered.kernel.symbols
+@pytest.mark.parametrize("name", [kernel.qualified_name for kernel in kernels() if not kernel.stages])
+def test_the_kernels_of_the_papers_are_exact_at_a_rational_point(name, lowered):
+    low = lowered(name)
+    symbols = low.kernel.symbols
     point = {symbol: Fraction(sympy.prime(k + 5), 3 + k) for k, symbol in enumerate(symbols)}
     at = {symbol: exact(value) for symbol, value in point.items()}
-    expected = [part.xreplace(at).doit() for part in parts_of(lowered.kernel.derived)]
-    computed = run(lowered.program, {symbol.name: value for symbol, value in point.items()})
+    expected = [part.xreplace(at).doit() for part in parts_of(low.kernel.derived)]
+    computed = run(low.program, {symbol.name: value for symbol, value in point.items()})
     assert list(computed) == [Fraction(int(value.p), int(value.q)) for value in expected]
 
 

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.generating import Program, Step, lower, run
+from algebroproj_sym.generating import Program, Step, run
 from algebroproj_sym.generating.numpy_source import LINE, assignments
 
 INPUTS = ("x", "y", "z")
@@ -152,9 +152,9 @@ def test_lines_stay_readable():
     assert list(map(bits, executed(program, inputs))) == list(map(bits, run(program, inputs)))
 
 
-@pytest.mark.parametrize("kernel", kernels(), ids=lambda kernel: kernel.name)
-def test_the_kernels_of_the_papers_are_printed_to_the_bit(kernel):
-    program = lower(kernel).program
+@pytest.mark.parametrize("name", [kernel.qualified_name for kernel in kernels() if not kernel.stages])
+def test_the_kernels_of_the_papers_are_printed_to_the_bit(name, lowered):
+    program = lowered(name).program
     generator = np.random.default_rng(5)
     for _ in range(5):
         inputs = {name: np.float64(generator.uniform(-3, 3)) for name in program.inputs}

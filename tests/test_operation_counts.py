@@ -97,11 +97,11 @@ def test_negations_of_the_program_are_counted():
     assert counted(-(x * y))[2] == 2
 
 
-@pytest.mark.parametrize("kernel", kernels(), ids=lambda kernel: kernel.name)
-def test_a_program_takes_no_more_operations_than_the_derived_expression_but_for_guards_and_signs(kernel):
-    lowered = lower(kernel)
-    counts = operation_counts(lowered)
-    entries = len(lowered.program.outputs)
-    negations = lowered.program.operations()["neg"]
+@pytest.mark.parametrize("name", [kernel.qualified_name for kernel in kernels() if not kernel.stages])
+def test_a_program_takes_no_more_operations_than_the_derived_expression_but_for_guards_and_signs(name, lowered):
+    low = lowered(name)
+    counts = operation_counts(low)
+    entries = len(low.program.outputs)
+    negations = low.program.operations()["neg"]
     assert counts.sympy_cse <= counts.derived
-    assert counts.program - negations <= counts.derived + len(lowered.guarded) * 3 + entries * bool(lowered.guarded)
+    assert counts.program - negations <= counts.derived + len(low.guarded) * 3 + entries * bool(low.guarded)

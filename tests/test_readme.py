@@ -1,4 +1,4 @@
-"""The README is true: its commands are what CI runs, its output is what they print, its table is the ledger."""
+"""The README is true: its commands are what CI runs, its output is what they print."""
 
 import doctest
 import os
@@ -6,12 +6,9 @@ import re
 import shlex
 import subprocess
 import sys
-from collections import Counter
 from pathlib import Path
 
 import pytest
-
-from algebroproj_sym.declaring import VERDICTS, judge, select
 
 README = (Path(__file__).resolve().parent.parent / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```console\n\$ (.*?)\n(.*?)\n```", README, flags=re.DOTALL)
@@ -43,19 +40,6 @@ def test_the_two_commands_are_what_ci_runs(repository):
     script = (repository / ".ci" / "run").read_text(encoding="utf-8")
     assert all(command in script for command in commands)
     assert os.access(repository / ".ci" / "run", os.X_OK)
-
-
-def test_the_tables_are_the_ledger():
-    judgements = [judge(claim) for claim in select()]
-    for paper in {judgement.claim.paper for judgement in judgements}:
-        verdicts = Counter(judgement.verdict for judgement in judgements if judgement.claim.paper == paper)
-        counts = [verdicts.total(), *(verdicts[verdict] for verdict in VERDICTS)]
-        assert f"| `{paper}` | {' | '.join(map(str, counts))} |" in README
-    findings = [j for j in judgements if j.verdict not in ("proved", "definition")]
-    for judgement in findings:
-        assert f"| {judgement.claim.number} | {judgement.verdict} | {judgement.claim.title} |" in README
-    rows = re.findall(r"^\| \S+ \| (?:misprint|false|illegible|open) \|", README, flags=re.MULTILINE)
-    assert len(rows) == len(findings)
 
 
 def test_every_option_and_command_the_readme_names_exists():

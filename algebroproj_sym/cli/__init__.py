@@ -10,6 +10,7 @@ from algebroproj_sym.cli.explain import explain
 from algebroproj_sym.cli.generate import generate
 from algebroproj_sym.cli.group import Group
 from algebroproj_sym.cli.new import new
+from algebroproj_sym.cli.report import report
 from algebroproj_sym.cli.verify import verify
 
 EPILOG = """
@@ -20,6 +21,7 @@ Typical commands, in order:
   algebroproj explain mypaper:1.2       printed, derived, verdict and evidence
   algebroproj build --derivations mypaper --name myfunctions
                                         prove, generate, verify, report; to out/
+  algebroproj report mypaper            the same as a static site; to site/
   algebroproj check                     judge all installed papers
 
 \b
@@ -45,5 +47,5 @@ def main(context: click.Context, verbosity: str | None) -> None:
     context.obj = verbosity or "normal"
 
 
-for command in (new, check, explain, generate, verify, build):
+for command in (new, check, explain, generate, verify, build, report):
     main.add_command(command)

@@ -7,10 +7,9 @@ from pathlib import Path
 
 import click
 
-from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.generate import lowered_kernels
-from algebroproj_sym.cli.terminal import console, progressing, verbosity
+from algebroproj_sym.cli.steps import lowered_kernels, require_as_declared, verified
+from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.reporting import verification_table
 from algebroproj_sym.verifying import BOUND, verification_record
@@ -49,16 +48,11 @@ def verify(
     on stratified samples; on the zeros of each factor that must not vanish it must not stay finite.
     """
     lowered = lowered_kernels(kernels(functions, sources), sources, engine, jobs)
-    found = pipeline.verifications(lowered, folder, samples, engine, jobs, package)
-    verified = list(progressing(found, len(lowered), "verifying"))
+    verifications = verified(lowered, folder, samples, engine, jobs, package)
     if output == "json":
-        click.echo(json.dumps(verification_record(verified), indent=1))
+        click.echo(json.dumps(verification_record(verifications), indent=1))
     else:
-        console().print(verification_table(verified))
-        passed = sum(verification.passed for verification in verified)
-        console().print(f"{passed} of {len(verified)} functions verified; bound of error/(cond u): {BOUND:g}")
-    failed = [verification.accuracy.function for verification in verified if not verification.passed]
-    if failed and verbosity() == "quiet":
-        click.echo(f"not verified: {', '.join(failed)}", err=True)
-    if failed:
-        raise SystemExit(1)
+        console().print(verification_table(verifications))
+        passed = sum(verification.passed for verification in verifications)
+        console().print(f"{passed} of {len(verifications)} functions verified; bound of error/(cond u): {BOUND:g}")
+    require_as_declared((), verifications)

@@ -1,5 +1,6 @@
 """Declaring: what derivations state and ask for, how each statement is judged and how it shows itself."""
 
+from algebroproj_sym.declaring.bibliography import Publication, bibtex, publication
 from algebroproj_sym.declaring.claim import (
     VERDICTS,
     Claim,
@@ -19,6 +20,7 @@ from algebroproj_sym.declaring.discovery import (
     drivers,
     installed_papers,
     kernels,
+    located,
     numbered_with,
     select,
     split,
@@ -29,9 +31,20 @@ from algebroproj_sym.declaring.importing import BrokenModuleError, makes_section
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.section import Section
-from algebroproj_sym.declaring.stage import PRIMITIVES, Primitive, Stage, arctan2, cos_sin, let, null_vector, solution
+from algebroproj_sym.declaring.stage import (
+    LINEAR,
+    PRIMITIVES,
+    Primitive,
+    Stage,
+    arctan2,
+    cos_sin,
+    let,
+    null_vector,
+    solution,
+)
 
 __all__ = [
+    "LINEAR",
     "PRIMITIVES",
     "VERDICTS",
     "Argument",
@@ -43,6 +56,7 @@ __all__ = [
     "Judgement",
     "Kernel",
     "Primitive",
+    "Publication",
     "Result",
     "Section",
     "Stage",
@@ -50,6 +64,7 @@ __all__ = [
     "UnknownSelectorError",
     "Verdict",
     "arctan2",
+    "bibtex",
     "cos_sin",
     "derivation_at",
     "derivations",
@@ -62,9 +77,11 @@ __all__ = [
     "judge",
     "kernels",
     "let",
+    "located",
     "makes_section",
     "null_vector",
     "numbered_with",
+    "publication",
     "select",
     "solution",
     "split",

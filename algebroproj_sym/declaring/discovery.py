@@ -125,9 +125,14 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
     DeclarationError
         If modules that are not numbered together declare the same number of the same paper.
     """
-    chosen = [claim for selector in selectors or installed_papers() for claim in _claims(selector)]
+    return tuple(claim for _, claim in located(selectors))
+
+
+def located(selectors: Sequence[str] = ()) -> tuple[tuple[Derivation, Claim], ...]:
+    """Return the claims that some selectors name, as `select` does, each with the derivation that declares it."""
+    chosen = [found for selector in selectors or installed_papers() for found in _located(selector)]
     derivations_of([split(selector)[0] for selector in selectors])
-    return tuple({(claim.paper, claim.number): claim for claim in chosen}.values())
+    return tuple({(claim.paper, claim.number): (source, claim) for source, claim in chosen}.values())
 
 
 def split(selector: str) -> tuple[str, str]:
@@ -146,7 +151,7 @@ def split(selector: str) -> tuple[str, str]:
     return source, part
 
 
-def kernels(names: Sequence[str] = (), sources: Sequence[str] = ()) -> tuple[Kernel, ...]:
+def kernels(names: Sequence[str] = (), sources: Sequence[str] = (), *, together: bool = False) -> tuple[Kernel, ...]:
     """Return the kernels of some sources, sorted by module, in the order of their declaration.
 
     Parameters
@@ -155,6 +160,8 @@ def kernels(names: Sequence[str] = (), sources: Sequence[str] = ()) -> tuple[Ker
         Modules or qualified names; without one, all kernels are returned.
     sources : sequence of str
         Where to look; without one, in all installed papers.
+    together : bool
+        Look also in the modules that are numbered together with the sources.
 
     Raises
     ------
@@ -163,7 +170,8 @@ def kernels(names: Sequence[str] = (), sources: Sequence[str] = ()) -> tuple[Ker
     DeclarationError
         If two kernels have the same name.
     """
-    found = [kernel for derivation in derivations_of(sources) for kernel in derivation.section.kernels]
+    modules_found = numbered_with(sources) if together else derivations_of(sources)
+    found = [kernel for derivation in modules_found for kernel in derivation.section.kernels]
     twice = [name for name, count in Counter(kernel.qualified_name for kernel in found).items() if count > 1]
     if twice:
         raise DeclarationError(f"kernels: expected names that are declared once, got {twice} twice")
@@ -298,10 +306,10 @@ def _folders(paper: str) -> set[Path]:
     return {(Path(folder) / paper).resolve() for folder in folders}
 
 
-def _claims(selector: str) -> list[Claim]:
+def _located(selector: str) -> list[tuple[Derivation, Claim]]:
     source, part = split(selector)
-    claims = [claim for derivation in _modules_of(source, selector) for claim in derivation.section.claims]
-    named = [claim for claim in claims if not part or _names(part, claim)]
+    found = [(derivation, c) for derivation in _modules_of(source, selector) for c in derivation.section.claims]
+    named = [(derivation, claim) for derivation, claim in found if not part or _names(part, claim)]
     if part and not named:
         raise UnknownSelectorError(f"selector: expected a section or number of {source}, got {part!r}")
     return named

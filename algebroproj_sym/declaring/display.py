@@ -8,7 +8,8 @@ import sympy
 
 from algebroproj_sym.declaring.claim import Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement, judge
-from algebroproj_sym.expressions import divided
+from algebroproj_sym.declaring.names import latex_names
+from algebroproj_sym.expressions import Expression, divided
 from algebroproj_sym.proving import reduced
 
 _RELATION = {"identity up to scale": r"\sim", "vanishing": r"= 0 \iff", "numeric": r"\approx"}
@@ -79,5 +80,9 @@ def _latex(statement: Statement | None) -> str:
     if isinstance(statement, Decimal):
         return f"{statement:f}"
     if isinstance(statement, tuple):
-        return r" \cdot ".join(rf"\left({sympy.latex(factor)}\right)" for factor in statement) + " = 0"
-    return str(sympy.latex(divided(statement))) if statement is not None else ""
+        return r" \cdot ".join(rf"\left({_expression(factor)}\right)" for factor in statement) + " = 0"
+    return _expression(divided(statement)) if statement is not None else ""
+
+
+def _expression(expression: Expression) -> str:
+    return str(sympy.latex(expression, symbol_names=latex_names(expression.free_symbols)))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from keyword import iskeyword
@@ -10,7 +12,7 @@ from typing import Any, NotRequired, TypedDict, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
-from algebroproj_sym.declaring.stage import Stage
+from algebroproj_sym.declaring.stage import PRIMITIVES, Stage
 from algebroproj_sym.expressions import Expression, entries, rational, shape, symbols_of, vector
 
 
@@ -192,9 +194,6 @@ def _results(derived: Any, form: Any, label: str) -> tuple[Result, ...]:
 def _require_complete(kernel: Kernel, label: str) -> None:
     if not (kernel.module and kernel.name):
         raise DeclarationError(f"{label}: expected a name of the form module.function")
-    reserved = [name for name in (kernel.name, *kernel.example) if iskeyword(name) or name in ("arguments", "out")]
-    if reserved:
-        raise DeclarationError(f"{label}: expected names that are free in the generated code, got {reserved}")
     inputs = kernel.symbols
     if len(set(inputs)) != len(inputs) or list(inputs) != [e for a in kernel.arguments for e in entries(a.entries)]:
         raise DeclarationError(f"{label}: expected different plain symbols as entries of the arguments, got {inputs}")
@@ -203,6 +202,7 @@ def _require_complete(kernel: Kernel, label: str) -> None:
             raise DeclarationError(
                 f"{label}: expected the scalar {argument.name} as its symbol, got {argument.symbols[0]}"
             )
+    _require_free_names(kernel, label)
     unknown = _unknown_symbols(kernel)
     if unknown:
         raise DeclarationError(f"{label}: expected the symbols of the arguments, got also {sorted(map(str, unknown))}")
@@ -215,6 +215,23 @@ def _require_complete(kernel: Kernel, label: str) -> None:
     for what, given in (("example", kernel.example), ("description", kernel.describe)):
         if set(given) != names:
             raise DeclarationError(f"{label}: expected an {what} of each of {sorted(names)}, got {sorted(given)}")
+
+
+def _require_free_names(kernel: Kernel, label: str) -> None:
+    """Refuse names that the generated code cannot give, or gives to something else, and names given twice."""
+    several = [result.name for result in kernel.results] if len(kernel.results) > 1 else []
+    own = [*(symbol.name for symbol in kernel.intermediate), *several]
+    given = [kernel.name, *kernel.example, *(symbol.name for symbol in kernel.symbols), *own]
+    reserved = ("arguments", "out", *PRIMITIVES)
+    refused = [name for name in given if iskeyword(name) or not name.isidentifier() or name in reserved]
+    refused += [name for name in own if re.fullmatch(r"t\d+", name)]
+    if refused:
+        raise DeclarationError(f"{label}: expected names that are free in the generated code, got {refused}")
+    names = Counter([*own, *{*(symbol.name for symbol in kernel.symbols), *kernel.example}])
+    names.update({symbol.name for symbol, _ in kernel.where})
+    twice = sorted(name for name, count in names.items() if count > 1)
+    if twice:
+        raise DeclarationError(f"{label}: expected different names of arguments, stages and results, got {twice} twice")
 
 
 def _unknown_symbols(kernel: Kernel) -> set[sympy.Symbol]:

@@ -17,6 +17,7 @@ from algebroproj_sym.expressions import Matrix, columns, entries, rational, shap
 
 Primitive = Literal["let", "cos_sin", "arctan2", "solve", "null_vector"]
 PRIMITIVES: tuple[Primitive, ...] = get_args(Primitive)
+LINEAR: tuple[Primitive, ...] = ("solve", "null_vector")
 
 
 @dataclass(frozen=True)
@@ -52,6 +53,8 @@ def let(values: Mapping[sympy.Symbol, Any], *, form: Mapping[sympy.Symbol, Any] 
     >>> let({a: (x + 1)**2}).results
     (a,)
     """
+    if form is not None and form.keys() != values.keys():
+        raise DeclarationError(f"let: expected a form of each of {list(values)}, got {list(form)}")
     derived, lowered = (
         Matrix([[_scalar(given[symbol], str(symbol)) for symbol in values]]) for given in (values, form or values)
     )
@@ -87,11 +90,10 @@ def solution(unknowns: Sequence[sympy.Symbol], matrix: Any, right_side: Any, *, 
     system: Any = rational(matrix, "matrix")
     values: Any = rational(right_side, "right_side")
     size = len(unknowns)
-    if shape(system) != (size, size) or shape(values) != (size,):
-        raise DeclarationError(
-            f"solution: expected a matrix ({size}, {size}) and a right side ({size},), "
-            f"got {shape(system)} and {shape(values)}"
-        )
+    shapes = [part.shape if isinstance(part, sympy.MatrixBase) else () for part in (system, values)]
+    if shapes != [(size, size), (size, 1)]:
+        wanted = f"a matrix ({size}, {size}) and a right side ({size}, 1)"
+        raise DeclarationError(f"solution: expected {wanted}, got {shapes[0]} and {shapes[1]}")
     return _stage("solve", tuple(unknowns), columns(system, values), form)
 
 
@@ -124,6 +126,7 @@ def _stage(primitive: Primitive, results: tuple[Any, ...], derived: Matrix, form
     if not plain or len(set(results)) != len(results):
         raise DeclarationError(f"{primitive}: expected different symbols for its results, got {results}")
     lowered: Any = derived if form is None else rational(form, "form")
-    if lowered.shape != derived.shape:
-        raise DeclarationError(f"{primitive}: expected a form of shape {derived.shape}, got {lowered.shape}")
+    got = lowered.shape if isinstance(lowered, sympy.MatrixBase) else ()
+    if got != derived.shape:
+        raise DeclarationError(f"{primitive}: expected a form of shape {derived.shape}, got {got}")
     return Stage(primitive, results, derived, lowered)

@@ -17,7 +17,7 @@ class OperationCounts:
     Attributes
     ----------
     derived : int
-        The derived expression, evaluated as it is written.
+        The derived expressions, of the stages and of the results, evaluated as they are written.
     sympy_cse : int
         The same after `sympy.cse`.
     program : int
@@ -31,10 +31,11 @@ class OperationCounts:
 
 def operation_counts(lowered: Lowered) -> OperationCounts:
     """Return the operation counts of a kernel."""
-    derived = divided(lowered.kernel.derived)
-    replacements, reduced = sympy.cse(list(entries(derived)))
+    kernel = lowered.kernel
+    expressions = [divided(part) for part in (*(stage.derived for stage in kernel.stages), kernel.derived)]
+    replacements, reduced = sympy.cse([entry for expression in expressions for entry in entries(expression)])
     return OperationCounts(
-        derived=operations(derived),
+        derived=sum(map(operations, expressions)),
         sympy_cse=sum(operations(value) for _, value in replacements) + sum(map(operations, reduced)),
         program=sum(lowered.program.operations().values()),
     )

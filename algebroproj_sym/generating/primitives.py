@@ -89,6 +89,8 @@ def null_vector(*rows: Sequence[ArrayLike]) -> tuple[Any, ...]:
 def _stacked(rows: Sequence[Sequence[ArrayLike]]) -> NDArray[Any]:
     entries = np.broadcast_arrays(*(np.asarray(entry) for row in rows for entry in row))
     stacked = np.stack([*entries], axis=-1)
+    if stacked.dtype.kind in "biu":
+        stacked = stacked.astype(np.float64)
     return stacked.reshape(*stacked.shape[:-1], len(rows), len(rows[0]))
 
 
@@ -97,7 +99,7 @@ def _unstacked(vectors: NDArray[Any]) -> tuple[Any, ...]:
 
 
 def _eliminated(matrices: NDArray[Any], columns: int) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Reduce n x (n + 1) matrices to the unit matrix and a last column, which is returned.
+    """Reduce n x (n + 1) matrices to a diagonal and a last column; return the column over the diagonal.
 
     Pivots are the largest entries of what is left of the first `columns` columns; the second result says which column
     stands where.
@@ -107,15 +109,15 @@ def _eliminated(matrices: NDArray[Any], columns: int) -> tuple[NDArray[Any], NDA
     order = np.broadcast_to(np.arange(columns), (*reduced.shape[:-2], columns)).copy()
     for step in range(height):
         left = np.abs(reduced[..., step:, step:columns])
-        largest = np.argmax(left.reshape(*left.shape[:-2], -1), axis=-1)
+        largest = np.argmax(left.reshape(*left.shape[:-2], (height - step) * (columns - step)), axis=-1)
         _swap(reduced, step, step + largest // (columns - step))
         _swap(reduced.swapaxes(-1, -2), step, step + largest % (columns - step))
         _swap(order[..., None], step, step + largest % (columns - step))
-        reduced[..., step, step:] = reduced[..., step, step:] / reduced[..., step, step : step + 1]
+        pivot = reduced[..., step, step : step + 1]
         for row in (row for row in range(height) if row != step):
-            factor = reduced[..., row, step : step + 1].copy()
+            factor = reduced[..., row, step : step + 1] / pivot
             reduced[..., row, step:] = reduced[..., row, step:] - factor * reduced[..., step, step:]
-    return reduced[..., -1], order
+    return reduced[..., -1] / np.diagonal(reduced, axis1=-2, axis2=-1), order
 
 
 def _swap(rows: NDArray[Any], first: int, second: NDArray[Any]) -> None:

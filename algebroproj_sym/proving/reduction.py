@@ -7,6 +7,8 @@ import sympy
 from algebroproj_sym.expressions import Expression, divided, entries, evaluate, symbols_of
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
 
+MOST_TERMS = 2000
+
 
 def reduced(expression: Expression, engine: str = "flint") -> Expression:
     """Return an expression in lowest terms, or as it is if that is shorter.
@@ -32,12 +34,17 @@ def reduced(expression: Expression, engine: str = "flint") -> Expression:
     """
     field = RationalFunctionField(symbols_of((expression,)), engine)
     values = evaluate(expression, field.variables, field.lift)
-    written = [
-        _shorter(divided(entry), _lowest_terms(value)) for entry, value in zip(entries(expression), values, strict=True)
-    ]
+    written = [_written(divided(entry), value) for entry, value in zip(entries(expression), values, strict=True)]
     if isinstance(expression, sympy.MatrixBase):
         return sympy.ImmutableDenseMatrix(*expression.shape, written)
     return written[0]
+
+
+def _written(entry: sympy.Expr, value: RationalFunction) -> sympy.Expr:
+    """Return the shorter of an entry and its lowest terms; an expanded form of very many terms is never shorter."""
+    if len(value.field.ring.terms(value.numerator)) > MOST_TERMS:
+        return entry
+    return _shorter(entry, _lowest_terms(value))
 
 
 def _lowest_terms(value: RationalFunction) -> sympy.Expr:

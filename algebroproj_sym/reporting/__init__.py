@@ -1,5 +1,6 @@
 """Reporting: the ledger of verdicts and evidence, tables for the terminal, the report."""
 
+from algebroproj_sym.reporting.forms import derived_form, remember
 from algebroproj_sym.reporting.ledger import claim_record, ledger, summary, write_json, write_text
 from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
@@ -14,11 +15,13 @@ from algebroproj_sym.reporting.tables import (
 __all__ = [
     "claim_record",
     "claims_table",
+    "derived_form",
     "explanation",
     "failure_text",
     "findings",
     "ledger",
     "operations_table",
+    "remember",
     "report",
     "summary",
     "summary_text",

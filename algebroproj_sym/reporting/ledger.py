@@ -10,7 +10,7 @@ from typing import Any
 
 from algebroproj_sym.declaring import VERDICTS, Judgement, statement_text
 from algebroproj_sym.files import write_texts
-from algebroproj_sym.proving import reduced
+from algebroproj_sym.reporting.forms import derived_form
 
 SCHEMA = 1
 
@@ -56,7 +56,7 @@ def claim_record(judgement: Judgement, *, timed: bool = True) -> dict[str, Any]:
         "verdict": judgement.verdict,
         "expected": claim.expected,
         "printed": statement_text(claim.printed),
-        "derived": None if claim.derived is None else statement_text(reduced(claim.derived)),
+        "derived": statement_text(derived_form(claim)),
         "corrected": statement_text(claim.corrected),
         "where": {symbol.name: statement_text(value) for symbol, value in claim.where.items()},
         "hypotheses": [str(factor) for factor in judgement.hypotheses],

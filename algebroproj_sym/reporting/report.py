@@ -9,7 +9,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.declaring import VERDICTS, Judgement, evidence_lines, statement_text
 from algebroproj_sym.generating import Lowered, operation_counts
-from algebroproj_sym.proving import reduced
+from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.verifying import BOUND, Verification
 
@@ -66,8 +66,7 @@ def _by_paper(judgements: Iterable[Judgement]) -> list[tuple[str, list[Judgement
 
 def _finding(judgement: Judgement) -> dict[str, object]:
     claim = judgement.claim
-    derived = None if claim.derived is None else reduced(claim.derived)
-    forms = (("printed", claim.printed), ("derived", derived), ("corrected", claim.corrected))
+    forms = (("printed", claim.printed), ("derived", derived_form(claim)), ("corrected", claim.corrected))
     return {
         "name": f"{claim.paper} ({claim.number})",
         "title": claim.title,

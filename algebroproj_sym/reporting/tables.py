@@ -21,6 +21,7 @@ from algebroproj_sym.declaring import (
 from algebroproj_sym.expressions import divided, evaluate
 from algebroproj_sym.generating import Lowered, operation_counts
 from algebroproj_sym.proving import reduced
+from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.verifying import Verification
 
@@ -102,8 +103,7 @@ def explanation(judgement: Judgement, module: str, functions: Sequence[str]) -> 
 def _forms(judgement: Judgement) -> list[str]:
     """Return the forms of a claim, the entries that differ, and what symbols stand for."""
     claim = judgement.claim
-    derived = None if claim.derived is None else reduced(claim.derived)
-    forms = (("printed", claim.printed), ("derived", derived), ("corrected", claim.corrected))
+    forms = (("printed", claim.printed), ("derived", derived_form(claim)), ("corrected", claim.corrected))
     lines = [_labelled(label, *_statement_lines(statement)) for label, statement in forms if statement is not None]
     for place, printed_entry, derived_entry in differing_entries(claim):
         lines.append(_labelled("differs", f"entry {place + 1}: {printed_entry} printed, {derived_entry} derived"))

@@ -4,7 +4,7 @@ samples (what goes in) → oracle (what is true) → accuracy (how far the shipp
 and singular_input ask the shipped function what no sample can tell.
 """
 
-from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, accuracy, as_record, measured
+from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, Stratum, accuracy, as_record, measured
 from algebroproj_sym.verifying.oracle import oracle
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
 from algebroproj_sym.verifying.samples import Sample, stratified
@@ -17,6 +17,7 @@ __all__ = [
     "Accuracy",
     "NotShippedError",
     "Sample",
+    "Stratum",
     "Verification",
     "accuracy",
     "as_record",

@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
+from functools import partial
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
-from algebroproj_sym.declaring import Kernel, Stage
+from algebroproj_sym.declaring import LINEAR, Kernel, Stage
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 from algebroproj_sym.verifying.shipped import call, function_of
@@ -42,8 +43,14 @@ def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint")
     inputs = {symbol.name: np.array(field.variables[symbol], dtype=object) for symbol in kernel.symbols}
     function = function_of(kernel, package)
     calls = _Calls(called, field)
-    with _replaced(function, {stage.primitive: calls for stage in called}):
-        result = call(function, kernel, inputs)
+    replacements: dict[str, Any] = {stage.primitive: partial(calls.answer, stage.primitive) for stage in called}
+    if not replacements.keys() <= function.__globals__.keys():
+        return False
+    try:
+        with _replaced(function, replacements):
+            result = call(function, kernel, inputs)
+    except _OtherCallError:
+        return False
     computed = [*calls.given, *result.tolist()]
     expected = _expected(kernel, field)
     same_length = len(computed) == len(expected)
@@ -63,6 +70,10 @@ def _expected(kernel: Kernel, field: RationalFunctionField) -> list[RationalFunc
     return [*expected, *evaluate(kernel.derived, values, field.lift)]
 
 
+class _OtherCallError(Exception):
+    """The source calls a primitive function that the derivation does not call there, or with other rows."""
+
+
 class _Calls:
     """Stands in for the primitive functions: notes what they are given, and returns the variables of the stages."""
 
@@ -71,12 +82,16 @@ class _Calls:
         self.field = field
         self.given: list[RationalFunction] = []
 
-    def __call__(self, *operands: Any) -> Any:
-        rows = [list(operand) if isinstance(operand, list) else [operand] for operand in operands]
+    def answer(self, primitive: str, *operands: Any) -> Any:
+        """Return the variables of the next stage, which must be a call of this primitive function."""
+        stage = next(self.stages, None)
+        rows = [list(operand) for operand in operands] if primitive in LINEAR else [list(operands)]
+        wanted = None if stage is None else [stage.derived.cols] * stage.derived.rows
+        if stage is None or stage.primitive != primitive or [len(row) for row in rows] != wanted:
+            raise _OtherCallError
         self.given += [self._element(entry) for row in rows for entry in row]
-        symbols = next(self.stages).results
-        variables = [np.array(self.field.variables[symbol], dtype=object) for symbol in symbols]
-        return variables[0] if len(variables) == 1 else tuple(variables)
+        variables = [np.array(self.field.variables[symbol], dtype=object) for symbol in stage.results]
+        return variables[0] if len(variables) == 1 and primitive not in LINEAR else tuple(variables)
 
     def _element(self, entry: Any) -> RationalFunction:
         value = entry.item() if isinstance(entry, np.ndarray) else entry

@@ -80,13 +80,16 @@ def _badly_scaled(symbols: Sequence[sympy.Symbol], generator: random.Random) -> 
 
 
 def _near(factor: Scalar, stratum: str, symbols: Sequence[sympy.Symbol], generator: random.Random) -> Iterator[Sample]:
-    """Yield samples at growing nearness, 1e-1 to 1e-14, to the zeros of a factor."""
-    while True:
+    """Yield samples at growing nearness, 1e-1 to 1e-14, to the zeros of a factor; none if no move leads there."""
+    found = True
+    while found:
+        found = False
         for digits in DISTANCES:
             point = {symbol: Fraction(_ordinary([symbol], generator)[symbol.name]) for symbol in symbols}
             distance = Fraction(generator.choice((-1, 1)), 10**digits)
             moved = _moved(factor, point, distance, generator)
             if moved is not None:
+                found = True
                 yield Sample(stratum, {symbol.name: float(value) for symbol, value in moved.items()})
 
 
@@ -97,7 +100,10 @@ def _moved(
     variables = sorted(factor.free_symbols, key=str)
     generator.shuffle(variables)
     for variable in variables:
-        at_0, at_1, at_2 = (evaluate(factor, {**point, variable: Fraction(k)})[0] for k in range(3))
+        try:
+            at_0, at_1, at_2 = (evaluate(factor, {**point, variable: Fraction(k)})[0] for k in range(3))
+        except ZeroDivisionError:
+            continue
         if at_1 != at_0 and at_2 - at_1 == at_1 - at_0:
             return {**point, variable: (value - at_0) / (at_1 - at_0)}
     return None

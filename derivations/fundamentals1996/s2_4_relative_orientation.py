@@ -929,7 +929,9 @@ minors_of_four = Matrix(4, 4, sympy.symbols("d:4:4"))
 object_point = vector(y1, y2, y3)
 
 total = sympy.Add(*(minors_of_four[i, 3] ** 2 for i in range(4)))
-mean = vector(*(over(sympy.Add(*(minors_of_four[i, 3] * minors_of_four[i, j] for i in range(4))), total) for j in range(3)))
+mean = vector(
+    *(over(sympy.Add(*(minors_of_four[i, 3] * minors_of_four[i, j] for i in range(4))), total) for j in range(3))
+)
 
 
 def minor(row_omitted: int, unknown: int) -> sympy.Expr:

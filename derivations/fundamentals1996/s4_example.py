@@ -164,14 +164,17 @@ def figure(result: Example, path: Path | None = None) -> Any:
     from matplotlib.figure import Figure
 
     drawing = Figure(figsize=(9, 9.5), layout="constrained")
-    axes = drawing.subplots(2, 2)
+    axes = drawing.subplots(2, 2, sharey="row")
     for side, (above, below) in enumerate(zip(*axes, strict=True)):
         name = ("left", "right")[side]
         _draw(above, result.images[side], f"{name} picture", ("x [dm]", "y [dm]"))
         _draw(below, result.pixels[side, :, ::-1], f"normal case, {name}", ("$X_2$ [pixel]", "$X_1$ [pixel]"))
-    for ordinate in result.pixels[0, :, 0]:
-        for below in axes[1]:
-            below.axhline(ordinate, color="0.85", linewidth=0.6, zorder=0)
+        above.set_xlim(np.mean(result.images[side, :, 0]) + np.array([-1.0, 1.0]))
+        below.set_xlim(30, 430)
+        for ordinate in result.pixels[0, :, 0]:
+            below.axhline(ordinate, color="0.8", linewidth=0.6, zorder=0)
+    axes[0, 0].set_ylim(-0.85, 1.15)
+    axes[1, 0].set_ylim(70, 390)
     if path is not None:
         drawing.savefig(path, dpi=150)
     return drawing
@@ -181,10 +184,11 @@ def _draw(axes: Any, points: Any, title: str, labels: tuple[str, str]) -> None:
     axes.set_title(title)
     axes.set_xlabel(labels[0])
     axes.set_ylabel(labels[1])
-    axes.set_aspect("equal", adjustable="datalim")
+    axes.set_aspect("equal")
     axes.scatter(*points.T, s=14, color="black")
     for name, point in zip(POINTS, points, strict=True):
-        axes.annotate(name, point, xytext=(4, 3), textcoords="offset points", fontsize=8)
+        offset = (5, -9) if name == BASIC[0] else (5, 3)
+        axes.annotate(name, point, xytext=offset, textcoords="offset points", fontsize=8)
 
 
 # %%

@@ -1,1 +1,1 @@
-"""G. Brandstätter, Notes on the direct projective transformation of general stereo pairs into the rigorous normal case by image correlation, 1992."""
+"""G. Brandstätter, Notes on the direct projective transformation of general stereo pairs, 1992."""

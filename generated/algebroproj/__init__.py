@@ -6,6 +6,6 @@ Every function is a generalized ufunc in behaviour: core dimensions are the last
 and the dtype is preserved.  Singular input follows NumPy's floating-point error handling: see `numpy.errstate`.
 """
 
-from . import affine, correlation, normal_case, optics, orientation, projection, space
+from . import affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space
 
-__all__ = ["affine", "correlation", "normal_case", "optics", "orientation", "projection", "space"]
+__all__ = ["affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]

@@ -35,7 +35,7 @@ def lens_matrix(f: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -72,7 +72,7 @@ def lens_matrix(f: ArrayLike) -> NDArray[Any]:
     >>> lens_matrix(0.15).round(6).tolist()
     [[0.15, 0.0, 0.0, 1.0], [0.0, 0.15, 0.0, 0.0], [0.0, 0.0, 0.15, 0.0], [0.0, 0.0, 0.0, 0.15]]
     """
-    f, out = arguments("lens_matrix", (4, 4), f=(f, ()))
+    f, out = arguments("lens_matrix", [(4, 4)], f=(f, ()))
     out[..., 0, 0] = f
     out[..., 0, 1] = 0
     out[..., 0, 2] = 0
@@ -107,7 +107,7 @@ def image_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -132,7 +132,7 @@ def image_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
     >>> image_point(0.15, [0.4, -0.25, -1.2]).round(6).tolist()
     [-0.057143, 0.035714, 0.171429]
     """
-    f, x, out = arguments("image_point", (3,), f=(f, ()), x=(x, (3,)))
+    f, x, out = arguments("image_point", [(3,)], f=(f, ()), x=(x, (3,)))
     xi1, xi2, xi3 = x[..., 0], x[..., 1], x[..., 2]
     magnification = f / (f + xi3)
     out[..., 0] = magnification * xi1
@@ -156,7 +156,7 @@ def object_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -181,7 +181,7 @@ def object_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
     >>> object_point(0.15, [-0.06, 0.0375, 0.175]).round(6).tolist()
     [0.36, -0.225, -1.05]
     """
-    f, x, out = arguments("object_point", (3,), f=(f, ()), x=(x, (3,)))
+    f, x, out = arguments("object_point", [(3,)], f=(f, ()), x=(x, (3,)))
     xip1, xip2, xip3 = x[..., 0], x[..., 1], x[..., 2]
     magnification = f / (f - xip3)
     out[..., 0] = magnification * xip1
@@ -205,7 +205,7 @@ def scale(f: ArrayLike, x3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -227,7 +227,7 @@ def scale(f: ArrayLike, x3: ArrayLike) -> NDArray[Any]:
     >>> scale(0.15, -1.2).round(6).tolist()
     -0.142857
     """
-    f, x3, out = arguments("scale", (), f=(f, ()), x3=(x3, ()))
+    f, x3, out = arguments("scale", [()], f=(f, ()), x3=(x3, ()))
     out[...] = f / (f + x3)
     return out[()]
 
@@ -245,7 +245,7 @@ def plane_homography(mu: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -275,7 +275,7 @@ def plane_homography(mu: ArrayLike) -> NDArray[Any]:
     >>> plane_homography([1, 0.75, 1.25]).round(6).tolist()
     [[1.0, -0.25, 0.25], [0.0, 0.75, 0.0], [0.0, 0.0, 1.25]]
     """
-    mu, out = arguments("plane_homography", (3, 3), mu=(mu, (3,)))
+    mu, out = arguments("plane_homography", [(3, 3)], mu=(mu, (3,)))
     mu0, mu1, mu2 = mu[..., 0], mu[..., 1], mu[..., 2]
     out[..., 0, 0] = mu0
     out[..., 0, 1] = mu1 - mu0
@@ -304,7 +304,7 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -329,7 +329,7 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike) -> NDArray[Any]:
     >>> map_plane_points([1, 0.75, 1.25], [0.5, 0.25]).round(6).tolist()
     [0.4, 0.333333]
     """
-    mu, u, out = arguments("map_plane_points", (2,), mu=(mu, (3,)), u=(u, (2,)))
+    mu, u, out = arguments("map_plane_points", [(2,)], mu=(mu, (3,)), u=(u, (2,)))
     mu0, mu1, mu2 = mu[..., 0], mu[..., 1], mu[..., 2]
     u1, u2 = u[..., 0], u[..., 1]
     t0 = mu1 * u1
@@ -353,7 +353,7 @@ def vanishing_line(mu: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -377,7 +377,7 @@ def vanishing_line(mu: ArrayLike) -> NDArray[Any]:
     >>> vanishing_line([1, 0.75, 1.25]).round(6).tolist()
     [1.0, -0.25, 0.25]
     """
-    mu, out = arguments("vanishing_line", (3,), mu=(mu, (3,)))
+    mu, out = arguments("vanishing_line", [(3,)], mu=(mu, (3,)))
     mu0, mu1, mu2 = mu[..., 0], mu[..., 1], mu[..., 2]
     out[..., 0] = mu0
     out[..., 1] = mu1 - mu0

@@ -40,7 +40,7 @@ def camera_matrix(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -73,7 +73,7 @@ def camera_matrix(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> camera_matrix([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     [[1.0, -0.375, -0.25, -0.5], [0.0, 0.625, 0.0, 0.125], [0.0, 0.0, 0.75, 0.0625]]
     """
-    mu, u3, out = arguments("camera_matrix", (3, 4), mu=(mu, (3,)), u3=(u3, (2,)))
+    mu, u3, out = arguments("camera_matrix", [(3, 4)], mu=(mu, (3,)), u3=(u3, (2,)))
     mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
     out[..., 0, 0] = 1
@@ -106,7 +106,7 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -133,7 +133,7 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> mu_from_center([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
     [0.689829, 0.689829, 0.659103]
     """
-    y0, u3, out = arguments("mu_from_center", (3,), y0=(y0, (3,)), u3=(u3, (2,)))
+    y0, u3, out = arguments("mu_from_center", [(3,)], y0=(y0, (3,)), u3=(u3, (2,)))
     y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
     y00 = 1 - y01 - y02 - y03
@@ -159,7 +159,7 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -185,7 +185,7 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> center_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     [-0.494845, -0.206186, 2.474227]
     """
-    mu, u3, out = arguments("center_from_mu", (3,), mu=(mu, (3,)), u3=(u3, (2,)))
+    mu, u3, out = arguments("center_from_mu", [(3,)], mu=(mu, (3,)), u3=(u3, (2,)))
     mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
     t0 = mu1 * mu2
@@ -213,7 +213,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -252,7 +252,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> projection_matrix([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
     [[-0.310171, -0.310171, -0.340897], [0.689829, 0.0, 0.179182], [0.0, 0.689829, 0.038055]]
     """
-    y0, u3, out = arguments("projection_matrix", (3, 3), y0=(y0, (3,)), u3=(u3, (2,)))
+    y0, u3, out = arguments("projection_matrix", [(3, 3)], y0=(y0, (3,)), u3=(u3, (2,)))
     y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
     t0 = 1 - y01
@@ -296,7 +296,7 @@ def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -326,7 +326,7 @@ def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> projection_matrix_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     [[-0.375, -0.25, -0.5], [0.625, 0.0, 0.125], [0.0, 0.75, 0.0625]]
     """
-    mu, u3, out = arguments("projection_matrix_from_mu", (3, 3), mu=(mu, (3,)), u3=(u3, (2,)))
+    mu, u3, out = arguments("projection_matrix_from_mu", [(3, 3)], mu=(mu, (3,)), u3=(u3, (2,)))
     mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
     out[..., 0, 0] = mu1 - 1
@@ -356,7 +356,7 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -381,7 +381,7 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> projection_determinant([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
     -0.115739
     """
-    y0, u3, out = arguments("projection_determinant", (), y0=(y0, (3,)), u3=(u3, (2,)))
+    y0, u3, out = arguments("projection_determinant", [()], y0=(y0, (3,)), u3=(u3, (2,)))
     y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
     y00 = 1 - y01 - y02 - y03
@@ -405,7 +405,7 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -427,7 +427,7 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]
     >>> projection_determinant_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     -0.189453
     """
-    mu, u3, out = arguments("projection_determinant_from_mu", (), mu=(mu, (3,)), u3=(u3, (2,)))
+    mu, u3, out = arguments("projection_determinant_from_mu", [()], mu=(mu, (3,)), u3=(u3, (2,)))
     mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
     out[...] = mu1 * mu2 * (mu3 - 1) - mu3 * (mu1 * u32 * (mu2 - 1) + mu2 * u31 * (mu1 - 1))
@@ -449,7 +449,7 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -488,7 +488,7 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> reconstruction_matrix([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
     [[1.067961, 1.929825, 0.480192], [0.226817, 0.101984, 1.551619], [-4.111516, -1.848676, -1.848678]]
     """
-    y0, u3, out = arguments("reconstruction_matrix", (3, 3), y0=(y0, (3,)), u3=(u3, (2,)))
+    y0, u3, out = arguments("reconstruction_matrix", [(3, 3)], y0=(y0, (3,)), u3=(u3, (2,)))
     y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
     t0 = y02 + y03
@@ -529,7 +529,7 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -564,7 +564,7 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> reconstruction_matrix_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     [[0.494845, 1.896907, 0.164948], [0.206186, 0.123711, 1.402062], [-2.474227, -1.484536, -0.824742]]
     """
-    mu, u3, out = arguments("reconstruction_matrix_from_mu", (3, 3), mu=(mu, (3,)), u3=(u3, (2,)))
+    mu, u3, out = arguments("reconstruction_matrix_from_mu", [(3, 3)], mu=(mu, (3,)), u3=(u3, (2,)))
     mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]
     t0 = mu3 - 1
@@ -605,7 +605,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -630,7 +630,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> project([0.5756072, 0.1487681, 0.1279697], [0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     [0.550171, 0.17508]
     """
-    y, mu, u3, out = arguments("project", (2,), y=(y, (3,)), mu=(mu, (3,)), u3=(u3, (2,)))
+    y, mu, u3, out = arguments("project", [(2,)], y=(y, (3,)), mu=(mu, (3,)), u3=(u3, (2,)))
     y1, y2, y3 = y[..., 0], y[..., 1], y[..., 2]
     mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
     u31, u32 = u3[..., 0], u3[..., 1]

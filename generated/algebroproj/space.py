@@ -32,7 +32,7 @@ def homography(mu: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -69,7 +69,7 @@ def homography(mu: ArrayLike) -> NDArray[Any]:
     >>> homography([1, 0.625, 0.75, 1.25]).round(6).tolist()
     [[1.0, -0.375, -0.25, 0.25], [0.0, 0.625, 0.0, 0.0], [0.0, 0.0, 0.75, 0.0], [0.0, 0.0, 0.0, 1.25]]
     """
-    mu, out = arguments("homography", (4, 4), mu=(mu, (4,)))
+    mu, out = arguments("homography", [(4, 4)], mu=(mu, (4,)))
     mu0, mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2], mu[..., 3]
     out[..., 0, 0] = mu0
     out[..., 0, 1] = mu1 - mu0
@@ -105,7 +105,7 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -133,7 +133,7 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike) -> NDArray[Any]:
     >>> mu_from_fifth_point([0.5, 0.25, 0.75], [0.375, 0.25, 0.5]).round(6).tolist()
     [0.25, 0.75, 1.0, 0.666667]
     """
-    y4, u4, out = arguments("mu_from_fifth_point", (4,), y4=(y4, (3,)), u4=(u4, (3,)))
+    y4, u4, out = arguments("mu_from_fifth_point", [(4,)], y4=(y4, (3,)), u4=(u4, (3,)))
     y41, y42, y43 = y4[..., 0], y4[..., 1], y4[..., 2]
     u41, u42, u43 = u4[..., 0], u4[..., 1], u4[..., 2]
     y0 = 1 - y41 - y42 - y43
@@ -160,7 +160,7 @@ def map_points(mu: ArrayLike, y: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -186,7 +186,7 @@ def map_points(mu: ArrayLike, y: ArrayLike) -> NDArray[Any]:
     >>> map_points([1, 0.625, 0.75, 1.25], [0.5, 0.25, 0.75]).round(6).tolist()
     [0.333333, 0.2, 1.0]
     """
-    mu, y, out = arguments("map_points", (3,), mu=(mu, (4,)), y=(y, (3,)))
+    mu, y, out = arguments("map_points", [(3,)], mu=(mu, (4,)), y=(y, (3,)))
     mu0, mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2], mu[..., 3]
     y1, y2, y3 = y[..., 0], y[..., 1], y[..., 2]
     t0 = mu1 * y1
@@ -214,7 +214,7 @@ def map_plane(mu: ArrayLike, a: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     ndarray, shape (..., 4)
-        Of the dtype of the arguments (float32, float64, longdouble, complex or object; integers become float64).
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
 
     Raises
     ------
@@ -241,7 +241,7 @@ def map_plane(mu: ArrayLike, a: ArrayLike) -> NDArray[Any]:
     >>> map_plane([1, 0.625, 0.75, 1.25], [-1, 0.5, 0.75, 2]).round(6).tolist()
     [-1.0, 0.2, 0.666667, 1.8]
     """
-    mu, a, out = arguments("map_plane", (4,), mu=(mu, (4,)), a=(a, (4,)))
+    mu, a, out = arguments("map_plane", [(4,)], mu=(mu, (4,)), a=(a, (4,)))
     mu0, mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2], mu[..., 3]
     a0, a1, a2, a3 = a[..., 0], a[..., 1], a[..., 2], a[..., 3]
     first = a0 / mu0

@@ -22,6 +22,11 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     functions: Any = claim.derived
     if not claim.variables:
         raise DeclarationError(f"{claim.number}: expected the variables of the functions to be counted")
+    if not all(isinstance(variable, sympy.Symbol) for variable in claim.variables):
+        raise DeclarationError(f"{claim.number}: expected symbols as variables of the functions, got {claim.variables}")
+    wrong = [direction for direction in claim.kernel if len(entries(direction)) != len(claim.variables)]
+    if wrong:
+        raise DeclarationError(f"{claim.number}: expected directions of {len(claim.variables)} components, got {wrong}")
     symbols = symbols_of((functions, *claim.kernel, *claim.variables))
 
     def rank_at(point: Point) -> int:

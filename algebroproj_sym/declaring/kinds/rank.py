@@ -15,7 +15,7 @@ import sympy
 from sympy import QQ
 from sympy.polys.matrices import DomainMatrix
 
-from algebroproj_sym.declaring.claim import Claim
+from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.expressions import columns, evaluate, symbols_of
 from algebroproj_sym.proving import Point, Proof, prove, rational_points, seed_of
 
@@ -25,6 +25,8 @@ POINTS = 20
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed == rank of derived``."""
     matrix: Any = claim.derived
+    if not isinstance(matrix, sympy.MatrixBase):
+        raise DeclarationError(f"{claim.number}: expected a matrix whose rank is claimed, got {matrix}")
     smaller = min(matrix.shape)
     kernel: Any = columns(*claim.kernel) if claim.kernel else None
     proof = None
@@ -74,6 +76,8 @@ def generic_rank(
     engine : {"flint", "sympy"}
         For the record.
     """
+    if not isinstance(printed, int | sympy.Integer):
+        raise DeclarationError(f"{claim.number}: expected a number as printed form, got {printed}")
     ranked = []
     for point in islice(rational_points(symbols, seed_of(claim.number)), POINTS):
         try:

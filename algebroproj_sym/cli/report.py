@@ -1,0 +1,55 @@
+"""algebroproj report: the static site."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import click
+
+from algebroproj_sym.cli import options
+from algebroproj_sym.cli.steps import derived, judged, lowered_after, require_as_declared, say_what_is_wrong, verified
+from algebroproj_sym.cli.terminal import console
+from algebroproj_sym.declaring import drivers, kernels, located, split
+from algebroproj_sym.generating import PACKAGE, render, write
+from algebroproj_sym.reporting import summary_text
+from algebroproj_sym.reporting.site import OccupiedError, catalogue, functions_of, render_site, replace, require_free
+
+
+@click.command()
+@options.selectors
+@options.folder("site", "the site")
+@options.samples
+@options.engine
+@options.jobs
+def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, jobs: int) -> None:
+    """Prove everything, generate, verify, and write a static site to DIR.
+
+    The site has a page for each paper, claim and function, and the errata of each paper; open DIR/index.html.  DIR is
+    replaced as a whole.
+
+    With SELECTORs, as for check, the site has the selected claims, and the functions that rest on them alone.
+    """
+    found = located(selectors)
+    claims = [claim for _, claim in found]
+    sources = [split(selector)[0] for selector in selectors]
+    try:
+        require_free(out)
+    except OccupiedError as error:
+        raise click.UsageError(f"--out: {error}") from error
+    judgements = judged(claims, engine, jobs)
+    console().print(summary_text(judgements))
+    derived(claims, jobs)
+    say_what_is_wrong(judgements)
+    numbers = {(claim.paper, claim.number) for claim in claims}
+    chosen = [k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}]
+    lowered = lowered_after(judgements, chosen, engine, jobs)
+    package = render(lowered, drivers(sources))
+    with TemporaryDirectory() as folder:
+        write(package, Path(folder) / PACKAGE)
+        verifications = verified(lowered, Path(folder), samples, engine, jobs)
+    modules = [derivation for derivation, _ in found]
+    site = render_site(catalogue(judgements, modules, functions_of(lowered, verifications, package)))
+    replace(site, out)
+    console().print(f"written to {out}: {len(site)} files; open {out / 'index.html'}")
+    require_as_declared(judgements, verifications, out / "index.html")

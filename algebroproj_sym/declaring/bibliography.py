@@ -1,0 +1,76 @@
+"""What is known of the papers: author, title and year, from a file beside the derivations."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+
+from algebroproj_sym.declaring.discovery import PAPERS
+
+
+@dataclass(frozen=True)
+class Publication:
+    """What is known of a paper.
+
+    Attributes
+    ----------
+    key : str
+        The paper key.
+    title : str
+        Its title, or the key if nothing is known.
+    author, published : str
+        Family name first; where it was published.  Empty if not known.
+    year : int or None
+        None for what is no paper.
+    """
+
+    key: str
+    title: str
+    author: str = ""
+    year: int | None = None
+    published: str = ""
+
+    @property
+    def signed(self) -> str:
+        """The author, given name first."""
+        family, _, given = self.author.partition(", ")
+        return f"{given} {family}".strip()
+
+
+@cache
+def publication(paper: str) -> Publication:
+    """Return what is known of a paper."""
+    known = tomllib.loads((files(PAPERS) / "papers.toml").read_text(encoding="utf-8"))
+    return Publication(paper, **known.get(paper, {"title": paper}))
+
+
+def bibtex(entry: Publication) -> str:
+    r"""Return the BibTeX entry of a paper, in ASCII; nothing for what has no author.
+
+    Examples
+    --------
+    >>> print(bibtex(Publication("demo1900", "Squares", "Müller, A.", 1900)))
+    @misc{demo1900,
+      author = {M{\"u}ller, A.},
+      title = {{Squares}},
+      year = {1900},
+    }
+    """
+    if not entry.author:
+        return ""
+    fields = {
+        "author": entry.author,
+        "title": f"{{{entry.title}}}",
+        "year": str(entry.year or ""),
+        "howpublished": entry.published,
+    }
+    lines = [f"  {name} = {{{_ascii(value)}}}," for name, value in fields.items() if value]
+    return "\n".join([f"@misc{{{entry.key},", *lines, "}"])
+
+
+def _ascii(value: str) -> str:
+    for letter, plain in zip("äöüÄÖÜ", "aouAOU", strict=True):
+        value = value.replace(letter, f'{{\\"{plain}}}')
+    return value.replace("ß", r"{\ss}")

@@ -1,0 +1,139 @@
+"""How the name of a symbol is read: base letter, star, primes and indices, the one place that knows it.
+
+In the derivations a symbol is spelled in ASCII: ``up31`` is u'_31, ``upp31`` is u''_31, ``mu1`` is μ_1, ``ps00`` is
+p*_00.  Everything that shows mathematics asks here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+
+import sympy
+
+GREEK = {
+    "alpha": "α",
+    "beta": "β",
+    "gamma": "γ",
+    "delta": "δ",
+    "eps": "ε",
+    "epsilon": "ε",
+    "zeta": "ζ",
+    "eta": "η",
+    "theta": "θ",
+    "kappa": "κ",
+    "lam": "λ",
+    "lambda": "λ",
+    "mu": "μ",
+    "nu": "ν",
+    "xi": "ξ",
+    "rho": "ρ",
+    "sigma": "σ",
+    "tau": "τ",
+    "phi": "φ",
+    "chi": "χ",
+    "psi": "ψ",
+    "omega": "ω",
+    "Gamma": "Γ",
+    "Delta": "Δ",
+    "Theta": "Θ",
+    "Lambda": "Λ",
+    "Sigma": "Σ",
+    "Phi": "Φ",
+    "Psi": "Ψ",
+    "Omega": "Ω",
+}
+_LATEX = {"eps": "varepsilon", "epsilon": "varepsilon", "lam": "lambda", "phi": "varphi"}
+_GREEK = "|".join(sorted(GREEK, key=len, reverse=True))
+_NAME = re.compile(rf"({_GREEK}|[A-Za-z])(s(?=p{{0,2}}\d))?(p{{1,2}}(?=[\dN_]|$))?_?(.*?)((?<=\d)p{{1,2}})?")
+_WORD = re.compile("[a-z]{3,}")
+
+
+@dataclass(frozen=True)
+class Name:
+    """The parts of a symbol's name.
+
+    Attributes
+    ----------
+    base : str
+        A letter, or the English name of a Greek one.
+    star : bool
+        Whether it has a star.
+    primes : int
+        How many primes it has.
+    index : str
+        What stands below: digits and letters, or the English name of a Greek letter.
+    """
+
+    base: str
+    star: bool
+    primes: int
+    index: str
+
+
+@cache
+def parts(name: str) -> Name:
+    """Return the parts of a symbol's name.
+
+    Examples
+    --------
+    >>> parts("up31")
+    Name(base='u', star=False, primes=1, index='31')
+    >>> parts("weighted").base
+    'weighted'
+    >>> parts("muN1").base, parts("pspp00").primes, parts("y0_3").index, parts("c_phi").index
+    ('mu', 2, '0,3', 'phi')
+    """
+    match = _NAME.fullmatch(name)
+    if match is None:
+        return Name(name, False, 0, "")
+    base, star, before, index, after = match.groups()
+    if _WORD.fullmatch(index) and not name.startswith(f"{base}_"):
+        return Name(name, False, 0, "")
+    return Name(base, star is not None, len(before or "") + len(after or ""), index.replace("_", ","))
+
+
+def latex_name(name: str) -> str:
+    r"""Return the name of a symbol as LaTeX.
+
+    Examples
+    --------
+    >>> print(latex_name("up31"), latex_name("mu"), latex_name("x"), latex_name("ps00"))
+    u^{\prime}_{31} \mu x p^{*}_{00}
+    """
+    read = parts(name)
+    marks = "*" * read.star + r"\prime" * read.primes
+    above = f"^{{{marks}}}" if marks else ""
+    below = f"_{{{_latex_letter(read.index)}}}" if read.index else ""
+    return f"{_latex_letter(read.base)}{above}{below}"
+
+
+def plain_name(name: str) -> str:
+    """Return the name of a symbol as a line of text.
+
+    Examples
+    --------
+    >>> plain_name("upp31"), plain_name("mup1"), plain_name("c_phi")
+    ("u''31", "μ'1", 'cφ')
+    """
+    read = parts(name)
+    star = "*" if read.star else ""
+    return f"{letter(read.base)}{star}{read.primes * chr(39)}{letter(read.index)}"
+
+
+def letter(word: str) -> str:
+    """Return a Greek letter for its English name, and any other word as it is."""
+    return GREEK.get(word, word)
+
+
+def latex_names(symbols: Iterable[sympy.Symbol]) -> dict[sympy.Symbol, str]:
+    """Return the names of symbols as `sympy.latex` takes them."""
+    return {symbol: latex_name(symbol.name) for symbol in symbols}
+
+
+def _latex_letter(word: str) -> str:
+    if word in GREEK:
+        return f"\\{_LATEX.get(word, word)}"
+    return rf"\mathrm{{{word}}}" if _WORD.fullmatch(word) else word

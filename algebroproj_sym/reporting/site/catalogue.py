@@ -1,0 +1,193 @@
+"""What the site is about: papers, their sections, claims with verdicts, and the functions that rest on them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from algebroproj_sym.declaring import Derivation, Judgement, Publication, publication
+from algebroproj_sym.generating import Lowered
+from algebroproj_sym.reporting.ledger import summary
+from algebroproj_sym.reporting.site.addresses import claim_page, function_page
+from algebroproj_sym.verifying import Verification
+
+
+@dataclass(frozen=True)
+class Function:
+    """A generated function.
+
+    Attributes
+    ----------
+    lowered : Lowered
+        Its kernel and program.
+    verification : Verification
+        Its figures.
+    source : str
+        Its source text.
+    """
+
+    lowered: Lowered
+    verification: Verification
+    source: str
+
+    @property
+    def name(self) -> str:
+        """Module and name."""
+        return self.lowered.kernel.qualified_name
+
+    @property
+    def page(self) -> str:
+        """The address of its page."""
+        return function_page(self.name)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A claim, its verdict and where it is derived."""
+
+    judgement: Judgement
+    derivation: Derivation
+
+    @property
+    def paper(self) -> str:
+        """The paper key."""
+        return self.judgement.claim.paper
+
+    @property
+    def number(self) -> str:
+        """The paper's own number."""
+        return self.judgement.claim.number
+
+    @property
+    def title(self) -> str:
+        """What the claim says."""
+        return self.judgement.claim.title
+
+    @property
+    def verdict(self) -> str:
+        """The verdict."""
+        return self.judgement.verdict
+
+    @property
+    def page(self) -> str:
+        """The address of its page."""
+        return claim_page(self.paper, self.number)
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A section of a paper, as far as it is selected."""
+
+    number: str
+    title: str
+    entries: tuple[Entry, ...]
+
+
+@dataclass(frozen=True)
+class Paper:
+    """A paper, as far as it is selected."""
+
+    about: Publication
+    chapters: tuple[Chapter, ...]
+
+    @property
+    def key(self) -> str:
+        """The paper key."""
+        return self.about.key
+
+    @cached_property
+    def entries(self) -> tuple[Entry, ...]:
+        """All claims in the paper's order."""
+        return tuple(entry for chapter in self.chapters for entry in chapter.entries)
+
+    @property
+    def counts(self) -> Mapping[str, int]:
+        """How often each verdict occurs."""
+        return summary([entry.judgement for entry in self.entries])
+
+    def with_verdict(self, *verdicts: str) -> tuple[Entry, ...]:
+        """Return the claims with one of some verdicts."""
+        return tuple(entry for entry in self.entries if entry.verdict in verdicts)
+
+
+@dataclass(frozen=True)
+class Catalogue:
+    """All that the site shows.
+
+    Attributes
+    ----------
+    papers : tuple of Paper
+        With at least one claim each.
+    functions : tuple of Function
+        In the order of the kernels.
+    """
+
+    papers: tuple[Paper, ...]
+    functions: tuple[Function, ...]
+
+    @property
+    def entries(self) -> tuple[Entry, ...]:
+        """All claims."""
+        return tuple(entry for paper in self.papers for entry in paper.entries)
+
+    @cached_property
+    def by_number(self) -> Mapping[tuple[str, str], Entry]:
+        """The claims by paper and number."""
+        return {(entry.paper, entry.number): entry for entry in self.entries}
+
+    def functions_on(self, entry: Entry) -> tuple[Function, ...]:
+        """Return the functions that rest on a claim."""
+        return self._functions_by_claim.get((entry.paper, entry.number), ())
+
+    @cached_property
+    def _functions_by_claim(self) -> Mapping[tuple[str, str], tuple[Function, ...]]:
+        found: dict[tuple[str, str], tuple[Function, ...]] = {}
+        for function in self.functions:
+            kernel = function.lowered.kernel
+            for number in kernel.claims:
+                found[kernel.paper, number] = (*found.get((kernel.paper, number), ()), function)
+        return found
+
+
+def catalogue(
+    judgements: Sequence[Judgement],
+    derivations: Sequence[Derivation],
+    functions: Sequence[Function] = (),
+) -> Catalogue:
+    """Return what the site is about.
+
+    Parameters
+    ----------
+    judgements : sequence of Judgement
+        In any order.
+    derivations : sequence of Derivation
+        Where each of their claims is declared.
+    functions : sequence of Function
+        The generated functions.
+    """
+    entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
+    papers = _grouped(sorted(entries, key=_place), lambda entry: entry.paper)
+    return Catalogue(tuple(Paper(publication(key), _chapters(group)) for key, group in papers), tuple(functions))
+
+
+def _place(entry: Entry) -> tuple[str, str, int]:
+    """Return where a claim stands: paper, module, and place in the module."""
+    return entry.paper, entry.derivation.module, entry.derivation.section.claims.index(entry.judgement.claim)
+
+
+def _chapters(entries: Sequence[Entry]) -> tuple[Chapter, ...]:
+    sections = _grouped(entries, lambda entry: entry.judgement.claim.section)
+    return tuple(Chapter(number, _titles(group), tuple(group)) for number, group in sections)
+
+
+def _grouped(entries: Sequence[Entry], key: Callable[[Entry], str]) -> list[tuple[str, list[Entry]]]:
+    """Return the claims by a key, keys in the order of their first claims."""
+    groups: dict[str, list[Entry]] = {}
+    for entry in entries:
+        groups.setdefault(key(entry), []).append(entry)
+    return list(groups.items())
+
+
+def _titles(entries: Sequence[Entry]) -> str:
+    return "; ".join(dict.fromkeys(entry.derivation.section.title for entry in entries))

@@ -1,0 +1,125 @@
+"""The page of a claim, and the pages that list claims: papers and errata."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from decimal import Decimal
+from typing import Any
+
+from markupsafe import Markup
+
+from algebroproj_sym.declaring import bibtex
+from algebroproj_sym.reporting.site.addresses import claim_record_file, errata_page, paper_page
+from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
+from algebroproj_sym.reporting.site.comparison import (
+    RELATIONS,
+    comparison,
+    printed_marks,
+    reference_text,
+    where,
+)
+from algebroproj_sym.reporting.site.evidence import evidence
+from algebroproj_sym.reporting.site.formulas import Form, block, described, listed
+from algebroproj_sym.reporting.site.prose import linked
+from algebroproj_sym.reporting.site.templating import page
+
+
+def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: Mapping[str, Any]) -> dict[str, str]:
+    """Return the page of a claim, and its record in the ledger if something was too long for the page."""
+    entry = paper.entries[place]
+    claim = entry.judgement.claim
+    forms, found = comparison(entry.judgement), evidence(entry.judgement)
+    meanings = where(claim)
+    complete = forms.complete and found.complete and all(form.complete for _, form in meanings)
+    record = None if complete else claim_record_file(entry.paper, entry.number)
+    html = page(
+        "claim",
+        entry.page,
+        entry=entry,
+        claim=claim,
+        paper=paper,
+        relation=RELATIONS[claim.kind],
+        comparison=forms,
+        where=meanings,
+        constraints=[block(expression) for expression in claim.constraints],
+        nonzero=[block(expression) for expression in claim.nonzero],
+        evidence=found,
+        note=linked(claim.note, entry.paper, entry.page, catalogue),
+        instead=catalogue.by_number.get((entry.paper, claim.instead)),
+        functions=catalogue.functions_on(entry),
+        previous=paper.entries[place - 1] if place else None,
+        following=paper.entries[place + 1] if place + 1 < len(paper.entries) else None,
+        record=record,
+    )
+    if record is None:
+        return {entry.page: html}
+    return {entry.page: html, record: json.dumps(ledger_record, indent=1, ensure_ascii=False) + "\n"}
+
+
+def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
+    """Return the pages that list the claims of a paper: all of them, and the errata."""
+    address = paper_page(paper.key)
+    files = {address: page("paper", address, paper=paper, line=_line)}
+    address = errata_page(paper.key)
+
+    def note(entry: Entry) -> Markup:
+        return linked(entry.judgement.claim.note, paper.key, address, catalogue)
+
+    def instead(entry: Entry) -> Entry | None:
+        return catalogue.by_number.get((paper.key, entry.judgement.claim.instead))
+
+    files[address] = page(
+        "errata",
+        address,
+        paper=paper,
+        bibtex=bibtex(paper.about),
+        forms=_erratum,
+        stated=_stated,
+        note=note,
+        instead=instead,
+    )
+    return files
+
+
+def _line(entry: Entry) -> Markup:
+    """Return what is printed, and what is right instead, as far as it fits into a line."""
+    claim = entry.judgement.claim
+    if claim.kind == "reference":
+        printed, corrected = Markup(reference_text(claim.printed)), Markup(reference_text(claim.derived))
+        return printed if claim.printed == claim.derived else _arrow(printed, corrected)
+    marks = printed_marks(entry.judgement) if isinstance(claim.printed, Decimal) else ()
+    shown = listed(claim.printed, *marks[:1])
+    if claim.corrected is None:
+        return shown or _summary(claim.printed)
+    right = listed(claim.corrected, *marks[1:])
+    if claim.printed is None:
+        return Markup("reconstructed: {}").format(right or described(claim.corrected))
+    if shown is None or right is None:
+        return _summary(claim.printed)
+    return _arrow(shown, right)
+
+
+def _arrow(printed: Markup, corrected: Markup) -> Markup:
+    return Markup("{} <span>correct: {}</span>").format(printed, corrected)
+
+
+def _summary(statement: object) -> Markup:
+    return Markup('<span class="summary">{}</span>').format(described(statement))
+
+
+def _erratum(entry: Entry) -> tuple[Form, Form]:
+    """Return the printed and the corrected form of a misprint, the difference marked."""
+    claim = entry.judgement.claim
+    if claim.kind == "reference":
+        pair = (reference_text(claim.printed), reference_text(claim.derived))
+        return Form(Markup('<p class="number">{}</p>').format(pair[0])), Form(
+            Markup('<p class="number">{}</p>').format(pair[1])
+        )
+    printed, corrected = printed_marks(entry.judgement)
+    return block(claim.printed, printed, "printed form"), block(claim.corrected, corrected, "corrected form")
+
+
+def _stated(entry: Entry) -> Form:
+    claim = entry.judgement.claim
+    return block(claim.printed if claim.printed is not None else claim.corrected, label="form")

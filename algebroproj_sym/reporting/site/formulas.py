@@ -1,0 +1,259 @@
+"""Forms of claims and kernels as HTML: as a formula, as text where that is too long, or in a sentence."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import sympy
+from markupsafe import Markup, escape
+
+from algebroproj_sym.declaring import Claim, Statement, statement_text
+from algebroproj_sym.declaring.names import letter, parts
+from algebroproj_sym.expressions import entries
+from algebroproj_sym.reporting.site.addresses import claim_record_file
+from algebroproj_sym.reporting.site.differences import NOTHING, WHOLE, Marks
+from algebroproj_sym.reporting.site.mathml import MARK, math, presentation, relation
+
+LARGEST_FORMULA = 400
+LARGEST_ENTRY = 90
+LARGEST_INLINE = 24
+LARGEST_FACTOR = 8
+SMALL = 6
+LONGEST_TEXT = 5000
+LONGEST_FRACTION = 40
+
+
+@dataclass(frozen=True)
+class Form:
+    """A form as HTML.
+
+    Attributes
+    ----------
+    html : Markup
+        What to show.
+    complete : bool
+        Whether it is all there; what is not is in the ledger's record of the claim.
+    """
+
+    html: Markup
+    complete: bool = True
+
+
+def size(expression: Any, most: int = LARGEST_FORMULA) -> int:
+    """Return how many symbols and numbers an expression has; counting ends soon after `most`.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> size(x**2 + 3 * x * y)
+    5
+    """
+    count, pending = 0, [*entries(expression)] if isinstance(expression, sympy.MatrixBase) else [expression]
+    while pending and count <= most:
+        node = pending.pop()
+        if node.args:
+            pending.extend(node.args)
+        else:
+            count += 1
+    return count
+
+
+def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "formula") -> Form:
+    """Return a form as a block of its own.
+
+    Parameters
+    ----------
+    statement : Statement or None
+        A printed, derived or corrected form.
+    marks : Marks
+        What to mark in it.
+    label : str
+        What a screen reader calls a formula that has to be scrolled.
+    """
+    if statement is None:
+        return Form(Markup("<p>The scan does not preserve it.</p>"))
+    if isinstance(statement, Decimal):
+        return Form(Markup('<p class="number">{}</p>').format(number(statement, marks)))
+    if isinstance(statement, tuple):
+        if not all(map(_is_formula, statement)):
+            return _as_text(statement, label)
+        pieces = [equation(presentation(factor), sympy.Integer(0), extent=size(factor)) for factor in statement]
+        return Form(Markup("<p>or</p>").join(pieces))
+    if _is_formula(statement):
+        return Form(_scrolling(math(presentation(statement, marks), block=True), label, size(statement)))
+    return _as_text(statement, label)
+
+
+def inline(statement: Statement | None, marks: Marks = NOTHING, most: int = LARGEST_INLINE) -> Markup | None:
+    """Return a form within a line, None if it is too long for that."""
+    if statement is None:
+        return None
+    if isinstance(statement, Decimal):
+        return number(statement, marks)
+    if isinstance(statement, tuple):
+        pieces = [inline(factor, most=min(most, LARGEST_FACTOR)) for factor in statement]
+        return Markup(" or ").join(map(_vanishing, pieces)) if all(pieces) and len(pieces) <= 6 else None
+    return math(presentation(statement, marks)) if size(statement, most) <= most else None
+
+
+def equation(left: str, expression: Any, extent: int = 1) -> Markup:
+    """Return ``left = expression`` as a block; text where it is too long.
+
+    Parameters
+    ----------
+    left : str
+        The left side, as MathML.
+    expression : Expression
+        The right side.
+    extent : int
+        The size of the left side.
+    """
+    if _is_formula(expression):
+        content = math(left, relation("="), presentation(expression), block=True)
+        return _scrolling(content, "formula", extent + size(expression))
+    return Markup("<p>{} =</p>{}").format(math(left), _as_text(expression, "formula").html)
+
+
+def bullet(expression: Any) -> Markup:
+    """Return a factor in a list of factors, as a formula that scrolls or as text."""
+    if size(expression) > LARGEST_ENTRY:
+        return Markup("<code>{}</code>").format(_shortened(str(expression)))
+    return _scrolling(math(presentation(expression)), "factor", size(expression))
+
+
+def listed(statement: Statement | None, marks: Marks = NOTHING) -> Markup | None:
+    """Return a form within a line of a list, where a longer formula scrolls; None if it is too long."""
+    shown = inline(statement, marks)
+    if shown is None or isinstance(statement, Decimal | tuple) or size(statement) <= SMALL:
+        return shown
+    return _scrolling(shown, "formula", size(statement))
+
+
+def symbol(name: str) -> Markup:
+    """Return the name of a symbol as text.
+
+    Examples
+    --------
+    >>> print(symbol("up31"))
+    <var>u′</var><sub>31</sub>
+    """
+    read = parts(name)
+    base = Markup("<var>{}{}{}</var>").format(letter(read.base), "*" * read.star, "′" * read.primes)
+    return base + Markup("<sub>{}</sub>").format(letter(read.index)) if read.index else base
+
+
+def number(value: Decimal, marks: Marks = NOTHING) -> Markup:
+    """Return a printed number; marks by the place of a digit."""
+    digits = f"{value:f}"
+    if marks.whole:
+        return Markup('<mark class="{}">{}</mark>').format(MARK, digits)
+    return Markup("").join(
+        Markup('<mark class="{}">{}</mark>').format(MARK, digit) if marks.of(place).whole else escape(digit)
+        for place, digit in enumerate(digits)
+    )
+
+
+def digits_that_differ(left: Decimal, right: Decimal) -> tuple[Marks, Marks]:
+    """Return the marks of two printed numbers: of digits if they are written alike, otherwise of the whole."""
+    one, other = f"{left:f}", f"{right:f}"
+    if one == other:
+        return NOTHING, NOTHING
+    if len(one) != len(other):
+        return WHOLE, WHOLE
+    marks = Marks(
+        inside={place: WHOLE for place, pair in enumerate(zip(one, other, strict=True)) if pair[0] != pair[1]}
+    )
+    return marks, marks
+
+
+def rounded(exact: Fraction, digits: int) -> str:
+    """Return a fraction as a decimal number with so many digits after the point, rounded half to even.
+
+    Examples
+    --------
+    >>> rounded(Fraction(2, 3), 4), rounded(Fraction(-1, 2), 0), rounded(Fraction(-1, 8), 2)
+    ('0.6667', '0', '-0.12')
+    """
+    scaled = round(exact * 10**digits)
+    text = f"{abs(scaled):0{digits + 1}d}"
+    sign = "-" if scaled < 0 else ""
+    return f"{sign}{text[: len(text) - digits]}.{text[len(text) - digits :]}" if digits else f"{sign}{text}"
+
+
+def derived_number(claim: Claim, exact: sympy.Rational) -> Form:
+    """Return the exact number that belongs to a printed one, with three digits more than printed."""
+    printed = next(form for form in (claim.printed, claim.corrected, Decimal(0)) if isinstance(form, Decimal))
+    digits = max(0, -int(printed.as_tuple().exponent))
+    decimal = rounded(Fraction(int(exact.p), int(exact.q)), digits + 3)
+    if len(str(exact)) <= LONGEST_FRACTION:
+        shown = math(presentation(exact))
+        return Form(Markup('<p class="number">{}{}</p>').format(decimal, _exactly(shown) if exact.q != 1 else ""))
+    return Form(
+        Markup('<p class="number">{}…</p><p>An exact fraction of {} digits.</p>').format(decimal, len(str(exact))),
+        False,
+    )
+
+
+def described(statement: Statement | None) -> str:
+    """Return what a long form is, in a few words."""
+    if isinstance(statement, sympy.MatrixBase):
+        return f"{statement.rows} × {statement.cols} matrix"
+    if isinstance(statement, tuple):
+        return f"{len(statement)} factors"
+    if isinstance(statement, sympy.Add):
+        return f"a sum of {len(statement.args)} terms"
+    return "a long expression"
+
+
+def record_link(claim: Claim) -> Markup:
+    """Return the link to the ledger's record of a claim, from its page."""
+    address = claim_record_file("", claim.number).removeprefix("/")
+    return Markup('<a href="{}">ledger record</a>').format(address)
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]} …"
+
+
+def _exactly(shown: Markup) -> Markup:
+    return Markup(" <span>exactly {}</span>").format(shown)
+
+
+def _vanishing(piece: Markup | None) -> Markup:
+    return Markup('<span class="nowrap">{} = 0</span>').format(piece)
+
+
+def _is_formula(expression: Any) -> bool:
+    pieces = entries(expression) if isinstance(expression, sympy.MatrixBase) else (expression,)
+    return size(expression) <= LARGEST_FORMULA and all(size(piece) <= LARGEST_ENTRY for piece in pieces)
+
+
+def _scrolling(content: Markup, label: str, extent: int) -> Markup:
+    if extent <= SMALL:
+        return Markup('<div class="formula">{}</div>').format(content)
+    return Markup('<div class="formula" tabindex="0" role="group" aria-label="{}">{}</div>').format(label, content)
+
+
+def _as_text(statement: Any, label: str) -> Form:
+    text = _lines(statement) if sum(size(part, LONGEST_TEXT) for part in _parts(statement)) < LONGEST_TEXT // 3 else ""
+    if 0 < len(text) <= LONGEST_TEXT:
+        wrapped = Markup('<pre class="text" tabindex="0" role="group" aria-label="{}">{}</pre>')
+        return Form(wrapped.format(f"{label}, as text", text))
+    terms = sum(len(sympy.Add.make_args(sympy.fraction(entry)[0])) for entry in _parts(statement))
+    sentence = Markup("<p>{}, with {} terms in its numerators: too long for a page.</p>")
+    return Form(sentence.format(described(statement).capitalize(), terms), False)
+
+
+def _parts(statement: Any) -> tuple[Any, ...]:
+    return statement if isinstance(statement, tuple) else entries(statement)
+
+
+def _lines(statement: Any) -> str:
+    """Return a form as text, an entry of a matrix in each line."""
+    if not isinstance(statement, sympy.MatrixBase):
+        return statement_text(statement) or ""
+    places = [(i, j) for i in range(statement.rows) for j in range(statement.cols)]
+    return "\n".join(f"[{i + 1}, {j + 1}]  {statement_text(statement[i, j])}" for i, j in places)

@@ -1,0 +1,145 @@
+"""The page of a generated function, and the list of all of them."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from markupsafe import Markup, escape
+
+from algebroproj_sym.declaring import Kernel, Stage
+from algebroproj_sym.expressions import entries
+from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
+from algebroproj_sym.reporting.site.addresses import FUNCTIONS
+from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
+from algebroproj_sym.reporting.site.formulas import block, bullet, equation, inline
+from algebroproj_sym.reporting.site.mathml import presentation
+from algebroproj_sym.reporting.site.plots import accuracy_plot
+from algebroproj_sym.reporting.site.tables import Table
+from algebroproj_sym.reporting.site.templating import page
+from algebroproj_sym.verifying import BOUND, Stratum, Verification
+
+_PRIMITIVES = {
+    "cos_sin": "are cosine and sine of",
+    "arctan2": "is the angle of the direction with the ordinate and abscissa",
+    "solve": "solve the linear system of the coefficients and, in the last column, the right side",
+    "null_vector": "span the null space, with a largest component 1, of",
+}
+
+
+def functions_of(
+    lowered: Sequence[Lowered], verified: Sequence[Verification], package: Mapping[str, str]
+) -> tuple[Function, ...]:
+    """Return the functions with their figures and their source.
+
+    Parameters
+    ----------
+    lowered, verified : sequence
+        The kernels and their figures.
+    package : mapping of str to str
+        The text of each file of the generated package.
+    """
+    return tuple(
+        Function(low, figures, _source(package[f"{low.kernel.module}.py"], low.kernel.name))
+        for low, figures in zip(lowered, verified, strict=True)
+    )
+
+
+def _source(module: str, name: str) -> str:
+    found = next(n for n in ast.parse(module).body if isinstance(n, ast.FunctionDef) and n.name == name)
+    return ast.get_source_segment(module, found) or ""
+
+
+def function_files(catalogue: Catalogue) -> dict[str, str]:
+    """Return a page for each function, and the list."""
+    files = {f.page: _page(catalogue, f) for f in catalogue.functions}
+    files[FUNCTIONS] = page("functions", FUNCTIONS, functions=catalogue.functions, bound=f"{BOUND:g}")
+    return files
+
+
+def _page(catalogue: Catalogue, function: Function) -> str:
+    low = function.lowered
+    kernel = low.kernel
+    figures = function.verification
+    return page(
+        "function",
+        function.page,
+        function=function,
+        kernel=kernel,
+        signature=f"{PACKAGE}.{kernel.qualified_name}({', '.join(a.name for a in kernel.arguments)})",
+        arguments=_arguments(kernel),
+        results=[(result.name, _batched(result.shape)) for result in kernel.results],
+        formulas=_formulas(kernel),
+        singular=[bullet(factor) for factor in low.hypotheses],
+        claims=[(number, _claim(catalogue, kernel, number)) for number in kernel.claims],
+        figures=figures,
+        accuracy=_accuracy(figures),
+        plot=accuracy_plot(figures.accuracy),
+        operations=_operations(low),
+        bound=f"{BOUND:g}",
+    )
+
+
+def _claim(catalogue: Catalogue, kernel: Kernel, number: str) -> Entry | None:
+    return catalogue.by_number.get((kernel.paper, number))
+
+
+def _batched(shape: tuple[int, ...]) -> str:
+    return f"({', '.join(['...', *map(str, shape)])})"
+
+
+def _arguments(kernel: Kernel) -> Table:
+    rows = [
+        (Markup("<code>{}</code>").format(a.name), _batched(a.shape), _entries(a.entries), kernel.describe[a.name])
+        for a in kernel.arguments
+    ]
+    return Table("Arguments", ("name", "shape", "entries", "meaning"), rows)
+
+
+def _entries(expression: Any) -> Markup:
+    return inline(expression, most=60) or Markup("entries")
+
+
+def _formulas(kernel: Kernel) -> list[Markup]:
+    """Return how the results are computed: values on the way, abbreviations, results."""
+    lines = [line for stage in kernel.stages for line in _stage(stage)]
+    lines += [equation(presentation(symbol), expression) for symbol, expression in kernel.where]
+    return lines + [equation(f"<mi>{escape(result.name)}</mi>", result.form) for result in kernel.results]
+
+
+def _stage(stage: Stage) -> list[Markup]:
+    if stage.primitive == "let":
+        return [equation(presentation(s), entry) for s, entry in zip(stage.results, entries(stage.form), strict=True)]
+    names = Markup(", ").join(inline(symbol) or Markup() for symbol in stage.results)
+    return [Markup("<p>{} {}</p>{}").format(names, _PRIMITIVES[stage.primitive], block(stage.form).html)]
+
+
+def _accuracy(figures: Verification) -> Table:
+    strata = figures.accuracy.strata
+    rows = [(f"{k} {s.name}", *_figures(s)) for k, s in enumerate(strata, 1)]
+    rows.append(("all", *_figures(figures.accuracy.overall)))
+    headings = ("stratum", "samples", "median ULP", "largest ULP", "largest error/(cond u)", "undetermined")
+    return Table("Errors against 50 digits of the derivation", headings, rows, numeric=True)
+
+
+def _figures(stratum: Stratum) -> tuple[str, ...]:
+    return (
+        str(stratum.samples),
+        f"{stratum.median_ulp:.2f}",
+        f"{stratum.max_ulp:.3g}",
+        f"{stratum.max_ratio:.2f}",
+        str(stratum.undetermined),
+    )
+
+
+def _operations(low: Lowered) -> Table:
+    counts = operation_counts(low)
+    by_kind = low.program.operations()
+    listed = ", ".join(f"{count} {kind}" for kind, count in sorted(by_kind.items(), key=str) if count)
+    rows = [
+        ("the derived expression as written", str(counts.derived), ""),
+        ("after common subexpressions of SymPy", str(counts.sympy_cse), ""),
+        ("the generated program", str(counts.program), listed),
+    ]
+    return Table("Operations", ("of", "count", "which"), rows)

@@ -1,0 +1,40 @@
+"""All files of the site."""
+
+from __future__ import annotations
+
+import json
+
+from algebroproj_sym.declaring import VERDICTS
+from algebroproj_sym.reporting.ledger import ledger
+from algebroproj_sym.reporting.site.addresses import LEDGER, SEARCH, START
+from algebroproj_sym.reporting.site.catalogue import Catalogue
+from algebroproj_sym.reporting.site.claim_pages import claim_files, paper_files
+from algebroproj_sym.reporting.site.folder import MARKER
+from algebroproj_sym.reporting.site.function_pages import function_files
+from algebroproj_sym.reporting.site.search import search_script
+from algebroproj_sym.reporting.site.templating import page, static
+
+
+def render_site(catalogue: Catalogue) -> dict[str, str]:
+    """Return the text of each file of the site by its address.
+
+    Parameters
+    ----------
+    catalogue : Catalogue
+        What the site is about.
+    """
+    record = ledger([entry.judgement for entry in catalogue.entries], timed=False)
+    files = {
+        START: page("start", START, catalogue=catalogue, verdicts=VERDICTS),
+        SEARCH: page("search", SEARCH, catalogue=catalogue),
+        MARKER: search_script(catalogue),
+        LEDGER: json.dumps(record, indent=1, ensure_ascii=False) + "\n",
+        "style.css": static("style.css"),
+        "search.js": static("search.js"),
+    }
+    records = iter(record["claims"])
+    for paper in catalogue.papers:
+        files |= paper_files(catalogue, paper)
+        for place in range(len(paper.entries)):
+            files |= claim_files(catalogue, paper, place, next(records))
+    return files | function_files(catalogue)

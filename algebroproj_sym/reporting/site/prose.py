@@ -1,0 +1,26 @@
+"""Notes as HTML: numbers of claims become links."""
+
+from __future__ import annotations
+
+import re
+
+from markupsafe import Markup, escape
+
+from algebroproj_sym.reporting.site.addresses import relative
+from algebroproj_sym.reporting.site.catalogue import Catalogue
+
+_NUMBER = re.compile(
+    r"(?<![\w./#-])(?:table:)?\d+[a-z]?(?:\.\d+|/[^\s/#,;()]*[^\s/#,;().:])+(?:#[^\s,;()]*[^\s,;().:])?"
+)
+
+
+def linked(text: str, paper: str, page: str, catalogue: Catalogue) -> Markup:
+    """Return a text, escaped, with links to the claims of a paper that it names."""
+    result, end = Markup(), 0
+    for match in _NUMBER.finditer(text):
+        entry = catalogue.by_number.get((paper, match.group()))
+        if entry is None or entry.page == page:
+            continue
+        link = Markup('<a href="{}">{}</a>').format(relative(entry.page, page), entry.number)
+        result, end = result + escape(text[end : match.start()]) + link, match.end()
+    return result + escape(text[end:])

@@ -1,0 +1,47 @@
+"""The index of the search: numbers, titles and symbols, as a script that a page can load from disk."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from typing import Any
+
+from algebroproj_sym.declaring import Claim
+from algebroproj_sym.declaring.names import plain_name
+from algebroproj_sym.expressions import symbols_of
+from algebroproj_sym.reporting.site.catalogue import Catalogue
+
+MOST_SYMBOLS = 60
+
+
+def search_index(catalogue: Catalogue) -> list[list[str]]:
+    """Return an entry for each claim and function: address, where, number or name, title, verdict, symbols."""
+    claims = [
+        [entry.page, entry.paper, entry.number, entry.title, entry.verdict, _symbols(entry.judgement.claim)]
+        for entry in catalogue.entries
+    ]
+    functions = [
+        [f.page, "function", f.name, f.lowered.kernel.summary, "", _spelled(f.lowered.kernel.symbols)]
+        for f in catalogue.functions
+    ]
+    return claims + functions
+
+
+def search_script(catalogue: Catalogue) -> str:
+    """Return the index as JavaScript; what could end the script element or a line is escaped."""
+    lines = [json.dumps(entry, ensure_ascii=True).replace("<", "\\u003c") for entry in search_index(catalogue)]
+    return "const SEARCH_INDEX = [\n" + ",\n".join(lines) + "\n];\n"
+
+
+def _symbols(claim: Claim) -> str:
+    forms = [form for form in (claim.printed, claim.corrected, claim.derived) if _has_symbols(form)]
+    return _spelled(symbols_of(forms)) if forms else ""
+
+
+def _has_symbols(form: Any) -> bool:
+    return hasattr(form, "free_symbols")
+
+
+def _spelled(symbols: Iterable[Any]) -> str:
+    names = sorted({symbol.name for symbol in symbols})[:MOST_SYMBOLS]
+    return " ".join(dict.fromkeys(spelling for name in names for spelling in (name, plain_name(name))))

@@ -1,0 +1,18 @@
+"""Tables as the templates take them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markupsafe import Markup
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table with a caption; the first cell of a row is its heading."""
+
+    caption: str
+    headings: tuple[str, ...]
+    rows: Sequence[Sequence[str | Markup]]
+    numeric: bool = False

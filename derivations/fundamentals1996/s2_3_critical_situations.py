@@ -1,0 +1,753 @@
+# %% [markdown]
+# # 2.3 Critical situations of projective image correlation
+#
+# The eight equations of section 2.2 fail where their determinant vanishes.  Five points beside the basic points decide
+# about that, through a determinant of quadratic forms: as a function of one of the points it is a quadric.  What the
+# paper says about it is judged here; s2_3_factorisation goes on from there.
+
+# %%
+import sympy
+
+from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import (
+    M_star,
+    homogeneous_center,
+    mu_of_y0,
+    u_of_y,
+)
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import (
+    Z,
+    basic_rows,
+    design,
+    differences,
+    polynomials,
+    primed,
+    reduced,
+    remaining,
+    up1,
+    up2,
+    upp1,
+    upp2,
+)
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import (
+    Matrix,
+    columns,
+    determinant,
+    divided,
+    dot,
+    homogeneous,
+    linear_system,
+    over,
+    vector,
+)
+
+section = Section("fundamentals1996", "2.3", "Critical situations of projective image correlation")
+
+# %% [markdown]
+# ## Image coordinates
+#
+# The rows of $\mathbf M^*$ are $\mathbf m_0^T, \mathbf m_1^T, \mathbf m_2^T$; applied to $(1, \mathbf y)$ they are the
+# denominator $d$ and the numerators $n_1, n_2$ of the image coordinates.
+
+# %%
+M = M_star[:3, :]
+point = homogeneous(vector(y1, y2, y3))
+d, n1, n2, yj = sympy.symbols("d n1 n2 yj")
+image = u_of_y.subs(mu0, 1)
+denominator = 1 + (mu1 - 1) * y1 + (mu2 - 1) * y2 + (mu3 - 1) * y3
+
+section.identity(
+    "2.3.1",
+    "image coordinates",
+    printed=vector((yj * mu1 + y3 * u31 * mu3) / denominator, (yj * mu2 + y3 * u32 * mu3) / denominator),
+    derived=image,
+    expect="misprint",
+    corrected=vector((y1 * mu1 + y3 * u31 * mu3) / denominator, (y2 * mu2 + y3 * u32 * mu3) / denominator),
+    note="The first term of the numerator has y with the index j of the sum, of which there is one in the denominator "
+    "only; (1.3.1), to which the text refers, has y_i.  The coordinates of the sum carry a second index i that no "
+    "coordinate can have in a formula for one point; it is left out here.  The scan alone cannot tell a slip of the "
+    "scan from one of the print.",
+)
+section.identity(
+    "2.3.1#forms",
+    "image coordinates as quotients of linear forms",
+    printed=vector(n1 / d, n2 / d),
+    where={d: dot(M.row(0).T, point), n1: dot(M.row(1).T, point), n2: dot(M.row(2).T, point)},
+    derived=image,
+)
+section.identity("2.3/d", "the denominator", printed=denominator, derived=(M * point)[0])
+section.identity(
+    "2.3/n",
+    "the numerators",
+    printed=vector(y1 * mu1 + y3 * mu3, y2 * mu2 + y3 * mu3),
+    derived=(M * point)[1:, :],
+    expect="misprint",
+    corrected=vector(y1 * mu1 + y3 * u31 * mu3, y2 * mu2 + y3 * u32 * mu3),
+    note="The image coordinate u_3i of the fourth basic point is missing in the second term; (2.3.1) has it.",
+)
+
+# %% [markdown]
+# ## The determinant of the eight equations
+#
+# `homologous` are the forms $(d', n'_1, n'_2)$ and $(d'', n''_1, n''_2)$ of one point.
+
+# %%
+dp, n1p, n2p, dpp, n1pp, n2pp = sympy.symbols("dp n1p n2p dpp n1pp n2pp")
+left, right = vector(dp, n1p, n2p), vector(dpp, n1pp, n2pp)
+quotients = {up1: over(n1p, dp), up2: over(n2p, dp), upp1: over(n1pp, dpp), upp2: over(n2pp, dpp)}
+M_left, M_right = primed(M, "p"), primed(M, "pp")
+
+
+def homologous(y: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
+    return dict(zip((*left, *right), (*(M_left * y), *(M_right * y)), strict=True))
+
+
+d1p, d2p, d1pp, d2pp = sympy.symbols("d1p d2p d1pp d2pp")
+section.identity(
+    "2.3.2",
+    "the matrix of the eight equations in object coordinates",
+    printed=Matrix(
+        [
+            [1, 0, 0, 0, 0, 0, 0, 0],
+            [1, 1, 0, 1, 0, 0, 0, 0],
+            [1, 0, 1, 0, 0, 1, 0, 1],
+            [
+                1,
+                n1pp / d1pp,
+                n2pp / d2pp,
+                n1p * n1pp / (d1p * d1pp),
+                n1p * n2pp / (d1p * d2pp),
+                n2p / d2p,
+                n2p * n1pp / (d2p * d1pp),
+                n2p * n2pp / (d2p * d2pp),
+            ],
+        ]
+    ),
+    where={denominators: homologous(point)[dp] for denominators in (d1p, d2p)}
+    | {denominators: homologous(point)[dpp] for denominators in (d1pp, d2pp)}
+    | homologous(point),
+    derived=basic_rows.col_join(design.xreplace(quotients).xreplace(homologous(point)))[:, :8],
+    note="The rows of the basic points and the row of one of the points 3 to 7.  d with two indices, d_1k and d_2k, is "
+    "the one denominator d_k of both coordinates.",
+)
+
+# %% [markdown]
+# The first row is a unit vector: row and column leave the determinant.  $u'_{ik}$ and $u''_{ik}$ stand for the
+# quotients.
+
+
+# %%
+def at(row: Matrix, index: int) -> Matrix:
+    """Return a row, or an entry, for the image points with an index."""
+    symbols = sympy.symbols(f"up{index}1 up{index}2 upp{index}1 upp{index}2")
+    return row.xreplace(dict(zip((up1, up2, upp1, upp2), symbols, strict=True)))
+
+
+GENERAL = range(3, 8)
+A8 = basic_rows.col_join(Matrix.vstack(*(at(design, index) for index in GENERAL)))[:, :8]
+A7 = A8[1:, 1:]
+section.identity("2.3/A7", "the determinants of A8 and A7", printed=determinant(A7), derived=determinant(A8))
+
+# %% [markdown]
+# ## Six determinants of five points
+#
+# $\mathbf A_7$ has two ones in its first row, the second row of $\mathbf A_8$, and three in its second row.
+
+
+# %%
+def expanded(row: int, kept: tuple[int, ...]) -> list[tuple[int, tuple[int, ...]]]:
+    """Return signs and columns of the minors that the ones of a row of A7 leave of some columns."""
+    ones = [place for place, column in enumerate(kept) if A7[row, column] == 1]
+    return [((-1) ** place, kept[:place] + kept[place + 1 :]) for place in ones]
+
+
+minors = [(sign * second, five) for sign, six in expanded(0, tuple(range(7))) for second, five in expanded(1, six)]
+subdeterminants = vector(*(sign * determinant(A7[2:, list(five)]) for sign, five in minors))
+
+entry = {
+    "1": upp1,
+    "2": upp2,
+    "11": up1 * upp1,
+    "12": up1 * upp2,
+    "20": up2,
+    "21": up2 * upp1,
+    "22": up2 * upp2,
+}
+
+
+def partial(sign: int, *names: str) -> sympy.Expr:
+    """Return a subdeterminant whose columns are printed as products of image coordinates."""
+    return sign * determinant(Matrix.vstack(*(at(Matrix([[entry[name] for name in names]]), k) for k in GENERAL)))
+
+
+printed_terms = [
+    partial(1, "11", "12", "20", "21", "22"),
+    partial(-1, "2", "11", "12", "21", "22"),
+    partial(-1, "2", "11", "12", "20", "22"),
+    partial(-1, "1", "12", "20", "21", "22"),
+    partial(-1, "1", "2", "12", "21", "22"),
+    partial(-1, "1", "20", "12", "20", "21"),
+]
+SLIPS = {
+    2: (
+        partial(-1, "2", "11", "12", "20", "21"),
+        "The ones of columns 01 and 22 leave the columns 02, 11, 12, 20 and 21: the last numerator must be n'2 n''1 "
+        "over d'2 d''1, not n'2 n''2.  The sentence on complete coplanarity needs the columns 12 and 21 together in "
+        "every determinant.",
+    ),
+    5: (
+        partial(-1, "1", "2", "12", "20", "21"),
+        "The second column must be n''2 over d''2; the print repeats its fourth column, n'2 over d'2, so that the "
+        "printed determinant is zero.",
+    ),
+}
+UNSURE = "  Signs and other columns are right.  The scan alone cannot tell a slip of the scan from one of the print."
+for place, printed_term in enumerate(printed_terms):
+    slip = SLIPS.get(place)
+    section.identity(
+        f"2.3/A7#{place + 1}",
+        f"subdeterminant {place + 1} of the expansion",
+        printed=printed_term,
+        derived=subdeterminants[place],
+        **({"expect": "misprint", "corrected": slip[0], "note": slip[1] + UNSURE} if slip else {}),
+    )
+section.identity(
+    "2.3/A7#sum",
+    "the determinant of A7 as a sum of six determinants",
+    printed=sympy.Add(*printed_terms),
+    derived=determinant(A7),
+    expect="misprint",
+    corrected=sympy.Add(*(SLIPS[place][0] if place in SLIPS else term for place, term in enumerate(printed_terms))),
+    note="With the third and the sixth determinant corrected; the six signs are right.",
+)
+
+# %% [markdown]
+# ## Coplanar points
+#
+# In the plane of $G_0, G_1, G_2$ the two images are related by a projectivity, and the columns 12 and 21 are
+# proportional.  In the following the row of a point is multiplied by its $d' d''$.
+
+# %%
+in_plane = {y3: sympy.Integer(0)}
+mup1, mup2, mup3 = primed(mu, "p")
+mupp1, mupp2, mupp3 = primed(mu, "pp")
+flat_left, flat_right = M_left[:, :3], M_right[:, :3]
+
+section.identity(
+    "2.3/coplanar#columns",
+    "proportional columns",
+    printed=vector(mup1 * mupp2 * y1 * y2 / (dp * dpp), mup2 * mupp1 * y1 * y2 / (dp * dpp)),
+    where={symbol: homologous(point.xreplace(in_plane))[symbol] for symbol in (dp, dpp)},
+    derived=vector(entry["12"], entry["21"]).xreplace(quotients).xreplace(homologous(point.xreplace(in_plane))),
+    note="The print shows the first of the two columns, with the index k of the point.",
+)
+
+
+# %%
+def on_plane(k: int) -> Matrix:
+    return vector(1, *sympy.symbols(f"y{k}1 y{k}2"), 0)
+
+
+def in_space(k: int) -> Matrix:
+    return vector(1, *sympy.symbols(f"y{k}(1:4)"))
+
+
+def as_forms(row: Matrix) -> Matrix:
+    """Return a row of products of image coordinates, multiplied by d' d''."""
+    return (dp * dpp * row.xreplace({symbol: quotient.doit() for symbol, quotient in quotients.items()})).expand()
+
+
+A7_forms = as_forms(design[:, 1:8])
+rows_on_plane = Matrix.vstack(*(A7_forms.xreplace(homologous(on_plane(k))) for k in GENERAL))
+section.identity(
+    "2.3/coplanar",
+    "all six determinants vanish for coplanar points",
+    printed=Matrix.zeros(6, 1),
+    derived=vector(*(determinant(rows_on_plane[:, list(five)]) for _, five in minors)),
+    note="The determinants as derived.  The third one as printed vanishes as well, but not for proportional columns.",
+)
+
+# %% [markdown]
+# The plane holds three independent conics through the basic points, hence the five columns of $\mathbf A_5$ below have
+# rank 3 there: four of five points in the plane are too many, three are not.
+
+# %%
+five_forms = divided(linear_system([dot(left, Z * right)], remaining)[0])
+
+
+def forms_at(y: Matrix) -> Matrix:
+    return five_forms.xreplace(homologous(y))
+
+
+section.rank(
+    "2.3/beyond/coplanar-rank",
+    "rank of the equations of coplanar points",
+    printed=3,
+    derived=Matrix.vstack(*(forms_at(on_plane(k)) for k in GENERAL)),
+    kernel=[
+        vector(0, mup2 * mupp1, 0, -mup1 * mupp2, 0),
+        vector(0, over(mup2 * (mup1 - mupp1), mup1), mupp2, 0, mup2 - mupp2),
+    ],
+    note="Not in the paper, which only has that the rank is not 5.",
+)
+section.identity(
+    "2.3/two-points",
+    "the determinant vanishes if only one point is outside the plane",
+    printed=0,
+    derived=determinant(Matrix.vstack(*(forms_at(on_plane(k)) for k in range(4, 8)), forms_at(in_space(3)))),
+    note="At least two of the points 3 to 7 have to be outside the plane.  One of them may be G3; nothing is special "
+    "about it.",
+)
+section.rank(
+    "2.3/six-coplanar",
+    "six points may be coplanar",
+    printed=5,
+    derived=Matrix.vstack(*(forms_at(on_plane(k)) for k in range(3, 6)), *(forms_at(in_space(k)) for k in (6, 7))),
+    note="The three basic points and three others in their plane, two points outside of it: the equations are "
+    "independent in general.",
+)
+section.up_to_scale(
+    "2.3/projectivity",
+    "images of a plane are related by a projectivity",
+    printed=flat_right * flat_left.adjugate() * M_left * on_plane(3),
+    derived=M_right * on_plane(3),
+    note="Rectification is the subject of section 1.6, as the text says.",
+)
+section.vanishing(
+    "2.3/projectivity#regular",
+    "where the projectivity is regular",
+    printed=(mup1, mup2, mupp1, mupp2),
+    derived=determinant(flat_right * flat_left),
+)
+
+# %% [markdown]
+# ## The determinant of five equations
+#
+# Column operations leave one 1 in each of the first two rows of $\mathbf A_7$: column 01 is subtracted from column 11,
+# and column 02 from the columns 20 and 22.
+
+# %%
+operations = Matrix(7, 7, lambda i, j: int(i == j) - int((i, j) in ((0, 2), (1, 4), (1, 6))))
+A7_reduced = A7 * operations
+A5 = Matrix.vstack(*(at(reduced[:, :5], index) for index in GENERAL))
+section.identity(
+    "2.3/A5#rows",
+    "A7 after the column operations",
+    printed=Matrix.eye(7)[:2, :],
+    derived=A7_reduced[:2, :],
+    note="The first column is subtracted from the third, the second from the fifth and the seventh, as the text says.  "
+    "The determinant is then expanded twice along the first row, in which the first column alone has an element; the "
+    "text says that it is expanded along the first columns.",
+)
+section.identity(
+    "2.3/A5",
+    "the determinant is that of the five equations (2.2.4)",
+    printed=determinant(A5),
+    derived=determinant(A7),
+)
+m0_left, m1_left, m2_left = (M_left.row(i).T for i in range(3))
+m0_right, m1_right, m2_right = (M_right.row(i).T for i in range(3))
+planes = {
+    "11": (m1_right, m1_left - m0_left),
+    "12": (m1_left, m2_right),
+    "21": (m2_left, m1_right),
+    "22": (m2_right, m2_left - m0_left),
+}
+outer = {name: dot(point, first) * dot(second, point) for name, (first, second) in planes.items()}
+outer["20"] = dot(point, (m2_left * m0_right.T - m2_right * m0_left.T) * point)
+both_denominators = dot(m0_left, point) * dot(m0_right, point)
+COLUMNS = ("11", "12", "20", "21", "22")
+PRIMES = (
+    "The scan shows two primes as one and a double prime with T as TT.  With single primes only, as scanned, no row of "
+    "the second image would be left, and the third entry would vanish.  The equation (2.2.4), to which the text "
+    "refers, decides which rows belong to which image; where the scan shows TT it agrees."
+)
+for place, name in enumerate(COLUMNS):
+    section.identity(
+        f"2.3/A5#{place + 1}",
+        f"entry {place + 1} of a row of A5",
+        printed=None,
+        derived=reduced[0, place].xreplace(quotients).xreplace(homologous(point)),
+        expect="illegible",
+        corrected=outer[name] / both_denominators,
+        note=f"The column of z{name}.  {PRIMES}",
+    )
+
+# %% [markdown]
+# The denominators are common to a row: only the numerators, quadratic forms of $(1, \mathbf y)$, decide.
+
+
+# %%
+def numbered(row: Matrix, k: int) -> Matrix:
+    return row.xreplace({symbol: sympy.Symbol(f"{symbol.name}_{k}") for symbol in (*left, *right)})
+
+
+section.identity(
+    "2.3/denominators",
+    "the denominators cancel out",
+    printed=determinant(Matrix.vstack(*(numbered(five_forms, k) for k in GENERAL))),
+    derived=determinant(Matrix.vstack(*(numbered(reduced[:, :5].xreplace(quotients), k) for k in GENERAL)))
+    * sympy.Mul(*(numbered(Matrix([[dp * dpp]]), k)[0] for k in GENERAL)),
+)
+
+# %% [markdown]
+# ## The quadric
+#
+# The rows 3 to 6 are any numbers here.  $D_l$ is the minor without column $l$.
+
+# %%
+fixed_rows = Matrix(4, 5, sympy.symbols("f(3:7)(1:6)"))
+D1, D2, D3, D4, D5 = D = sympy.symbols("D1:6")
+
+
+def minors_of(matrix: Matrix) -> list[sympy.Expr]:
+    """Return the minors of a matrix of four rows and five columns, each without one column."""
+    return [determinant(columns(*(matrix.col(j) for j in range(5) if j != skipped))) for skipped in range(5)]
+
+
+section.identity(
+    "2.3.3",
+    "the determinant as a function of the last point",
+    printed=None,
+    where=dict(zip(D, minors_of(fixed_rows), strict=True)),
+    derived=determinant(fixed_rows.col_join(forms_at(point))),
+    expect="illegible",
+    corrected=outer["11"] * D1 - outer["12"] * D2 + outer["20"] * D3 - outer["21"] * D4 + outer["22"] * D5,
+    note=f"The five signs are legible and right.  {PRIMES}",
+)
+
+# %% [markdown]
+# With the signs the minors are the elements of a matrix $\mathbf X$ that has the pattern of $\mathbf Z$ but for a zero
+# in the place of the 1: the quadratic form is $(\mathbf M' \mathbf y)^T \mathbf X (\mathbf M'' \mathbf y)$.
+
+# %%
+signed = dict(zip(remaining, (D1, -D2, D3, -D4, D5), strict=True))
+X = divided(Z - Z.xreplace(dict.fromkeys(remaining, sympy.Integer(0)))).xreplace(signed)
+bilinear = M_left.T * X * M_right
+
+
+def quadric(camera_left: Matrix, camera_right: Matrix) -> Matrix:
+    """Return the symmetric matrix of the quadric, as a function of the minors."""
+    product = camera_left.T * X * camera_right
+    return (product + product.T).applyfunc(lambda entry: over(entry, 2) if entry != 0 else entry)
+
+
+Q_of_minors = quadric(M_left, M_right)
+surface = dot(point, bilinear * point)
+
+section.identity(
+    "2.3/X",
+    "the equation of the quadric is bilinear in the images",
+    printed=outer["11"] * D1 - outer["12"] * D2 + outer["20"] * D3 - outer["21"] * D4 + outer["22"] * D5,
+    derived=surface,
+)
+section.identity(
+    "2.3/Q",
+    "the quadric as a symmetric matrix",
+    printed=dot(point, Q_of_minors * point),
+    derived=dot(forms_at(point), vector(D1, -D2, D3, -D4, D5)),
+    note="Q consists of the minors and of symmetrised outer products of the rows of both matrices.",
+)
+four_points = [in_space(k) for k in range(3, 7)]
+minors_of_points = dict(zip(D, minors_of(Matrix.vstack(*map(forms_at, four_points))), strict=True))
+section.identity(
+    "2.3/beyond/expanded",
+    "the determinant of two cameras and five points as a function of the last point",
+    printed=dot(M_left * point, X * (M_right * point)),
+    where=minors_of_points,
+    derived=determinant(Matrix.vstack(*map(forms_at, (*four_points, point)))),
+    note="Not in the paper: both sides as polynomials in all 25 variables.",
+)
+
+# %% [markdown]
+# ## Points of the quadric
+#
+# A center is taken to zero by the matrix of its image, (1.1.7).
+
+# %%
+center_left, center_right = primed(homogeneous_center, "p"), primed(homogeneous_center, "pp")
+section.identity(
+    "2.3/centers#rows",
+    "the rows of each matrix, at the center of its image",
+    printed=Matrix.zeros(3, 2),
+    derived=columns(M_left * center_left, M_right * center_right),
+)
+
+
+def surface_at(y: Matrix) -> sympy.Expr:
+    return dot(y, Q_of_minors * y)
+
+
+section.identity(
+    "2.3/centers",
+    "both centers are points of the quadric",
+    printed=vector(0, 0),
+    derived=vector(surface_at(center_left), surface_at(center_right)),
+    note="For any minors D.",
+)
+section.identity(
+    "2.3/beyond/fixed-points",
+    "the four fixed points are points of the quadric",
+    printed=Matrix.zeros(4, 1),
+    derived=vector(*(determinant(fixed_rows.col_join(fixed_rows[k, :])) for k in range(4))),
+    note="Not in the paper: a determinant with two equal rows.  The fifth point is one exactly if the determinant "
+    "vanishes, by (2.3.3).",
+)
+basic_points = [homogeneous(e) for e in (e0, e1, e2)]
+section.identity(
+    "2.3/beyond/basic-points",
+    "the basic points of the images are points of the quadric",
+    printed=Matrix.zeros(3, 5),
+    derived=Matrix.vstack(*map(forms_at, basic_points)),
+    note="Not in the paper: each of the five forms vanishes at G0, G1 and G2, hence the whole quadric does.  Where the "
+    "determinant vanishes ten points lie on it, not seven.",
+)
+up31, up32, upp31, upp32 = (*primed(fourth_image, "p"), *primed(fourth_image, "pp"))
+section.vanishing(
+    "2.3/beyond/G3",
+    "the fourth basic point is not a point of the quadric in general",
+    printed=(mup3, mupp3, dot(vector(1, up31, up32), X * vector(1, upp31, upp32))),
+    derived=surface_at(homogeneous(e3)),
+    note="Not in the paper: G3 lies on it exactly if its images satisfy the bilinear equation, as for any other point.",
+)
+
+# %% [markdown]
+# ## Which quadrics are critical
+#
+# Through seven points there is always a quadric, and in general many.  Five points and the centers on a ruled quadric
+# make the determinant vanish only if $G_0$, $G_1$ and $G_2$ lie on it as well.
+
+
+# %%
+def monomials(y: Matrix) -> Matrix:
+    """Return the ten products of homogeneous coordinates, in a row."""
+    return Matrix([[y[i] * y[j] for i in range(4) for j in range(i, 4)]])
+
+
+def camera(position: Matrix, fourth: Matrix) -> Matrix:
+    """Return the matrix of projection of a camera from its center and the image of G3."""
+    values = {**dict(zip(center, position, strict=True)), **dict(zip(fourth_image, fourth, strict=True))}
+    return M.xreplace(values | dict(zip(mu, divided(mu_of_y0).xreplace(values), strict=True)))
+
+
+FOURTH_LEFT, FOURTH_RIGHT = vector(2, 1), vector(3, 1)
+
+
+def equations(camera_left: Matrix, camera_right: Matrix, points: list[Matrix]) -> Matrix:
+    """Return the numerators of A5 for two cameras and homogeneous points."""
+    images = [dict(zip((*left, *right), (*(camera_left * y), *(camera_right * y)), strict=True)) for y in points]
+    return Matrix.vstack(*(five_forms.xreplace(each) for each in images))
+
+
+saddle = [vector(a, b, a * b + 1) for a, b in ((2, 1), (-1, 2), (3, 2), (1, 3), (-2, -1), (1, -2), (4, -1))]
+saddle_cameras = camera(saddle[0], FOURTH_LEFT), camera(saddle[1], FOURTH_RIGHT)
+section.rank(
+    "2.3/singular-if",
+    "A5 is singular if five points and the centers lie on a ruled quadric",
+    printed=4,
+    derived=equations(*saddle_cameras, [homogeneous(y) for y in saddle[2:]]),
+    expect="false",
+    instead="2.3/beyond/theorem",
+    note="Both centers and the points 3 to 7 lie on the hyperbolic paraboloid y3 = y1 y2 + 1, the basic points do not: "
+    "A5 is regular.  The sentence is right if its quadric is the one of (2.3.3), on which the basic points lie.  "
+    "Nor is a quadric necessary: 2.3/beyond/normalisation#A5.",
+)
+section.rank(
+    "2.3/beyond/seven-points",
+    "conditions that seven points impose on a quadric",
+    printed=7,
+    derived=Matrix.vstack(*(monomials(in_space(k)) for k in range(1, 8))),
+    note="Not in the paper: seven conditions for ten coefficients leave quadrics through any seven points.",
+)
+
+# %% [markdown]
+# The sphere with the diameter $G_0$ to $(1, 1, 1)$ goes through the basic points; the second intersections of lines
+# through $G_0$ are rational points of it.
+
+
+# %%
+def second_intersection(quadric: Matrix, direction: Matrix) -> Matrix:
+    """Return where a line from G0, a point of the quadric, meets it again."""
+    towards = vector(0, *direction)
+    factor = -2 * dot(quadric.row(0).T, towards) / dot(towards, quadric * towards)
+    return vector(1, *(factor * direction))
+
+
+DIRECTIONS = [
+    vector(*each) for each in ((3, 1, 1), (1, -3, 4), (0, 0, 1), (2, 3, -1), (1, 4, 2), (-1, 2, 6), (5, 2, 2))
+]
+
+
+def on_quadric(quadric: Matrix) -> tuple[Matrix, Matrix, list[Matrix]]:
+    """Return two cameras and five points with all centers and points on a quadric."""
+    first, second, *points = [second_intersection(quadric, direction) for direction in DIRECTIONS]
+    return camera(first[1:, :], FOURTH_LEFT), camera(second[1:, :], FOURTH_RIGHT), points
+
+
+def diagonal(a: int, b: int, c: int) -> Matrix:
+    """Return the matrix of 2a (y1^2 - y1) + 2b (y2^2 - y2) + 2c (y3^2 - y3)."""
+    return Matrix([[0, -a, -b, -c], [-a, 2 * a, 0, 0], [-b, 0, 2 * b, 0], [-c, 0, 0, 2 * c]])
+
+
+def dependence(matrix: Matrix) -> Matrix:
+    """Return what a singular matrix of five rows takes to zero."""
+    m1, m2, m3, m4, m5 = minors_of(matrix[:4, :])
+    return vector(m1, -m2, m3, -m4, m5)
+
+
+sphere = equations(*on_quadric(diagonal(1, 1, 1)))
+section.rank(
+    "2.3/ruled",
+    "A5 is regular on a quadric that is not ruled",
+    printed=5,
+    derived=sphere,
+    kernel=[dependence(sphere)],
+    expect="false",
+    instead="2.3/beyond/theorem",
+    note="What it means that the critical surfaces are ruled.  Both centers, the basic points, G3 as point 3 and four "
+    "further points lie on a sphere, with regular cameras: A5 has rank 4.  For relative orientation itself only ruled "
+    "quadrics are critical, but the linear equations fail on every quadric: see 2.3/beyond/discriminant.",
+)
+
+# %% [markdown]
+# ## Vanishing columns
+#
+# If the form of one column is zero at all five points, the determinant is zero.  That is no surface beside the general
+# one: such a form is a special $\mathbf Q$.
+
+# %%
+any_rows = Matrix(5, 5, sympy.symbols("f(3:8)(1:6)"))
+without = [columns(*(any_rows.col(j) * int(j != zero) for j in range(5))) for zero in range(5)]
+section.identity(
+    "2.3/columns",
+    "a vanishing column makes the determinant vanish",
+    printed=Matrix.zeros(5, 1),
+    derived=vector(*map(determinant, without)),
+)
+section.identity(
+    "2.3/columns#centers",
+    "the surface of every column contains both centers",
+    printed=Matrix.zeros(2, 5),
+    derived=Matrix.vstack(forms_at(center_left), forms_at(center_right)),
+)
+for place, (name, minor) in enumerate(zip(COLUMNS, D, strict=True)):
+    column_quadric = Q_of_minors.xreplace({symbol: sympy.Integer(int(symbol == minor)) for symbol in D})
+    if name in planes:
+        first, second = planes[name]
+        section.up_to_scale(
+            f"2.3/beyond/column#{place + 1}",
+            f"the surface of column {place + 1} is a pair of planes",
+            printed=first * second.T + second * first.T,
+            derived=column_quadric,
+            note="Not in the paper: one plane through each center.",
+        )
+    else:
+        section.identity(
+            f"2.3/beyond/column#{place + 1}",
+            f"the surface of column {place + 1} is a ruled quadric",
+            printed=over(determinant(columns(m2_left, m0_right, m2_right, m0_left)) ** 2, 16),
+            derived=determinant(column_quadric),
+            note="Not in the paper: the surface m2' m0'' = m2'' m0' carries lines, and its determinant is a square.",
+        )
+
+# %% [markdown]
+# ## Rasters
+#
+# Let the third axis be vertical.  In Gruber's arrangement two columns of points go through the two nadir points: all
+# points, and the centers above the nadir points, lie in two vertical planes, whatever the heights.  The condition for
+# a center in the plane $y_1 = 0$ is $u'_{31} = 0$, the one for $y_1 = 1$ is solved for $u''_{31}$.  The equations are
+# those for all six elements, $c_{10}$ the last one: it is not the division that fails.
+
+# %%
+six_forms = five_forms.row_join(Matrix([[n1p * dpp - dp * n1pp]]))
+C0 = polynomials.xreplace(differences)
+in_columns = {
+    up31: sympy.Integer(0),
+    upp31: over(mupp2 * (mupp3 - 1) - upp32 * (mupp2 - 1) * mupp3, mupp2 * mupp3),
+}
+section.identity(
+    "2.3/gruber#centers",
+    "the centers are in the planes of the columns",
+    printed=vector(0, 0),
+    derived=vector(center_left[1], center_right[1] - center_right[0]).xreplace(in_columns),
+)
+
+
+def on_column(k: int, column: int) -> Matrix:
+    return vector(1, column, *sympy.symbols(f"y{k}2 y{k}3"))
+
+
+two_columns = [on_column(k, int(k > 4)) for k in GENERAL]
+section.rank(
+    "2.3/gruber",
+    "two columns of points through the nadir points",
+    printed=4,
+    derived=Matrix.vstack(*(six_forms.xreplace(homologous(y)) for y in two_columns)).xreplace(in_columns),
+    kernel=[
+        vector(1, (mupp2 - 1) / mupp2, 0, 0, 0, -1),
+        vector(*(C0[i, j] for i, j in ((1, 1), (1, 2), (2, 0), (2, 1), (2, 2), (1, 0)))).xreplace(in_columns),
+    ],
+    note="G0, G2 and two points in one column, G1 and three points in the other, all heights and distances free.  The "
+    "first kernel vector stands for the pair of planes, the second one for the true matrix of correlation.  Where a "
+    "row of the raster from G0 to G1 is parallel to the base, the division fails as well: 2.3/beyond/divisor#parallel.",
+)
+
+# %% [markdown]
+# But a regular raster as such is not critical, if the heights are irregular.
+
+# %%
+raster = [(1, 1), (-1, 0), (-1, 1), (-1, -1), (1, -1)]
+section.rank(
+    "2.3/irregular",
+    "a regular raster of points makes the equations singular",
+    printed=4,
+    derived=Matrix.vstack(
+        *(forms_at(vector(1, *node, sympy.Symbol(f"y{k}3"))) for k, node in zip(GENERAL, raster, strict=True))
+    ),
+    expect="false",
+    instead="2.3/beyond/theorem",
+    note="What it means that the distribution in the ground plan must be irregular.  Eight nodes of a square raster of "
+    "nine, with general heights and cameras, give five independent equations.  The special raster of Gruber's "
+    "arrangement is critical: 2.3/gruber.",
+)
+
+# %% [markdown]
+# ## Code
+#
+# The determinant stays a nested product of shared minors.
+
+# %%
+ABOUT_IMAGES = "five points (u1, u2) in affine coordinates, referred to the images of G0, G1, G2; dimensionless."
+factored_row = Matrix([[upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1)]])
+five_left, five_right = (Matrix(5, 2, sympy.symbols(f"{name}(3:8)(1:3)")) for name in ("up", "upp"))
+section.kernel(
+    "critical.determinant",
+    "Determinant of the five equations for the matrix of correlation.",
+    arguments={"u_left": five_left, "u_right": five_right},
+    describe={"u_left": f"Left image: {ABOUT_IMAGES}", "u_right": f"Right image: {ABOUT_IMAGES}"},
+    derived=determinant(A8),
+    form=determinant(Matrix.vstack(*(at(factored_row, index) for index in GENERAL))),
+    claims=["2.3/A7", "2.3/A5"],
+    example={
+        "u_left": (("0.25", "0.125"), ("0.625", "0.75"), ("-0.5", "0.875"), ("1.25", "-0.375"), ("0.75", "1.5")),
+        "u_right": (("0.3125", "-0.25"), ("0.5", "0.875"), ("-0.625", "0.75"), ("1.125", "-0.25"), ("0.875", "1.25")),
+    },
+    normwise=True,
+)
+Q = Matrix(4, 4, sympy.symbols("q:4:4"))
+section.kernel(
+    "critical.algebraic_distance",
+    "Value of the quadratic form of a quadric at a point; zero on the quadric.",
+    arguments={"Q": Q, "y": vector(y1, y2, y3)},
+    describe={
+        "Q": "Quadric in homogeneous coordinates (1, y1, y2, y3), as critical.quadric gives it; all entries are used.",
+        "y": "Point (y1, y2, y3) in affine coordinates; dimensionless.",
+    },
+    derived=dot(point, Q * point),
+    claims=["2.3/Q"],
+    example={
+        "Q": (("0", "-1", "-1", "-1"), ("-1", "2", "0", "0"), ("-1", "0", "2", "0"), ("-1", "0", "0", "2")),
+        "y": ("0.625", "0.75", "0.25"),
+    },
+)

@@ -1,0 +1,340 @@
+# %% [markdown]
+# # 1.2 Orientation from image correlation
+#
+# Homologous projectors and the base lie in one plane.  In image coordinates this is a bilinear equation, whose matrix
+# $\mathbf C$ is the correlation of the two images.
+
+# %%
+from itertools import combinations, product
+
+import sympy
+
+from algebroproj_derivations.normalcase1992.notation import *
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, adjugate, columns, cross, determinant, dot, over, vector
+
+section = Section("normalcase1992", "1.2", "Orientation from image correlation")
+
+# %% [markdown]
+# ## Coplanarity
+
+# %%
+lam_p, lam_pp = sympy.symbols("lam_p lam_pp")
+p_left, p_right = (vector(*sympy.symbols(f"p1{primes} p2{primes} p3{primes}")) for primes in ("p", "pp"))
+X0_left, X0_right = (vector(*sympy.symbols(f"X01{primes} X02{primes} X03{primes}")) for primes in ("p", "pp"))
+model_point = X0_right + lam_pp * p_right
+
+section.identity(
+    "1.2.1",
+    "condition of intersection with the base",
+    printed=b + lam_pp * p_right,
+    where=dict(zip(b, X0_right - X0_left, strict=True)),
+    derived=model_point - X0_left,
+    note="The left member lambda' p' is X - X0', from (1.1.1).",
+)
+section.identity("1.2/perpendicular", "a product that vanishes", printed=0, derived=dot(cross(p_right, b), p_right))
+meeting = (b + lam_pp * p_right).applyfunc(lambda component: over(component, lam_p))
+section.identity(
+    "1.2.2",
+    "condition of coplanarity",
+    printed=0,
+    derived=dot(cross(meeting, b), p_right),
+    note="With p' from (1.2.1).",
+)
+section.identity(
+    "1.2/beyond/coplanarity",
+    "the condition is that base and projectors are linearly dependent",
+    printed=determinant(columns(p_left, b, p_right)),
+    derived=dot(cross(p_left, b), p_right),
+    note="Not in the paper: where it holds, p' and p'' intersect or are parallel.",
+)
+b1, b2, b3 = b
+section.identity(
+    "1.2/B",
+    "matrix of the base",
+    printed=p_left.T * Matrix([[0, -b3, b2], [b3, 0, -b1], [-b2, b1, 0]]),
+    derived=cross(p_left, b).T,
+    note="Rows on both sides; a product from the left, B p = b x p, has the opposite sign.",
+)
+coplanarity = dot(cross(R_left * x_left, b), R_right * x_right)
+C = correlation(R_left, R_right, b)
+section.identity(
+    "1.2.3",
+    "condition of coplanarity in image coordinates",
+    printed=vector(
+        dot(R_left * x_left, matrix_of_base(b) * R_right * x_right),
+        dot(x_left, R_left.T * matrix_of_base(b) * R_right * x_right),
+        dot(x_left, C * x_right),
+    ),
+    derived=vector(*(coplanarity,) * 3),
+    note="The scan loses some of the primes.",
+)
+
+# %% [markdown]
+# ## The elements
+#
+# Triple products of the base and one axis of each image.
+
+# %%
+axes_left, axes_right = ([matrix.col(k) for k in range(3)] for matrix in (R_left, R_right))
+section.identity(
+    "1.2.4",
+    "matrix of correlation by triple products",
+    printed=Matrix(3, 3, lambda row, column: dot(cross(axes_right[column], axes_left[row]), b)),
+    derived=C,
+    note="The product of matrices, and then its nine elements.  The scan reads the single prime as 1 in two rows.",
+)
+
+# %% [markdown]
+# ## First property: epipoles
+#
+# The epipole is the image of the other center.  As rotations keep products of vectors, $\mathbf C$ takes the epipole of
+# $P''$ to zero, $\mathbf C^T$ that of $P'$; the other image may then have any matrix of orientation.
+
+# %%
+turned_left, turned_right = rotation(*sympy.symbols("q0:4")), rotation(*sympy.symbols("r0:4"))
+epipole_left, epipole_right = turned_left.T * b, turned_right.T * b
+section.identity(
+    "1.2.5#left",
+    "epipole of the left image",
+    printed=vector(0, 0, 0),
+    derived=correlation(turned_left, R_right, b).T * epipole_left,
+)
+section.identity(
+    "1.2.5#right",
+    "epipole of the right image",
+    printed=vector(0, 0, 0),
+    derived=correlation(R_left, turned_right, b) * epipole_right,
+)
+section.rank(
+    "1.2/rank",
+    "rank of the matrix of correlation",
+    printed=2,
+    derived=correlation(R_left, turned_right, b),
+    kernel=[epipole_right],
+)
+section.identity(
+    "1.2/beyond/cofactors",
+    "the adjugate of a rotation is its transpose",
+    printed=turned_left.T,
+    derived=adjugate(turned_left),
+    note="Not in the paper.",
+)
+section.identity(
+    "1.2/beyond/adjugate",
+    "the adjugate is the product of both epipoles",
+    printed=(adjugate(R_right) * b) * (adjugate(R_left) * b).T,
+    derived=adjugate(C),
+    note="Not in the paper.  For rotations the factors are R''^T b and R'^T b, with the sign of the base in both.",
+)
+
+# %% [markdown]
+# ## Second property: epipolar lines
+#
+# The epipolar line of a point joins the epipole and the image of the projector of the other point.
+
+# %%
+h_left, h_right = C * x_right, C.T * x_left
+section.definition("1.2.6", "dualistic transformations", printed=columns(h_left, h_right))
+section.identity(
+    "1.2.6#incidence",
+    "the lines contain the homologous points where the condition of coplanarity holds",
+    printed=vector(dot(h_left, x_left), dot(h_right, x_right)),
+    derived=vector(coplanarity, coplanarity),
+)
+section.up_to_scale(
+    "1.2.6#left",
+    "epipolar line in the left image",
+    printed=correlation(turned_left, R_right, b) * x_right,
+    derived=cross(turned_left.T * b, turned_left.T * R_right * x_right),
+    note="Derived is the line that joins the epipole of P' and the image in P' of the projector p''.",
+)
+section.up_to_scale(
+    "1.2.6#right",
+    "epipolar line in the right image",
+    printed=correlation(R_left, turned_right, b).T * x_left,
+    derived=cross(turned_right.T * b, turned_right.T * R_left * x_left),
+)
+
+# %% [markdown]
+# ## The homogeneous matrix
+
+# %%
+c_any = Matrix(3, 3, lambda row, column: sympy.Symbol(f"c{row + 1}{column + 1}"))
+z_any = Matrix(3, 3, lambda row, column: sympy.Symbol(f"z{row + 1}{column + 1}"))
+c32 = c_any[2, 1]
+OF_C = {z_any[place]: over(c_any[place], c32) for place in product(range(3), repeat=2)}
+Z = z_any.xreplace(OF_C)
+section.identity(
+    "1.2.7",
+    "division by one element",
+    printed=columns(c32 * z_any, vector(z_any[2, 1], 0, 0)),
+    where=OF_C,
+    derived=columns(c_any, vector(1, 0, 0)),
+    note="The last column is Z32 = 1.",
+)
+section.identity(
+    "1.2/c32",
+    "in the normal case the divisor is the first component of the base",
+    printed=matrix_of_base(b),
+    derived=correlation(E3, E3, b),
+    note="What 'probably the biggest' rests on: c32 = b1, beside -b1, b2, b3 and their opposites.  Rotations can make "
+    "c32 vanish, see 2.1/beyond/c32.",
+)
+section.up_to_scale(
+    "1.2/homogeneous#h'",
+    "the homogeneous matrix gives the same lines in the left image",
+    printed=Z * x_right,
+    derived=c_any * x_right,
+)
+section.up_to_scale(
+    "1.2/homogeneous#h''",
+    "the homogeneous matrix gives the same lines in the right image",
+    printed=Z.T * x_left,
+    derived=c_any.T * x_left,
+)
+null = vector(*sympy.symbols("n1:4"))
+section.identity(
+    "1.2/homogeneous#epipoles",
+    "the homogeneous matrix gives the same epipoles",
+    printed=columns(c32 * (Z * null), c32 * (Z.T * null)),
+    derived=columns(c_any * null, c_any.T * null),
+    note="For any vector: one side vanishes where the other does.",
+)
+
+# %% [markdown]
+# ## Eight points
+#
+# Each pair of homologous points gives one equation, linear in the elements of $\mathbf C$: the row of the products of
+# coordinates.  Eight rows that are independent fix $\mathbf C$ but for a factor.
+
+
+# %%
+def equation(left: Matrix, right: Matrix) -> Matrix:
+    """Return the coefficients of the nine elements of C, row by row."""
+    return Matrix(1, 9, [p * q for p in left for q in right])
+
+
+def design(left: list[Matrix], right: list[Matrix]) -> Matrix:
+    return Matrix.vstack(*(equation(p, q) for p, q in zip(left, right, strict=True)))
+
+
+section.identity(
+    "1.2/row",
+    "one equation for the elements of the matrix of correlation",
+    printed=dot(x_left, c_any * x_right),
+    derived=(equation(x_left, x_right) * vector(*c_any))[0],
+)
+
+# %% [markdown]
+# A common rotation of all projectors of an image is a regular transformation of the elements of $\mathbf C$ and leaves
+# the rank as it is: projectors instead of image points will do.
+
+# %%
+points = [vector(*sympy.symbols(f"X1_{n} X2_{n} X3_{n}")) for n in range(1, 9)]
+correlation_of_projectors = vector(*matrix_of_base(unit_base))
+
+
+def design_of_points(model_points: list[Matrix]) -> Matrix:
+    return design(model_points, [point - unit_base for point in model_points])
+
+
+section.rank(
+    "1.2/eight",
+    "eight points determine the matrix of correlation but for a factor",
+    printed=8,
+    derived=design_of_points(points),
+    kernel=[correlation_of_projectors],
+    note="Eight points in general position, in the system of the left projectors, with the base as unit.",
+)
+
+# %% [markdown]
+# ### Singular systems
+#
+# A plane model gives a plane projectivity $\mathbf x' \sim \mathbf H \mathbf x''$ between the images, and not eight
+# but six independent equations.
+
+# %%
+H = Matrix(3, 3, sympy.symbols("h:3:3"))
+plane_right = [image_vector(*sympy.symbols(f"x{n} y{n}")) for n in range(1, 9)]
+section.rank(
+    "1.2/spatial",
+    "a plane model does not determine the matrix of correlation",
+    printed=6,
+    derived=design([H * point for point in plane_right], plane_right),
+    kernel=[vector(*(matrix_of_base(axis) * H)) for axis in (e1, e2, e3)],
+    note="The text says that the model must be spatial, or the system of eight unknowns is singular; the rank itself "
+    "is not in the paper.",
+)
+
+# %% [markdown]
+# No four points in one plane: is the system then regular?  All points for which a second matrix
+# $\mathbf F \ne \mathbf C$ satisfies $\mathbf p'^T \mathbf F \mathbf p'' = 0$ lie on a quadric through both centers.
+# With $\mathbf p' = \mathbf X$ and $\mathbf p'' = \mathbf X - \mathbf b$, one such quadric is
+# $X_1 (X_1 - 1) + X_2 X_3 = 0$.
+
+# %%
+on_quadric = [point.xreplace({point[2]: over(point[0] * (1 - point[0]), point[1])}) for point in points]
+second_solution = vector(1, 0, 0, 0, 0, 1, 0, 0, 0)
+critical_points = [
+    vector(*point)
+    for point in (
+        (-5, 5, -6),
+        (5, 1, -20),
+        (-6, 7, -6),
+        (-3, 3, -4),
+        (-5, 3, -10),
+        (4, 1, -12),
+        (3, 2, -3),
+        (3, 6, -1),
+    )
+]
+coplanar = [
+    four for four in combinations(critical_points, 4) if determinant(Matrix([[1, *point] for point in four])) == 0
+]
+section.numeric(
+    "1.2/beyond/no-four-coplanar",
+    "number of coplanar quadruples among eight points of the quadric",
+    printed="0",
+    derived=len(coplanar),
+    note="Not in the paper: the points of the counterexample 1.2/four-coplanar.",
+)
+section.rank(
+    "1.2/four-coplanar",
+    "eight points of which no four are coplanar give a regular system",
+    printed=8,
+    derived=design_of_points(critical_points),
+    kernel=[correlation_of_projectors, second_solution],
+    expect="false",
+    instead="1.2/beyond/critical",
+    note="The advice to keep every point away from the planes of three others, read as a means that avoids singular "
+    "systems.  It does not avoid the critical quadrics.",
+)
+section.rank(
+    "1.2/beyond/critical",
+    "points of a quadric through both centers do not determine the matrix of correlation",
+    printed=7,
+    derived=design_of_points(on_quadric),
+    kernel=[correlation_of_projectors, second_solution],
+    note="Not in the paper: any eight points of the quadric; the centers (0, 0, 0) and (1, 0, 0) lie on it as well.",
+)
+four_coplanar = [
+    vector(*point)
+    for point in (
+        (0, 1, -5),
+        (1, -1, -5),
+        (2, 1, -5),
+        (-1, 2, -5),
+        (1, 3, -7),
+        (2, -2, -4),
+        (-2, -1, -6),
+        (3, 2, -4),
+    )
+]
+section.rank(
+    "1.2/beyond/four-coplanar",
+    "four coplanar points need not make the system singular",
+    printed=8,
+    derived=design_of_points(four_coplanar),
+    note="Not in the paper: the first four points have the same third coordinate.  Nor is the advice necessary.",
+)

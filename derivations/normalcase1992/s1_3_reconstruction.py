@@ -1,0 +1,182 @@
+# %% [markdown]
+# # 1.3 Reconstruction of the model
+#
+# In the normal case both matrices of orientation are $\mathbf E$: what remains of the condition of intersection is
+# linear in the two factors.
+
+# %%
+import sympy
+
+from algebroproj_derivations.normalcase1992.notation import *
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import columns, cross, dot, linear_system, over, solve, vector
+
+section = Section("normalcase1992", "1.3", "Reconstruction of the model")
+
+# %%
+lam_n, lam_p, lam_pp = sympy.symbols("lam_n lam_p lam_pp")
+X0_left = vector(*sympy.symbols("X01 X02 X03"))
+X0_right = X0_left + b
+X = vector(*sympy.symbols("X1 X2 X3"))
+PROJECTED = dict(zip((xp, yp, xpp, ypp), (*image_of(X - X0_left), *image_of(X - X0_right)), strict=True))
+PROJECTED |= {lam_p: over((X0_left - X)[2], c), lam_pp: over((X0_right - X)[2], c)}
+section.identity(
+    "1.3/difference",
+    "difference of the two formulas of reconstruction",
+    printed=None,
+    where=PROJECTED,
+    derived=b,
+    expect="illegible",
+    corrected=lam_p * x_left - lam_pp * x_right,
+    note="The scan leaves 'lambda x - lambda x = -b' without primes, with remains of the multiplication by y_N behind "
+    "it. The images of a point satisfy lambda' x' - lambda'' x'' = b; the other sign goes with the other order of the "
+    "terms.  (1.3.1) follows from either.",
+)
+difference = (X0_left + lam_p * x_left) - (X0_right + lam_pp * x_right)
+
+# %% [markdown]
+# ## The factors
+#
+# A vector $\mathbf y_N = (c, 0, x_N)^T$ is perpendicular to $\mathbf x_N$.  The factors are derived without it, from
+# the first and third component.
+
+# %%
+y_left, y_right = vector(c, 0, xp), vector(c, 0, xpp)
+b1, b2, b3 = b
+section.identity(
+    "1.3/y",
+    "the auxiliary vectors are perpendicular to the image vectors",
+    printed=vector(0, 0),
+    derived=vector(dot(x_left, y_left), dot(x_right, y_right)),
+)
+factor_left, factor_right = solve(*linear_system([difference[0], difference[2]], [lam_p, lam_pp]))
+section.identity(
+    "1.3.1#left",
+    "factor of the left image",
+    printed=over(dot(b, y_right), dot(x_left, y_right)),
+    derived=factor_left,
+)
+section.identity(
+    "1.3.1#right",
+    "factor of the right image",
+    printed=-over(dot(b, y_left), dot(x_right, y_left)),
+    derived=factor_right,
+)
+
+# %% [markdown]
+# ## Rotational relative orientation
+#
+# The base is $(1, 0, 0)^T$, and both factors are the reciprocal of the parallax.
+
+# %%
+AT_UNIT_BASE = dict(zip(b, unit_base, strict=True))
+section.identity(
+    "1.3/products#b",
+    "product with the base",
+    printed=vector(c, c),
+    derived=vector(dot(unit_base, y_left), dot(unit_base, y_right)),
+)
+section.identity(
+    "1.3/products#left",
+    "product of the left image vector and the right auxiliary vector",
+    printed=c * (xp - xpp),
+    derived=dot(x_left, y_right),
+)
+section.identity(
+    "1.3/products#right",
+    "product of the right image vector and the left auxiliary vector",
+    printed=c * (xp - xpp),
+    derived=dot(x_right, y_left),
+    expect="misprint",
+    corrected=c * (xpp - xp),
+    note="The scan repeats the right side of the product before, and reads x''.y'' on the left, which would be zero.  "
+    "The denominator of lambda'' in (1.3.1) is x''.y', and only c (x'' - x') leads to (1.3.2).  A slip of the scan "
+    "cannot be told from one of the print.",
+)
+section.identity(
+    "1.3.2",
+    "factor of reconstruction, the same for both images",
+    printed=vector(1 / (xp - xpp), 1 / (xp - xpp)),
+    derived=vector(factor_left, factor_right).subs(AT_UNIT_BASE),
+)
+factor = factor_left.subs(AT_UNIT_BASE)
+parallax = sympy.Symbol("parallax")
+section.limit(
+    "1.3/infinity",
+    "the factor is infinite for equal abscissas",
+    printed=0,
+    derived=over(1, factor).subs(xpp, xp - parallax),
+    variable=parallax,
+    note="The reciprocal of the factor goes to zero.",
+)
+section.identity(
+    "1.3/parallel",
+    "equal abscissas indicate parallel projectors",
+    printed=vector(0, 0, 0),
+    derived=cross(x_left, x_right),
+    constraints=[xp - xpp, yp - ypp],
+    note="Homologous points, whose ordinates are equal by (3.1.2).",
+)
+
+# %% [markdown]
+# ## The model
+#
+# A point, projected into both images of the normal case, is reconstructed from them.
+
+# %%
+X0_right = X0_left + unit_base
+IMAGES = {symbol: PROJECTED[symbol].subs(AT_UNIT_BASE) for symbol in (xp, yp, xpp, ypp)}
+IN_NORMAL_CASE = IMAGES | {lam_n: factor.xreplace(IMAGES)}
+section.identity(
+    "1.3.3",
+    "reconstruction from either image",
+    printed=columns(X0_left + lam_n * x_left, X0_right + lam_n * x_right),
+    where=IN_NORMAL_CASE,
+    derived=columns(X, X),
+)
+section.identity(
+    "1.3/check",
+    "the double determination is a check of the ordinates",
+    printed=factor * vector(0, yp - ypp, 0),
+    derived=(X0_left + factor * x_left) - (X0_right + factor * x_right),
+    note="'Enables the check': the two results agree exactly if the ordinates do, whatever the abscissas are.",
+)
+section.identity(
+    "1.3.4",
+    "factor as the ratio of two distances",
+    printed=vector(
+        over(dot(X - X0_left, X - X0_left), dot(x_left, x_left)),
+        over(dot(X - X0_right, X - X0_right), dot(x_right, x_right)),
+    ),
+    where=IMAGES,
+    derived=vector(factor**2, factor**2).xreplace(IMAGES),
+    note="Squares of both members, for both images; the scan has capitals in the denominator, x_N.x_N is meant.  The "
+    "root is positive: the equation holds where the parallax x' - x'' is positive, that is for points in front.",
+)
+section.identity(
+    "1.3/beyond/sign",
+    "sign of the factor",
+    printed=over(-X[2] + X0_left[2], c),
+    derived=factor.xreplace(IMAGES),
+    note="Not in the paper: positive for points in front of both cameras, whose third coordinate is below the centers.",
+)
+
+# %% [markdown]
+# ## Code
+#
+# The left center of projection is the origin of the model, the base its unit of length.
+
+# %%
+section.kernel(
+    "metric.reconstruct",
+    "Model point from homologous points of the normal case, with the left center as origin and the base as unit.",
+    arguments={"x_left": vector(xp, yp), "x_right": vector(xpp, ypp), "c": c},
+    describe={
+        "x_left": "Left image point (x', y') of the normal case, in the unit of c.",
+        "x_right": "Right image point (x'', y'') of the normal case, in the unit of c; y'' = y' is not used.",
+        "c": ABOUT_C,
+    },
+    derived=over(1, xp - xpp) * x_left,
+    claims=["1.3.1#left", "1.3.2", "1.3.3"],
+    example={"x_left": ("12.5", "-3.25"), "x_right": ("-7.5", "-3.25"), "c": "50"},
+)

@@ -1,0 +1,349 @@
+# %% [markdown]
+# # 2.2 Computation of the parameters
+#
+# The epipoles give tip and swing of each image; one column of $\mathbf Z$ then gives the tilt.
+
+# %%
+import sympy
+
+from algebroproj_derivations.normalcase1992.notation import *
+from algebroproj_derivations.normalcase1992.s2_1_rotations import CIRCLES_LEFT, PYTHAGOREAN, R_p, R_pp
+from algebroproj_sym import Section
+from algebroproj_sym.declaring import arctan2, cos_sin, let
+from algebroproj_sym.expressions import Matrix, adjugate, dot, over, vector
+
+section = Section("normalcase1992", "2.2", "Computation of the parameters")
+
+# %% [markdown]
+# ## Epipoles
+#
+# They are the images of the base, that is of the other center of projection.  The factor of an epipole may have either
+# sign.
+
+# %%
+X0_left = vector(*sympy.symbols("X01 X02 X03"))
+X0_right = X0_left + unit_base
+base_left, base_right = R_p.T * (X0_right - X0_left), R_pp.T * (X0_left - X0_right)
+
+section.identity(
+    "2.2/zero",
+    "the matrix of correlation takes the epipole to zero",
+    printed=vector(0, 0, 0),
+    derived=correlation(R_p, R_right, unit_base).T * base_left,
+    constraints=CIRCLES_LEFT,
+    witness=PYTHAGOREAN,
+    note="The left epipole; for both, and all rotations, see (1.2.5).",
+)
+section.identity(
+    "2.2/base#left",
+    "image of the base in the left image",
+    printed=vector(c_phip * c_kappap, -c_phip * s_kappap, s_phip),
+    derived=base_left,
+)
+section.identity(
+    "2.2/base#right",
+    "image of the base in the right image",
+    printed=-vector(c_phipp * c_kappapp, -c_phipp * s_kappapp, s_phipp),
+    derived=base_right,
+    note="The scan has lost double primes.",
+)
+section.identity(
+    "2.2/independent",
+    "the epipoles do not depend on the tilt",
+    printed=Matrix.zeros(3, 1),
+    derived=derivative(base_right, OMEGA),
+)
+
+# %% [markdown]
+# ## Tip and swing
+#
+# $\lambda_0 (x_0, y_0, -c)^T$ is the image of the base.
+
+# %%
+lam0, x0, y0, root = sympy.symbols("lam0 x0 y0 rho")
+
+
+def epipole(base_image: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
+    return dict(
+        zip(
+            (x0, y0, c), (over(base_image[0], lam0), over(base_image[1], lam0), over(-base_image[2], lam0)), strict=True
+        )
+    )
+
+
+IMAGES = (
+    ("'", "left", epipole(base_left), PHI_LEFT, KAPPA_LEFT),
+    ("''", "right", epipole(base_right), PHI_RIGHT, KAPPA_RIGHT),
+)
+for primes, image, coordinates, (_, _), (c_kappa, s_kappa) in IMAGES:
+    section.identity(
+        f"2.2/2.3.1#kappa{primes}",
+        f"swing of the {image} image",
+        printed=-y0 / x0,
+        where=coordinates,
+        derived=over(s_kappa, c_kappa),
+    )
+
+# %% [markdown]
+# The root $\sqrt{x_0^2 + y_0^2}$ is $\cos\varphi / |\lambda_0|$.  With the factors positive, as in the displays, the
+# sign of $\sin\varphi = \mp c \lambda_0$ differs between the images.
+
+# %%
+for primes, image, coordinates, (c_phi, _), (c_kappa, s_kappa) in IMAGES:
+    section.identity(
+        f"2.2/root{primes}",
+        f"the root of the {image} image",
+        printed=(x0**2 + y0**2).xreplace(coordinates),
+        derived=over(c_phi, lam0) ** 2,
+        constraints=[on_circle(c_kappa, s_kappa)],
+        witness=PYTHAGOREAN,
+        note="It is cos phi / lambda0 where cosine and factor have the same sign.",
+    )
+section.identity(
+    "2.2/2.3.1#phi'",
+    "tip of the left image",
+    printed=-c / root,
+    where=IMAGES[0][2] | {root: over(c_phip, lam0)},
+    derived=over(s_phip, c_phip),
+    note="With a positive factor lambda0', that is x0' > 0 if cos kappa' > 0; for x0' < 0 the sign is the other.",
+)
+section.identity(
+    "2.2/2.3.1#phi''",
+    "tip of the right image",
+    printed=-c / root,
+    where=IMAGES[1][2] | {root: over(c_phipp, lam0)},
+    derived=over(s_phipp, c_phipp),
+    expect="misprint",
+    corrected=c / root,
+    note="The equation is printed for both images.  With a positive factor lambda0'', that is x0'' < 0 if cos kappa'' "
+    "> 0, the minus sign of the image of the base turns the sign around: in the example x0'' is -178.264 and phi'' "
+    "+17.799 gon, not -17.8.  Ruled out: a negative factor, which means x0'' > 0, and a swing near 200 gon, which the "
+    "correlation excludes, because it ties the signs of both epipoles (2.2/beyond/epipoles).",
+)
+for primes, image, coordinates, (c_phi, s_phi), (c_kappa, _) in IMAGES:
+    section.identity(
+        f"2.2/beyond/phi{primes}",
+        f"tip of the {image} image with its sign",
+        printed=-c * c_kappa / x0,
+        where=coordinates,
+        derived=over(s_phi, c_phi),
+        note="Not in the paper: the same equation for both images, whatever the sign of the factor.",
+    )
+
+# %% [markdown]
+# ## Tilt
+#
+# The third column of (2.1.3), with $k'_2 = 0$ and $\mathbf k''$ of (2.1.1).
+
+# %%
+i2, i3, j2, j3, k3 = sympy.symbols("i2p i3p j2p j3p k3p")
+c32, z13, z23, z33 = sympy.symbols("c32 z13 z23 z33")
+left = R_left.subs(sympy.Symbol("k2p"), 0)
+column = correlation(left, R_pp, unit_base).col(2)
+SIGN = (
+    "The sign of the whole left side is missing: c13 = i3' k2'' - i2' k3'' with k2'' = -sin Omega'' cos phi'' and "
+    "k3'' = cos Omega'' cos phi''.  The last of the three equations has its sign, and (2.3.2) needs this one: from the "
+    "printed one the tangent would follow with the opposite sign, and with that of i3' or j3' changed.  A slip of the "
+    "scan cannot be told from one of the print."
+)
+for place, (u2, u3) in enumerate(((i2, i3), (j2, j3))):
+    section.identity(
+        f"2.2/tilt#{place + 1}3",
+        f"element c{place + 1}3",
+        printed=(u2 * c_omega + u3 * s_omega) * c_phipp,
+        derived=column[place],
+        expect="misprint",
+        corrected=-(u2 * c_omega + u3 * s_omega) * c_phipp,
+        note=SIGN,
+    )
+section.identity("2.2/tilt#33", "element c33", printed=-k3 * s_omega * c_phipp, derived=column[2])
+OF_C = dict(zip((z13, z23, z33), (over(element, c32) for element in column), strict=True))
+section.identity(
+    "2.2/cosine",
+    "cosine of the tip from the last equation",
+    printed=c32 * z33 / (-k3 * s_omega),
+    where=OF_C,
+    derived=c_phipp,
+)
+tangents = over(z33 * i2, z13 * k3 - z33 * i3), over(z33 * j2, z23 * k3 - z33 * j3)
+section.identity(
+    "2.2/2.3.2",
+    "both forms of the tangent of the tilt",
+    printed=vector(*tangents),
+    where=OF_C,
+    derived=vector(*(over(s_omega, c_omega),) * 2),
+    note="For an exact matrix of correlation.  The tangent gives the tilt up to 200 gon, see 2.2/beyond/opposite.",
+)
+rates = derivative(correlation(R_p, R_pp, unit_base), OMEGA)
+section.structure(
+    "2.2/any",
+    "the tilt occurs in every element of the matrix of correlation",
+    printed=Matrix(3, 3, sympy.symbols("d:3:3")),
+    derived=rates,
+    note="None of the derivatives is identically zero: any element will do.",
+)
+
+# %% [markdown]
+# ### Two forms
+#
+# For a measured $\mathbf Z$ the two forms differ, unless the left epipole satisfies the equation of the third column,
+# the third component of $\mathbf Z^T \mathbf x'_0 = \mathbf 0$.
+
+# %%
+AT_LEFT = {
+    symbol: R_p[row, column_] for row, column_, symbol in ((1, 0, i2), (2, 0, i3), (1, 1, j2), (2, 1, j3), (2, 2, k3))
+}
+third_component = dot(R_p.row(0), vector(z13, z23, z33))
+first_product = (z33 * i2 * (z23 * k3 - z33 * j3)).xreplace(AT_LEFT)
+second_product = (z33 * j2 * (z13 * k3 - z33 * i3)).xreplace(AT_LEFT)
+section.identity(
+    "2.2/symmetric",
+    "the two forms agree where the epipole satisfies the equation of the third column",
+    printed=first_product,
+    derived=second_product,
+    constraints=[third_component, *CIRCLES_LEFT],
+    witness=PYTHAGOREAN | {z13: 0, z23: 5, z33: 4},
+    note="Multiplied out.  If det(Z) = 0, the left epipole satisfies all three equations and the forms agree, even "
+    "where Z is no correlation of calibrated images.",
+)
+section.identity(
+    "2.2/beyond/difference",
+    "difference of the two forms",
+    printed=-z33 * third_component,
+    derived=first_product - second_product,
+    constraints=CIRCLES_LEFT,
+    witness=PYTHAGOREAN,
+    note="Not in the paper: times both denominators.  The condition is necessary as well, unless z33 = 0.",
+)
+
+# %% [markdown]
+# ## Quadrants
+#
+# $\mathbf Z$ has no sign, and neither has an epipole.  Which angles belong to the same matrix?
+
+
+# %%
+def opposite(*angle: sympy.Symbol) -> tuple[sympy.Expr, ...]:
+    return tuple(-value for value in angle)
+
+
+def reversed_angle(cosine: sympy.Symbol, sine: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
+    return cosine, -sine
+
+
+C = correlation(R_p, R_pp, unit_base)
+tip_and_swing = turn_phi(*PHI_RIGHT) * turn_kappa(*KAPPA_RIGHT)
+section.identity(
+    "2.2/beyond/opposite",
+    "a tilt that differs by half a turn changes the sign of the matrix",
+    printed=-C,
+    derived=correlation(R_p, turn_omega(*opposite(*OMEGA)) * tip_and_swing, unit_base),
+    note="Not in the paper: a homogeneous matrix does not tell the two apart; points in front of both images do.",
+)
+half_turned_left = turn_phi(*reversed_angle(*PHI_LEFT)) * turn_kappa(*opposite(*KAPPA_LEFT))
+half_turned_right = (
+    turn_omega(*reversed_angle(*OMEGA)) * turn_phi(*reversed_angle(*PHI_RIGHT)) * turn_kappa(*opposite(*KAPPA_RIGHT))
+)
+section.identity(
+    "2.2/beyond/half-turn",
+    "both swings increased by half a turn and the other angles reversed change the sign of the matrix",
+    printed=-C,
+    derived=correlation(half_turned_left, half_turned_right, unit_base),
+    note="Not in the paper: the model turned by half a turn about its third axis, so that the base points the other "
+    "way. cos kappa' > 0 excludes it.",
+)
+
+# %% [markdown]
+# Nothing else is ambiguous, for the adjugate ties the signs of both epipoles: it is $\mathbf x''_0 \mathbf x'^T_0$
+# (section 1.2), with both vectors along the base.  A multiple of each with the right sign, if $i'_1 > 0$:
+
+# %%
+u, v = vector(*sympy.symbols("u1:4")), vector(*sympy.symbols("v1:4"))
+A = u * v.T
+section.identity(
+    "2.2/beyond/epipoles",
+    "both epipoles with their signs from the adjugate",
+    printed=Matrix.hstack(dot(u, u) * v[0] * v, dot(u, u) * dot(v, v) * v[0] * u),
+    derived=Matrix.hstack(A.T * A * e1, A * A.T * A * e1),
+    note="Not in the paper: u and v are the epipoles x0'' and x0', directed along the base, whatever the factor of C.",
+)
+turned = R_p * C
+section.identity(
+    "2.2/beyond/tilt",
+    "cosine and sine of the tilt from the matrix and the left orientation",
+    printed=vector(-c_omega * c_phipp, -s_omega * c_phipp),
+    derived=vector(turned[1, 2], turned[2, 2]),
+    constraints=CIRCLES_LEFT,
+    witness=PYTHAGOREAN,
+    note="Not in the paper: the third column of R' C, which uses all three equations of the third column and in which "
+    "the factor of C cancels from the tangent.",
+)
+
+# %% [markdown]
+# ## Code
+#
+# The five angles from the adjugate $\mathbf A$ of any multiple of $\mathbf C$, with $\cos\kappa'$, $\cos\varphi'$,
+# $\cos\Omega''$ and $\cos\varphi''$ positive and $\kappa''$ anywhere.
+
+# %%
+C_symbols = Matrix(3, 3, lambda row, column: sympy.Symbol(f"c{row + 1}{column + 1}"))
+A_symbols = Matrix(3, 3, lambda row, column: sympy.Symbol(f"a{row + 1}{column + 1}"))
+axis_left, axis_right = vector(*sympy.symbols("u1p u2p u3p")), vector(*sympy.symbols("u1pp u2pp u3pp"))
+phi_left, kappa_left, tilt, phi_right, kappa_right = sympy.symbols("phip kappap omegapp phipp kappapp")
+turned = R_p * C_symbols
+
+
+def named(symbols: Matrix, values: Matrix):
+    return let(dict(zip(symbols, values, strict=True)))
+
+
+def tip_of(axis: Matrix, cosine: sympy.Symbol, sine: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
+    """Return sine and cosine of the tip, times the length of the vector along the base."""
+    return axis[2], axis[0] * cosine - axis[1] * sine
+
+
+section.kernel(
+    "metric.rotations_from_correlation",
+    "Tip and swing of the left image, tilt, tip and swing of the right image from the matrix of correlation.",
+    arguments={"C": C_symbols, "c": c},
+    describe={
+        "C": "Matrix of correlation R'^T B R'' of image vectors (x, y, -c), up to any factor.",
+        "c": "Principal distance c of the image vectors to which C refers, in their unit; as C refers to whole "
+        "vectors, the angles do not depend on it.",
+    },
+    through=[
+        named(A_symbols, adjugate(C_symbols)),
+        named(axis_left, A_symbols.T * A_symbols.col(0)),
+        named(axis_right, A_symbols * axis_left),
+        arctan2(kappa_left, -axis_left[1], axis_left[0]),
+        cos_sin(*KAPPA_LEFT, kappa_left),
+        arctan2(phi_left, *tip_of(axis_left, *KAPPA_LEFT)),
+        cos_sin(*PHI_LEFT, phi_left),
+        arctan2(kappa_right, -axis_right[1], axis_right[0]),
+        cos_sin(*KAPPA_RIGHT, kappa_right),
+        arctan2(phi_right, *tip_of(axis_right, *KAPPA_RIGHT)),
+        arctan2(tilt, turned[2, 2] * turned[1, 2], turned[1, 2] ** 2),
+    ],
+    derived={
+        "phi_left": phi_left,
+        "kappa_left": kappa_left,
+        "omega_right": tilt,
+        "phi_right": phi_right,
+        "kappa_right": kappa_right,
+    },
+    claims=[
+        "1.2/beyond/adjugate",
+        "1.2/beyond/cofactors",
+        "2.2/base#left",
+        "2.2/base#right",
+        "2.2/beyond/epipoles",
+        "2.2/beyond/tilt",
+        "2.2/beyond/opposite",
+        "2.2/beyond/half-turn",
+    ],
+    example={
+        "C": (("-0.004", "0.266", "0.011"), ("0.285", "0.017", "-0.995"), ("-0.007", "1", "0.013")),
+        "c": "51.18",
+    },
+    normwise=True,
+)

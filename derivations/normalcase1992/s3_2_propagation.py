@@ -1,0 +1,319 @@
+# %% [markdown]
+# # 3.2 Propagation of errors concerning transformation
+#
+# The normal case coordinates depend on the rotations and on the image coordinates.  Along
+# $\mathbf R = (\mathbf E + \varepsilon\, d\mathbf A) \mathbf R$, $\mathbf x + \varepsilon\, d\mathbf x$ their exact
+# derivatives for $\varepsilon = 0$ are the differentials.
+
+# %%
+import sympy
+
+from algebroproj_derivations.normalcase1992.notation import *
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, columns, dot, over, vector
+
+section = Section("normalcase1992", "3.2", "Propagation of errors concerning transformation")
+
+# %%
+dx, dy, small = sympy.symbols("dx dy epsilon")
+d_image, d_angles = vector(dx, dy, 0), (domega, dphi, dkappa)
+small_turn = small_rotation(*d_angles)
+projector = R_any * x_vector
+moved = (E3 + small * small_turn) * R_any * (x_vector + small * d_image)
+
+
+def rate(expression):
+    """Return the differential: the derivative where nothing has moved yet."""
+    return sympy.diff(expression, small).subs(small, 0)
+
+
+xn, yn, tau, dtau, dxn, dyn = sympy.symbols("xN yN tau dtau dxN dyN")
+normal, d_normal = image_vector(xn, yn), vector(dxn, dyn, 0)
+coordinates, factor = image_of(projector), over(-projector[2], c)
+d_coordinates, d_factor = rate(image_of(moved)), rate(over(-moved[2], c))
+OF_IMAGE = dict(zip((xn, yn, tau), (*coordinates, factor), strict=True))
+DIFFERENTIALS = OF_IMAGE | dict(zip((dxn, dyn, dtau), (*d_coordinates, d_factor), strict=True))
+
+# %% [markdown]
+# ## Differentials
+
+# %%
+section.identity(
+    "3.2/implicit",
+    "small variations of the projective transformation",
+    printed=dtau * normal + tau * d_normal,
+    where=DIFFERENTIALS,
+    derived=(tau * small_turn * normal + R_any * d_image).xreplace(OF_IMAGE),
+)
+row1, row2, row3 = (R_any.row(place).T for place in range(3))
+for place, left_side, right_side in (
+    (1, tau * (dxn + yn * dkappa + c * dphi), dot(row1, d_image) - xn * dtau),
+    (2, tau * (dyn - xn * dkappa - c * domega), dot(row2, d_image) - yn * dtau),
+    (3, tau * (xn * dphi - yn * domega), dot(row3, d_image) + c * dtau),
+):
+    section.identity(
+        f"3.2/scalar#{place}",
+        f"equation {place} in scalar notation",
+        printed=left_side - right_side,
+        where=DIFFERENTIALS,
+        derived=0,
+        note="Left minus right side, with the exact differentials.",
+    )
+section.identity(
+    "3.2/tau",
+    "the factor from the third component",
+    printed=-dot(row3, x_vector) / c,
+    derived=over((R_any * x_vector)[2], -c),
+    note="The third component of (1.1.4), -tau c = e3.x.",
+)
+
+# %% [markdown]
+# ## Coefficients of the rotations
+
+# %%
+B_a = columns(*(sympy.diff(d_coordinates, angle) for angle in d_angles))
+TABLE = "The display is scanned as a table without brackets: "
+BAR = TABLE + "the minus sign before 'xN yN' may be the bar of 1/c.  With it, the element would be wrong."
+BRACKETS = TABLE + "it shows -c^2 + xN^2.  If the scan has lost brackets after the minus sign, the print is right."
+CELLS = (
+    ("11", None, xn * yn / c, BAR),
+    ("12", (-(c**2) + xn**2) / c, -(c**2 + xn**2) / c, BRACKETS),
+    ("13", -yn, None, "The scan shows 'yM c' for yN c."),
+    ("21", (c**2 + yn**2) / c, None, ""),
+    ("22", -xn * yn / c, None, ""),
+    ("23", xn, None, ""),
+)
+for name, printed, corrected, note in CELLS:
+    verdict = {"expect": "illegible" if printed is None else "misprint", "corrected": corrected} if corrected else {}
+    section.identity(
+        f"3.2.1#B_a{name}",
+        f"element {name[0]}, {name[1]} of the matrix of small rotations",
+        printed=printed,
+        where=OF_IMAGE,
+        derived=B_a[int(name[0]) - 1, int(name[1]) - 1],
+        **verdict,
+        note=note,
+    )
+B_a_of_normal = Matrix([[xn * yn, -(c**2 + xn**2), -c * yn], [c**2 + yn**2, -xn * yn, c * xn]]) / c
+section.identity(
+    "3.2/beyond/B_a",
+    "the whole matrix of small rotations",
+    printed=B_a_of_normal,
+    where=OF_IMAGE,
+    derived=B_a,
+    note="Not in the paper: the six cells put together.",
+)
+
+# %% [markdown]
+# ## Coefficients of the image coordinates
+
+# %%
+i1, j1, _, i2, j2, _, i3, j3, _ = R_any
+B_x = columns(*(sympy.diff(d_coordinates, shift) for shift in (dx, dy)))
+B_x_printed = Matrix([[xn * i3 + c * i1, xn * j3 + c * j1], [yn * i3 + c * i2, yn * j3 + c * j2]])
+section.identity(
+    "3.2.1#B_x",
+    "matrix of small shifts in the image",
+    printed=B_x_printed / dot(row3, x_vector),
+    where=OF_IMAGE,
+    derived=B_x,
+    expect="misprint",
+    corrected=-B_x_printed / dot(row3, x_vector),
+    note="The sign is wrong: tau = -e3.x/c is the divisor.  The paper's own special case, B_x = E with e3.x = -c, "
+    "needs the minus sign.  The dispersion, quadratic in B_x, is not affected.",
+)
+section.identity(
+    "3.2.1",
+    "differential of the transformation",
+    printed=B_a * vector(*d_angles) + B_x * vector(dx, dy),
+    derived=d_coordinates,
+    note="Linear in rotations and shifts, with the exact coefficients.",
+)
+
+# %% [markdown]
+# ## Dispersion
+#
+# The exact Jacobian matrix of the coordinates with respect to rotations and image coordinates, applied to their joint
+# dispersion, in which rotations and image coordinates are not correlated.
+
+# %%
+sigma = sympy.Symbol("sigma")
+Q_a = Matrix(3, 3, lambda r, s: sympy.Symbol(f"Q{min(r, s) + 1}{max(r, s) + 1}"))
+jacobian = columns(*(sympy.diff(d_coordinates, variable) for variable in (*d_angles, dx, dy)))
+joint = sigma**2 * Matrix.diag(Q_a, Matrix.eye(2))
+S_N = jacobian * joint * jacobian.T
+B_a_any = Matrix(2, 3, lambda r, s: sympy.Symbol(f"Ba{r + 1}{s + 1}"))
+B_x_any = Matrix(2, 2, lambda r, s: sympy.Symbol(f"Bx{r + 1}{s + 1}"))
+COEFFICIENTS = dict(zip((*B_a_any, *B_x_any), (*B_a, *B_x), strict=True))
+section.identity(
+    "3.2.2",
+    "dispersion of the normal case coordinates",
+    printed=Matrix.hstack(
+        B_a_any * (sigma**2 * Q_a) * B_a_any.T + B_x_any * (sigma**2 * Matrix.eye(2)) * B_x_any.T,
+        sigma**2 * (B_a_any * Q_a * B_a_any.T + B_x_any * B_x_any.T),
+    ),
+    where=COEFFICIENTS,
+    derived=Matrix.hstack(S_N, S_N),
+    note="The last two members; the first ones are the same products before the expectations are inserted.",
+)
+mixed = Matrix(3, 2, sympy.symbols("m:3:2"))
+section.identity(
+    "3.2/beyond/mixed",
+    "what the independence of rotations and image coordinates leaves out",
+    printed=B_a_any * mixed * B_x_any.T + (B_a_any * mixed * B_x_any.T).T,
+    where=COEFFICIENTS,
+    derived=jacobian * Matrix.zeros(3, 3).row_join(mixed).col_join(mixed.T.row_join(Matrix.zeros(2, 2))) * jacobian.T,
+    note="Not in the paper: m is the covariance of rotations and image coordinates.  The paper says that they are "
+    "independent.  They are for points that are not used in the adjustment; see 3.2/beyond/dependent.",
+)
+
+# %% [markdown]
+# The rotations are linear functions of the observed parallaxes, and a parallax contains the errors of its own point.
+
+# %%
+estimator = Matrix(2, 3, sympy.symbols("k:2:3"))
+h = Matrix(3, 4, sympy.symbols("h:3:4"))
+parallax_rows = Matrix.diag(*(h.row(n) for n in range(3)))
+of_first_point = Matrix.eye(4).col_join(Matrix.zeros(8, 4))
+section.identity(
+    "3.2/beyond/dependent",
+    "covariance of the rotations and the coordinates of a point of the adjustment",
+    printed=sigma**2 * estimator.col(0) * h.row(0),
+    derived=estimator * parallax_rows * (sigma**2 * Matrix.eye(12)) * of_first_point,
+    note="Not in the paper: three points for all.  The estimator k takes parallaxes to rotations, h are the epipolar "
+    "lines of each point.",
+)
+
+# %% [markdown]
+# ## Images close to the normal case
+
+# %%
+NO_ROTATION = dict(zip(R_any, E3, strict=True))
+section.identity(
+    "3.2/normal#e3.x",
+    "divisor without rotation",
+    printed=-c,
+    derived=dot(row3, x_vector).xreplace(NO_ROTATION),
+)
+section.identity(
+    "3.2/normal#B_x",
+    "matrix of small shifts without rotation",
+    printed=Matrix.hstack(Matrix([[c, 0], [0, c]]) / c, Matrix.eye(2)),
+    derived=Matrix.hstack(*(B_x.xreplace(NO_ROTATION),) * 2),
+)
+section.identity(
+    "3.2/normal#add",
+    "the uncertainties of the coordinates add directly",
+    printed=sigma**2 * Matrix.eye(2),
+    derived=S_N.xreplace(NO_ROTATION | dict.fromkeys(Q_a, sympy.Integer(0))),
+    note="B_x B_x^T = E: the dispersion without uncertainty of the rotations.",
+)
+
+# %% [markdown]
+# ## Weights of the normal case
+#
+# A fictitious residual is the change of the parallax $\mathbf x'^T \mathbf C_N \mathbf x''$; its variance follows from
+# the derivatives with respect to the four coordinates.
+
+# %%
+parallax = dot(x_left, correlation(E3, E3, unit_base) * x_right)
+variance = sum(sigma**2 * sympy.diff(parallax, coordinate) ** 2 for coordinate in (xp, yp, xpp, ypp))
+section.identity(
+    "3.2.3",
+    "weight of a fictitious residual in the normal case",
+    printed=2 * sigma**2 * (y**2 + c**2),
+    derived=variance,
+    expect="misprint",
+    corrected=2 * sigma**2 * c**2,
+    note="The parallax is c (y' - y''), so that its variance is 2 c^2 sigma^2.  The printed form also counts the "
+    "third components y of the lines (0, c, y) and -(0, c, y), to which no residual belongs: (2.3.1) has h1 and h2 "
+    "only.  Ruled out: other lines, as (3.1.2) and (3.1.3) are right.  No slip of the scan, as the text draws a "
+    "conclusion from y.",
+)
+section.identity(
+    "3.2/decrease",
+    "in the normal case the weights depend on the ordinate",
+    printed=4 * sigma**2 * y,
+    derived=sympy.diff(variance, yp) + sympy.diff(variance, ypp),
+    expect="false",
+    instead="3.2.3",
+    note="The sentence that the weights decrease strictly with y: 1/g would have the derivative 4 sigma^2 y.  In fact "
+    "all weights are equal.",
+)
+
+# %% [markdown]
+# ## Code
+
+# %%
+S_symbols = Matrix(3, 3, lambda r, s: sympy.Symbol(f"s{r + 1}{s + 1}"))
+variance_of_image = sympy.Symbol("variance")
+x_normal = vector(xn, yn)
+image_and_orientation = {"R": R_any, "x": vector(x, y), "c": c}
+about_image = {"R": ABOUT_R, "x": ABOUT_X, "c": ABOUT_C}
+EXAMPLE = {
+    "R": (("0.96", "0", "-0.28"), ("0", "1", "0"), ("0.28", "0", "0.96")),
+    "x": ("-10.62", "1.694"),
+    "c": "51.18",
+}
+
+depth, slope_x, slope_y = sympy.symbols("depth slope_x slope_y")
+SLOPES = {
+    depth: dot(row3, x_vector),
+    slope_x: dot(row1, x_vector) / depth,
+    slope_y: dot(row2, x_vector) / depth,
+}
+B_a_of_slopes = c * Matrix(
+    [[slope_x * slope_y, -1 - slope_x**2, slope_y], [1 + slope_y**2, -slope_x * slope_y, -slope_x]]
+)
+
+
+def shifts_of(row: Matrix) -> Matrix:
+    """Return the derivatives of one coordinate, with products in which no terms are left that cancel."""
+    (ij, ik), jk = (row[0] * row3[k] - row[k] * row3[0] for k in (1, 2)), row[1] * row3[2] - row[2] * row3[1]
+    return c / depth**2 * Matrix([[ik * c - ij * y, ij * x + jk * c]])
+
+
+B_x_of_minors = shifts_of(row1).col_join(shifts_of(row2))
+
+section.kernel(
+    "metric.jacobian_angles",
+    "Derivatives of normal case coordinates with respect to small rotations (dOmega, dphi, dkappa).",
+    arguments={"x_n": x_normal, "c": c},
+    describe={
+        "x_n": "Image point (xN, yN) of the normal case, in the unit of c.",
+        "c": ABOUT_C + "  The derivatives have this unit per radian.",
+    },
+    derived=Matrix([[over(xn * yn, c), -c - over(xn**2, c), -yn], [c + over(yn**2, c), -over(xn * yn, c), xn]]),
+    claims=["3.2/beyond/B_a", "3.2.1"],
+    example={"x_n": ("5.5", "-12.25"), "c": "51.18"},
+)
+section.kernel(
+    "metric.jacobian_image",
+    "Derivatives of normal case coordinates with respect to the image coordinates.",
+    arguments=image_and_orientation,
+    describe=about_image,
+    derived=B_x,
+    form=B_x_of_minors,
+    where=SLOPES,
+    claims=["3.2.1#B_x", "3.2.1"],
+    example=EXAMPLE,
+)
+section.kernel(
+    "metric.normal_covariance",
+    "Dispersion of normal case coordinates from those of the rotations and of the image coordinates.",
+    arguments={**image_and_orientation, "S_a": S_symbols, "variance": variance_of_image},
+    describe={
+        **about_image,
+        "S_a": "Dispersion of the rotations (dOmega, dphi, dkappa), in radians squared; symmetric.",
+        "variance": "Variance of an image coordinate, in the square of the unit of c.",
+    },
+    derived=B_a * S_symbols * B_a.T + variance_of_image * B_x * B_x.T,
+    form=B_a_any * S_symbols * B_a_any.T + variance_of_image * B_x_any * B_x_any.T,
+    where=SLOPES | dict(zip((*B_a_any, *B_x_any), (*B_a_of_slopes, *B_x_of_minors), strict=True)),
+    claims=["3.2.2", "3.2.1", "3.2/beyond/B_a"],
+    example={
+        **EXAMPLE,
+        "S_a": (("0.00004", "0.00001", "0"), ("0.00001", "0.00006", "0.00002"), ("0", "0.00002", "0.00003")),
+        "variance": "0.000004",
+    },
+)

@@ -1,0 +1,267 @@
+# %% [markdown]
+# # 3.3 Propagation of errors concerning reconstruction
+#
+# A model point is a function of three coordinates of the normal case, $x'_N$, $y'_N$ and $x''_N$.  Its exact Jacobian
+# matrix takes their dispersion to that of the point.
+
+# %%
+import sympy
+
+from algebroproj_derivations.normalcase1992.notation import *
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, columns, dot, over, vector
+
+section = Section("normalcase1992", "3.3", "Propagation of errors concerning reconstruction")
+
+section.reference(
+    "3.3/ref-S_N",
+    "the dispersion of the image coordinates",
+    printed="3.3.2",
+    meant="3.2.2",
+    note="(3.3.2) is the differential of the factor, further down.",
+)
+
+# %% [markdown]
+# ## Differentials
+#
+# $\mathbf X = \mathbf X'_0 + \lambda_N \mathbf x'_N$ with $\lambda_N = 1 / (x'_N - x''_N)$, sections 1.3 and 3.1; the
+# center and the principal distance do not vary.
+
+# %%
+lam_n, dlam, dxp, dyp, dxpp, dypp = sympy.symbols("lam_n dlam dxp dyp dxpp dypp")
+X0_left = vector(*sympy.symbols("X01 X02 X03"))
+factor = over(1, xp - xpp)
+point = X0_left + factor * x_left
+coordinates, shifts = (xp, yp, xpp), (dxp, dyp, dxpp)
+
+
+def differential(expression):
+    zero = expression * 0
+    return sum((sympy.diff(expression, q) * dq for q, dq in zip(coordinates, shifts, strict=True)), zero)
+
+
+section.identity(
+    "3.3.1",
+    "differential of a model point",
+    printed=dlam * x_left + lam_n * vector(dxp, dyp, 0),
+    where={dlam: differential(factor), lam_n: factor},
+    derived=differential(point),
+)
+section.identity(
+    "3.3.2",
+    "differential of the factor",
+    printed=None,
+    where={lam_n: factor},
+    derived=columns(*(Matrix([differential(factor)]),) * 2),
+    expect="illegible",
+    corrected=columns(Matrix([(dxpp - dxp) / (xp - xpp) ** 2]), Matrix([lam_n**2 * (dxpp - dxp)])),
+    note="The scan has lost all primes, in 'dx - dx' as well.  The minuend must be dx'': the factor decreases with x'.",
+)
+
+# %% [markdown]
+# ## Expectations
+#
+# The dispersion $\boldsymbol\Sigma$ of the coordinates $x'_N, y'_N, x''_N, y''_N$ of both images.  The expectation of a
+# product of two differentials is the bilinear form of $\boldsymbol\Sigma$ with their derivatives.
+
+# %%
+names = ("xp", "yp", "xpp", "ypp")
+Sigma = Matrix(4, 4, lambda r, s: sympy.Symbol(f"s_{names[min(r, s)]}_{names[max(r, s)]}"))
+all_shifts = (dxp, dyp, dxpp, dypp)
+
+
+def expectation(first: sympy.Expr, second: sympy.Expr) -> sympy.Expr:
+    """Return the expectation of the product of two linear forms of the differentials."""
+    gradients = (vector(*(sympy.diff(form, shift) for shift in all_shifts)) for form in (first, second))
+    left, right = gradients
+    return dot(left, Sigma * right)
+
+
+d_factor, d_left, d_right = differential(factor), vector(dxp, dyp, 0), vector(dxpp, dypp, 0)
+d_point = differential(point)
+of_factor = expectation(d_factor, d_factor)
+of_factor_and_image = vector(*(expectation(d_factor, component) for component in d_left))
+of_image = Matrix(3, 3, lambda r, s: expectation(d_left[r], d_left[s]))
+S_M = Matrix(3, 3, lambda r, s: expectation(d_point[r], d_point[s]))
+
+s_xx, s_xy, s_yy = Sigma[0, 0], Sigma[0, 1], Sigma[1, 1]
+s_xxpp, s_yxpp, s_xppxpp = Sigma[0, 2], Sigma[1, 2], Sigma[2, 2]
+WITH_FACTOR = {lam_n: factor}
+section.identity(
+    "3.3/dispersion",
+    "dispersion of a model point, by expectations",
+    printed=of_factor * x_left * x_left.T
+    + lam_n * (x_left * of_factor_and_image.T + of_factor_and_image * x_left.T)
+    + lam_n**2 * of_image,
+    where=WITH_FACTOR,
+    derived=S_M,
+    note="The four expectations of the printed form stand for those of the exact differentials.",
+)
+section.identity(
+    "3.3/E#dlambda2",
+    "variance of the factor",
+    printed=lam_n**4 * (s_xppxpp + s_xx - 2 * s_xxpp),
+    where=WITH_FACTOR,
+    derived=of_factor,
+)
+section.identity(
+    "3.3/E#dlambda-dx-row",
+    "covariances of the factor and the left image point, as a row",
+    printed=None,
+    where=WITH_FACTOR,
+    derived=of_factor_and_image.T,
+    expect="illegible",
+    corrected=lam_n**2 * Matrix([[s_xxpp - s_xx, s_yxpp - s_xy, 0]]),
+    note="The scan leaves the pattern lambda_N^2 [s - s, s + s, 0] and no primes.  The second sign must be a minus as "
+    "the first one is: both come from dx'' - dx'.",
+)
+section.identity(
+    "3.3/E#dlambda-dx-column",
+    "covariances of the factor and the left image point, as a column",
+    printed=None,
+    where=WITH_FACTOR,
+    derived=of_factor_and_image,
+    expect="illegible",
+    corrected=lam_n**2 * vector(s_xxpp - s_xx, s_yxpp - s_xy, 0),
+    note="The scan shows four of the indices without the signs between them; it is the transpose of the row.",
+)
+section.identity(
+    "3.3/E#dx-dx",
+    "dispersion of the left image point",
+    printed=Matrix([[s_xx, s_xy, 0], [s_xy, s_yy, 0], [0, 0, 0]]),
+    derived=of_image,
+)
+
+# %% [markdown]
+# ## Covariances of both images
+#
+# They come from the rotations alone: $\mathbf B_a$ and $\mathbf B_x$ of section 3.2 for each image, dispersions of the
+# rotations as in section 2.3, image coordinates not correlated with anything but themselves.
+
+# %%
+sigma = sympy.Symbol("sigma")
+Q12 = Matrix(2, 3, sympy.symbols("q:2:3"))
+Ba_left, Ba_right = (Matrix(2, 3, lambda r, s, n=n: sympy.Symbol(f"Ba{r + 1}{s + 1}{n}")) for n in ("p", "pp"))
+Bx_left, Bx_right = (Matrix(2, 2, lambda r, s, n=n: sympy.Symbol(f"Bx{r + 1}{s + 1}{n}")) for n in ("p", "pp"))
+Q_left = Matrix(2, 2, lambda r, s: sympy.Symbol(f"ql{min(r, s)}{max(r, s)}"))
+Q_right = Matrix(3, 3, lambda r, s: sympy.Symbol(f"qr{min(r, s)}{max(r, s)}"))
+rotations = sigma**2 * Q_left.row_join(Q12).col_join(Q12.T.row_join(Q_right))
+joint = Matrix.diag(rotations, sigma**2 * Matrix.eye(4))
+untilted = Matrix.zeros(1, 2).col_join(Matrix.eye(2))
+jacobian_left = Matrix.hstack(Ba_left * untilted, Matrix.zeros(2, 3), Bx_left, Matrix.zeros(2, 2))
+jacobian_right = Matrix.hstack(Matrix.zeros(2, 2), Ba_right, Matrix.zeros(2, 2), Bx_right)
+covariances = jacobian_left * joint * jacobian_right.T
+Q_mixed = Matrix.zeros(1, 3).col_join(Q12)
+section.identity(
+    "3.3/S_N'''",
+    "covariances of the coordinates of both images",
+    printed=sigma**2 * Ba_left * Q_mixed * Ba_right.T,
+    derived=covariances,
+    note="Q12 is that of the second pair of equations (2.3.1), (2.3.2), in section 2.3.",
+)
+section.identity(
+    "3.3/S_N'''#elements",
+    "elements of the covariances of both images",
+    printed=Sigma[:2, 2:].T,
+    derived=Matrix(2, 2, lambda r, s: expectation(d_left[r], d_right[s])),
+    expect="misprint",
+    corrected=Sigma[:2, 2:],
+    note="The scan has a sign of transposition behind the matrix, whose rows belong to x', y' already, as those of "
+    "E{dx' dx''^T}; it may be the end of a bracket.",
+)
+section.identity(
+    "3.3/separate",
+    "the correlation of the images does not influence the transformations into the normal case",
+    printed=Matrix.zeros(2, 24),
+    derived=Matrix.hstack(
+        *(
+            sympy.diff(jacobian * joint * jacobian.T, element)
+            for jacobian in (jacobian_left, jacobian_right)
+            for element in Q12
+        )
+    ),
+    note="A sentence of section 2.3: the dispersions of both images do not depend on Q12.",
+)
+
+# %% [markdown]
+# ## Dispersion of the model
+
+# %%
+first_term = lam_n**4 * (s_xppxpp + s_xx - 2 * s_xxpp) * x_left * x_left.T
+row = Matrix([[s_xxpp - s_xx, s_yxpp - s_xy, 0]])
+section.identity(
+    "3.3/S_M",
+    "dispersion of a model point",
+    printed=None,
+    where=WITH_FACTOR,
+    derived=S_M,
+    expect="illegible",
+    corrected=first_term
+    + lam_n**3 * (x_left * row + row.T * x_left.T)
+    + lam_n**2 * Matrix([[s_xx, s_xy, 0], [s_xy, s_yy, 0], [0, 0, 0]]),
+    note="The scan has lost the whole formula.  The text before it determines the form: the expectations in powers of "
+    "lambda_N, of which the first term has the highest.  Derived is the exact propagation of first order, the "
+    "quadratic form of the Jacobian matrix of X.",
+)
+parallax = sympy.Symbol("parallax")
+section.limit(
+    "3.3/dominating",
+    "the first term dominates for small parallaxes",
+    printed=(s_xppxpp + s_xx - 2 * s_xxpp) * x_left * x_left.T,
+    derived=(parallax**4 * S_M).subs(xpp, xp - parallax),
+    variable=parallax,
+    note="The dispersion, divided by lambda_N^4: what the sentence on the limits of accuracy says.",
+)
+section.identity(
+    "3.3/lambda",
+    "the dominating factor",
+    printed=1 / (xpp - xp),
+    derived=factor,
+    expect="misprint",
+    corrected=1 / (xp - xpp),
+    note="(1.3.2) has x' - x''.  A slip of the scan, which is unsure of primes, cannot be told from one of the print.",
+)
+
+# %% [markdown]
+# ## Code
+#
+# Dispersions of the normal case coordinates, those of the left image, of the right image and between them.
+
+# %%
+S_left, S_right, S_mixed = (Matrix(2, 2, sympy.symbols(f"{n}:2:2")) for n in ("sl", "sr", "sm"))
+dispersion = S_left.row_join(S_mixed).col_join(S_mixed.T.row_join(S_right))
+jacobian = columns(*(sympy.diff(point, coordinate) for coordinate in (xp, yp, xpp, ypp)))
+numerators = Matrix([[-xpp, 0, xp, 0], [-yp, parallax, yp, 0], [c, 0, -c, 0]])
+section.kernel(
+    "metric.model_covariance",
+    "Dispersion of a model point from those of its homologous points of the normal case.",
+    arguments={
+        "x_left": vector(xp, yp),
+        "x_right": vector(xpp, ypp),
+        "c": c,
+        "S_left": S_left,
+        "S_right": S_right,
+        "S_mixed": S_mixed,
+    },
+    describe={
+        "x_left": "Left image point (x', y') of the normal case, in the unit of c.",
+        "x_right": "Right image point (x'', y'') of the normal case, in the unit of c; y'' = y' is not used.",
+        "c": ABOUT_C,
+        "S_left": "Dispersion of (x', y'), in the square of the unit of c; symmetric.",
+        "S_right": "Dispersion of (x'', y''), in the square of the unit of c; its variance of x'' alone is used.",
+        "S_mixed": "Covariances of (x', y'), rows, with (x'', y''), columns, in the square of the unit of c; "
+        "those with x'' alone are used.",
+    },
+    derived=jacobian * dispersion * jacobian.T,
+    form=numerators * dispersion * numerators.T / parallax**4,
+    where={parallax: xp - xpp},
+    claims=["3.3/S_M", "3.3.1", "3.3.2"],
+    example={
+        "x_left": ("12.5", "-3.25"),
+        "x_right": ("-7.5", "-3.25"),
+        "c": "50",
+        "S_left": (("0.00004", "0.00001"), ("0.00001", "0.00003")),
+        "S_right": (("0.00005", "0.00001"), ("0.00001", "0.00003")),
+        "S_mixed": (("0.00001", "0"), ("0", "0.00001")),
+    },
+)

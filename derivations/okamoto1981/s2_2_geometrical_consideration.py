@@ -1,0 +1,550 @@
+# %% [markdown]
+# # 2.2 General orientation problem: geometrical consideration
+#
+# The stereo model is built from intersecting rays in a system whose origin is the left projection center and whose
+# first axis is the base.  Beside the condition that homologous rays intersect, distances make the model similar to the
+# object.
+
+# %%
+from collections.abc import Callable
+from itertools import combinations
+
+import sympy
+
+from algebroproj_derivations.okamoto1981.notation import *
+from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import d, of_angles
+from algebroproj_derivations.okamoto1981.s2_1_algebraic_consideration import model
+from algebroproj_sym import Section
+from algebroproj_sym.declaring import cos_sin
+from algebroproj_sym.expressions import (
+    Matrix,
+    Scalar,
+    adjugate,
+    columns,
+    cross,
+    determinant,
+    dot,
+    inverse,
+    linear_system,
+    over,
+    solve,
+    vector,
+)
+
+section = Section("okamoto1981", "2.2", "General orientation problem, geometrical consideration")
+
+# %% [markdown]
+# ## Homologous rays
+#
+# The directions $\mathbf g_i = (l_i, m_i, n_i)$ belong to the rays from $(0, 0, 0)$ and $(B, 0, 0)$.
+
+# %%
+B = sympy.Symbol("B")
+l1, m1, n1, l2, m2, n2 = sympy.symbols("l1 m1 n1 l2 m2 n2")
+rho1, rho2 = sympy.symbols("rho1 rho2")
+g1, g2 = vector(l1, m1, n1), vector(l2, m2, n2)
+base = vector(B, 0, 0)
+on_left_ray, on_right_ray = rho1 * g1, base + rho2 * g2
+XM, YM, ZM = model
+
+
+def quotients(of: Matrix, by: Matrix) -> Matrix:
+    return vector(*(over(a, b) for a, b in zip(of, by, strict=True)))
+
+
+section.identity(
+    "25",
+    "the left ray",
+    printed=quotients(vector(XM, YM, ZM), g1),
+    where=dict(zip(model, on_left_ray, strict=True)),
+    derived=vector(rho1, rho1, rho1),
+)
+section.identity(
+    "26",
+    "the right ray",
+    printed=quotients(vector(XM - B, YM, ZM), g2),
+    where=dict(zip(model, on_right_ray, strict=True)),
+    derived=vector(rho2, rho2, rho2),
+)
+
+# %% [markdown]
+# ## Transformed picture coordinates
+#
+# By (2) the picture point is $\mathbf D_\phi \mathbf D_\omega \mathbf D_\kappa (x, y, -c)^T$ away from the center; the
+# left picture is not turned by an $\omega$.
+
+
+# %%
+def about(axis: tuple[int, int], index: str) -> Matrix:
+    """Return the rotation about an axis with symbols for cosine and sine."""
+    name = {ABOUT_Y: "phi", ABOUT_X: "omega", ABOUT_Z: "kappa"}[axis]
+    return plane_rotation(3, *axis, *sympy.symbols(f"c_{name}{index} s_{name}{index}"))
+
+
+x1, y1, c1, x2, y2, c2 = sympy.symbols("x1 y1 c1 x2 y2 c2")
+phi1, kappa1 = about(ABOUT_Y, "1"), about(ABOUT_Z, "1")
+phi2, omega2, kappa2 = about(ABOUT_Y, "2"), about(ABOUT_X, "2"), about(ABOUT_Z, "2")
+
+section.definition(
+    "27",
+    "transformed picture coordinates of the left picture",
+    printed=phi1 * kappa1 * vector(x1, y1, -c1),
+)
+section.definition(
+    "28",
+    "transformed picture coordinates of the right picture",
+    printed=phi2 * omega2 * kappa2 * vector(x2, y2, -c2) + vector(B, 0, 0),
+    note="The letters of the left side are destroyed by the scan; they are those of (27) with the index 2.",
+)
+phi_any, omega_any, kappa_any = about(ABOUT_Y, ""), about(ABOUT_X, ""), about(ABOUT_Z, "")
+section.definition(
+    "29",
+    "reduced transformed picture coordinates",
+    printed=phi_any * omega_any * kappa_any * vector(x, y, -c),
+    note="The scan destroys the left side; (30) and (33) name its three components.",
+)
+
+# %% [markdown]
+# With a bar in print, here $\bar X_1$ and so on.  Divided by their length $A$ they are direction cosines.
+
+# %%
+X1, Y1, Z1 = sympy.symbols("Xbar1 Ybar1 Zbar1")
+X2, Y2, Z2 = sympy.symbols("Xbar2 Ybar2 Zbar2")
+reduced_left, reduced_right = vector(X1, Y1, Z1), vector(X2, Y2, Z2)
+length1, length2 = sympy.symbols("A1 A2")
+direction_left = reduced_left.applyfunc(lambda component: over(component, length1))
+direction_right = reduced_right.applyfunc(lambda component: over(component, length2))
+section.identity(
+    "30",
+    "direction cosines",
+    printed=1,
+    derived=dot(direction_left, direction_left),
+    constraints=[length1**2 - dot(reduced_left, reduced_left)],
+    nonzero=[length1],
+    witness={X1: 1, Y1: 2, Z1: 2, length1: 3},
+    note="With A as printed, the root of the sum of squares: the squares of l, m, n have the sum 1.",
+)
+
+# %% [markdown]
+# ## From measured to picture coordinates
+
+# %%
+(d11, d12, d13), (d21, d22, d23) = d[0, :], d[1, :]
+xc_of_picture = xco + d11 * x + d12 * y - d13 * c
+yc_of_picture = yco + d21 * x + d22 * y - d23 * c
+section.identity(
+    "31",
+    "the equations (5), rearranged",
+    printed=vector(xc - xco + d13 * c, yc - yco + d23 * c),
+    where={xc: xc_of_picture, yc: yc_of_picture},
+    derived=vector(d11 * x + d12 * y, d21 * x + d22 * y),
+)
+picture_of_measured = solve(*linear_system([xc - xc_of_picture, yc - yc_of_picture], (x, y)))
+inverse_of_d = inverse(d[:2, :2])
+section.identity(
+    "32",
+    "picture coordinates",
+    printed=inverse_of_d * vector(xc - xco + d13 * c, yc - yco + d23 * c),
+    derived=picture_of_measured,
+)
+rotation_matrix = Matrix(3, 3, sympy.symbols("r1:4(1:4)"))
+h11, h12, h21, h22 = sympy.symbols("h11 h12 h21 h22")
+reduced = rotation_matrix * vector(*picture_of_measured, -c)
+section.identity(
+    "33",
+    "reduced transformed picture coordinates of a measured point",
+    printed=rotation_matrix
+    * vector(
+        h11 * (xc - xco + d13 * c) + h12 * (yc - yco + d23 * c),
+        h21 * (xc - xco + d13 * c) + h22 * (yc - yco + d23 * c),
+        -c,
+    ),
+    where=dict(zip((h11, h12, h21, h22), inverse_of_d, strict=True)),
+    derived=reduced,
+    note="For any matrix in the place of the product of the three rotations.",
+)
+section.definition("33#h", "the coefficients h", printed=inverse_of_d)
+
+# %% [markdown]
+# But for a common factor they are linear in the homogeneous measured point: the adjugate of the affine map of the
+# comparator, turned.
+
+
+# %%
+def ray_matrix(orientation: Matrix, inner: Matrix) -> Matrix:
+    """Return the matrix that takes homogeneous measured points to the direction of their rays."""
+    return orientation * adjugate(inner)
+
+
+inner_general = seen_by_comparator(d[:2, :], c, comparator_center)
+section.up_to_scale(
+    "33/beyond/ray-matrix",
+    "direction of the ray of a measured point",
+    printed=ray_matrix(rotation_matrix, inner_general) * vector(xc, yc, 1),
+    derived=reduced,
+    note="Not in the paper.",
+)
+
+# %% [markdown]
+# ## Coplanarity
+#
+# The rays meet where $\rho_1 \mathbf g_1 - \rho_2 \mathbf g_2 = (B, 0, 0)^T$: three equations for two unknowns, which
+# agree if base and directions are coplanar.
+
+# %%
+meeting, base_vector = linear_system(list(on_left_ray - on_right_ray), (rho1, rho2))
+section.up_to_scale(
+    "34",
+    "condition of coplanarity",
+    printed=Matrix([[determinant(Matrix([[B, l1, l2], [0, m1, m2], [0, n1, n2]]))]]),
+    derived=Matrix([[determinant(columns(meeting, base_vector))]]),
+)
+reduced_condition = determinant(Matrix([[Y1, Y2], [Z1, Z2]]))
+section.vanishing(
+    "35",
+    "condition of coplanarity, reduced",
+    printed=(B, reduced_condition),
+    derived=dot(base, cross(direction_left, direction_right)),
+    note="The base B is not zero; the lengths by which the coordinates are divided drop out.",
+)
+
+# %% [markdown]
+# As a bilinear form of the measured points the condition has the matrix $\mathbf G_1^T \mathbf W \mathbf G_2$ with the
+# ray matrices $\mathbf G_i$ and a singular $\mathbf W$: its determinant vanishes, and seven of the eight ratios of its
+# elements determine the eighth.
+
+# %%
+W = Matrix([[0, 0, 0], [0, 0, 1], [0, -1, 0]])
+G1, G2 = Matrix(3, 3, sympy.symbols("g1_1:4(1:4)")), Matrix(3, 3, sympy.symbols("g2_1:4(1:4)"))
+section.identity(
+    "35/beyond/determinant",
+    "the determinant of the bilinear form is zero",
+    printed=0,
+    derived=determinant(G1.T * W * G2),
+    note="Not in the paper: it is linear in each element.",
+)
+section.identity(
+    "35/beyond/bilinear",
+    "the condition as a bilinear form",
+    printed=reduced_condition,
+    derived=dot(reduced_left, W * reduced_right),
+    note="Not in the paper.",
+)
+
+# %% [markdown]
+# Fifteen parameters enter: $\phi_1, \kappa_1, \phi_2, \omega_2, \kappa_2$ and, for either picture, $x_{co}, y_{co}, c$,
+# $\alpha$ and $\beta$.
+
+# %%
+angles_left = sympy.symbols("t_phi1 t_kappa1")
+angles_right = sympy.symbols("t_phi2 t_omega2 t_kappa2")
+inner_left = sympy.symbols("xco1 yco1 c1 t_alpha1 t_beta1")
+inner_right = sympy.symbols("xco2 yco2 c2 t_alpha2 t_beta2")
+fifteen = (*angles_left, *inner_left, *angles_right, *inner_right)
+
+
+def inner_of(parameters: tuple[sympy.Symbol, ...]) -> Matrix:
+    """Return the affine map of an inclined comparator, or of a parallel one without the two angles."""
+    first, second, distance, *inclinations = parameters
+    return seen_by_comparator(of_angles(*inclinations)[:2, :], distance, vector(first, second))
+
+
+left_rotation = of_angles(angles_left[0], sympy.Integer(0), angles_left[1])
+right_rotation = of_angles(*angles_right)
+
+
+def coplanarity_of(left: Matrix, right: Matrix) -> Matrix:
+    """Return the matrix of the bilinear form of (35)."""
+    return ray_matrix(left_rotation, left).T * W * ray_matrix(right_rotation, right)
+
+
+def seven_ratios(form: Matrix) -> Matrix:
+    """Return ratios of elements; the one that is left out follows from the determinant."""
+    return coefficients_of(form)[1:, :]
+
+
+section.count(
+    "2.2/seven",
+    "the condition has seven independent parameters among fifteen",
+    printed=7,
+    derived=seven_ratios(coplanarity_of(inner_of(inner_left), inner_of(inner_right))),
+    variables=fifteen,
+    note="Seven ratios of the elements of the bilinear form are independent, and by 35/beyond/determinant the eighth "
+    "follows from them.  It agrees with 2.1/seven and with today's theory of the fundamental matrix.",
+)
+
+# %% [markdown]
+# ## Similarity
+#
+# Distances do not change when the points move as a rigid body, and ratios of distances do not change in a similarity
+# either.  Counted are squares of distances.
+
+
+# %%
+def squared_distances(points: list[Matrix]) -> list[Scalar]:
+    """Return the squared lengths of all line segments between the points."""
+    return [dot(a - b, a - b) for a, b in combinations(points, 2)]
+
+
+def ratios_to_first(values: list[Scalar]) -> Matrix:
+    return vector(*(over(value, values[0]) for value in values[1:]))
+
+
+def free_points(count: int) -> list[Matrix]:
+    return [vector(*sympy.symbols(f"X_{k} Y_{k} Z_{k}")) for k in range(1, count + 1)]
+
+
+Movement = Callable[[Matrix], Matrix]
+axes = [E3.col(i) for i in range(3)]
+movements: list[Movement] = [lambda p, a=a: a for a in axes] + [lambda p, a=a: cross(a, p) for a in axes]
+similarities: list[Movement] = [*movements, lambda p: p]
+
+
+def rates(points: list[Matrix], movement: Movement) -> Matrix:
+    return Matrix.vstack(*(movement(p) for p in points))
+
+
+segment_of_model, segment_of_object = sympy.symbols("L_M L_o")
+section.definition(
+    "2.2/scale",
+    "the similarity condition of one line segment",
+    printed=segment_of_model / segment_of_object,
+    note="The scale m is the same for all segments.",
+)
+
+five = free_points(5)
+coordinates_of_five = tuple(coordinate for p in five for coordinate in p)
+section.count(
+    "2.2/nine",
+    "five points have nine independent line segments",
+    printed=9,
+    derived=vector(*squared_distances(five)),
+    variables=coordinates_of_five,
+    kernel=[rates(five, movement) for movement in movements],
+    note="Of ten segments; fifteen coordinates less six movements.",
+)
+section.count(
+    "2.2/eight",
+    "the similarity of five points has eight independent equations",
+    printed=8,
+    derived=ratios_to_first(squared_distances(five)),
+    variables=coordinates_of_five,
+    kernel=[rates(five, similarity) for similarity in similarities],
+    note="Nine segments, one unknown scale m.",
+)
+
+# %% [markdown]
+# ### Seven and eight equations
+#
+# Seven pairs of image points, five of them those of the control points, and eight ratios of segments of the latter: 28
+# image coordinates and 8 ratios are functions of 15 parameters and of the 21 coordinates of seven model points.
+
+# %%
+unit_base = vector(1, 0, 0)
+seven = free_points(7)
+
+
+def images_in_model(points: list[Matrix], left_inner: Matrix, right_inner: Matrix) -> Matrix:
+    """Return the measured coordinates of model points in both photographs; the base is the unit of length."""
+    left = camera(left_inner, left_rotation.T, vector(0, 0, 0))
+    right = camera(right_inner, right_rotation.T, unit_base)
+    return Matrix.vstack(*(image(matrix, p) for p in points for matrix in (left, right)))
+
+
+nine_segments = squared_distances(seven[:5])[:9]
+section.count(
+    "2.2/fifteen",
+    "seven conditions of coplanarity and eight of similarity determine the fifteen parameters",
+    printed=36,
+    derived=Matrix.vstack(
+        images_in_model(seven, inner_of(inner_left), inner_of(inner_right)), ratios_to_first(nine_segments)
+    ),
+    variables=(*fifteen, *(coordinate for p in seven for coordinate in p)),
+    note="All 36 functions are independent: 21 of them place the model points, 15 equations are left for 15 "
+    "parameters.",
+)
+
+# %% [markdown]
+# ### Fifteen as eight and seven
+#
+# A collineation that is followed by a similarity gives the same ratios of distances.
+
+# %%
+B_ = vector(*sympy.symbols("B1:16"))
+collineation_matrix = matrix_of(B_)
+fixed_points = [vector(*p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 2, 3))]
+mapped_points = [image(collineation_matrix, p) for p in fixed_points]
+
+
+def infinitesimal(movement: Movement) -> Matrix:
+    """Return the 4 by 4 matrix of an infinitesimal similarity."""
+    origin = movement(vector(0, 0, 0))
+    return columns(*(movement(a) - origin for a in axes), origin).col_join(Matrix.zeros(1, 4))
+
+
+mapped_ratios = ratios_to_first(squared_distances(mapped_points))
+followed_by_similarities = [vector(*(infinitesimal(s) * collineation_matrix)[:15]) for s in similarities]
+section.count(
+    "2.2/divided",
+    "the correspondence is divided into the similarity condition and a similarity",
+    printed=8,
+    derived=mapped_ratios,
+    variables=B_,
+    kernel=followed_by_similarities,
+    note="Fifteen coefficients are eight conditions of similarity of five points and seven parameters of a similarity.",
+)
+
+# %% [markdown]
+# ## Model points
+#
+# $\rho_1$ from the first two of the three equations.
+
+# %%
+rho = solve(meeting[:2, :], base_vector[:2, :])
+model_point = rho[0] * g1
+common = l1 * m2 - m1 * l2
+section.identity("36#rho", "factor of the left ray", printed=m2 * B / common, derived=rho[0])
+section.identity(
+    "36#directions",
+    "model point from direction cosines",
+    printed=vector(l1 * m2 * B / common, m1 * m2 * B / common, n1 * m2 * B / common),
+    derived=model_point,
+)
+of_reduced = dict(zip((*g1, *g2), (*direction_left, *direction_right), strict=True))
+model_point_of_reduced = model_point.xreplace(of_reduced)
+reconstructed = vector(*(component * Y2 * B / (X1 * Y2 - Y1 * X2) for component in reduced_left))
+section.identity(
+    "36",
+    "model point from reduced transformed picture coordinates",
+    printed=None,
+    derived=model_point_of_reduced,
+    expect="illegible",
+    corrected=reconstructed,
+    note="The scan destroys the letters of the last members, not their shape: a product with B over a difference of "
+    "two products.  The directions are the coordinates divided by A1 and A2, which cancel; (43) has the same form.",
+)
+section.identity(
+    "36/beyond/right",
+    "the right ray gives the same point but for its third coordinate",
+    printed=vector(model_point[0], model_point[1]),
+    derived=(base + rho[1] * g2)[:2, :],
+    note="Not in the paper: the third coordinates agree if the rays are coplanar.",
+)
+
+# %% [markdown]
+# ## Similarity transformation
+#
+# $\Phi$, $\Omega$ and $K$ turn the model.
+
+# %%
+Phi, Omega, Kappa = sympy.symbols("Phi Omega Kappa")
+cosines_and_sines = {angle: sympy.symbols(f"c_{angle} s_{angle}") for angle in (Phi, Omega, Kappa)}
+(cos_1, sin_1), (cos_2, sin_2), (cos_3, sin_3) = cosines_and_sines.values()
+m = sympy.Symbol("m")
+of_model = rotation((ABOUT_Y, cos_1, sin_1), (ABOUT_X, cos_2, sin_2), (ABOUT_Z, cos_3, sin_3))
+object_of_model = m * of_model * model + center
+section.identity(
+    "38",
+    "similarity transformation",
+    printed=m
+    * Matrix([[cos_1, 0, sin_1], [0, 1, 0], [-sin_1, 0, cos_1]])
+    * Matrix([[1, 0, 0], [0, cos_2, -sin_2], [0, sin_2, cos_2]])
+    * Matrix([[cos_3, -sin_3, 0], [sin_3, cos_3, 0], [0, 0, 1]])
+    * vector(XM, YM, ZM)
+    + vector(Xo, Yo, Zo),
+    derived=object_of_model,
+    note="The printed matrices are the rotations about Y, X and Z of the notation.",
+)
+UNIT_CIRCLES = [cos_1**2 + sin_1**2 - 1, cos_2**2 + sin_2**2 - 1, cos_3**2 + sin_3**2 - 1]
+section.identity(
+    "38#rotation",
+    "the three matrices are a rotation",
+    printed=E3,
+    derived=of_model.T * of_model,
+    constraints=UNIT_CIRCLES,
+    witness={cos_1: sympy.Rational(3, 5), sin_1: sympy.Rational(4, 5), cos_2: 1, sin_2: 0, cos_3: 0, sin_3: 1},
+)
+
+# %% [markdown]
+# The quotient of distances is the same for all pairs of points; a rotation does not change them.
+
+# %%
+first_model, second_model = vector(*sympy.symbols("XM_i YM_i ZM_i")), vector(*sympy.symbols("XM_k YM_k ZM_k"))
+first_object, second_object = vector(*sympy.symbols("X_i Y_i Z_i")), vector(*sympy.symbols("X_k Y_k Z_k"))
+object_segment = dot(first_object - second_object, first_object - second_object)
+scale = sympy.Symbol("s")
+similar = list((first_model - second_model) - scale * (first_object - second_object))
+section.identity(
+    "37",
+    "quotient of the line segments of model and object",
+    printed=dot(first_model - first_model, first_model - first_model) / object_segment,
+    derived=scale**2,
+    constraints=similar,
+    nonzero=[object_segment],
+    expect="misprint",
+    corrected=dot(first_model - second_model, first_model - second_model) / object_segment,
+    note="Squared, and for a model that is not turned, which does not change distances (38#rotation).  The numerator "
+    "is printed with the index Mi twice; the second must be Mk, as the denominator shows.  The scan alone cannot tell "
+    "a slip of the scan from one of the print.",
+)
+difference = first_model - second_model
+section.identity(
+    "38#m",
+    "the scale of (38) in the quotient of (37)",
+    printed=m**2,
+    derived=over(dot(difference, difference), dot(m * difference, m * difference)),
+    expect="misprint",
+    corrected=1 / m**2,
+    note="(37) defines m as model over object, (38) multiplies the model by m to get the object: one of the two is the "
+    "reciprocal of the other.  Squared and without the rotation, as in 37.  Read as two different numbers with one "
+    "letter both equations are right.",
+)
+
+# %% [markdown]
+# ## Code
+
+# %%
+base_length = sympy.Symbol("base")
+section.kernel(
+    "collinearity.model_point",
+    "Model point on the left ray, from reduced transformed picture coordinates.",
+    arguments={"reduced_left": reduced_left, "reduced_right": reduced_right, "base": base_length},
+    derived=model_point_of_reduced.xreplace({length1: sympy.Integer(1), length2: sympy.Integer(1), B: base_length}),
+    form=reconstructed.xreplace({B: base_length}),
+    claims=["36", "36#directions"],
+    describe={
+        "reduced_left": "Left picture point, (x, y, -c) turned into the model system; any unit of length.",
+        "reduced_right": "Right picture point, (x, y, -c) turned into the model system; any unit of length.",
+        "base": "Model base B, on the axis XM; unit of the model.",
+    },
+    example={
+        "reduced_left": ("21.5", "-33.25", "-150.75"),
+        "reduced_right": ("-28.25", "-34.5", "-153.5"),
+        "base": "60.5",
+    },
+)
+section.kernel(
+    "collinearity.similarity",
+    "Object point of a model point: rotation, scale and translation.",
+    arguments={
+        "X_model": model,
+        "angles": vector(Phi, Omega, Kappa),
+        "scale": sympy.Symbol("scale"),
+        "translation": center,
+    },
+    through=[cos_sin(*values, angle) for angle, values in cosines_and_sines.items()],
+    derived=object_of_model.xreplace({m: sympy.Symbol("scale")}),
+    claims=["38"],
+    describe={
+        "X_model": "Model point (XM, YM, ZM); unit of the model.",
+        "angles": "Rotations (Phi, Omega, K) about Y, X and Z; radians.",
+        "scale": "Scale m of (38), object over model; dimensionless if both have the same unit.",
+        "translation": "Object coordinates (Xo, Yo, Zo) of the origin of the model; unit of the object.",
+    },
+    example={
+        "X_model": ("39.25", "-60.5", "-275.75"),
+        "angles": ("0.125", "-0.0625", "0.75"),
+        "scale": "1.25",
+        "translation": ("512.5", "-107.25", "348.75"),
+    },
+)

@@ -1,0 +1,349 @@
+# %% [markdown]
+# # 3 Simultaneous determination of all orientation unknowns for the general case
+#
+# The rays are those of section 2.2, but in the object system: 22 parameters of two photographs at once.
+
+# %%
+import sympy
+
+from algebroproj_derivations.okamoto1981.notation import *
+from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import exterior_angles, of_angles
+from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
+    free_points,
+    g1,
+    g2,
+    inner_left,
+    inner_of,
+    inner_right,
+    of_reduced,
+    quotients,
+    ray_matrix,
+    reduced_left,
+    reduced_right,
+    rho1,
+    rho2,
+    seven_ratios,
+)
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import (
+    Matrix,
+    Scalar,
+    columns,
+    cross,
+    determinant,
+    dot,
+    linear_system,
+    over,
+    solve,
+    vector,
+)
+
+section = Section("okamoto1981", "3", "Simultaneous determination of all orientation unknowns, general case")
+
+# %% [markdown]
+# ## Rays in the object system
+
+# %%
+center_left, center_right = vector(*sympy.symbols("Xo1 Yo1 Zo1")), vector(*sympy.symbols("Xo2 Yo2 Zo2"))
+Xo1, Yo1, Zo1 = center_left
+Xo2, Yo2, Zo2 = center_right
+l1, m1, n1 = g1
+l2, m2, n2 = g2
+X1, Y1, Z1 = reduced_left
+X2, Y2, Z2 = reduced_right
+on_left_ray, on_right_ray = center_left + rho1 * g1, center_right + rho2 * g2
+
+for number, title, origin, direction, on_ray, rho in (
+    ("39", "the left ray", center_left, g1, on_left_ray, rho1),
+    ("40", "the right ray", center_right, g2, on_right_ray, rho2),
+):
+    section.identity(
+        number,
+        title,
+        printed=quotients(point - origin, direction),
+        where=dict(zip(point, on_ray, strict=True)),
+        derived=vector(rho, rho, rho),
+    )
+
+# %% [markdown]
+# ## Coplanarity
+
+# %%
+BX, BY, BZ = sympy.symbols("B_X B_Y B_Z")
+base = vector(BX, BY, BZ)
+of_centers = dict(zip(base, center_right - center_left, strict=True))
+meeting, base_vector = linear_system(list(on_left_ray - on_right_ray), (rho1, rho2))
+section.up_to_scale(
+    "41",
+    "condition of coplanarity",
+    printed=Matrix([[determinant(Matrix([[Xo2 - Xo1, l1, l2], [Yo2 - Yo1, m1, m2], [Zo2 - Zo1, n1, n2]]))]]),
+    derived=Matrix([[determinant(columns(meeting, base_vector))]]),
+)
+section.vanishing(
+    "42",
+    "condition of coplanarity in reduced transformed picture coordinates",
+    printed=(determinant(Matrix([[BX, X1, X2], [BY, Y1, Y2], [BZ, Z1, Z2]])),),
+    derived=dot(base, cross(g1, g2)).xreplace(of_reduced),
+    note="The lengths by which the coordinates are divided drop out.",
+)
+Xo6 = sympy.Symbol("Xo6")
+section.identity(
+    "42#base",
+    "the base",
+    printed=vector(Xo6 - Xo1, Yo2 - Yo1, Zo2 - Zo1),
+    derived=base_vector,
+    expect="misprint",
+    corrected=vector(Xo2 - Xo1, Yo2 - Yo1, Zo2 - Zo1),
+    note="The index o6 of the first component must be o2.  The scan alone cannot tell a slip of the scan from one of "
+    "the print.",
+)
+
+# %% [markdown]
+# ## Object points
+
+# %%
+rho = solve(meeting[:2, :], base_vector[:2, :])[0]
+object_point = center_left + rho * g1
+reduced_point = object_point.xreplace(of_reduced)
+section.identity(
+    "43#rho",
+    "factor of the left ray",
+    printed=(m2 * BX - l2 * BY) / (l1 * m2 - m1 * l2),
+    where=of_centers,
+    derived=rho,
+)
+section.identity(
+    "43#directions",
+    "object point from direction cosines",
+    printed=vector(*(k * (m2 * BX - l2 * BY) / (l1 * m2 - m1 * l2) + o for k, o in zip(g1, center_left, strict=True))),
+    where=of_centers,
+    derived=object_point,
+)
+section.identity(
+    "43",
+    "object point from reduced transformed picture coordinates",
+    printed=vector(
+        X1 * (Y2 * BX - X2 * BY) / (X1 * Y2 - Y1 * X2) + Xo1,
+        Y1 * (Y2 * BX - X2 * BY) / (X1 * Y2 - Y1 * X2) + Yo1,
+        Z1 * (Y2 * BX - X2 * BY) / (X1 * Y2 - Y1 * X2) + Zo1,
+    ),
+    where=of_centers,
+    derived=reduced_point,
+)
+
+# %% [markdown]
+# ## Twenty-two equations
+
+# %%
+angles_left, angles_right = (tuple(sympy.symbols(f"t_phi{i} t_omega{i} t_kappa{i}")) for i in (1, 2))
+left_rotation, right_rotation = of_angles(*angles_left), of_angles(*angles_right)
+twenty_two = (*angles_left, *center_left, *inner_left, *angles_right, *center_right, *inner_right)
+b1, b2, b3 = center_right - center_left
+cross_with_base = Matrix([[0, b3, -b2], [-b3, 0, b1], [b2, -b1, 0]])
+bilinear = (
+    ray_matrix(left_rotation, inner_of(inner_left)).T
+    * cross_with_base
+    * ray_matrix(right_rotation, inner_of(inner_right))
+)
+section.identity(
+    "42/beyond/bilinear",
+    "the condition as a bilinear form",
+    printed=dot(reduced_left, cross_with_base * reduced_right),
+    derived=dot(center_right - center_left, cross(reduced_left, reduced_right)),
+    note="Not in the paper.",
+)
+section.identity(
+    "42/beyond/determinant",
+    "the middle matrix is singular, and with it the bilinear form",
+    printed=0,
+    derived=determinant(cross_with_base),
+    note="Not in the paper.",
+)
+section.count(
+    "42#seven",
+    "the condition has seven independent parameters",
+    printed=7,
+    derived=seven_ratios(bilinear),
+    variables=twenty_two,
+    note="Seven ratios of the elements of the bilinear form are independent; by 42/beyond/determinant the eighth "
+    "follows from them.",
+)
+
+tie_points = free_points(2)
+control_points = [vector(*p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 2, 3))]
+camera_left = camera(inner_of(inner_left), left_rotation.T, center_left)
+camera_right = camera(inner_of(inner_right), right_rotation.T, center_right)
+section.count(
+    "3/twenty-two",
+    "seven conditions of coplanarity and five object points determine the 22 parameters",
+    printed=28,
+    derived=Matrix.vstack(
+        *(image(matrix, p) for p in (*control_points, *tie_points) for matrix in (camera_left, camera_right))
+    ),
+    variables=(*twenty_two, *(coordinate for p in tie_points for coordinate in p)),
+    note="The seven pairs are those of five object points and of two further points: 28 image coordinates are "
+    "independent functions of 22 parameters and 6 coordinates.  For a pair that satisfies (42) the four image "
+    "coordinates of a given point say the same as (43).  2.1/twenty-two counts the coefficients, with other pairs.",
+)
+
+# %% [markdown]
+# ## Four types of control points
+#
+# What is known of a control point is put into (39) and (40), and the unknown coordinates are eliminated.
+
+
+# %%
+def from_known(known: int, wanted: int, origin: Matrix, direction: Matrix) -> Scalar:
+    """Return a coordinate of the point of a ray where another coordinate is known."""
+    return origin[wanted] + over(direction[wanted], direction[known]) * (point[known] - origin[known])
+
+
+def in_reduced(expression: Scalar) -> Scalar:
+    return expression.xreplace(of_reduced)
+
+
+Xp1, Yp1, Zp1 = sympy.symbols("Xp1 Yp1 Zp1")
+transformed = {Xp1: X1 + Xo1, Yp1: Y1 + Yo1, Zp1: Z1 + Zo1}
+section.identity(
+    "44#directions",
+    "first type, left photograph, from direction cosines",
+    printed=vector(Xo1 + l1 / n1 * (Z - Zo1), Yo1 + m1 / n1 * (Z - Zo1)),
+    derived=vector(*(from_known(2, k, center_left, g1) for k in (0, 1))),
+)
+section.identity(
+    "44",
+    "first type, left photograph",
+    printed=vector(Xo1 + Xp1 / Zp1 * (Z - Zo1), Yo1 + Y1 / Zp1 * (Z - Zo1)),
+    where=transformed,
+    derived=vector(*(in_reduced(from_known(2, k, center_left, g1)) for k in (0, 1))),
+    expect="misprint",
+    corrected=vector(Xo1 + X1 / Z1 * (Z - Zo1), Yo1 + Y1 / Z1 * (Z - Zo1)),
+    note="The bars are missing on Xp1 and on both Zp1: without them these are the coordinates that are not reduced, "
+    "which contain the projection center.  (45) has the bars.  The scan alone cannot tell a slip of the scan from one "
+    "of the print.",
+)
+section.identity(
+    "45#directions",
+    "first type, right photograph, from direction cosines",
+    printed=vector(Xo2 + l2 / n2 * (Z - Zo2), Yo2 + m2 / n2 * (Z - Zo2)),
+    derived=vector(*(from_known(2, k, center_right, g2) for k in (0, 1))),
+)
+section.identity(
+    "45",
+    "first type, right photograph",
+    printed=vector(Xo1 + BX + X2 / Z2 * (Z - Zo1 - BZ), Yo1 + BY + Y2 / Z2 * (Z - Zo1 - BZ)),
+    where=of_centers,
+    derived=vector(*(in_reduced(from_known(2, k, center_right, g2)) for k in (0, 1))),
+)
+ray = of_angles(*exterior_angles).T * (point - center)
+section.up_to_scale(
+    "44#collinearity",
+    "the collinearity equations say the same",
+    printed=point - center,
+    derived=of_angles(*exterior_angles) * vector(*(over(-c * component, ray[2]) for component in ray)),
+    note="The picture point of (3), turned into the object system, has the direction from the center to the object "
+    "point.",
+)
+
+# %% [markdown]
+# Second type: $X$ and $Y$ are known.  The third equation says that both rays give the same $Z$; it is written with
+# $Z - Z_{o1}$.
+
+# %%
+section.identity(
+    "46#1",
+    "second type, left photograph",
+    printed=vector(Xo1 + l1 / m1 * (Y - Yo1), Xo1 + X1 / Y1 * (Y - Yo1)),
+    derived=vector(from_known(1, 0, center_left, g1), in_reduced(from_known(1, 0, center_left, g1))),
+)
+section.identity(
+    "46#2",
+    "second type, right photograph",
+    printed=vector(Xo2 + l2 / m2 * (Y - Yo2), Xo1 + BX + X2 / Y2 * (Y - Yo1 - BY)),
+    where=of_centers,
+    derived=vector(from_known(1, 0, center_right, g2), in_reduced(from_known(1, 0, center_right, g2))),
+)
+section.identity(
+    "46#3",
+    "second type, both photographs: the two sides",
+    printed=vector(Z1 / X1 * (X - Xo1), BZ + Z2 / X2 * (X - Xo1 - BX)),
+    where=of_centers,
+    derived=vector(*(in_reduced(from_known(0, 2, o, g)) - Zo1 for o, g in ((center_left, g1), (center_right, g2)))),
+)
+
+# %% [markdown]
+# Third type: $Z$ is known, and both rays give the same $X$ and the same $Y$.
+
+# %%
+section.identity(
+    "47",
+    "third type, from direction cosines: the two sides of both equations",
+    printed=Matrix(
+        [
+            [Xo1 + l1 / n1 * (Z - Zo1), Xo2 + l2 / n2 * (Z - Zo2)],
+            [Yo1 + m1 / n1 * (Z - Zo1), Yo2 + m2 / n2 * (Z - Zo2)],
+        ]
+    ),
+    derived=Matrix(2, 2, lambda k, j: from_known(2, k, *((center_left, g1), (center_right, g2))[j])),
+)
+section.identity(
+    "48",
+    "third type: the two sides of both equations",
+    printed=Matrix(
+        [
+            [X1 / Z1 * (Z - Zo1), BX + X2 / Z2 * (Z - Zo1 - BZ)],
+            [Y1 / Z1 * (Z - Zo1), BY + Y2 / Z2 * (Z - Zo1 - BZ)],
+        ]
+    ),
+    where=of_centers,
+    derived=Matrix(
+        2,
+        2,
+        lambda k, j: in_reduced(from_known(2, k, *((center_left, g1), (center_right, g2))[j])) - center_left[k],
+    ),
+)
+
+# %% [markdown]
+# ### One of the equations is the coplanarity
+#
+# Multiplied by their denominators the equations are polynomials, here in the differences
+# $\mathbf u = \mathbf X - \mathbf X_{o1}$ and $\mathbf v = \mathbf u - \mathbf b$ and in the directions.  The
+# determinant of $\mathbf b$ and both directions, times divisors, lies in their ideal; modulo all but the last equation
+# it is a multiple of the last one.
+
+# %%
+u = vector(*sympy.symbols("u1 u2 u3"))
+v = u - base
+left_by_z = [n1 * u[0] - l1 * u[2], n1 * u[1] - m1 * u[2]]
+right_by_z = [n2 * v[0] - l2 * v[2], n2 * v[1] - m2 * v[2]]
+same_z = l2 * n1 * u[0] - l1 * l2 * BZ - l1 * n2 * v[0]
+same_x = l1 * n2 * u[2] - n1 * n2 * BX - n1 * l2 * v[2]
+same_y = m1 * n2 * u[2] - n1 * n2 * BY - n1 * m2 * v[2]
+coplanar = dot(base, cross(g1, g2))
+types = (
+    ("first", [*left_by_z, *right_by_z], n1 * n2, n1 * (l1 * n2 - n1 * l2)),
+    ("second", [m1 * u[0] - l1 * u[1], m2 * v[0] - l2 * v[1], same_z], l1 * l2, m1 * l2 - l1 * m2),
+    ("third", [same_x, same_y], n1 * n2, l1 * n2 - n1 * l2),
+)
+intersecting = dict(zip((*u, *base, *g1, *g2), (2, 4, 6, 1, 1, 1, 1, 2, 3, 1, 3, 5), strict=True))
+for name, polynomials, divisors, crossing in types:
+    *others, last = polynomials
+    section.identity(
+        f"3/coplanarity#{name}",
+        f"the equations of the {name} type contain the condition of coplanarity",
+        printed=0,
+        derived=divisors * coplanar,
+        constraints=polynomials,
+        witness=intersecting,
+        note="The factor before the determinant is a product of divisors of the equations.",
+    )
+    section.identity(
+        f"3/coplanarity#{name}-equivalent",
+        f"for the {name} type the condition stands for the last equation",
+        printed=crossing * last,
+        derived=divisors * coplanar,
+        constraints=others,
+        witness=intersecting,
+        note="Where the other equations hold, the condition and the last equation are the same but for factors that "
+        "are not zero, unless the projections of both rays into a coordinate plane are parallel.",
+    )

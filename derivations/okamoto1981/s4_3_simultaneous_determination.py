@@ -1,0 +1,103 @@
+# %% [markdown]
+# # 4.3 Simultaneous determination of all orientation unknowns for the usual case
+#
+# The procedure of section 3, with three remarks on the numbers of parameters.
+
+# %%
+from algebroproj_derivations.okamoto1981.notation import *
+from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import A_of_nine, nine
+from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
+    free_points,
+    inner_of,
+    ray_matrix,
+    seven_ratios,
+)
+from algebroproj_derivations.okamoto1981.s3_simultaneous_determination import (
+    angles_left,
+    angles_right,
+    center_left,
+    center_right,
+    cross_with_base,
+    left_rotation,
+    right_rotation,
+)
+from algebroproj_derivations.okamoto1981.s4_2_orientation_of_pairs import inner_left, inner_right
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, vector
+
+section = Section("okamoto1981", "4.3", "Simultaneous determination of all orientation unknowns, usual case")
+
+section.count(
+    "4.3/nine",
+    "a picture has nine independent parameters",
+    printed=9,
+    derived=A_of_nine,
+    variables=nine,
+)
+
+# %% [markdown]
+# The condition of coplanarity is that of (42), with 18 parameters.
+
+# %%
+eighteen = (*angles_left, *center_left, *inner_left, *angles_right, *center_right, *inner_right)
+bilinear = (
+    ray_matrix(left_rotation, inner_of(inner_left)).T
+    * cross_with_base
+    * ray_matrix(right_rotation, inner_of(inner_right))
+)
+seven_of_eighteen = seven_ratios(bilinear)
+section.count(
+    "4.3/six",
+    "the condition of coplanarity has six independent elements",
+    printed=6,
+    derived=seven_of_eighteen,
+    variables=eighteen,
+    expect="false",
+    instead="4.3/beyond/seven",
+    note="The same as 4.2/six, with the parameters of both pictures in the object system.",
+)
+section.count(
+    "4.3/beyond/seven",
+    "the condition of coplanarity has seven independent elements",
+    printed=7,
+    derived=seven_of_eighteen,
+    variables=eighteen,
+    note="Not in the paper: seven ratios of the elements of the bilinear form are independent; by "
+    "42/beyond/determinant the eighth follows from them.",
+)
+
+# %% [markdown]
+# Eleven parameters are left.  Three points give nine equations, so that four are needed, as the paper says; their
+# twelve equations are one more than needed.
+
+# %%
+control_points = [vector(*p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
+tie_points = free_points(3)
+camera_left = camera(inner_of(inner_left), left_rotation.T, center_left)
+camera_right = camera(inner_of(inner_right), right_rotation.T, center_right)
+
+
+def images(points: list[Matrix]) -> Matrix:
+    return Matrix.vstack(*(image(matrix, p) for p in points for matrix in (camera_left, camera_right)))
+
+
+coordinates_of_ties = tuple(coordinate for p in tie_points for coordinate in p)
+section.count(
+    "4.3/four-points",
+    "four points are sufficient",
+    printed=27,
+    derived=images([*control_points, *tie_points]),
+    variables=(*eighteen, *coordinates_of_ties),
+    note="Seven pairs, four of them of given points: 28 image coordinates determine 18 parameters and 9 coordinates.",
+)
+section.count(
+    "4.3/four-points#necessary",
+    "three points are not sufficient, however many pairs there are",
+    printed=16,
+    derived=Matrix.vstack(
+        seven_of_eighteen, *(vector(*image(camera_left, p), image(camera_right, p)[0]) for p in control_points[:3])
+    ),
+    variables=eighteen,
+    note="The condition of coplanarity, which is the same for all pairs, and three further equations for each of "
+    "three given points: sixteen independent functions of 18 parameters.",
+)

@@ -1,0 +1,137 @@
+# %% [markdown]
+# # 5 Concluding remarks
+#
+# The remarks repeat the numbers of the sections before; the statements are judged again, from the same expressions.
+
+# %%
+import sympy
+
+from algebroproj_derivations.okamoto1981.notation import *
+from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import A_of_eleven, eleven, of_angles
+from algebroproj_derivations.okamoto1981.s1_2_space_correspondence import B, images_of_five
+from algebroproj_derivations.okamoto1981.s2_1_algebraic_consideration import both, ratios
+from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
+    angles_left,
+    angles_right,
+    followed_by_similarities,
+    free_points,
+    inner_of,
+    left_rotation,
+    mapped_ratios,
+    ratios_to_first,
+    right_rotation,
+    squared_distances,
+    unit_base,
+)
+from algebroproj_derivations.okamoto1981.s4_2_orientation_of_pairs import (
+    common,
+    distortion,
+    images_of_four,
+    seven_of_eleven,
+    twelve,
+)
+from algebroproj_derivations.okamoto1981.s4_2_orientation_of_pairs import eleven as eleven_of_pair
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, vector
+
+section = Section("okamoto1981", "5", "Concluding remarks")
+
+# %% [markdown]
+# ## The general case
+
+# %%
+section.count(
+    "5/eleven",
+    "a photograph has eleven independent orientation elements",
+    printed=11,
+    derived=A_of_eleven,
+    variables=eleven,
+)
+section.count(
+    "5/seven",
+    "the stereo model is constructed with seven independent parameters",
+    printed=7,
+    derived=ratios[1:, :],
+    variables=both,
+    note="Seven of the eight ratios; that the eighth depends on them is part of 2.1/seven.",
+)
+section.count(
+    "5/five-points",
+    "five points determine the general correspondence",
+    printed=15,
+    derived=images_of_five,
+    variables=B,
+)
+section.count(
+    "5/divided",
+    "the general correspondence is divided into the similarity condition and a similarity",
+    printed=8,
+    derived=mapped_ratios,
+    variables=B,
+    kernel=followed_by_similarities,
+    note="15 = 8 + 7, as in 2.2/divided.",
+)
+
+# %% [markdown]
+# ## The usual case
+
+# %%
+section.count(
+    "5/six",
+    "in the usual case the condition of coplanarity has six independent elements",
+    printed=6,
+    derived=seven_of_eleven,
+    variables=eleven_of_pair,
+    expect="false",
+    instead="4.2/beyond/seven",
+    note="The same as 4.2/six.",
+)
+section.identity(
+    "5/correspondence",
+    "in the usual case model and object correspond in the form (54)",
+    printed=vector(0, 0),
+    derived=distortion,
+    expect="false",
+    instead="4.2/beyond/eleven",
+    note="The same as 4.2/correspondence.  That four points determine the correspondence is true of the one there is "
+    "as well: 4.3/four-points.",
+)
+section.count(
+    "5/divided-usual",
+    "the correspondence of twelve parameters is divided into the similarity condition and a similarity",
+    printed=5,
+    derived=ratios_to_first(squared_distances(images_of_four)),
+    variables=twelve,
+    note="12 = 5 + 7, for the correspondence of 55#twelve.  The one that there is has 11 = 4 + 7 parameters, "
+    "4.2/beyond/seven-and-four.",
+)
+
+# %% [markdown]
+# ## Triplets
+#
+# Three photographs of one camera, whose three elements of interior orientation are unknown and the same: five exterior
+# elements of the second and six of the third photograph, the base to the second being the unit of length, and the three
+# of the interior.
+
+# %%
+third_angles, third_center = sympy.symbols("t_phi3 t_omega3 t_kappa3"), vector(*sympy.symbols("Xo3 Yo3 Zo3"))
+triplet = [
+    camera(inner_of(common), turned.T, place)
+    for turned, place in (
+        (left_rotation, vector(0, 0, 0)),
+        (right_rotation, unit_base),
+        (of_angles(*third_angles), third_center),
+    )
+]
+tie_points = free_points(5)
+section.count(
+    "5/triplet",
+    "a triplet determines its model and a common interior orientation",
+    printed=29,
+    derived=Matrix.vstack(*(image(matrix, p) for p in tie_points for matrix in triplet)),
+    variables=(
+        *(*angles_left, *angles_right, *third_angles, *third_center, *common),
+        *(coordinate for p in tie_points for coordinate in p),
+    ),
+    note="Five points: 14 parameters and 15 coordinates are independent functions of 30 image coordinates.",
+)

@@ -1,0 +1,465 @@
+"""The site: every link leads somewhere, every formula is well-formed, what is shown is what was judged."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+from decimal import Decimal
+from fractions import Fraction
+from html.parser import HTMLParser
+from pathlib import Path
+from posixpath import dirname, join, normpath
+from xml.etree import ElementTree
+
+import pytest
+import sympy
+from click.testing import CliRunner
+
+from algebroproj_sym import Section
+from algebroproj_sym.cli import main
+from algebroproj_sym.declaring import Derivation, derivations, judge, publication, select
+from algebroproj_sym.declaring.bibliography import bibtex
+from algebroproj_sym.declaring.names import latex_name, plain_name
+from algebroproj_sym.expressions import Matrix, entries, evaluate, over, symbols_of, vector
+from algebroproj_sym.reporting.site import OccupiedError, catalogue, render_site, replace
+from algebroproj_sym.reporting.site.addresses import claim_page, slug
+from algebroproj_sym.reporting.site.differences import NOTHING, difference
+from algebroproj_sym.reporting.site.mathml import presentation
+from algebroproj_sym.reporting.site.search import search_index
+
+SELECTORS = ("fundamentals1996:1.2", "fundamentals1996:2.2", "rhodos1990")
+VOID = {"meta", "link", "input", "br", "hr", "img"}
+x, y, z, u31, up31 = sympy.symbols("x y z u31 up31")
+HOSTILE = '<script>alert("1")</script> & <b> "quoted" \'single\' </main>'
+
+
+class Page(HTMLParser):
+    """Elements, links and identifiers of a page; complains about tags that do not match."""
+
+    def __init__(self, text):
+        super().__init__(convert_charrefs=True)
+        self.open, self.elements, self.text = [], [], text
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag, attributes):
+        self.elements.append((tag, dict(attributes)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.elements.append((tag, dict(attributes)))
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag, tag
+
+    def handle_decl(self, declaration):
+        assert declaration == "doctype html"
+
+    def all(self, *tags):
+        return [attributes for tag, attributes in self.elements if tag in tags]
+
+    @property
+    def identifiers(self):
+        return [attributes["id"] for _, attributes in self.elements if "id" in attributes]
+
+
+def demonstration():
+    """A section with every verdict and kind of form."""
+    section = Section("demo", "1", f"Demonstration {HOSTILE}")
+    big = sympy.expand((x + 2 * y + 3 * z + 1) ** 12)
+    section.definition("1.1", "sum", printed=x + y)
+    section.identity("1.2", f"square {HOSTILE}", printed=x**2, derived=x * x, note=f"{HOSTILE}, see 1.3 and 1.3/true.")
+    section.identity("1.3", "not equal", printed=x * y, derived=x + y, expect="false", instead="1.3/true")
+    section.identity("1.3/true", "equal", printed=x + y, derived=y + x)
+    section.identity(
+        "1.4#A",
+        "matrix",
+        printed=vector(x, -y, z),
+        derived=vector(x, y, z),
+        corrected=vector(x, y, z),
+        expect="misprint",
+    )
+    section.identity("1.4#a", "lost", printed=None, derived=x + x, corrected=2 * x, expect="illegible")
+    section.identity("1.5", "open by mistake", printed=x + 1, derived=x)
+    section.identity("1.6", "long", printed=big, derived=big + over(x, x) - 1)
+    section.identity("1.7", "long, and false", printed=big, derived=big + 1, expect="false", instead="1.6")
+    section.numeric("1.8", "number", printed="0.333", derived=sympy.Rational(1, 3))
+    section.numeric(
+        "1.9", "number", printed="0.353", derived=sympy.Rational(1, 3), corrected="0.333", expect="misprint"
+    )
+    section.reference("1.10", "reference", printed="1.2", meant="1.3")
+    section.identity("1.11", "constraint", printed=x**3, derived=x, constraints=[x**2 - 1], witness={x: 1})
+    section.identity("1.12", "undecided", printed=x**3, derived=x, constraints=[x**2 - 1])
+    section.vanishing("1.13", "zeros", printed=(x, y), derived=x * y**2)
+    section.rank("1.14", "rank", printed=2, derived=Matrix([[x, 0], [0, y]]))
+    section.limit("1.15", "limit", printed=y, derived=over(x * y, x), variable=x)
+    section.up_to_scale("1.16", "scale", printed=vector(x, y), derived=vector(2 * x, 2 * y))
+    section.structure("1.17", "structure", printed=Matrix([[0, z], [-z, 0]]), derived=Matrix([[0, x], [-x, 0]]))
+    return section
+
+
+@pytest.fixture(scope="module")
+def demo():
+    section = demonstration()
+    source = Derivation("demo", section, Path("demo.py"))
+    return render_site(catalogue([judge(claim) for claim in section.claims], [source] * len(section.claims)))
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    """The site of a few sections, as the command writes it."""
+    folder = tmp_path_factory.mktemp("written") / "site"
+    result = CliRunner().invoke(main, ["report", *SELECTORS, "--out", str(folder), "--samples", "2"])
+    assert result.exit_code == 0, result.output
+    return folder
+
+
+@pytest.fixture(scope="module")
+def site(written):
+    return {path.relative_to(written).as_posix(): path.read_text(encoding="utf-8") for path in written.rglob("*.*")}
+
+
+@pytest.fixture(params=["demo", "site"])
+def files(request):
+    return request.getfixturevalue(request.param)
+
+
+def pages(files):
+    return {name: Page(text) for name, text in files.items() if name.endswith(".html")}
+
+
+def test_there_is_a_page_for_each_paper_claim_and_function(site):
+    for claim in select(SELECTORS):
+        assert claim_page(claim.paper, claim.number) in site
+    for paper in ("fundamentals1996", "rhodos1990"):
+        assert {f"{paper}/index.html", f"{paper}/errata.html"} <= site.keys()
+    assert any(name.startswith("functions/correlation.") for name in site)
+    assert "index.html" in site
+
+
+def test_every_link_and_anchor_resolves(files):
+    found = pages(files)
+    checked = 0
+    for name, page in found.items():
+        assert len(page.identifiers) == len(set(page.identifiers)), name
+        for attributes in page.all("a", "link", "script", "form"):
+            target = attributes.get("href") or attributes.get("src") or attributes.get("action")
+            if target is None:
+                continue
+            path, _, anchor = target.partition("#")
+            address = normpath(join(dirname(name), path)) if path else name
+            assert address in files, (name, target)
+            assert not anchor or anchor in found[address].identifiers, (name, target)
+            checked += 1
+        for attributes in (attributes for _, attributes in page.elements):
+            for reference in ("aria-labelledby", "for"):
+                assert {*attributes.get(reference, "").split()} <= {*page.identifiers}, (name, attributes)
+    assert checked > 100
+
+
+def test_nothing_is_loaded_from_elsewhere(files):
+    for name, text in files.items():
+        if name.endswith((".html", ".css", ".js")):
+            assert not re.search(r"(?:src|href|action)=\"(?:[a-z]+:|//)|url\(|@import|fetch\(|https?://", text), name
+
+
+def test_pages_can_be_read_by_everyone(files):
+    for name, page in pages(files).items():
+        assert page.all("html") == [{"lang": "en"}], name
+        assert len(page.all("h1")) == len(page.all("main")) == 1, name
+        assert ("title", {}) in page.elements, name
+        assert page.all("header"), name
+        assert page.all("footer"), name
+        levels = [int(tag[1]) for tag, _ in page.elements if re.fullmatch("h[1-6]", tag)]
+        assert all(after <= before + 1 for before, after in zip([0, *levels], levels, strict=False)), (name, levels)
+        assert len(page.all("caption")) == len(page.all("table")), name
+        assert all(attributes.get("scope") in ("row", "col") for attributes in page.all("th")), name
+        assert len(page.all("label")) == len(page.all("input")) > 0, name
+        assert all(attributes.get("aria-label") for attributes in page.all("nav")), name
+        assert all(attributes.get("role") == "img" for attributes in page.all("svg")), name
+        assert 'class="skip" href="#content"' in page.text, name
+
+
+def test_formulas_are_well_formed(files):
+    count = 0
+    for name, text in files.items():
+        for formula in re.findall(r"<math.*?</math>", text):
+            tree = ElementTree.fromstring(formula)
+            assert {element.tag for element in tree.iter()} <= TAGS, name
+            count += 1
+    assert count > 20
+
+
+TAGS = {"math", "mrow", "mi", "mn", "mo", "mfrac", "msup", "msub", "msubsup", "mtable", "mtr", "mtd"}
+
+
+def value(element, point):
+    """Evaluate MathML: what a reader sees, read back."""
+    children = list(element)
+    if element.tag == "mn":
+        return Fraction(element.text)
+    if element.tag == "mfrac":
+        return value(children[0], point) / value(children[1], point)
+    if "".join(element.itertext()) in point and element.tag in ("mi", "msub", "msup", "msubsup"):
+        return point["".join(element.itertext())]
+    if element.tag == "msup":
+        return value(children[0], point) ** int(children[1].text)
+    total, product, sign = Fraction(0), None, 1
+    for child in children:
+        if child.tag == "mo" and child.text in "+−":
+            total += sign * product if product is not None else 0
+            product, sign = None, 1 if child.text == "+" else -1
+        elif child.tag == "mrow" and set(child.attrib) == {"class"} and child[0].tag == "mo" and child[0].text in "+−":
+            raise AssertionError("marked terms are not read back")
+        elif child.tag != "mo":
+            product = (1 if product is None else product) * value(child, point)
+    return total + sign * product
+
+
+def assert_reads_back(expression):
+    symbols = symbols_of([expression])
+    point = {symbol: Fraction(7 * k + 3, 5 * k + 11) for k, symbol in enumerate(symbols)}
+    seen = {"".join(ElementTree.fromstring(presentation(symbol)).itertext()): point[symbol] for symbol in symbols}
+    assert len(seen) == len(symbols)
+    tree = ElementTree.fromstring(presentation(expression))
+    cells = list(tree.iter("mtd")) if isinstance(expression, sympy.MatrixBase) else [tree]
+    assert [value(one(cell), seen) for cell in cells] == list(evaluate(expression, point))
+
+
+def one(cell):
+    row = ElementTree.Element("mrow")
+    row.append(cell) if cell.tag != "mtd" else row.extend(cell)
+    return row
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        -x,
+        x - y,
+        -(x + y) * z,
+        2 * x**2 / (3 * y),
+        over(x + 1, x + 1) ** 2,
+        over(-x, y - 1) * z,
+        (-x) ** 3 + 1,
+        sympy.Rational(-2, 3) + x / 2,
+        1 / (x * y**2) - over(1, over(x, y)),
+        up31**2 * u31,
+        sympy.Mul(2, sympy.Add(x, 1), evaluate=False),
+        sympy.Mul(x, sympy.Mul(-2, y, evaluate=False), 3, evaluate=False),
+        sympy.Mul(2, sympy.Pow(3, 2, evaluate=False), evaluate=False),
+        sympy.Pow(sympy.Rational(-1, 2), 2, evaluate=False) + x,
+        sympy.Add(x, sympy.Add(y, -1, evaluate=False), evaluate=False),
+        Matrix([[-1, x], [0, -over(y, x)]]),
+    ],
+    ids=str,
+)
+def test_what_is_shown_is_what_was_meant(expression):
+    assert_reads_back(expression)
+
+
+def test_formulas_of_the_papers_read_back():
+    claims = select(["fundamentals1996:1.2", "fundamentals1996:1.5"])
+    forms = [form for claim in claims for form in (claim.printed, claim.derived, claim.corrected)]
+    shown = [form for form in forms if isinstance(form, sympy.Expr | sympy.MatrixBase)]
+    assert len(shown) > 40
+    for form in shown:
+        assert_reads_back(form)
+
+
+@pytest.mark.parametrize(
+    ("name", "latex", "plain"),
+    [
+        ("up31", r"u^{\prime}_{31}", "u'31"),
+        ("uppN30", r"u^{\prime\prime}_{N30}", "u''N30"),
+        ("pp1", r"p^{\prime}_{1}", "p'1"),
+        ("p1", "p_{1}", "p1"),
+        ("mup1", r"\mu^{\prime}_{1}", "μ'1"),
+        ("y0_3", "y_{0,3}", "y0,3"),
+        ("c_phi", r"c_{\varphi}", "cφ"),
+        ("weighted", r"\mathrm{weighted}", "weighted"),
+        ("x8pp", r"x^{\prime\prime}_{8}", "x''8"),
+    ],
+)
+def test_names_of_symbols(name, latex, plain):
+    assert (latex_name(name), plain_name(name)) == (latex, plain)
+
+
+def test_file_names_are_unique_even_where_case_does_not_count(files):
+    names = [name.lower() for name in files]
+    assert len(names) == len(set(names))
+    assert all(re.fullmatch(r"[a-z0-9_./~=,+-]+", name) for name in files)
+    everything = [claim_page(claim.paper, claim.number) for claim in select()]
+    assert len(everything) == len(set(everything))
+
+
+def test_addresses_are_permanent():
+    numbers = ["2.2.6", "1.3.5#mu3", "2.4/2.3.2", "table:2.2", "2.1/u0'C", "1.3/P*", "1.2/j=2", "1.3/ä"]
+    assert [slug(number) for number in numbers] == [
+        "2.2.6",
+        "1.3.5~mu3",
+        "2.4_2.3.2",
+        "table,2.2",
+        "2.1_u0=+c",
+        "1.3_+p+2a",
+        "1.2_j+3d2",
+        "1.3_+80000e4",
+    ]
+
+
+def test_every_verdict_has_a_page_that_says_so(demo):
+    verdicts = {
+        name: re.search(r'class="verdict (\w+)"', text).group(1)
+        for name, text in demo.items()
+        if re.match(r"demo/\d", name) and name.endswith(".html")
+    }
+    assert {*verdicts.values()} == {"proved", "misprint", "false", "illegible", "definition", "open"}
+    assert "Declared: proved." in demo["demo/1.5.html"]
+    assert "What is true instead" in demo["demo/1.3.html"]
+    assert "The scan does not preserve it" in demo["demo/1.4~a.html"]
+    assert "Undecided: " in demo["demo/1.12.html"]
+    assert "Cofactors of the constraints" in demo["demo/1.11.html"]
+
+
+def test_the_entries_that_differ_are_marked_and_named(demo):
+    text = demo["demo/1.4~+a.html"]
+    printed, derived, corrected = re.findall(r"<figure.*?</figure>", text, re.DOTALL)
+    for side in (printed, derived, corrected):
+        assert len(re.findall("<mtd", side)) == 3
+        assert len(re.findall('<mtd class="differs">', side)) == 1
+    assert '<mo class="differs">−</mo>' in printed
+    assert "row 2, column 1" in text
+    assert "Counterexample" in text
+    digits = demo["demo/1.9.html"]
+    assert '0.3<mark class="differs">5</mark>3' in digits
+
+
+def test_as_little_as_can_be_told_apart_is_marked():
+    left, right = difference(x * y + z, x * u31 + z)
+    assert left.of(x * y).of(y).whole
+    assert right.of(x * u31).of(u31).whole
+    assert left.of(z) == NOTHING
+    assert difference(x, -x)[0].whole
+    assert difference(over(x, y), over(x, z))[1].of(z).whole
+
+
+def test_what_is_too_long_is_text_or_a_sentence_with_a_link_to_all_of_it(demo):
+    text = demo["demo/1.6.html"]
+    assert max(map(len, re.findall(r"<math.*?</math>", text))) < 2000
+    assert 'href="1.6.json"' in text
+    record = json.loads(demo["demo/1.6.json"])
+    assert sympy.sympify(record["printed"]).equals(sympy.expand((x + 2 * y + 3 * z + 1) ** 12))
+    assert all(len(page) < 100_000 for name, page in demo.items() if name.endswith(".html"))
+
+
+def test_titles_and_notes_are_escaped_and_numbers_in_notes_are_links(demo):
+    for name, text in demo.items():
+        if name.endswith(".html"):
+            assert "<script>" not in text, name
+            assert "</main> " not in text, name
+    text = demo["demo/1.2.html"]
+    assert "&lt;script&gt;" in text
+    assert '<a href="1.3_true.html">1.3/true</a>.' in text
+    assert "</script" not in demo["search-index.js"]
+
+
+def test_the_errata_say_what_to_read(demo, site):
+    text = demo["demo/errata.html"]
+    assert text.count("<figcaption>For</figcaption>") == text.count("<figcaption>Read</figcaption>") == 3
+    assert "True instead" in text
+    assert "@misc" not in text
+    assert "@misc{fundamentals1996" in site["fundamentals1996/errata.html"]
+    assert "(2.2.6)" in site["fundamentals1996/errata.html"]
+    assert "(2.2.6)" in site["index.html"]
+
+
+def test_the_search_finds_numbers_titles_and_symbols(site):
+    lines = site["search-index.js"].split("\n")[1:-2]
+    index = [json.loads(line.rstrip(",")) for line in lines]
+    (found,) = [entry for entry in index if entry[2] == "2.2.6"]
+    assert found[:5] == ["fundamentals1996/2.2.6.html", "fundamentals1996", "2.2.6", "epipole in P'", "misprint"]
+    assert "z11" in found[5].split()
+    assert any("u'1" in entry[5].split() and "up1" in entry[5].split() for entry in index)
+    assert any(entry[1] == "function" and entry[2].startswith("correlation.") for entry in index)
+    assert all(entry[0] in site for entry in index)
+
+
+def test_a_function_page_has_formula_claims_figures_and_plot(site):
+    text = site["functions/correlation.design_row.html"]
+    for part in (
+        "<svg",
+        "Claims that prove it",
+        "Operations",
+        "badly scaled",
+        "def design_row",
+        "algebroproj.correlation.",
+    ):
+        assert part in text
+    ElementTree.fromstring(re.search(r"<svg.*?</svg>", text, re.DOTALL).group())
+    assert 'href="../functions/correlation.design_row.html"' in site["fundamentals1996/2.2.4.html"]
+
+
+def test_papers_are_in_their_own_order_whatever_the_selectors():
+    found = derivations("rhodos1990")
+    claims = [(judge(claim), source) for source in reversed(found) for claim in source.section.claims[:2]]
+    (paper,) = catalogue([judgement for judgement, _ in claims], [source for _, source in claims]).papers
+    assert [chapter.number for chapter in paper.chapters] == ["1.1", "1.2"]
+    assert [entry.number for entry in paper.entries[:2]] == [claim.number for claim in found[0].section.claims[:2]]
+
+
+def test_every_paper_is_known():
+    papers = {claim.paper for claim in select()}
+    assert all(publication(paper).title != paper for paper in papers)
+    assert all(bibtex(publication(paper)).isascii() for paper in papers)
+    assert not bibtex(publication("nosuch"))
+
+
+def test_the_bytes_depend_neither_on_the_hash_seed_nor_on_the_workers(tmp_path, written, site):
+    out = tmp_path / "again"
+    command = [sys.executable, "-m", "algebroproj_sym", "report", *reversed(SELECTORS), "--out", str(out)]
+    environment = {**os.environ, "PYTHONHASHSEED": "77"}
+    subprocess.run([*command, "--samples", "2", "--jobs", "2"], check=True, env=environment, capture_output=True)
+    again = {path.relative_to(out).as_posix(): path.read_text(encoding="utf-8") for path in out.rglob("*.*")}
+    assert again.keys() == site.keys()
+    assert [name for name in site if again[name] != site[name]] == []
+    assert not list(tmp_path.glob(".*"))
+
+
+def test_only_an_earlier_site_is_replaced(tmp_path):
+    folder = tmp_path / "site"
+    replace({"index.html": "one", "search-index.js": "", "old.html": ""}, folder)
+    replace({"index.html": "two", "search-index.js": ""}, folder)
+    assert {path.name: path.read_text() for path in folder.iterdir()} == {"index.html": "two", "search-index.js": ""}
+    (folder / "search-index.js").unlink()
+    with pytest.raises(OccupiedError, match="expected a new or empty folder"):
+        replace({"index.html": "three"}, folder)
+    result = CliRunner().invoke(main, ["report", "rhodos1990:1.1", "--out", str(folder)])
+    assert result.exit_code == 2
+    assert (folder / "index.html").read_text() == "two"
+    assert [path.name for path in tmp_path.iterdir()] == ["site"]
+
+
+def test_a_claim_that_is_not_as_declared_exits_with_1(tmp_path):
+    module = tmp_path / "squares.py"
+    module.write_text(
+        "import sympy\nfrom algebroproj_sym import Section\nx = sympy.Symbol('x')\n"
+        "section = Section('mine', '1', 'Squares')\n"
+        "section.identity('1.1', 'a square', printed=x**2 + 1, derived=(x + 1) ** 2)\n",
+        encoding="utf-8",
+    )
+    result = CliRunner().invoke(main, ["report", str(module), "--out", str(tmp_path / "site")])
+    assert result.exit_code == 1
+    assert "Declared: proved." in (tmp_path / "site" / "mine" / "1.1.html").read_text(encoding="utf-8")
+
+
+def test_the_index_has_every_entry_of_the_catalogue():
+    section = demonstration()
+    source = Derivation("demo", section, Path("demo.py"))
+    whole = catalogue([judge(claim) for claim in section.claims], [source] * len(section.claims))
+    assert len(search_index(whole)) == len(section.claims)
+    assert isinstance(section.claims[9].printed, Decimal)
+    assert Path("demo/1.8.html").as_posix() in {entry[0] for entry in search_index(whole)}
+    assert entries(section.claims[4].printed)[1] == -y

@@ -5,16 +5,17 @@ Each step takes what the one before it gave; `jobs` worker processes change the 
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, wait
 from functools import partial
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
 from pathlib import Path
 from typing import TypeVar
 
-from algebroproj_sym.declaring import Claim, Judgement, Kernel, judge, select
+from algebroproj_sym.declaring import Claim, Judgement, Kernel, judge, numbered_with
 from algebroproj_sym.expressions import Expression
-from algebroproj_sym.generating import Lowered, lower
+from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
 from algebroproj_sym.reporting import derived_form
 from algebroproj_sym.verifying import Verification, load_package, verify
@@ -22,11 +23,24 @@ from algebroproj_sym.verifying import Verification, load_package, verify
 Task = TypeVar("Task")
 Result = TypeVar("Result")
 
+GRACE = 1.0
+"""Seconds that workers have to finish what they do when the work is given up."""
+
 EMITTED = ("proved", "misprint", "illegible")
 
 
 class UnprovedError(ValueError):
-    """A kernel names a claim that does not prove it."""
+    """A kernel names a claim that does not prove it.
+
+    Attributes
+    ----------
+    selector : str
+        The claim.
+    """
+
+    def __init__(self, kernel: Kernel, number: str, verdict: str) -> None:
+        super().__init__(f"kernel {kernel.qualified_name}: expected claim {number} to prove it, got {verdict}")
+        self.selector = f"{kernel.paper}:{number}"
 
 
 def check(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iterator[Judgement]:
@@ -53,10 +67,19 @@ def derived_forms(claims: Sequence[Claim], jobs: int = 1) -> Iterator[Expression
     return _mapped(derived_form, claims, jobs)
 
 
-def claims_of(chosen: Sequence[Kernel]) -> tuple[Claim, ...]:
-    """Return the claims that some kernels rest on."""
+def claims_of(chosen: Sequence[Kernel], sources: Sequence[str] = ()) -> tuple[Claim, ...]:
+    """Return the claims that some kernels rest on.
+
+    Parameters
+    ----------
+    chosen : sequence of Kernel
+        As selected.
+    sources : sequence of str
+        Where the kernels are declared; without one, in all installed papers.
+    """
     wanted = {(kernel.paper, number) for kernel in chosen for number in kernel.claims}
-    return tuple(claim for claim in select() if (claim.paper, claim.number) in wanted)
+    declared = [claim for derivation in numbered_with(sources) for claim in derivation.section.claims]
+    return tuple(claim for claim in declared if (claim.paper, claim.number) in wanted)
 
 
 def programs(
@@ -85,14 +108,17 @@ def programs(
         for number in kernel.claims:
             judgement = verdicts[kernel.paper, number]
             if not judgement.as_declared or judgement.verdict not in EMITTED:
-                raise UnprovedError(
-                    f"kernel {kernel.qualified_name}: expected claim {number} to prove it, got {judgement.verdict}"
-                )
+                raise UnprovedError(kernel, number, judgement.verdict)
     return _mapped(partial(lower, engine=engine), chosen, jobs)
 
 
 def verifications(
-    lowered: Sequence[Lowered], folder: Path | None, size: int, engine: str = "flint", jobs: int = 1
+    lowered: Sequence[Lowered],
+    folder: Path | None,
+    size: int,
+    engine: str = "flint",
+    jobs: int = 1,
+    package: str = PACKAGE,
 ) -> Iterator[Verification]:
     """Verify the generated functions of some kernels.
 
@@ -108,8 +134,10 @@ def verifications(
         Which polynomial arithmetic to use.
     jobs : int
         How many processes.
+    package : str
+        The name of the package.
     """
-    return _mapped(partial(_verify, folder=folder, size=size, engine=engine), lowered, jobs)
+    return _mapped(partial(_verify, folder=folder, size=size, engine=engine, package=package), lowered, jobs)
 
 
 def mutated_claims(
@@ -130,13 +158,27 @@ def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine
     return mutate_kernel(lowered, load_package(folder), limit, size, engine)
 
 
-def _verify(lowered: Lowered, folder: Path | None, size: int, engine: str) -> Verification:
-    return verify(lowered, load_package(folder), size, engine)
+def _verify(lowered: Lowered, folder: Path | None, size: int, engine: str, package: str) -> Verification:
+    return verify(lowered, load_package(folder, package), size, engine)
 
 
 def _mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
     if jobs == 1:
         yield from map(function, tasks)
         return
-    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        yield from pool.map(function, tasks)
+    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_leave_interrupts_alone) as pool:
+        futures = [pool.submit(function, task) for task in tasks]
+        try:
+            for future in futures:
+                yield future.result()
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            wait([future for future in futures if not future.cancelled()], GRACE)
+            for child in active_children():
+                child.terminate()
+            raise
+
+
+def _leave_interrupts_alone() -> None:
+    """Let the parent process alone answer Ctrl-C; it ends its workers."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -156,6 +156,7 @@ def test_a_claim_that_is_not_as_declared_exits_with_1(tmp_path):
     ("arguments", "message"),
     [
         (("check", "nosuch"), "expected one of the papers bridges, critical1996, fundamentals1996,"),
+        (("check", "nosuch"), "or the path of a derivation module or folder, got 'nosuch'"),
         (("check", "fundamentals1996:7.7"), "expected a section or number of fundamentals1996, got '7.7'"),
         (("check", "missing.py"), "expected an existing derivation module, got missing.py"),
         (("check", "--engine", "maple"), "'maple' is not one of"),

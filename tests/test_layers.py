@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 STAGES = (
-    *("expressions", "proving", "declaring", "generating", "verifying", "mutating"),
-    *("reporting", "pipeline", "replaying", "cli"),
+    *("files", "expressions", "proving", "declaring", "generating", "verifying", "mutating"),
+    *("reporting", "pipeline", "replaying", "scaffolding", "cli", "plugin"),
 )
 
 

@@ -104,7 +104,7 @@ def demonstration():
 @pytest.fixture(scope="module")
 def demo():
     section = demonstration()
-    source = Derivation("demo", section)
+    source = Derivation("demo", section, Path("demo.py"))
     return render_site(catalogue([judge(claim) for claim in section.claims], [source] * len(section.claims)))
 
 
@@ -457,7 +457,7 @@ def test_a_claim_that_is_not_as_declared_exits_with_1(tmp_path):
 
 def test_the_index_has_every_entry_of_the_catalogue():
     section = demonstration()
-    source = Derivation("demo", section)
+    source = Derivation("demo", section, Path("demo.py"))
     whole = catalogue([judge(claim) for claim in section.claims], [source] * len(section.claims))
     assert len(search_index(whole)) == len(section.claims)
     assert isinstance(section.claims[9].printed, Decimal)

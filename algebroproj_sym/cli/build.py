@@ -6,36 +6,62 @@ from pathlib import Path
 
 import click
 
+from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import derived, judged, lowered_after, require_as_declared, verified
+from algebroproj_sym.cli.steps import (
+    derived,
+    judged,
+    lowered_after,
+    require_as_declared,
+    require_kernels,
+    require_room,
+    say_what_is_wrong,
+    verified,
+)
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels, select
-from algebroproj_sym.generating import PACKAGE, render, write
-from algebroproj_sym.reporting import findings, ledger, report, summary_text, verification_table, write_json, write_text
+from algebroproj_sym.generating import render, write
+from algebroproj_sym.reporting import (
+    findings,
+    ledger,
+    report,
+    summary_text,
+    verification_table,
+    write_json,
+    write_text,
+)
 from algebroproj_sym.verifying import verification_record
 
 
 @click.command()
+@options.derivations
 @options.folder("out", "ledger, package, figures and report")
+@options.package_name
 @options.samples
 @options.engine
 @options.jobs
-def build(out: Path, samples: int, engine: str, jobs: int) -> None:
+def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int) -> None:
     """Prove everything, generate, verify, and write ledger and report.
 
-    Writes DIR/ledger.json, DIR/findings.md, DIR/algebroproj/, DIR/accuracy.json and DIR/report.md.
+    Writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
     """
-    claims = select()
+    claims, chosen = select(sources), kernels((), sources)
+    elsewhere = [claim for claim in pipeline.claims_of(chosen, sources) if claim not in claims]
     judgements = judged(claims, engine, jobs)
     derived(claims, jobs)
     write_json(ledger(judgements, timed=False), out / "ledger.json")
     console().print(summary_text(judgements))
     write_text(findings(judgements), out / "findings.md")
-    lowered = lowered_after(judgements, kernels(), engine, jobs)
-    write(render(lowered, drivers()), out / PACKAGE)
-    verifications = verified(lowered, out, samples, engine, jobs)
+    say_what_is_wrong(judgements)
+    require_kernels(chosen)
+    support = [*judgements, *pipeline.check(elsewhere, engine, jobs)]
+    lowered = lowered_after(support, chosen, engine, jobs)
+    files = render(lowered, drivers(sources))
+    require_room(files, out / package, sources)
+    write(files, out / package)
+    verifications = verified(lowered, out, samples, engine, jobs, package)
     write_json(verification_record(verifications), out / "accuracy.json")
     write_text(report(judgements, lowered, verifications), out / "report.md")
     console().print(verification_table(verifications))
-    console().print(f"written to {out}: ledger.json, findings.md, {PACKAGE}/, accuracy.json, report.md")
-    require_as_declared(judgements, verifications)
+    console().print(f"written to {out}: ledger.json, findings.md, {package}/, accuracy.json, report.md")
+    require_as_declared(judgements, verifications, out / "report.md")

@@ -9,9 +9,9 @@ from pathlib import Path
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import judged, require_as_declared
-from algebroproj_sym.cli.terminal import console, progressing
-from algebroproj_sym.declaring import Answer, MalformedFileError, identities
+from algebroproj_sym.cli.steps import judged, require_as_declared, say_what_is_wrong
+from algebroproj_sym.cli.terminal import console, progressing, verbosity
+from algebroproj_sym.declaring import Answer, identities, select
 from algebroproj_sym.proving import outcomes
 from algebroproj_sym.reporting import (
     answers_record,
@@ -32,8 +32,8 @@ from algebroproj_sym.reporting import (
 def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
-    A SELECTOR is a paper key, paper:section, paper:number or the path of a derivation module; without one, every
-    claim of every paper is judged.
+    A SELECTOR is a paper key, paper:section or paper:number, or the path of a derivation module or folder, which may
+    be followed by :section or :number as well; without one, every claim of every installed paper is judged.
 
     A SELECTOR may also be a file of identities, NAME.json: a list of objects with lhs, rhs, and optionally
     constraints, nonzero, name, variables, witness, expected.  Each is decided within the time limit.
@@ -44,20 +44,19 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, secon
             raise click.UsageError("expected either claims or files of identities, got both")
         _check_files(files, engine, jobs, output, seconds)
         return
-    judgements = judged(options.selected(selectors), engine, jobs)
+    judgements = judged(select(selectors), engine, jobs)
     if output == "json":
         click.echo(json.dumps(ledger(judgements), indent=1, ensure_ascii=False))
     else:
         console().print(claims_table(judgements))
         console().print(summary_text(judgements))
+    if verbosity() == "quiet":
+        say_what_is_wrong(judgements)
     require_as_declared(judgements)
 
 
 def _check_files(files: Sequence[Path], engine: str, jobs: int, output: str, seconds: float) -> None:
-    try:
-        chosen = [identity for file in files for identity in identities(file)]
-    except MalformedFileError as error:
-        raise click.UsageError(str(error)) from error
+    chosen = [identity for file in files for identity in identities(file)]
     decided = outcomes([identity.question for identity in chosen], seconds=seconds, engine=engine, jobs=jobs)
     found = progressing(decided, len(chosen), "deciding")
     answers = [Answer(identity, outcome) for identity, outcome in zip(chosen, found, strict=True)]

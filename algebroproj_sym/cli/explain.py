@@ -7,7 +7,7 @@ import click
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console
-from algebroproj_sym.declaring import derivations
+from algebroproj_sym.declaring import numbered_with, select, split
 from algebroproj_sym.reporting import explanation
 
 
@@ -15,10 +15,15 @@ from algebroproj_sym.reporting import explanation
 @click.argument("selector")
 @options.engine
 def explain(selector: str, engine: str) -> None:
-    """Show what a claim prints, what is derived, the verdict, the evidence, and the functions that rest on it."""
-    for judgement in pipeline.check(options.selected((selector,)), engine):
+    """Show what a claim prints, what is derived, the verdict, the evidence, and the functions that rest on it.
+
+    A SELECTOR is that of the command check: mypaper:1.3.8, or a whole section, module or folder.
+    """
+    claims = select((selector,))
+    source, _ = split(selector)
+    found = numbered_with((source,))
+    for judgement in pipeline.check(claims, engine):
         claim = judgement.claim
-        found = [] if selector.endswith(".py") else derivations(claim.paper)
-        functions = [k.qualified_name for d in found for k in d.section.kernels if claim.number in k.claims]
-        module = next((d.module for d in found if claim in d.section.claims), selector)
-        console().print(explanation(judgement, module, functions))
+        kernels = [k for d in found for k in d.section.kernels if k.paper == claim.paper and claim.number in k.claims]
+        module = next(d.module for d in found if claim in d.section.claims)
+        console().print(explanation(judgement, module, [kernel.qualified_name for kernel in kernels]))

@@ -7,29 +7,35 @@ from pathlib import Path
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import lowered_kernels
+from algebroproj_sym.cli.steps import lowered_kernels, require_room
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels
-from algebroproj_sym.generating import PACKAGE, drift, render, write
+from algebroproj_sym.generating import drift, render, write
 from algebroproj_sym.reporting import operations_table
 
 
 @click.command()
+@options.derivations
 @options.folder("generated", "the package")
+@options.package_name
 @click.option(
     "--check", "only_check", is_flag=True, help="Write nothing; exit with 1 if the package is not up to date."
 )
 @options.engine
 @options.jobs
-def generate(out: Path, only_check: bool, engine: str, jobs: int) -> None:
-    """Lower the kernels and write the package algebroproj to DIR/algebroproj."""
-    lowered = lowered_kernels(kernels(), engine, jobs)
-    files = render(lowered, drivers())
-    folder = out / PACKAGE
+def generate(sources: tuple[str, ...], out: Path, package: str, only_check: bool, engine: str, jobs: int) -> None:
+    """Lower the kernels and write the package NAME to DIR/NAME."""
+    lowered = lowered_kernels(kernels((), sources), sources, engine, jobs)
+    files = render(lowered, drivers(sources))
+    folder = out / package
     changed = drift(files, folder)
     if only_check and changed:
-        raise click.ClickException(f"{folder} is not what the derivations generate: {', '.join(changed)}")
+        raise click.ClickException(
+            f"{folder} is not what the derivations generate: {', '.join(changed)}\n"
+            "Bring it up to date with the same command without --check."
+        )
     if not only_check:
+        require_room(files, folder, sources)
         write(files, folder)
         console().print(operations_table(lowered))
     console().print(f"{folder}: {len(lowered)} functions, {len(changed)} files {'differ' if only_check else 'changed'}")

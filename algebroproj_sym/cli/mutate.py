@@ -16,9 +16,8 @@ from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels
 from algebroproj_sym.cli.terminal import console, progressing
-from algebroproj_sym.declaring import kernels
+from algebroproj_sym.declaring import kernels, select
 from algebroproj_sym.mutating import Fate, MutatedClaim, MutatedKernel
-from algebroproj_sym.verifying import NotShippedError
 
 FATES: tuple[Fate, ...] = get_args(Fate)
 
@@ -60,7 +59,7 @@ def mutate(
     index, a dropped term, a number) must be noticed by the proof of the source, and by the comparison with 50 digits.
     Exit status 1 if a change survives.
     """
-    chosen = options.selected(selectors)
+    chosen = select(selectors)
     claims: list[MutatedClaim] = []
     functions: list[MutatedKernel] = []
     if only != "functions":
@@ -70,12 +69,9 @@ def mutate(
     if only != "claims":
         names = {(claim.paper, claim.number) for claim in chosen}
         resting = [kernel for kernel in kernels() if names & {(kernel.paper, number) for number in kernel.claims}]
-        lowered = lowered_kernels(resting, engine, jobs)
+        lowered = lowered_kernels(resting, (), engine, jobs) if resting else []
         changed = pipeline.mutated_kernels(lowered, folder, limit, engine=engine, jobs=jobs)
-        try:
-            functions = list(progressing(changed, len(lowered), "changing functions"))
-        except NotShippedError as error:
-            raise click.ClickException(str(error)) from error
+        functions = list(progressing(changed, len(lowered), "changing functions"))
     if output == "json":
         click.echo(json.dumps(_record(claims, functions), indent=1, ensure_ascii=False))
     else:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from keyword import iskeyword
 from pathlib import Path
 from typing import Any
 
 import click
 
-from algebroproj_sym.declaring import Claim, Kernel, UnknownSelectorError, kernels, select
+from algebroproj_sym.generating import PACKAGE
 from algebroproj_sym.proving import ENGINES
 
 engine = click.option(
@@ -47,6 +48,24 @@ samples = click.option(
     metavar="N",
     help="Samples in each stratum: ordinary, badly scaled, near each factor.",
 )
+derivations = click.option(
+    "--derivations",
+    "sources",
+    multiple=True,
+    metavar="SOURCE",
+    help="Take this paper, derivation module or folder instead of all installed papers; may be repeated.",
+)
+
+
+def _identifier(context: click.Context, parameter: click.Parameter, value: str) -> str:
+    if not value.isidentifier() or iskeyword(value):
+        raise click.BadParameter(f"expected the name of a Python package, such as my_functions, got {value!r}")
+    return value
+
+
+package_name = click.option(
+    "--name", "package", default=PACKAGE, show_default=True, callback=_identifier, help="Name of the package."
+)
 
 
 def folder(default: str, what: str) -> Callable[[Any], Any]:
@@ -59,19 +78,3 @@ def folder(default: str, what: str) -> Callable[[Any], Any]:
         metavar="DIR",
         help=f"Where to write {what}.",
     )
-
-
-def selected(names: tuple[str, ...]) -> tuple[Claim, ...]:
-    """Return the selected claims; a selector that names nothing is wrong usage."""
-    try:
-        return select(names)
-    except UnknownSelectorError as error:
-        raise click.UsageError(str(error)) from error
-
-
-def selected_kernels(names: tuple[str, ...]) -> tuple[Kernel, ...]:
-    """Return the kernels of some modules or names; a name that names nothing is wrong usage."""
-    try:
-        return kernels(names)
-    except UnknownSelectorError as error:
-        raise click.UsageError(str(error)) from error

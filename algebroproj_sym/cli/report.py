@@ -8,9 +8,9 @@ from tempfile import TemporaryDirectory
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import derived, judged, lowered_after, require_as_declared, verified
+from algebroproj_sym.cli.steps import derived, judged, lowered_after, require_as_declared, say_what_is_wrong, verified
 from algebroproj_sym.cli.terminal import console
-from algebroproj_sym.declaring import drivers, kernels, located
+from algebroproj_sym.declaring import drivers, kernels, located, split
 from algebroproj_sym.generating import PACKAGE, render, write
 from algebroproj_sym.reporting import summary_text
 from algebroproj_sym.reporting.site import OccupiedError, catalogue, functions_of, render_site, replace, require_free
@@ -30,7 +30,9 @@ def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, job
 
     With SELECTORs, as for check, the site has the selected claims, and the functions that rest on them alone.
     """
-    claims = options.selected(selectors)
+    found = located(selectors)
+    claims = [claim for _, claim in found]
+    sources = [split(selector)[0] for selector in selectors]
     try:
         require_free(out)
     except OccupiedError as error:
@@ -38,15 +40,16 @@ def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, job
     judgements = judged(claims, engine, jobs)
     console().print(summary_text(judgements))
     derived(claims, jobs)
+    say_what_is_wrong(judgements)
     numbers = {(claim.paper, claim.number) for claim in claims}
-    chosen = [k for k in kernels() if numbers >= {(k.paper, number) for number in k.claims}]
+    chosen = [k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}]
     lowered = lowered_after(judgements, chosen, engine, jobs)
-    package = render(lowered, drivers())
+    package = render(lowered, drivers(sources))
     with TemporaryDirectory() as folder:
         write(package, Path(folder) / PACKAGE)
         verifications = verified(lowered, Path(folder), samples, engine, jobs)
-    sources = [source for source, _ in located(selectors)]
-    site = render_site(catalogue(judgements, sources, functions_of(lowered, verifications, package)))
+    modules = [derivation for derivation, _ in found]
+    site = render_site(catalogue(judgements, modules, functions_of(lowered, verifications, package)))
     replace(site, out)
     console().print(f"written to {out}: {len(site)} files; open {out / 'index.html'}")
-    require_as_declared(judgements, verifications)
+    require_as_declared(judgements, verifications, out / "index.html")

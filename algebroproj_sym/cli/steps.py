@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import click
 
 from algebroproj_sym import pipeline
-from algebroproj_sym.cli.terminal import progressing
+from algebroproj_sym.cli.terminal import progressing, verbosity
 from algebroproj_sym.declaring import Claim, Judgement, Kernel
-from algebroproj_sym.generating import Lowered
-from algebroproj_sym.reporting import remember
-from algebroproj_sym.verifying import NotShippedError, Verification
+from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
+from algebroproj_sym.reporting import failure_text, remember
+from algebroproj_sym.verifying import Verification
 
 
 def judged(claims: Sequence[Claim], engine: str, jobs: int) -> list[Judgement]:
@@ -25,31 +25,64 @@ def derived(claims: Sequence[Claim], jobs: int) -> None:
     remember(claims, progressing(pipeline.derived_forms(claims, jobs), len(claims), "reducing"))
 
 
-def lowered_kernels(chosen: Sequence[Kernel], engine: str, jobs: int) -> list[Lowered]:
+def require_kernels(chosen: Sequence[Kernel]) -> None:
+    """Refuse to write a package without functions."""
+    if not chosen:
+        raise click.ClickException("no kernels are declared.\nDeclare a function with section.kernel(...) in a module.")
+
+
+def lowered_kernels(chosen: Sequence[Kernel], sources: Sequence[str], engine: str, jobs: int) -> list[Lowered]:
     """Judge the claims that some kernels rest on, and lower the kernels."""
-    return lowered_after(judged(pipeline.claims_of(chosen), engine, jobs), chosen, engine, jobs)
+    require_kernels(chosen)
+    return lowered_after(judged(pipeline.claims_of(chosen, sources), engine, jobs), chosen, engine, jobs)
 
 
 def lowered_after(judgements: Sequence[Judgement], chosen: Sequence[Kernel], engine: str, jobs: int) -> list[Lowered]:
-    """Lower the kernels; that a claim does not prove one is an error of the command."""
-    try:
-        return list(progressing(pipeline.programs(judgements, chosen, engine, jobs), len(chosen), "lowering"))
-    except pipeline.UnprovedError as error:
-        raise click.ClickException(str(error)) from error
+    """Lower the kernels."""
+    return list(progressing(pipeline.programs(judgements, chosen, engine, jobs), len(chosen), "lowering"))
+
+
+def require_room(files: Mapping[str, str], folder: Path, sources: Sequence[str]) -> None:
+    """Refuse to replace a package by one of some derivations only that lacks modules of it."""
+    lost = superfluous(files, folder) if sources else []
+    if lost:
+        raise click.ClickException(
+            f"{folder} also has {', '.join(lost)}, which these derivations do not generate.\n"
+            "Choose another folder with --out DIR or another package with --name NAME."
+        )
 
 
 def verified(
-    lowered: Sequence[Lowered], folder: Path | None, samples: int, engine: str, jobs: int
+    lowered: Sequence[Lowered], folder: Path | None, samples: int, engine: str, jobs: int, package: str = PACKAGE
 ) -> list[Verification]:
-    """Verify the generated functions in a folder; that one is missing is an error of the command."""
-    try:
-        found = pipeline.verifications(lowered, folder, samples, engine, jobs)
-        return list(progressing(found, len(lowered), "verifying"))
-    except NotShippedError as error:
-        raise click.ClickException(str(error)) from error
+    """Verify the generated functions in a folder, or those of the installed package."""
+    found = pipeline.verifications(lowered, folder, samples, engine, jobs, package)
+    return list(progressing(found, len(lowered), "verifying"))
 
 
-def require_as_declared(judgements: Sequence[Judgement], verifications: Sequence[Verification] = ()) -> None:
-    """Leave with exit status 1 unless every verdict is the declared one and every function has passed."""
-    if not all(j.as_declared for j in judgements) or not all(v.passed for v in verifications):
+def say_what_is_wrong(judgements: Sequence[Judgement]) -> None:
+    """Say, on standard error, why claims are not as declared."""
+    wrong = [judgement for judgement in judgements if not judgement.as_declared]
+    if wrong:
+        click.echo("\n\n".join(map(failure_text, wrong)), err=True)
+
+
+def require_as_declared(
+    judgements: Sequence[Judgement], verifications: Sequence[Verification] = (), details: Path | None = None
+) -> None:
+    """Leave with exit status 1 unless every verdict is the declared one and every function has passed.
+
+    Parameters
+    ----------
+    judgements : sequence of Judgement
+        The verdicts.
+    verifications : sequence of Verification
+        The figures of the functions.
+    details : Path, optional
+        Where to read more; said where no table is.
+    """
+    failed = [v.accuracy.function for v in verifications if not v.passed]
+    if failed and verbosity() == "quiet":
+        click.echo(f"not verified: {', '.join(failed)}{f'; see {details}' if details else ''}", err=True)
+    if failed or not all(judgement.as_declared for judgement in judgements):
         raise SystemExit(1)

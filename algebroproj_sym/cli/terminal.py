@@ -3,27 +3,44 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Iterable, Iterator
-from typing import TypeVar
+from typing import Literal, TypeVar
 
+import click
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 Item = TypeVar("Item")
+Verbosity = Literal["quiet", "normal", "verbose"]
 
 PIPE_WIDTH = 160
+
+
+def verbosity() -> Verbosity:
+    """Return how much the running command says."""
+    context = click.get_current_context(silent=True)
+    chosen: Verbosity | None = context.find_root().obj if context else None
+    return chosen or "normal"
 
 
 def console() -> Console:
     """Return the console for results: as wide as the terminal, or wide enough for the tables in a pipe."""
     return Console(
-        width=None if sys.stdout.isatty() else PIPE_WIDTH, highlight=False, soft_wrap=not sys.stdout.isatty()
+        width=None if sys.stdout.isatty() else PIPE_WIDTH,
+        highlight=False,
+        soft_wrap=not sys.stdout.isatty(),
+        quiet=verbosity() == "quiet",
     )
 
 
 def progressing(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
-    """Yield items, with a progress bar while standard error is a terminal."""
+    """Yield items, with a progress bar while standard error is a terminal; say how long it took if asked for."""
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    bar = Progress(*columns, console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty())
+    hidden = not sys.stderr.isatty() or verbosity() == "quiet"
+    bar = Progress(*columns, console=Console(stderr=True), transient=True, disable=hidden)
+    start = time.perf_counter()
     with bar:
         yield from bar.track(items, total=total, description=what)
+    if verbosity() == "verbose":
+        click.echo(f"{what}: {total} in {time.perf_counter() - start:.1f} s", err=True)

@@ -10,12 +10,14 @@ import click
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels, require_as_declared, verified
 from algebroproj_sym.cli.terminal import console
+from algebroproj_sym.declaring import kernels
 from algebroproj_sym.reporting import verification_table
 from algebroproj_sym.verifying import BOUND, verification_record
 
 
 @click.command()
 @options.functions
+@options.derivations
 @click.option(
     "--package",
     "folder",
@@ -23,11 +25,21 @@ from algebroproj_sym.verifying import BOUND, verification_record
     metavar="DIR",
     help="A folder that contains the package; by default the installed one is verified.",
 )
+@options.package_name
 @options.samples
 @options.engine
 @options.jobs
 @options.output_format
-def verify(functions: tuple[str, ...], folder: Path | None, samples: int, engine: str, jobs: int, output: str) -> None:
+def verify(
+    functions: tuple[str, ...],
+    sources: tuple[str, ...],
+    folder: Path | None,
+    package: str,
+    samples: int,
+    engine: str,
+    jobs: int,
+    output: str,
+) -> None:
     """Verify the generated functions.
 
     A FUNCTION is a module such as projection, or a name such as projection.project; without one, all are verified.
@@ -35,8 +47,8 @@ def verify(functions: tuple[str, ...], folder: Path | None, samples: int, engine
     Its source is executed on rational functions and proved; its values are compared with 50 digits of the derivation
     on stratified samples; on the zeros of each factor that must not vanish it must not stay finite.
     """
-    lowered = lowered_kernels(options.selected_kernels(functions), engine, jobs)
-    verifications = verified(lowered, folder, samples, engine, jobs)
+    lowered = lowered_kernels(kernels(functions, sources), sources, engine, jobs)
+    verifications = verified(lowered, folder, samples, engine, jobs, package)
     if output == "json":
         click.echo(json.dumps(verification_record(verifications), indent=1))
     else:

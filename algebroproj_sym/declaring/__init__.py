@@ -1,22 +1,34 @@
 """Declaring: what derivations state and ask for, how each statement is judged and how it shows itself."""
 
 from algebroproj_sym.declaring.bibliography import Publication, bibtex, publication
-from algebroproj_sym.declaring.claim import VERDICTS, Claim, DeclarationError, Statement, Verdict, statement_text
+from algebroproj_sym.declaring.claim import (
+    VERDICTS,
+    Claim,
+    DeclarationError,
+    Statement,
+    Verdict,
+    in_derived_terms,
+    statement_text,
+)
 from algebroproj_sym.declaring.difference import differing_entries
 from algebroproj_sym.declaring.discovery import (
     Derivation,
     UnknownSelectorError,
     derivation_at,
     derivations,
+    derivations_of,
     drivers,
     installed_papers,
     kernels,
     located,
+    numbered_with,
     select,
+    split,
 )
 from algebroproj_sym.declaring.display import evidence_lines
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
+from algebroproj_sym.declaring.importing import BrokenModuleError, makes_section
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.section import Section
@@ -38,6 +50,7 @@ __all__ = [
     "VERDICTS",
     "Answer",
     "Argument",
+    "BrokenModuleError",
     "Claim",
     "DeclarationError",
     "Derivation",
@@ -59,18 +72,23 @@ __all__ = [
     "cos_sin",
     "derivation_at",
     "derivations",
+    "derivations_of",
     "differing_entries",
     "drivers",
     "evidence_lines",
     "identities",
+    "in_derived_terms",
     "installed_papers",
     "judge",
     "kernels",
     "let",
     "located",
+    "makes_section",
     "null_vector",
+    "numbered_with",
     "publication",
     "select",
     "solution",
+    "split",
     "statement_text",
 ]

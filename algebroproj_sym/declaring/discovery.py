@@ -1,11 +1,13 @@
-"""Finding derivations: the modules of the installed papers, or a module given by its path."""
+"""Finding derivations: the modules of the installed papers, or modules and folders given by their paths.
+
+A *source* is the key of an installed paper, or the path of a derivation module or of a folder of such modules.  What is
+numbered together, an installed paper or the modules of one folder, is imported and held against itself as a whole.
+"""
 
 from __future__ import annotations
 
 import importlib
-import importlib.util
 import pkgutil
-import sys
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,6 +17,7 @@ from types import ModuleType
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.driver import Driver
+from algebroproj_sym.declaring.importing import import_at, is_package, modules_in
 from algebroproj_sym.declaring.kernel import Kernel
 from algebroproj_sym.declaring.section import Section
 
@@ -22,15 +25,26 @@ PAPERS = "algebroproj_derivations"
 
 
 class UnknownSelectorError(ValueError):
-    """A selector names no paper, section, claim or derivation module."""
+    """A selector names no paper, section, claim, derivation module or folder."""
 
 
 @dataclass(frozen=True)
 class Derivation:
-    """A derivation module and what it declares."""
+    """A derivation module and what it declares.
+
+    Attributes
+    ----------
+    module : str
+        Its name.
+    section : Section
+        Its claims and kernels.
+    path : Path
+        Its file.
+    """
 
     module: str
     section: Section
+    path: Path
 
 
 def installed_papers() -> tuple[str, ...]:
@@ -51,49 +65,49 @@ def derivations(paper: str) -> tuple[Derivation, ...]:
     package = importlib.import_module(f"{PAPERS}.{paper}")
     names = sorted(info.name for info in pkgutil.iter_modules(package.__path__))
     modules = (importlib.import_module(f"{package.__name__}.{name}") for name in names)
-    found = tuple(Derivation(module.__name__, section) for module in modules for section in _sections(module))
+    found = tuple(derivation for module in modules for derivation in _declared_by(module))
     _require_consistent(found)
     return found
 
 
-def _require_consistent(found: Sequence[Derivation]) -> None:
-    claims = [claim for derivation in found for claim in derivation.section.claims]
-    kernels_found = [kernel for derivation in found for kernel in derivation.section.kernels]
-    numbers = Counter(claim.number for claim in claims)
-    twice = sorted(number for number, count in numbers.items() if count > 1)
-    if twice:
-        raise DeclarationError(f"{claims[0].paper}: expected numbers that are declared once, got {twice} twice")
-    referred = {(claim.number, claim.instead) for claim in claims if claim.instead}
-    referred |= {(kernel.qualified_name, number) for kernel in kernels_found for number in kernel.claims}
-    for source, number in sorted(referred):
-        if number not in numbers:
-            raise DeclarationError(f"{source}: expected a reference to a declared claim, got {number}")
+def derivation_at(path: Path, *, alone: bool = False) -> tuple[Derivation, ...]:
+    """Import the derivation module at a path, or those of a folder in the order of their names.
 
+    A module of an installed paper keeps its own name.  A module of a package is held against all modules of the
+    package, another one against itself alone.
 
-def derivation_at(path: Path) -> tuple[Derivation, ...]:
-    """Import the derivation module at a path; one of an installed paper keeps its own name."""
+    Parameters
+    ----------
+    path : Path
+        A Python file or a folder.
+    alone : bool
+        Do not import other modules of the package.
+
+    Raises
+    ------
+    UnknownSelectorError
+        If there is no derivation module.
+    BrokenModuleError
+        If a module cannot be imported.
+    DeclarationError
+        If a number is declared twice, or a claim or kernel refers to a number that is not declared.
+    """
     target = path.resolve()
-    for paper in installed_papers():
-        if target.parent not in _folders(paper):
-            continue
-        for derivation in derivations(paper):
-            if Path(str(sys.modules[derivation.module].__file__)).resolve() == target:
-                return (derivation,)
-    spec = importlib.util.spec_from_file_location(target.stem, target)
-    if spec is None or spec.loader is None:
-        raise UnknownSelectorError(f"selector: expected the path of a Python module, got {path}")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    found = tuple(Derivation(target.stem, section) for section in _sections(module))
-    if not found:
-        raise UnknownSelectorError(f"selector: expected a module that makes a Section named section, got {path}")
-    _require_consistent(found)
-    return found
+    if target.is_dir():
+        return _body_at(target)
+    if alone:
+        return tuple(derivation for module in import_at([target]) for derivation in _declared_by(module))
+    return tuple(derivation for derivation in _body_at(target) if derivation.path == target)
 
 
-def _folders(paper: str) -> set[Path]:
-    """Return where the modules of a paper are, without importing them."""
-    return {Path(folder).resolve() for folder in importlib.import_module(f"{PAPERS}.{paper}").__path__}
+def derivations_of(sources: Sequence[str] = ()) -> tuple[Derivation, ...]:
+    """Return the derivation modules of some sources, in order; those of all installed papers without one."""
+    return _united([derivation for source in sources or installed_papers() for derivation in _modules_of(source)])
+
+
+def numbered_with(sources: Sequence[str] = ()) -> tuple[Derivation, ...]:
+    """Return the derivation modules of some sources, and those that are numbered together with them."""
+    return _united([derivation for source in sources or installed_papers() for derivation in _body_of(source)])
 
 
 def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
@@ -102,12 +116,14 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
     Parameters
     ----------
     selectors : sequence of str
-        Each a paper key, ``paper:section``, ``paper:number`` or the path of a derivation module.
+        Each a source, or a source with a section or a number: ``paper:1.3``, ``paper:1.3.8``, ``folder:1.3.8``.
 
     Raises
     ------
     UnknownSelectorError
         If a selector names nothing.
+    DeclarationError
+        If modules that are not numbered together declare the same number of the same paper.
     """
     return tuple(claim for _, claim in located(selectors))
 
@@ -115,23 +131,50 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
 def located(selectors: Sequence[str] = ()) -> tuple[tuple[Derivation, Claim], ...]:
     """Return the claims that some selectors name, as `select` does, each with the derivation that declares it."""
     chosen = [found for selector in selectors or installed_papers() for found in _located(selector)]
+    derivations_of([split(selector)[0] for selector in selectors])
     return tuple({(claim.paper, claim.number): (source, claim) for source, claim in chosen}.values())
 
 
-def kernels(names: Sequence[str] = ()) -> tuple[Kernel, ...]:
-    """Return the kernels of all installed papers, sorted by module, in the order of their declaration.
+def split(selector: str) -> tuple[str, str]:
+    """Return the source of a selector, and the section or number it asks for.
+
+    Examples
+    --------
+    >>> split("mypaper:1.3.8")
+    ('mypaper', '1.3.8')
+    >>> split("somewhere/s1_lines.py")
+    ('somewhere/s1_lines.py', '')
+    """
+    if selector and Path(selector).exists():
+        return selector, ""
+    source, _, part = selector.partition(":")
+    return source, part
+
+
+def kernels(names: Sequence[str] = (), sources: Sequence[str] = (), *, together: bool = False) -> tuple[Kernel, ...]:
+    """Return the kernels of some sources, sorted by module, in the order of their declaration.
 
     Parameters
     ----------
     names : sequence of str
         Modules or qualified names; without one, all kernels are returned.
+    sources : sequence of str
+        Where to look; without one, in all installed papers.
+    together : bool
+        Look also in the modules that are numbered together with the sources.
 
     Raises
     ------
     UnknownSelectorError
         If a name names nothing.
+    DeclarationError
+        If two kernels have the same name.
     """
-    found = [k for paper in installed_papers() for d in derivations(paper) for k in d.section.kernels]
+    modules_found = numbered_with(sources) if together else derivations_of(sources)
+    found = [kernel for derivation in modules_found for kernel in derivation.section.kernels]
+    twice = [name for name, count in Counter(kernel.qualified_name for kernel in found).items() if count > 1]
+    if twice:
+        raise DeclarationError(f"kernels: expected names that are declared once, got {twice} twice")
     modules = sorted({kernel.module for kernel in found})
     for name in names:
         if name not in modules and name not in {kernel.qualified_name for kernel in found}:
@@ -140,32 +183,135 @@ def kernels(names: Sequence[str] = ()) -> tuple[Kernel, ...]:
     return tuple(sorted(chosen, key=lambda kernel: kernel.module))
 
 
-def drivers() -> tuple[Driver, ...]:
-    """Return the hand-written functions that travel with the kernels, sorted by module."""
-    found = [driver for paper in installed_papers() for d in derivations(paper) for driver in d.section.drivers]
+def drivers(sources: Sequence[str] = ()) -> tuple[Driver, ...]:
+    """Return the hand-written functions that travel with the kernels of some sources, sorted by module."""
+    found = [driver for derivation in derivations_of(sources) for driver in derivation.section.drivers]
     return tuple(sorted(found, key=lambda driver: driver.module))
 
 
-def _sections(module: ModuleType) -> tuple[Section, ...]:
+def _united(found: Sequence[Derivation]) -> tuple[Derivation, ...]:
+    """Return each derivation once; what is numbered apart must not use the same numbers of the same paper."""
+    united = tuple({derivation.path: derivation for derivation in found}.values())
+    for paper, sections in _by_paper(united).items():
+        _require_different_numbers(paper, sections)
+    return united
+
+
+def _require_consistent(found: Sequence[Derivation]) -> None:
+    for paper, sections in _by_paper(found).items():
+        _require_different_numbers(paper, sections)
+        _require_references(sections)
+
+
+def _by_paper(found: Sequence[Derivation]) -> dict[str, list[Section]]:
+    papers = dict.fromkeys(derivation.section.paper for derivation in found)
+    return {paper: [d.section for d in found if d.section.paper == paper] for paper in papers}
+
+
+def _require_different_numbers(paper: str, sections: Sequence[Section]) -> None:
+    numbers = Counter(claim.number for section in sections for claim in section.claims)
+    twice = sorted(number for number, count in numbers.items() if count > 1)
+    if twice:
+        raise DeclarationError(f"{paper}: expected numbers that are declared once, got {twice} twice")
+
+
+def _require_references(sections: Sequence[Section]) -> None:
+    claims = [claim for section in sections for claim in section.claims]
+    numbers = {claim.number for claim in claims}
+    referred = {(claim.number, claim.instead) for claim in claims if claim.instead}
+    referred |= {(k.qualified_name, number) for section in sections for k in section.kernels for number in k.claims}
+    for source, number in sorted(referred):
+        if number not in numbers:
+            raise DeclarationError(f"{source}: expected a reference to a declared claim, got {number}")
+
+
+def _declared_by(module: ModuleType) -> tuple[Derivation, ...]:
     section = getattr(module, "section", None)
-    return (section,) if isinstance(section, Section) else ()
+    if not isinstance(section, Section):
+        return ()
+    return (Derivation(module.__name__, section, Path(str(module.__file__)).resolve()),)
+
+
+def _modules_of(source: str, selector: str = "") -> tuple[Derivation, ...]:
+    return derivation_at(_existing(source)) if _is_path(source, selector or source) else derivations(source)
+
+
+def _body_of(source: str) -> tuple[Derivation, ...]:
+    return _body_at(_existing(source).resolve()) if _is_path(source, source) else derivations(source)
+
+
+def _is_path(source: str, selector: str) -> bool:
+    """Whether a source is a path; the key of an installed paper is none, whatever the working directory holds."""
+    if source in installed_papers():
+        return False
+    if source and (source.endswith(".py") or Path(source).name != source or Path(source).is_dir()):
+        return True
+    raise UnknownSelectorError(
+        f"selector: expected one of the papers {', '.join(installed_papers())}, or the path of a derivation module "
+        f"or folder, got {selector!r}"
+    )
+
+
+def _existing(source: str) -> Path:
+    path = Path(source)
+    if not path.exists():
+        what = "module" if source.endswith(".py") else "folder"
+        raise UnknownSelectorError(f"selector: expected an existing derivation {what}, got {source}")
+    return path
+
+
+def _body_at(target: Path) -> tuple[Derivation, ...]:
+    """Return what is numbered together at a path: a folder, the package of a module, or a module that stands alone."""
+    if target.is_dir():
+        files = modules_in(target)
+    elif is_package(target.parent):
+        files = (*dict.fromkeys((*modules_in(target.parent), target)),)
+    else:
+        files = (target,)
+    found = _derivations_in(files, tuple(_stamp(file) for file in _beside(files)))
+    if target.is_file() and target not in {derivation.path for derivation in found}:
+        raise UnknownSelectorError(f"selector: expected a module that makes a Section named section, got {target}")
+    if not found:
+        raise UnknownSelectorError(
+            f"selector: expected a folder with modules that make a Section named section, got {target}"
+        )
+    return found
+
+
+def _beside(files: Sequence[Path]) -> list[Path]:
+    return [path for folder in sorted({file.parent for file in files}) for path in sorted(folder.glob("*.py"))]
+
+
+def _stamp(file: Path) -> tuple[Path, int, int]:
+    status = file.stat()
+    return file, status.st_mtime_ns, status.st_size
+
+
+@cache
+def _derivations_in(files: tuple[Path, ...], stamps: tuple[tuple[Path, int, int], ...]) -> tuple[Derivation, ...]:
+    """Import modules; `stamps` tell whether anything beside them has changed since the last time."""
+    papers = {paper: _folders(paper) for paper in installed_papers()}
+    homes = {file: next((paper for paper in papers if file.parent in papers[paper]), None) for file in files}
+    installed = {d.path: d for paper in dict.fromkeys(homes.values()) if paper for d in derivations(paper)}
+    others = [file for file in files if homes[file] is None]
+    imported = {d.path: d for module in import_at(others) for d in _declared_by(module)}
+    found = tuple((installed | imported)[file] for file in files if file in installed or file in imported)
+    _require_consistent(found)
+    return found
+
+
+def _folders(paper: str) -> set[Path]:
+    """Return where the modules of a paper are, without importing them."""
+    folders = importlib.import_module(PAPERS).__path__
+    return {(Path(folder) / paper).resolve() for folder in folders}
 
 
 def _located(selector: str) -> list[tuple[Derivation, Claim]]:
-    if selector.endswith(".py"):
-        path = Path(selector)
-        if not path.is_file():
-            raise UnknownSelectorError(f"selector: expected an existing derivation module, got {selector}")
-        return [(source, claim) for source in derivation_at(path) for claim in source.section.claims]
-    paper, _, part = selector.partition(":")
-    if paper not in installed_papers():
-        raise UnknownSelectorError(
-            f"selector: expected one of the papers {', '.join(installed_papers())}, got {selector!r}"
-        )
-    found = [(source, claim) for source in derivations(paper) for claim in source.section.claims]
-    named = [(source, claim) for source, claim in found if not part or _names(part, claim)]
+    source, part = split(selector)
+    found = [(derivation, c) for derivation in _modules_of(source, selector) for c in derivation.section.claims]
+    named = [(derivation, claim) for derivation, claim in found if not part or _names(part, claim)]
     if part and not named:
-        raise UnknownSelectorError(f"selector: expected a section or number of {paper}, got {part!r}")
+        raise UnknownSelectorError(f"selector: expected a section or number of {source}, got {part!r}")
     return named
 
 

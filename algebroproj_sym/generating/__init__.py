@@ -6,7 +6,7 @@ graph (expressions without signs and repetitions) → sharing (common pairs) →
 
 from algebroproj_sym.generating.lowering import Lowered, LoweringError, lower
 from algebroproj_sym.generating.operation_counts import OperationCounts, operation_counts
-from algebroproj_sym.generating.package import PACKAGE, drift, render, write
+from algebroproj_sym.generating.package import PACKAGE, drift, render, superfluous, write
 from algebroproj_sym.generating.program import Program, Step, run
 
 __all__ = [
@@ -21,5 +21,6 @@ __all__ = [
     "operation_counts",
     "render",
     "run",
+    "superfluous",
     "write",
 ]

@@ -14,6 +14,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.declaring import LINEAR, PRIMITIVES, Argument, Driver, Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, divided, entries
+from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import primitives
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.numpy_source import assignments
@@ -78,14 +79,16 @@ def drift(files: Mapping[str, str], folder: Path) -> list[str]:
 
 def write(files: Mapping[str, str], folder: Path) -> None:
     """Write the package: every file whole or not at all; generated files that are no longer wanted are removed."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, content in files.items():
-        temporary = folder / f".{name}.partial"
-        temporary.write_text(content, encoding="utf-8")
-        temporary.replace(folder / name)
-    for path in folder.glob("*.py"):
-        if path.name not in files and NOTICE in path.read_text(encoding="utf-8"):
-            path.unlink()
+    unwanted = superfluous(files, folder)
+    write_texts(files, folder)
+    for name in unwanted:
+        (folder / name).unlink()
+
+
+def superfluous(files: Mapping[str, str], folder: Path) -> list[str]:
+    """Return the generated modules of a folder that are not among the files."""
+    others = [path for path in sorted(folder.glob("*.py")) if path.name not in files]
+    return [path.name for path in others if NOTICE in path.read_text(encoding="utf-8")]
 
 
 def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:

@@ -7,6 +7,7 @@ from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
     claims_table,
     explanation,
+    failure_text,
     operations_table,
     summary_text,
     verification_table,
@@ -20,6 +21,7 @@ __all__ = [
     "claims_table",
     "derived_form",
     "explanation",
+    "failure_text",
     "findings",
     "ledger",
     "operations_table",

@@ -12,6 +12,7 @@ import sympy
 
 from algebroproj_sym.declaring import VERDICTS, Claim, Judgement, statement_text
 from algebroproj_sym.expressions import Expression, divided, in_steps, keeps_divisions, text
+from algebroproj_sym.files import write_texts
 from algebroproj_sym.reporting.forms import derived_form
 
 SCHEMA = 1
@@ -115,7 +116,4 @@ def write_json(record: Mapping[str, Any], path: Path) -> None:
 
 def write_text(content: str, path: Path) -> None:
     """Write a text file, whole or not at all."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.name}.partial")
-    temporary.write_text(content, encoding="utf-8")
-    temporary.replace(path)
+    write_texts({path.name: content}, path.parent)

@@ -4,8 +4,8 @@ samples (what goes in) → oracle (what is true) → accuracy (how far the shipp
 and singular_input ask the shipped function what no sample can tell.
 """
 
-from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, Stratum, accuracy, as_record, measured
-from algebroproj_sym.verifying.oracle import oracle
+from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, Stratum, accuracy, as_record, measured, truths
+from algebroproj_sym.verifying.oracle import NoAgreementError, oracle
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
 from algebroproj_sym.verifying.samples import Sample, stratified
 from algebroproj_sym.verifying.shipped import NotShippedError, call, function_of, load_package
@@ -15,6 +15,7 @@ from algebroproj_sym.verifying.verification import Verification, verification_re
 __all__ = [
     "BOUND",
     "Accuracy",
+    "NoAgreementError",
     "NotShippedError",
     "Sample",
     "Stratum",
@@ -29,6 +30,7 @@ __all__ = [
     "silent_factors",
     "source_is_proved",
     "stratified",
+    "truths",
     "verification_record",
     "verify",
 ]

@@ -104,16 +104,24 @@ def _arctan2(operands: Sequence[Any], width: int) -> Sequence[Any]:
 
 def _solution(operands: Sequence[Any], width: int) -> Sequence[Any]:
     system = _rows(operands, width)
-    return list(mpmath.lu_solve(mpmath.matrix([row[:-1] for row in system]), [row[-1] for row in system]))
+    return _solved([row[:-1] for row in system], [row[-1] for row in system])
 
 
 def _null_vector(operands: Sequence[Any], width: int) -> Sequence[Any]:
     """Solve the system with one more equation, which gives a combination of the unknowns the value 1."""
     system = _rows(operands, width)
     combination = [mpmath.mpf(1) / (place + 2) for place in range(width)]
-    vector = list(mpmath.lu_solve(mpmath.matrix([*system, combination]), [0] * len(system) + [1]))
+    vector = _solved([*system, combination], [0] * len(system) + [1])
     largest = max(vector, key=abs)
     return [component / largest for component in vector]
+
+
+def _solved(matrix: list[list[Any]], right: list[Any]) -> list[Any]:
+    """Solve a linear system; of a singular one mpmath finds a zero pivot, or none at all."""
+    try:
+        return list(mpmath.lu_solve(mpmath.matrix(matrix), right))
+    except TypeError as error:
+        raise ZeroDivisionError("the matrix is singular") from error
 
 
 def _rows(operands: Sequence[Any], width: int) -> list[list[Any]]:

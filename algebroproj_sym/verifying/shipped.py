@@ -25,21 +25,33 @@ class NotShippedError(LookupError):
     """A kernel has no generated function in the package."""
 
 
-def load_package(folder: Path | None = None) -> ModuleType:
+def load_package(folder: Path | None = None, package_name: str = PACKAGE) -> ModuleType:
     """Import the generated package.
 
     Parameters
     ----------
     folder : Path, optional
         A folder that contains the package; by default the installed one is imported.
+    package_name : str
+        The name of the package.
+
+    Raises
+    ------
+    NotShippedError
+        If there is no such package.
     """
     if folder is None:
-        return importlib.import_module(PACKAGE)
-    location = folder / PACKAGE / "__init__.py"
-    name = f"_{PACKAGE}_at_{seed_of(location.resolve())}"
+        try:
+            return importlib.import_module(package_name)
+        except ModuleNotFoundError as error:
+            raise NotShippedError(f"package: expected {package_name} to be installed, it is not") from error
+    location = folder / package_name / "__init__.py"
+    name = f"_{package_name}_at_{seed_of(location.resolve())}"
     spec = importlib.util.spec_from_file_location(name, location)
     if spec is None or spec.loader is None or not location.is_file():
         raise NotShippedError(f"package: expected {location}, which does not exist")
+    for loaded in [module for module in sys.modules if module.startswith(f"{name}.")]:
+        del sys.modules[loaded]
     package = importlib.util.module_from_spec(spec)
     sys.modules[name] = package
     with _no_bytecode():

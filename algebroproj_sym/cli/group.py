@@ -1,0 +1,55 @@
+"""The group of commands: their order, and what a reader is told when one cannot go on."""
+
+from __future__ import annotations
+
+import traceback
+from typing import Any
+
+import click
+
+from algebroproj_sym.cli.terminal import verbosity
+from algebroproj_sym.declaring import BrokenModuleError, DeclarationError, MalformedFileError, UnknownSelectorError
+from algebroproj_sym.expressions import NotRationalError
+from algebroproj_sym.generating import LoweringError
+from algebroproj_sym.pipeline import UnprovedError
+from algebroproj_sym.proving import UndefinedError
+from algebroproj_sym.verifying import NotShippedError
+
+INTERRUPTED = 130
+NEXT: dict[type[Exception], str] = {
+    BrokenModuleError: "Correct the module, and run the command again.",
+    DeclarationError: "Correct the declaration, and run the command again.",
+    NotRationalError: "Write the form with plain symbols, exact numbers, + - * /, integer powers and over(a, b).",
+    UndefinedError: "Look for a division by an expression that is identically zero.",
+    UnprovedError: "See why with: algebroproj explain",
+    LoweringError: "Give the kernel a form that equals its derived expression.",
+    NotShippedError: "Write the package with: algebroproj generate --out DIR; then verify it with --package DIR.",
+}
+_KNOWN = tuple(NEXT)
+
+
+class Group(click.Group):
+    """Commands in the order in which one needs them, whose known errors are messages and not tracebacks."""
+
+    def list_commands(self, context: click.Context) -> list[str]:
+        """Return the commands in the order in which they were added."""
+        return list(self.commands)
+
+    def invoke(self, context: click.Context) -> Any:
+        """Run a command."""
+        try:
+            return super().invoke(context)
+        except (MalformedFileError, UnknownSelectorError) as error:
+            raise click.UsageError(str(error)) from error
+        except _KNOWN as error:
+            if verbosity() == "verbose":
+                click.echo(traceback.format_exc(), err=True)
+            raise click.ClickException(f"{error}\n{_advice(error)}") from error
+        except KeyboardInterrupt:
+            click.echo("Interrupted: every file is either as it was before or complete.", err=True)
+            context.exit(INTERRUPTED)
+
+
+def _advice(error: Exception) -> str:
+    advice = next(text for kind, text in NEXT.items() if isinstance(error, kind))
+    return f"{advice} {error.selector}" if isinstance(error, UnprovedError) else advice

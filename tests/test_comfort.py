@@ -1,0 +1,207 @@
+"""What makes the command line a pleasant one: help, quiet and verbose, colors, advice, and Ctrl-C."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from click.testing import CliRunner
+
+from algebroproj_sym.cli import main
+from algebroproj_sym.files import write_texts
+from algebroproj_sym.scaffolding import create
+
+COLOR = re.compile(r"\x1b\[[0-9;]*3[0-7][0-9;]*m")
+SLOW = """
+import sympy
+from pathlib import Path
+from algebroproj_sym import Section
+
+s = sum(sympy.symbols("u v w x y"))
+section = Section("slow", "1", "Claims that take their time")
+for i in range(300):
+    section.identity(f"1.{i}", "a power", printed=(s + i) * s**28, derived=s**29 + i * s**28)
+Path(__file__).with_suffix(".read").touch()
+"""
+
+
+def run(*arguments, **options):
+    return CliRunner().invoke(main, [str(argument) for argument in arguments], **options)
+
+
+def process(*arguments, **options):
+    command = [sys.executable, "-m", "algebroproj_sym", *map(str, arguments)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+
+
+@pytest.fixture(scope="module")
+def right(tmp_path_factory):
+    return create("right", tmp_path_factory.mktemp("bodies"))[0].parent
+
+
+@pytest.fixture(scope="module")
+def wrong(tmp_path_factory):
+    module = create("wrong", tmp_path_factory.mktemp("bodies"))[1]
+    text = module.read_text(encoding="utf-8")
+    module.write_text(text.replace("printed=over(a * f, a - f)", "printed=over(a * f, a + f)"), encoding="utf-8")
+    return module.parent
+
+
+def test_help_shows_the_commands_in_the_order_of_their_use():
+    output = run("--help").output
+    listed = re.findall(r"^  (\w+)  +[A-Z]", output, flags=re.MULTILINE)
+    assert [name for name in listed if name in main.commands] == list(main.commands)
+    assert listed[0] == "new"
+    assert "Typical commands" in output
+    assert "Exit status" in output
+
+
+def test_the_commands_that_help_shows_exist():
+    shown = re.findall(r"^ +algebroproj (\w+)", run("--help").output, flags=re.MULTILINE)
+    assert len(shown) >= 4
+    assert set(shown) <= set(main.commands)
+
+
+@pytest.mark.parametrize("command", list(main.commands))
+def test_every_command_has_a_help_with_one_sentence_first(command):
+    output = run(command, "--help")
+    assert output.exit_code == 0
+    assert output.output.split("\n\n")[1].strip().split("\n")[0][0].isupper()
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_the_completion_that_help_documents_works(shell):
+    environment = os.environ | {"_ALGEBROPROJ_COMPLETE": f"{shell}_source"}
+    result = process(env=environment)
+    output, _ = result.communicate()
+    assert "_ALGEBROPROJ_COMPLETE" in output
+
+
+def test_quiet_says_nothing_where_everything_is_as_declared(right):
+    result = run("--quiet", "check", right)
+    assert (result.exit_code, result.output) == (0, "")
+
+
+def test_quiet_says_what_is_wrong(wrong):
+    result = run("--quiet", "check", wrong)
+    assert result.exit_code == 1
+    assert result.stdout == ""
+    assert "wrong (1.2)" in result.stderr
+    assert "wrong (1.1)" not in result.stderr
+
+
+def test_quiet_leaves_json_alone(right):
+    assert json.loads(run("-q", "check", right, "--format", "json").stdout)["summary"]["proved"] == 1
+
+
+def test_verbose_says_how_long_each_step_takes(right, tmp_path):
+    arguments = ("generate", "--derivations", right, "--name", "functions", "--out", tmp_path)
+    result = run("--verbose", *arguments)
+    assert re.search(r"^checking: 1 in [\d.]+ s\nlowering: 1 in [\d.]+ s$", result.stderr, flags=re.MULTILINE)
+    assert run(*arguments).stderr == ""
+
+
+@pytest.mark.parametrize(("no_color", "colored"), [({}, True), ({"NO_COLOR": "1"}, False)])
+def test_no_color_is_respected(right, no_color, colored):
+    environment = {key: value for key, value in os.environ.items() if key not in ("NO_COLOR", "TERM")}
+    environment |= {"FORCE_COLOR": "1", "TERM": "xterm-256color"} | no_color
+    output, _ = process("check", right, env=environment).communicate()
+    assert bool(COLOR.search(output)) is colored
+    assert "misprint" in output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "advice"),
+    [
+        (("check", "nosuchpaper"), "or the path of a derivation module or folder"),
+        (("verify", "--derivations", "{right}", "--name", "nosuchpackage"), "algebroproj generate --out DIR"),
+        (("generate", "--derivations", "{wrong}", "--out", "{out}"), "algebroproj explain wrong:1.2"),
+        (("generate", "--derivations", "{right}", "--out", "{out}", "--check"), "without --check"),
+        (("generate", "--derivations", "{right}", "--name", "not-a-name"), "such as my_functions"),
+        (("new", "right", "--out", "{parent}"), "--out DIR"),
+    ],
+)
+def test_an_error_says_what_to_do_next(arguments, advice, right, wrong, tmp_path):
+    places = {"right": right, "wrong": wrong, "out": tmp_path, "parent": right.parent}
+    result = run(*(argument.format(**places) for argument in arguments))
+    assert result.exit_code in (1, 2)
+    assert advice in " ".join(result.output.split())
+
+
+def test_a_build_that_is_not_as_declared_says_why_and_writes_the_ledger(wrong, tmp_path):
+    result = run("build", "--derivations", wrong, "--name", "functions", "--out", tmp_path)
+    assert result.exit_code == 1
+    assert "there derived" in result.stderr
+    assert (tmp_path / "ledger.json").is_file()
+
+
+def test_files_are_written_whole_or_not_at_all(tmp_path):
+    write_texts({"a": "old", "b": "old"}, tmp_path)
+    with pytest.raises(TypeError):
+        write_texts({"a": "new", "b": None}, tmp_path)
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"a": "old", "b": "old"}
+
+
+def test_an_interruption_while_files_are_put_in_place_comes_after_the_last(tmp_path, monkeypatch):
+    replace = type(tmp_path).replace
+
+    def interrupted(self, target):
+        signal.raise_signal(signal.SIGINT)
+        return replace(self, target)
+
+    monkeypatch.setattr(type(tmp_path), "replace", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        write_texts({"a": "new", "b": "new"}, tmp_path)
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"a": "new", "b": "new"}
+
+
+def wait_for(path, running):
+    while not path.exists() and running.poll() is None:
+        time.sleep(0.02)
+
+
+@pytest.fixture
+def slow(tmp_path):
+    module = tmp_path / "slow.py"
+    module.write_text(SLOW, encoding="utf-8")
+    return module
+
+
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_ctrl_c_ends_a_build_with_130_and_leaves_what_was_there(slow, tmp_path, jobs):
+    out = tmp_path / "out"
+    write_texts({"ledger.json": '{"schema": 1}\n', "report.md": "old\n"}, out)
+    running = process("build", "--derivations", slow, "--name", "functions", "--out", out, "--jobs", jobs)
+    wait_for(slow.with_suffix(".read"), running)
+    time.sleep(2)
+    assert running.poll() is None
+    start = time.monotonic()
+    running.send_signal(signal.SIGINT)
+    _, errors = running.communicate(timeout=20)
+    assert time.monotonic() - start < 10
+    assert running.returncode == 130
+    assert "Interrupted" in errors
+    assert "Traceback" not in errors
+    assert {path.name: path.read_text() for path in out.iterdir()} == {
+        "ledger.json": '{"schema": 1}\n',
+        "report.md": "old\n",
+    }
+
+
+def test_ctrl_c_while_verifying_leaves_complete_files_alone(right, tmp_path):
+    out = tmp_path / "out"
+    arguments = ("build", "--derivations", right, "--name", "functions", "--out", out, "--samples", "100000")
+    running = process(*arguments)
+    wait_for(out / "functions" / "py.typed", running)
+    running.send_signal(signal.SIGINT)
+    _, errors = running.communicate(timeout=60)
+    assert running.returncode == 130, errors
+    assert not [path for path in out.rglob("*") if "partial" in path.name]
+    assert json.loads((out / "ledger.json").read_text(encoding="utf-8"))["summary"]["proved"] == 1
+    for path in (out / "functions").glob("*.py"):
+        compile(path.read_text(encoding="utf-8"), path, "exec")
+    assert not (out / "report.md").exists()

@@ -1,0 +1,150 @@
+"""Compensation: sums that may cancel are computed from operands of twice the digits, and rounded once.
+
+A rounded operand of a sum is an error that cancellation enlarges.  Going from the results back to the inputs, each sum
+asks its operands for twice the digits (double-double numbers, which begin with ``wide``); so do the operations that
+such an operand is made of, down to the inputs, which are exact.  Products and quotients enlarge no relative error, and
+take ``rounded`` operands.  In real arithmetic nothing changes: ``wide`` and ``rounded`` are the identity there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import count
+
+from algebroproj_sym.generating.program import Call, Operand, Program, Step
+
+
+def compensated(program: Program, throughout: bool = False) -> Program:
+    """Return a program of the same value in which the operands of sums that may cancel have twice the digits.
+
+    Parameters
+    ----------
+    program : Program
+        What is to be computed.
+    throughout : bool
+        Whether products and quotients are computed with twice the digits too, and only the results are rounded.
+
+    Returns
+    -------
+    Program
+        Without calls of ``let``.
+
+    Examples
+    --------
+    >>> steps = (Step("t0", "-", (1, "x")), Step("y0", "-", ("t0", "y")), Step("t1", "/", ("y0", "x")))
+    >>> for step in compensated(Program(("x", "y"), steps, ("t1",))).steps:
+    ...     print(step.name, "=", step.operator, *step.operands)
+    t2 = wide 1
+    t0 = - t2 x
+    t3 = - t0 y
+    y0 = rounded t3
+    t1 = / y0 x
+    """
+    flat = _without_lets(program)
+    return _written(flat, _doubled(flat, throughout))
+
+
+def _without_lets(program: Program) -> Program:
+    """Give the steps the names that ``let`` gives them."""
+    steps = {step.name for step in program.steps if isinstance(step, Step)}
+    names: dict[Operand, Operand] = {}
+    for name, operand in _bindings(program):
+        if operand in steps:
+            names.setdefault(operand, name)
+    for name, operand in _bindings(program):
+        names[name] = names.get(operand, operand)
+
+    def renamed(operands: Iterable[Operand]) -> tuple[Operand, ...]:
+        return tuple(names.get(operand, operand) for operand in operands)
+
+    kept: list[Step | Call] = []
+    for step in program.steps:
+        if isinstance(step, Step):
+            kept.append(Step(str(names.get(step.name, step.name)), step.operator, renamed(step.operands)))
+        elif step.primitive != "let":
+            kept.append(Call(step.names, step.primitive, tuple(map(renamed, step.rows))))
+    return Program(program.inputs, tuple(kept), renamed(program.outputs))
+
+
+def _bindings(program: Program) -> list[tuple[str, Operand]]:
+    lets = [step for step in program.steps if isinstance(step, Call) and step.primitive == "let"]
+    return [binding for call in lets for binding in zip(call.names, call.rows[0], strict=True)]
+
+
+def _doubled(program: Program, throughout: bool) -> set[Operand]:
+    """Return the names of the steps that are computed with twice the digits."""
+    computed = {step.name for step in program.steps if isinstance(step, Step)} - _exact(program) - _zeros(program)
+    harmless = _without_cancellation(program)
+    doubled: set[Operand] = set(computed) if throughout else set()
+    for step in reversed(program.steps):
+        if isinstance(step, Call):
+            continue
+        if step.operator in ("+", "-") and step.name not in harmless:
+            doubled.add(step.name)
+        if step.name in doubled:
+            doubled |= computed.intersection(step.operands)
+    return doubled
+
+
+def _exact(program: Program) -> set[Operand]:
+    """Return the operands that no operation has rounded: inputs, integers, results of calls, and their negatives."""
+    exact: set[Operand] = {*program.inputs}
+    for step in program.steps:
+        exact |= {operand for operand in step.operands if isinstance(operand, int)}
+        if isinstance(step, Call):
+            exact |= {*step.names}
+        elif step.operator == "neg" and step.operands[0] in exact:
+            exact.add(step.name)
+    return exact
+
+
+def _zeros(program: Program) -> set[Operand]:
+    """Return the guards, 0 / factor and sums of them, which are zero or no numbers at all."""
+    zeros: set[Operand] = set()
+    for step in program.steps:
+        if isinstance(step, Step):
+            guard = step.operator == "/" and step.operands[0] == 0
+            if guard or zeros.issuperset(step.operands):
+                zeros.add(step.name)
+    return zeros
+
+
+def _without_cancellation(program: Program) -> set[Operand]:
+    """Return the sums that lose no digits: of two exact numbers, with a guard, or of terms that are not negative."""
+    exact, zeros = _exact(program), _zeros(program)
+    positive: set[Operand] = {operand for operand in exact if isinstance(operand, int) and operand >= 0}
+    harmless: set[Operand] = set()
+    for step in program.steps:
+        if isinstance(step, Call) or step.operator == "neg":
+            continue
+        left, right = step.operands
+        one_sign = {left, right} <= positive
+        if (step.operator == "*" and left == right) or (step.operator != "-" and one_sign):
+            positive.add(step.name)
+        if {left, right} <= exact or not zeros.isdisjoint((left, right)) or (step.operator == "+" and one_sign):
+            harmless.add(step.name)
+    return harmless
+
+
+def _written(program: Program, doubled: set[Operand]) -> Program:
+    """Write the program; a value of twice the digits has a name of its own where it is also taken rounded."""
+    plain = [step for step in program.steps if isinstance(step, Call) or step.name not in doubled]
+    also_rounded = {operand for step in plain for operand in step.operands} | {*program.outputs}
+    taken = {*program.inputs} | {step.name for step in program.steps if isinstance(step, Step)}
+    fresh = (name for place in count() if (name := f"t{place}") not in taken)
+    wide: dict[Operand, str] = {}
+    steps: list[Step | Call] = []
+    for step in program.steps:
+        if isinstance(step, Call) or step.name not in doubled:
+            steps.append(step)
+            continue
+        operands = tuple(wide.get(operand, operand) for operand in step.operands)
+        if operands == step.operands and not doubled.intersection(operands):
+            widened = Step(next(fresh), "wide", operands[:1])
+            steps.append(widened)
+            operands = (widened.name, *operands[1:])
+        wide[step.name] = next(fresh) if step.name in also_rounded else step.name
+        steps.append(Step(wide[step.name], step.operator, operands))
+        if step.name in also_rounded:
+            steps.append(Step(step.name, "rounded", (wide[step.name],)))
+    return Program(program.inputs, tuple(steps), program.outputs)

@@ -27,8 +27,8 @@ def erased(program):
         elif step.primitive == "let":
             meaning |= dict(zip(step.names, map(of, step.rows[0]), strict=True))
         else:
-            calls.append((step.names, step.primitive, tuple(tuple(map(of, row)) for row in step.rows)))
-            meaning |= {name: name for name in step.names}
+            meaning |= {name: (len(calls), place) for place, name in enumerate(step.names)}
+            calls.append((step.primitive, tuple(tuple(map(of, row)) for row in step.rows)))
     return calls, tuple(map(of, program.outputs))
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from algebroproj_sym.generating.double_double import DoubleDouble, rounded, two_product, two_sum, wide
+from algebroproj_sym.generating.double_double import DoubleDouble, Unrounded, rounded, two_product, two_sum, wide
 
 DTYPES = (np.float32, np.float64, np.longdouble)
 numbers = st.floats(min_value=1e-60, max_value=1e60) | st.floats(min_value=-1e60, max_value=-1e-60)
@@ -84,3 +84,10 @@ def test_arrays_and_scalars_mix():
     assert [float(v) for v in rounded(result)] == [float(Fraction(1, 2) - Fraction(v) * Fraction(x[0])) for v in x]
     assert isinstance(x * wide(2.0), DoubleDouble)
     assert isinstance(x[0] - wide(2.0), DoubleDouble)
+
+
+def test_unrounded_numbers_keep_their_digits_through_every_operation():
+    x, y = Unrounded(1.0), Unrounded(3.0)
+    for result in (x / y, 1 / y, x + y / 7, 2 - x / y, x * 3 / y, -(x / y), rounded(x / y), wide(x / y) * 1.0):
+        assert isinstance(result, Unrounded)
+    assert rounded(x / y).lo != 0

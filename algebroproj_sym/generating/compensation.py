@@ -2,8 +2,9 @@
 
 A rounded operand of a sum is an error that cancellation enlarges.  Going from the results back to the inputs, each sum
 asks its operands for twice the digits (double-double numbers, which begin with ``wide``); so do the operations that
-such an operand is made of, down to the inputs, which are exact.  Products and quotients enlarge no relative error, and
-take ``rounded`` operands.  In real arithmetic nothing changes: ``wide`` and ``rounded`` are the identity there.
+such an operand is made of, down to the inputs, which are exact, and linear systems, whose residuals cancel.  Products
+and quotients enlarge no relative error, and take ``rounded`` operands.  In real arithmetic nothing changes: there
+``wide`` and ``rounded`` are the identity.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import count
 
+from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
 
 
@@ -34,8 +36,8 @@ def compensated(program: Program, throughout: bool = False) -> Program:
     >>> steps = (Step("t0", "-", (1, "x")), Step("y0", "-", ("t0", "y")), Step("t1", "/", ("y0", "x")))
     >>> for step in compensated(Program(("x", "y"), steps, ("t1",))).steps:
     ...     print(step.name, "=", step.operator, *step.operands)
-    t2 = wide 1
-    t0 = - t2 x
+    t2 = wide x
+    t0 = - 1 t2
     t3 = - t0 y
     y0 = rounded t3
     t1 = / y0 x
@@ -72,28 +74,35 @@ def _bindings(program: Program) -> list[tuple[str, Operand]]:
 
 
 def _doubled(program: Program, throughout: bool) -> set[Operand]:
-    """Return the names of the steps that are computed with twice the digits."""
-    computed = {step.name for step in program.steps if isinstance(step, Step)} - _exact(program) - _zeros(program)
+    """Return the names that stand for numbers of twice the digits."""
+    computed = {name for step in program.steps for name in _names(step)} - _exact(program) - _zeros(program)
     harmless = _without_cancellation(program)
     doubled: set[Operand] = set(computed) if throughout else set()
     for step in reversed(program.steps):
-        if isinstance(step, Call):
-            continue
-        if step.operator in ("+", "-") and step.name not in harmless:
+        if isinstance(step, Step) and step.operator in ("+", "-") and step.name not in harmless:
             doubled.add(step.name)
-        if step.name in doubled:
+        if _refines(step) or not doubled.isdisjoint(_names(step)):
             doubled |= computed.intersection(step.operands)
     return doubled
 
 
+def _names(step: Step | Call) -> tuple[str, ...]:
+    return (step.name,) if isinstance(step, Step) else step.names
+
+
+def _refines(step: Step | Call) -> bool:
+    """Whether a step takes numbers of twice the digits, and gives rounded ones: linear systems are solved so."""
+    return isinstance(step, Call) and step.primitive in LINEAR
+
+
 def _exact(program: Program) -> set[Operand]:
-    """Return the operands that no operation has rounded: inputs, integers, results of calls, and their negatives."""
+    """Return the operands that have no more digits: inputs, integers, solutions of systems, and their negatives."""
     exact: set[Operand] = {*program.inputs}
     for step in program.steps:
         exact |= {operand for operand in step.operands if isinstance(operand, int)}
-        if isinstance(step, Call):
-            exact |= {*step.names}
-        elif step.operator == "neg" and step.operands[0] in exact:
+        if _refines(step):
+            exact |= {*_names(step)}
+        elif isinstance(step, Step) and step.operator == "neg" and step.operands[0] in exact:
             exact.add(step.name)
     return exact
 
@@ -128,23 +137,39 @@ def _without_cancellation(program: Program) -> set[Operand]:
 
 def _written(program: Program, doubled: set[Operand]) -> Program:
     """Write the program; a value of twice the digits has a name of its own where it is also taken rounded."""
-    plain = [step for step in program.steps if isinstance(step, Call) or step.name not in doubled]
-    also_rounded = {operand for step in plain for operand in step.operands} | {*program.outputs}
-    taken = {*program.inputs} | {step.name for step in program.steps if isinstance(step, Step)}
+    rounding = [step for step in program.steps if not _refines(step) and doubled.isdisjoint(_names(step))]
+    also_rounded = {operand for step in rounding for operand in step.operands} | {*program.outputs}
+    taken = {*program.inputs} | {name for step in program.steps for name in _names(step)}
     fresh = (name for place in count() if (name := f"t{place}") not in taken)
-    wide: dict[Operand, str] = {}
+    wide: dict[Operand, Operand] = {}
     steps: list[Step | Call] = []
+
+    def widened(operand: Operand) -> Operand:
+        if operand in wide:
+            return wide[operand]
+        name = next(fresh)
+        steps.append(Step(name, "wide", (operand,)))
+        return name
+
+    def operands_of(step: Step) -> tuple[Operand, ...]:
+        first: Operand = next(operand for operand in step.operands if isinstance(operand, str))
+        replaced = {first: widened(first)} if doubled.isdisjoint(step.operands) else wide
+        return tuple(replaced.get(operand, operand) for operand in step.operands)
+
     for step in program.steps:
-        if isinstance(step, Call) or step.name not in doubled:
+        names = _names(step)
+        if doubled.isdisjoint(names) and not _refines(step):
             steps.append(step)
             continue
-        operands = tuple(wide.get(operand, operand) for operand in step.operands)
-        if operands == step.operands and not doubled.intersection(operands):
-            widened = Step(next(fresh), "wide", operands[:1])
-            steps.append(widened)
-            operands = (widened.name, *operands[1:])
-        wide[step.name] = next(fresh) if step.name in also_rounded else step.name
-        steps.append(Step(wide[step.name], step.operator, operands))
-        if step.name in also_rounded:
-            steps.append(Step(step.name, "rounded", (wide[step.name],)))
+        if isinstance(step, Call) and _refines(step):
+            rows = tuple(tuple(wide.get(operand, operand) for operand in row) for row in step.rows)
+            steps.append(Call(names, step.primitive, rows))
+            continue
+        pairs = tuple(next(fresh) if name in also_rounded else name for name in names)
+        wide |= dict(zip(names, pairs, strict=True))
+        if isinstance(step, Call):
+            steps.append(Call(pairs, step.primitive, tuple(tuple(map(widened, row)) for row in step.rows)))
+        else:
+            steps.append(Step(pairs[0], step.operator, operands_of(step)))
+        steps += [Step(n, "rounded", (pair,)) for n, pair in zip(names, pairs, strict=True) if n != pair]
     return Program(program.inputs, tuple(steps), program.outputs)

@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-__all__ = ["DoubleDouble", "rounded", "wide"]
+__all__ = ["DoubleDouble", "Unrounded", "rounded", "wide"]
 
 Number: TypeAlias = Any
 
@@ -47,64 +47,87 @@ class DoubleDouble:
         self.hi = hi
         self.lo = lo
 
+    def rounded(self) -> Number:
+        """Return the one number nearest to the sum of the two."""
+        return self.hi
+
+    def wide(self) -> DoubleDouble:
+        """Return the number itself, which is one of twice the digits already."""
+        return self
+
     def __neg__(self) -> DoubleDouble:
-        return DoubleDouble(-self.hi, None if self.lo is None else -self.lo)
+        return type(self)(-self.hi, None if self.lo is None else -self.lo)
 
     def __add__(self, other: Number) -> DoubleDouble:
-        x, y = self, _of(other)
+        x, y = self, self._of(other)
         if x.lo is None:
             x, y = y, x
-        if x.lo is None:
-            return DoubleDouble(*two_sum(x.hi, y.hi))
         hi, rest = two_sum(x.hi, y.hi)
+        if x.lo is None:
+            return type(self)(hi, rest)
         if y.lo is None:
-            return DoubleDouble(*fast_two_sum(hi, x.lo + rest))
+            return type(self)(*fast_two_sum(hi, x.lo + rest))
         low, last = two_sum(x.lo, y.lo)
         hi, rest = fast_two_sum(hi, rest + low)
-        return DoubleDouble(*fast_two_sum(hi, last + rest))
+        return type(self)(*fast_two_sum(hi, last + rest))
 
     __radd__ = __add__
 
     def __sub__(self, other: Number) -> DoubleDouble:
-        return self + -_of(other)
+        return self.__add__(-other)
 
     def __rsub__(self, other: Number) -> DoubleDouble:
-        return _of(other) + -self
+        return self.__neg__().__add__(other)
 
     def __mul__(self, other: Number) -> DoubleDouble:
-        x, y = self, _of(other)
+        x, y = self, self._of(other)
         if x.lo is None:
             x, y = y, x
         hi, rest = two_product(x.hi, y.hi)
         if x.lo is None:
-            return DoubleDouble(hi, rest)
+            return type(self)(hi, rest)
         cross = x.lo * y.hi if y.lo is None else x.hi * y.lo + x.lo * y.hi
-        return DoubleDouble(*fast_two_sum(hi, rest + cross))
+        return type(self)(*fast_two_sum(hi, rest + cross))
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Number) -> DoubleDouble:
-        divisor = _of(other)
+        divisor = self._of(other)
         quotient = self.hi / divisor.hi
         remainder = self - divisor * quotient
-        return DoubleDouble(*fast_two_sum(quotient, remainder.hi / divisor.hi))
+        return type(self)(*fast_two_sum(quotient, remainder.hi / divisor.hi))
 
     def __rtruediv__(self, other: Number) -> DoubleDouble:
-        return _of(other) / self
+        return self._of(other).__truediv__(self)
+
+    def _of(self, number: Number) -> DoubleDouble:
+        return number if isinstance(number, DoubleDouble) else type(self)(number)
 
 
-def wide(number: Number) -> DoubleDouble:
+class Unrounded(DoubleDouble):
+    """A double-double number that stays one where a program rounds: programs run with twice the digits throughout.
+
+    Examples
+    --------
+    >>> rounded(Unrounded(1.0) / 10.0).lo
+    -5.551115123125783e-18
+    """
+
+    __slots__ = ()
+
+    def rounded(self) -> Number:
+        """Return the number itself."""
+        return self
+
+
+def wide(number: Number) -> Number:
     """Return a number whose sums, products and quotients are to be kept as two numbers."""
-    return DoubleDouble(number)
+    return number.wide() if hasattr(number, "wide") else DoubleDouble(number)
 
 
-def rounded(number: DoubleDouble) -> Number:
+def rounded(number: Number) -> Number:
     """Return the one number nearest to a sum of two."""
-    return number.hi
-
-
-def _of(number: Number) -> DoubleDouble:
-    return number if isinstance(number, DoubleDouble) else DoubleDouble(number)
+    return number.rounded()
 
 
 def two_sum(a: Number, b: Number) -> tuple[Number, Number]:

@@ -8,6 +8,7 @@ import pytest
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating import Call, Program, Step, run
 from algebroproj_sym.generating.compensation import compensated
+from algebroproj_sym.generating.expansion import SPLITTER, expanded
 
 NAMES = [kernel.qualified_name for kernel in kernels()]
 
@@ -75,3 +76,14 @@ def test_sums_that_cannot_cancel_stay_as_they_are():
     program = Program(("x", "y"), steps, ("t6",))
     assert compensated(program) == program
     assert compensated(program, throughout=True) != program
+
+
+@pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.epipoles", "metric.to_normal"])
+def test_expanded_programs_give_the_same_bits(name, lowered):
+    program = compensated(lowered(name).program)
+    rng = np.random.default_rng(5)
+    inputs = {symbol: rng.uniform(-3, 3, 200) for symbol in program.inputs}
+    single = expanded(program)
+    assert not {"wide", "rounded"} & set(single.operations())
+    for ours, theirs in zip(run(single, {**inputs, SPLITTER: 2**27 + 1}), run(program, inputs), strict=True):
+        assert np.array_equal(ours, theirs)

@@ -167,8 +167,10 @@ def _halves(number: Number, splitter: int) -> tuple[Number, Number]:
     return high, number - high
 
 
-def _splitter(number: Number) -> int:
+def _splitter(number: Number) -> Number:
     """Return 2**s + 1, where s is half of the binary digits of a number, rounded up."""
+    if hasattr(number, "splitter"):
+        return number.splitter
     dtype = getattr(number, "dtype", None)
     if dtype is None or dtype in _WITHOUT_ROUNDING:
         return 2**27 + 1

@@ -90,6 +90,9 @@ class _Calls:
             raise _OtherCallError
         self.given += [self._element(entry) for row in rows for entry in row]
         variables = [np.array(self.field.variables[symbol], dtype=object) for symbol in stage.results]
+        doubled = next((type(entry) for row in rows for entry in row if hasattr(entry, "hi")), None)
+        if doubled is not None and primitive not in LINEAR:
+            variables = list(map(doubled, variables))
         return variables[0] if len(variables) == 1 and primitive not in LINEAR else tuple(variables)
 
     def _element(self, operand: Any) -> RationalFunction:

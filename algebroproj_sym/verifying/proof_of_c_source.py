@@ -1,0 +1,178 @@
+"""Proving the shipped C source: executed on rational functions, it must give the derivation.
+
+Functions that solve linear systems are proved apart, once for each size; in the kernels they are replaced as the
+primitive functions of the NumPy source are.  What is proved is what the source says of real numbers: error terms of
+sums and products are then zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import chain
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.declaring import LINEAR, Kernel
+from algebroproj_sym.generating import c_name, is_compiled
+from algebroproj_sym.proving import RationalFunction, RationalFunctionField
+from algebroproj_sym.proving.engines import ring
+from algebroproj_sym.verifying.c_execution import (
+    Meaning,
+    NotUnderstoodError,
+    Source,
+    kernel_outputs,
+    solver_outputs,
+    source_of,
+)
+from algebroproj_sym.verifying.proof_of_source import expected_values
+
+KERNELS = "_kernels.h"
+_SPLITTER = sympy.Symbol("splitter")
+
+
+def c_source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint") -> bool:
+    """Whether the C source of a kernel, executed on rational functions, is identical to the derivation.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        As declared by a derivation.
+    package : module
+        In whose folder the source is.
+    engine : {"flint", "sympy"}
+        The polynomial arithmetic.
+
+    Returns
+    -------
+    bool
+        True also for a kernel that is left to the NumPy source.
+    """
+    if not is_compiled(kernel):
+        return True
+    path = Path(str(package.__file__)).parent / KERNELS
+    if not path.is_file():
+        return False
+    try:
+        source = source_of(path.read_text(encoding="utf-8"))
+        systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
+        return kernel_is_proved(kernel, source, engine) and all(
+            solver_is_proved(source, primitive, height, engine) for primitive, height in systems
+        )
+    except NotUnderstoodError:
+        return False
+
+
+def kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> bool:
+    """Whether a kernel gives the derivation, if what it calls solves linear systems."""
+    called = [stage for stage in kernel.stages if stage.primitive in LINEAR]
+    free = [symbol for stage in called for symbol in stage.results]
+    field = RationalFunctionField((*kernel.symbols, *free, _SPLITTER), engine)
+    stages = iter(called)
+    given: list[Any] = []
+
+    def call(name: str, rows: list[list[Any]]) -> Sequence[Any]:
+        stage = next(stages, None)
+        wanted = None if stage is None else (f"{stage.primitive}_{stage.derived.rows}", stage.derived.shape)
+        if stage is None or wanted != (name, (len(rows), len(rows[0]))):
+            raise NotUnderstoodError(f"{kernel.qualified_name}: unexpected call of {name}")
+        given.extend(chain.from_iterable(rows))
+        return [field.variables[symbol] for symbol in stage.results]
+
+    meaning = Meaning(constants={"splitter": field.variables[_SPLITTER]}, call=call)
+    inputs = [field.variables[symbol] for symbol in kernel.symbols]
+    outputs = kernel_outputs(source, c_name(kernel), inputs, meaning)
+    computed = [_element(value, field) for value in (*given, *outputs)]
+    expected = expected_values(kernel, field)
+    same_length = len(computed) == len(expected)
+    return same_length and all((value - got).is_zero for value, got in zip(expected, computed, strict=True))
+
+
+def _element(value: Any, field: RationalFunctionField) -> RationalFunction:
+    return value if isinstance(value, RationalFunction) else field.lift(Fraction(value))
+
+
+def solver_is_proved(source: Source, primitive: str, height: int, engine: str = "flint") -> bool:
+    """Whether a function solves the linear systems of one size.
+
+    It is executed on systems that are made backwards, from what elimination leaves of them: the triangle, the factors
+    and the solution are free, so that all systems with pivots are among them, and every division is one of polynomials
+    without a remainder.  This is done for no exchange of rows, for each single one, and for all of them.
+
+    Parameters
+    ----------
+    source : Source
+        The functions.
+    primitive : {"solve", "null_vector"}
+        Which function.
+    height : int
+        The number of equations.
+    engine : {"flint", "sympy"}
+        The polynomial arithmetic.
+    """
+    rows = height if primitive == "solve" else height + 1
+    places = [(k, i) for k in range(height) for i in range(k + 1, rows)]
+    chosen = [[], *([place] for place in places), places]
+    proved = _solves if primitive == "solve" else _spans
+    systems = (_system(rows, height, exchanges, engine) for exchanges in chosen)
+    return all(proved(source, f"{primitive}_{height}", system) for system in systems)
+
+
+@dataclass(frozen=True)
+class _System:
+    """Rows with free entries, the exchanges that elimination is told to make, and free unknowns."""
+
+    rows: list[list[Any]]
+    exchanges: list[bool]
+    unknowns: list[Any]
+    splitter: Any
+
+
+def _system(height: int, steps: int, exchanges: Sequence[tuple[int, int]], engine: str) -> _System:
+    places = [(k, i) for k in range(steps) for i in range(k + 1, height)]
+    upper = [(k, j) for k in range(steps) for j in range(k, steps)]
+    names = ["splitter", *(f"x{k}" for k in range(steps)), *(f"f{k}_{i}" for k, i in places)]
+    names += [f"u{k}_{j}" for k, j in upper]
+    free = dict(zip(names, ring(engine, names).generators, strict=True))
+    zero = free["splitter"] * 0
+    rows = [[free.get(f"u{k}_{j}", zero) for j in range(steps)] for k in range(height)]
+    for k in reversed(range(steps)):
+        for i in range(k + 1, height):
+            rows[i] = [entry + free[f"f{k}_{i}"] * above for entry, above in zip(rows[i], rows[k], strict=True)]
+        for i in reversed(range(k + 1, height)):
+            if (k, i) in exchanges:
+                rows[k], rows[i] = rows[i], rows[k]
+    unknowns = [free[f"x{k}"] for k in range(steps)]
+    return _System(rows, [place in exchanges for place in places], unknowns, free["splitter"])
+
+
+def _solves(source: Source, name: str, system: _System) -> bool:
+    rows = [[*row, _product(row, system.unknowns)] for row in system.rows]
+    solution = solver_outputs(source, name, rows, _meaning(system))
+    return len(solution) == len(system.unknowns) and all(
+        got - wanted == 0 for got, wanted in zip(solution, system.unknowns, strict=True)
+    )
+
+
+def _spans(source: Source, name: str, system: _System) -> bool:
+    """Whether a vector spans the null space; the component that is 1 is taken for the largest."""
+    rows = [list(row) for row in zip(*system.rows, strict=True)]
+    vector = solver_outputs(source, name, rows, _meaning(system))
+    zero = all(_product(row, vector) == 0 for row in rows)
+    return zero and len(vector) == len(system.rows) and any(component == 1 for component in vector)
+
+
+def _meaning(system: _System) -> Meaning:
+    exchanges = iter(system.exchanges)
+    return Meaning(
+        constants={"splitter": system.splitter},
+        is_greater=lambda candidate, _: next(exchanges, candidate == 1),
+    )
+
+
+def _product(row: Sequence[Any], column: Sequence[Any]) -> Any:
+    return sum(left * right for left, right in zip(row, column, strict=True))

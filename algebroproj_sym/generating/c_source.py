@@ -32,13 +32,12 @@ BLOCK = 64
 
 _SOLVERS = {"solve": solve_body, "null_vector": null_vector_body}
 
-_RESERVED = frozenset(
-    """
+_WORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    in out i points kept real splitter absolute isgreater
-    """.split()
-)
+    in out i points real splitter absolute isgreater
+"""
+_RESERVED = frozenset(_WORDS.split())
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.generating"), undefined=StrictUndefined, keep_trailing_newline=True

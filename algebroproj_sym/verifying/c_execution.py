@@ -7,11 +7,11 @@ that is not understood.  Of the preprocessor's macros those are known that head 
 
 from __future__ import annotations
 
+import operator
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from operator import add, mul, sub
 from typing import Any
 
 from pycparser import CParser, c_ast
@@ -23,7 +23,12 @@ _NAME = re.compile(r"\bNAME\((\w+)\)")
 _TYPES = "typedef double real; typedef long npy_intp;\n"
 _POINTS = "for (npy_intp i = 0; i < points; i++)"
 
-_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {"+": add, "-": sub, "*": mul}
+_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+}
 
 
 class NotUnderstoodError(ValueError):
@@ -48,12 +53,15 @@ class Meaning:
     is_greater : callable, optional
         Whether one absolute value is greater than another; for numbers without an order, a choice.  Without it, the
         conditional operator is refused.
+    equal : callable
+        Whether two numbers are equal.
     call : callable, optional
         What a function that solves a linear system gives: from its name and the rows of the system.
     """
 
     constants: Mapping[str, Any] = field(default_factory=dict)
     is_greater: Callable[[Any, Any], bool] | None = None
+    equal: Callable[[Any, Any], bool] = operator.eq
     call: Callable[[str, list[list[Any]]], Sequence[Any]] | None = None
 
 
@@ -237,7 +245,7 @@ def _value(node: Any, scope: _Scope) -> Any:
         case c_ast.TernaryOp() if scope.meaning.is_greater is not None:
             return value(node.iftrue if value(node.cond) else node.iffalse)
         case c_ast.BinaryOp():
-            return _operation(node.op, value(node.left), value(node.right))
+            return _operation(node.op, value(node.left), value(node.right), scope.meaning)
         case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name="in"), subscript=place), subscript=column):
             if value(column) is not _POINT:
                 raise NotUnderstoodError("C source: expected inputs of the point of the loop")
@@ -258,13 +266,11 @@ def _value(node: Any, scope: _Scope) -> Any:
             raise NotUnderstoodError(f"C source: unexpected {type(node).__name__}")
 
 
-def _operation(operator: str, left: Any, right: Any) -> Any:
-    if isinstance(left, int) and isinstance(right, int):
+def _operation(sign: str, left: Any, right: Any, meaning: Meaning) -> Any:
+    if _POINT in (left, right) or (isinstance(left, int) and isinstance(right, int)):
         raise NotUnderstoodError("C source: expected no arithmetic of integers, which C does in another way")
-    if operator == "==":
-        return left == right
-    if operator == "/":
-        return left / right
-    if operator in _ARITHMETIC:
-        return _ARITHMETIC[operator](left, right)
-    raise NotUnderstoodError(f"C source: unexpected operator {operator}")
+    if sign == "==":
+        return meaning.equal(left, right)
+    if sign in _ARITHMETIC:
+        return _ARITHMETIC[sign](left, right)
+    raise NotUnderstoodError(f"C source: unexpected operator {sign}")

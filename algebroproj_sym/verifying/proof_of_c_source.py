@@ -16,6 +16,8 @@ from types import ModuleType
 from typing import Any
 
 import sympy
+from flint.utils.flint_exceptions import DomainError
+from sympy.polys.polyerrors import ExactQuotientFailed
 
 from algebroproj_sym.declaring import LINEAR, Kernel
 from algebroproj_sym.generating import c_name, is_compiled
@@ -32,6 +34,9 @@ from algebroproj_sym.verifying.c_execution import (
 from algebroproj_sym.verifying.proof_of_source import expected_values
 
 KERNELS = "_kernels.h"
+_REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
+"""What a division of polynomials raises that leaves a remainder."""
+
 _SPLITTER = sympy.Symbol("splitter")
 
 
@@ -101,7 +106,8 @@ def solver_is_proved(source: Source, primitive: str, height: int, engine: str = 
 
     It is executed on systems that are made backwards, from what elimination leaves of them: the triangle, the factors
     and the solution are free, so that all systems with pivots are among them, and every division is one of polynomials
-    without a remainder.  This is done for no exchange of rows, for each single one, and for all of them.
+    without a remainder.  This is done for no exchange of rows, for each single one, and for all of them; with the
+    refinement taken for finite, and without it.
 
     Parameters
     ----------
@@ -119,7 +125,14 @@ def solver_is_proved(source: Source, primitive: str, height: int, engine: str = 
     chosen = [[], *([place] for place in places), places]
     proved = _solves if primitive == "solve" else _spans
     systems = (_system(rows, height, exchanges, engine) for exchanges in chosen)
-    return all(proved(source, f"{primitive}_{height}", system) for system in systems)
+    try:
+        return all(
+            proved(source, f"{primitive}_{height}", system, _meaning(system, finite))
+            for system in systems
+            for finite in (True, False)
+        )
+    except _REMAINDERS:
+        return False
 
 
 @dataclass(frozen=True)
@@ -150,27 +163,28 @@ def _system(height: int, steps: int, exchanges: Sequence[tuple[int, int]], engin
     return _System(rows, [place in exchanges for place in places], unknowns, free["splitter"])
 
 
-def _solves(source: Source, name: str, system: _System) -> bool:
+def _solves(source: Source, name: str, system: _System, meaning: Meaning) -> bool:
     rows = [[*row, _product(row, system.unknowns)] for row in system.rows]
-    solution = solver_outputs(source, name, rows, _meaning(system))
+    solution = solver_outputs(source, name, rows, meaning)
     return len(solution) == len(system.unknowns) and all(
         got - wanted == 0 for got, wanted in zip(solution, system.unknowns, strict=True)
     )
 
 
-def _spans(source: Source, name: str, system: _System) -> bool:
+def _spans(source: Source, name: str, system: _System, meaning: Meaning) -> bool:
     """Whether a vector spans the null space; the component that is 1 is taken for the largest."""
     rows = [list(row) for row in zip(*system.rows, strict=True)]
-    vector = solver_outputs(source, name, rows, _meaning(system))
+    vector = solver_outputs(source, name, rows, meaning)
     zero = all(_product(row, vector) == 0 for row in rows)
     return zero and len(vector) == len(system.rows) and any(component == 1 for component in vector)
 
 
-def _meaning(system: _System) -> Meaning:
+def _meaning(system: _System, finite: bool) -> Meaning:
     exchanges = iter(system.exchanges)
     return Meaning(
         constants={"splitter": system.splitter},
         is_greater=lambda candidate, _: next(exchanges, candidate == 1),
+        equal=lambda left, right: finite,
     )
 
 

@@ -5,13 +5,15 @@ graph (expressions without signs and repetitions) → sharing (common pairs) →
 """
 
 from algebroproj_sym.generating.c_source import c_files, c_name, is_compiled
+from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.lowering import Lowered, LoweringError, lower
 from algebroproj_sym.generating.operation_counts import OperationCounts, operation_counts
 from algebroproj_sym.generating.package import PACKAGE, drift, render, superfluous, write
-from algebroproj_sym.generating.program import Program, Step, run
+from algebroproj_sym.generating.program import Call, Program, Step, run
 
 __all__ = [
     "PACKAGE",
+    "Call",
     "Lowered",
     "LoweringError",
     "OperationCounts",
@@ -19,6 +21,7 @@ __all__ = [
     "Step",
     "c_files",
     "c_name",
+    "compensated",
     "drift",
     "is_compiled",
     "lower",

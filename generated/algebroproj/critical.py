@@ -9,7 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._evaluation import Signature, evaluate
 
 __all__ = [
     "determinant",
@@ -20,7 +20,7 @@ __all__ = [
 ]
 
 
-def determinant(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
+def determinant(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Determinant of the five equations for the matrix of correlation.
 
     fundamentals1996, section 2.3; proved by (2.3/A7), (2.3/A5).
@@ -31,6 +31,8 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
         Left image: five points (u1, u2) in affine coordinates, referred to the images of G0, G1, G2; dimensionless.
     u_right : array_like, shape (..., 5, 2)
         Right image: five points (u1, u2) in affine coordinates, referred to the images of G0, G1, G2; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -40,7 +42,9 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -57,17 +61,14 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     >>> determinant([[0.25, 0.125], [0.625, 0.75], [-0.5, 0.875], [1.25, -0.375], [0.75, 1.5]], [[0.3125, -0.25], [0.5, 0.875], [-0.625, 0.75], [1.125, -0.25], [0.875, 1.25]]).round(6).tolist()
     0.061809
     """
-    u_left, u_right, out = arguments("determinant", [()], u_left=(u_left, (5, 2)), u_right=(u_right, (5, 2)))
-    up31, up32 = u_left[..., 0, 0], u_left[..., 0, 1]
-    up41, up42 = u_left[..., 1, 0], u_left[..., 1, 1]
-    up51, up52 = u_left[..., 2, 0], u_left[..., 2, 1]
-    up61, up62 = u_left[..., 3, 0], u_left[..., 3, 1]
-    up71, up72 = u_left[..., 4, 0], u_left[..., 4, 1]
-    upp31, upp32 = u_right[..., 0, 0], u_right[..., 0, 1]
-    upp41, upp42 = u_right[..., 1, 0], u_right[..., 1, 1]
-    upp51, upp52 = u_right[..., 2, 0], u_right[..., 2, 1]
-    upp61, upp62 = u_right[..., 3, 0], u_right[..., 3, 1]
-    upp71, upp72 = u_right[..., 4, 0], u_right[..., 4, 1]
+    return evaluate(_DETERMINANT_SIGNATURE, _determinant, (u_left, u_right), out)
+
+
+def _determinant(
+    up31: Any, up32: Any, up41: Any, up42: Any, up51: Any, up52: Any, up61: Any, up62: Any, up71: Any,
+    up72: Any, upp31: Any, upp32: Any, upp41: Any, upp42: Any, upp51: Any, upp52: Any, upp61: Any,
+    upp62: Any, upp71: Any, upp72: Any,
+) -> tuple[Any, ...]:
     t1 = up42 * upp41
     t3 = upp51 * (up51 - 1)
     t5 = upp72 * (up72 - 1)
@@ -110,11 +111,13 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     t126 = t75 * t38 + t15 * t86 - t45 * t114
     t139 = t75 * t12 - t25 * t114 - t15 * t94
     t148 = t109 + up31 * upp32 * (t1 * t118 + t73 * t58 - t33 * t126 - t62 * t88) - upp31 * (up31 - 1) * (t1 * t139 + t73 * t47 - t50 * t126 - t62 * t98)
-    out[...] = t148 - up32 * upp31 * (t73 * t30 + t50 * t118 - t33 * t139 - t62 * t105)
-    return out[()]
+    return (t148 - up32 * upp31 * (t73 * t30 + t50 * t118 - t33 * t139 - t62 * t105),)
 
 
-def algebraic_distance(Q: ArrayLike, y: ArrayLike) -> NDArray[Any]:
+_DETERMINANT_SIGNATURE = Signature("determinant", (("u_left", (5, 2)), ("u_right", (5, 2))), ((),))
+
+
+def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Value of the quadratic form of a quadric at a point; zero on the quadric.
 
     fundamentals1996, section 2.3; proved by (2.3/Q).
@@ -125,6 +128,8 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike) -> NDArray[Any]:
         Quadric in homogeneous coordinates (1, y1, y2, y3), as critical.quadric gives it; all entries are used.
     y : array_like, shape (..., 3)
         Point (y1, y2, y3) in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -134,7 +139,9 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -151,18 +158,21 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike) -> NDArray[Any]:
     >>> algebraic_distance([[0, -1, -1, -1], [-1, 2, 0, 0], [-1, 0, 2, 0], [-1, 0, 0, 2]], [0.625, 0.75, 0.25]).round(6).tolist()
     -1.21875
     """
-    Q, y, out = arguments("algebraic_distance", [()], Q=(Q, (4, 4)), y=(y, (3,)))
-    q00, q01, q02, q03 = Q[..., 0, 0], Q[..., 0, 1], Q[..., 0, 2], Q[..., 0, 3]
-    q10, q11, q12, q13 = Q[..., 1, 0], Q[..., 1, 1], Q[..., 1, 2], Q[..., 1, 3]
-    q20, q21, q22, q23 = Q[..., 2, 0], Q[..., 2, 1], Q[..., 2, 2], Q[..., 2, 3]
-    q30, q31, q32, q33 = Q[..., 3, 0], Q[..., 3, 1], Q[..., 3, 2], Q[..., 3, 3]
-    y1, y2, y3 = y[..., 0], y[..., 1], y[..., 2]
+    return evaluate(_ALGEBRAIC_DISTANCE_SIGNATURE, _algebraic_distance, (Q, y), out)
+
+
+def _algebraic_distance(
+    q00: Any, q01: Any, q02: Any, q03: Any, q10: Any, q11: Any, q12: Any, q13: Any, q20: Any, q21: Any,
+    q22: Any, q23: Any, q30: Any, q31: Any, q32: Any, q33: Any, y1: Any, y2: Any, y3: Any,
+) -> tuple[Any, ...]:
     t21 = q00 + q01 * y1 + q02 * y2 + q03 * y3 + y1 * (q10 + q11 * y1 + q12 * y2 + q13 * y3) + y2 * (q20 + q21 * y1 + q22 * y2 + q23 * y3)
-    out[...] = t21 + y3 * (q30 + q31 * y1 + q32 * y2 + q33 * y3)
-    return out[()]
+    return (t21 + y3 * (q30 + q31 * y1 + q32 * y2 + q33 * y3),)
 
 
-def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, y: ArrayLike) -> NDArray[Any]:
+_ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), ("y", (3,))), ((),))
+
+
+def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Quadric of the points that make the five equations singular, beside four given points.
 
     fundamentals1996, section 2.3; proved by (2.3.3), (2.3/X), (2.3/Q), (2.3/beyond/theorem).
@@ -179,6 +189,8 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
         Right image: Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
     y : array_like, shape (..., 4, 3)
         Four points (y1, y2, y3) in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -188,7 +200,9 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -221,15 +235,14 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     >>> quadric([0.625, 0.75, 0.5], [0.25, 0.125], [0.75, 0.625, 0.875], [0.3125, -0.25], [[0.625, 0.75, 0.25], [-0.5, 0.875, 0.125], [1.25, -0.375, -0.25], [0.75, 1.5, 0.375]]).round(6).tolist()
     [[0.0, 0.000151, -8.3e-05, 9.3e-05], [0.000151, -0.000302, -0.000273, 0.00037], [-8.3e-05, -0.000273, 0.000166, 0.000122], [9.3e-05, 0.00037, 0.000122, 0.000132]]
     """
-    mu_left, u3_left, mu_right, u3_right, y, out = arguments("quadric", [(4, 4)], mu_left=(mu_left, (3,)), u3_left=(u3_left, (2,)), mu_right=(mu_right, (3,)), u3_right=(u3_right, (2,)), y=(y, (4, 3)))
-    mup1, mup2, mup3 = mu_left[..., 0], mu_left[..., 1], mu_left[..., 2]
-    up31, up32 = u3_left[..., 0], u3_left[..., 1]
-    mupp1, mupp2, mupp3 = mu_right[..., 0], mu_right[..., 1], mu_right[..., 2]
-    upp31, upp32 = u3_right[..., 0], u3_right[..., 1]
-    y31, y32, y33 = y[..., 0, 0], y[..., 0, 1], y[..., 0, 2]
-    y41, y42, y43 = y[..., 1, 0], y[..., 1, 1], y[..., 1, 2]
-    y51, y52, y53 = y[..., 2, 0], y[..., 2, 1], y[..., 2, 2]
-    y61, y62, y63 = y[..., 3, 0], y[..., 3, 1], y[..., 3, 2]
+    return evaluate(_QUADRIC_SIGNATURE, _quadric, (mu_left, u3_left, mu_right, u3_right, y), out)
+
+
+def _quadric(
+    mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any, mupp1: Any, mupp2: Any, mupp3: Any,
+    upp31: Any, upp32: Any, y31: Any, y32: Any, y33: Any, y41: Any, y42: Any, y43: Any, y51: Any,
+    y52: Any, y53: Any, y61: Any, y62: Any, y63: Any,
+) -> tuple[Any, ...]:
     b3 = 1 - y31 - y32 - y33
     f3_01 = b3 * y31
     f3_02 = b3 * y32
@@ -419,26 +432,13 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     t845 = (r12 - r01 - r02) / 2
     t848 = (r13 - r01 - r03) / 2
     t852 = (r23 - r02 - r03) / 2
-    out[..., 0, 0] = 0
-    out[..., 0, 1] = t839
-    out[..., 0, 2] = t840
-    out[..., 0, 3] = t841
-    out[..., 1, 0] = t839
-    out[..., 1, 1] = -r01
-    out[..., 1, 2] = t845
-    out[..., 1, 3] = t848
-    out[..., 2, 0] = t840
-    out[..., 2, 1] = t845
-    out[..., 2, 2] = -r02
-    out[..., 2, 3] = t852
-    out[..., 3, 0] = t841
-    out[..., 3, 1] = t848
-    out[..., 3, 2] = t852
-    out[..., 3, 3] = r33 - r03
-    return out[()]
+    return 0, t839, t840, t841, t839, -r01, t845, t848, t840, t845, -r02, t852, t841, t848, t852, r33 - r03
 
 
-def invariants(Q: ArrayLike) -> tuple[NDArray[Any], ...]:
+_QUADRIC_SIGNATURE = Signature("quadric", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,)), ("y", (4, 3))), ((4, 4),))
+
+
+def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
     """Coefficients of the characteristic polynomials of a quadric and of its block at infinity, below the leading one.
 
     fundamentals1996, section 2.3; proved by (2.3/beyond/invariants#whole), (2.3/beyond/invariants#at-infinity), (2.3/beyond/invariants#affine).
@@ -447,6 +447,8 @@ def invariants(Q: ArrayLike) -> tuple[NDArray[Any], ...]:
     ----------
     Q : array_like, shape (..., 4, 4)
         Symmetric matrix of a quadric in homogeneous coordinates (1, y1, y2, y3); the upper triangle is used.
+    out : tuple of ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -458,7 +460,9 @@ def invariants(Q: ArrayLike) -> tuple[NDArray[Any], ...]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -481,11 +485,13 @@ def invariants(Q: ArrayLike) -> tuple[NDArray[Any], ...]:
     >>> [result.round(6).tolist() for result in invariants([[0, -1, -1, -1], [-1, 2, 0, 0], [-1, 0, 2, 0], [-1, 0, 0, 2]])]
     [[-6.0, 9.0, 4.0, -12.0], [-6.0, 12.0, -8.0]]
     """
-    Q, whole, at_infinity = arguments("invariants", [(4,), (3,)], Q=(Q, (4, 4)))
-    q00, q01, q02, q03 = Q[..., 0, 0], Q[..., 0, 1], Q[..., 0, 2], Q[..., 0, 3]
-    q10, q11, q12, q13 = Q[..., 1, 0], Q[..., 1, 1], Q[..., 1, 2], Q[..., 1, 3]
-    q20, q21, q22, q23 = Q[..., 2, 0], Q[..., 2, 1], Q[..., 2, 2], Q[..., 2, 3]
-    q30, q31, q32, q33 = Q[..., 3, 0], Q[..., 3, 1], Q[..., 3, 2], Q[..., 3, 3]
+    return evaluate(_INVARIANTS_SIGNATURE, _invariants, (Q,), out)
+
+
+def _invariants(
+    q00: Any, q01: Any, q02: Any, q03: Any, q10: Any, q11: Any, q12: Any, q13: Any, q20: Any, q21: Any,
+    q22: Any, q23: Any, q30: Any, q31: Any, q32: Any, q33: Any,
+) -> tuple[Any, ...]:
     t0 = q11 + q22
     t11 = q12 * q12 - q11 * q22
     t14 = q13 * q13 - q11 * q33
@@ -501,14 +507,15 @@ def invariants(Q: ArrayLike) -> tuple[NDArray[Any], ...]:
     t76 = q02 * q13 - q03 * q12
     t90 = t56 - t50
     t99 = q02 * (q13 * t76 + q01 * t53 - q11 * t38) + q01 * (q01 * t17 + q12 * t38 - q13 * t71) - q00 * t90 - q03 * (q01 * t49 + q12 * t76 - q11 * t71)
-    whole[..., 0] = -(q33 + t0 + q00)
-    whole[..., 1] = q00 * q11 + q00 * q22 + q00 * q33 - (t11 + t18) - q01 * q01 - q02 * q02 - q03 * q03
-    whole[..., 2] = t46 - (t50 - t56) - q02 * (q01 * q12 - q02 * q11) - q03 * (q01 * q13 - q03 * q11) - q03 * t71
-    whole[..., 3] = t99
-    at_infinity[..., 0] = -(t0 + q33)
-    at_infinity[..., 1] = -(t18 + t11)
-    at_infinity[..., 2] = t90
-    return whole[()], at_infinity[()]
+    return (
+        -(q33 + t0 + q00),
+        q00 * q11 + q00 * q22 + q00 * q33 - (t11 + t18) - q01 * q01 - q02 * q02 - q03 * q03,
+        t46 - (t50 - t56) - q02 * (q01 * q12 - q02 * q11) - q03 * (q01 * q13 - q03 * q11) - q03 * t71, t99,
+        -(t0 + q33), -(t18 + t11), t90,
+    )
+
+
+_INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)))
 
 # These call functions of this module, and are imported after them.
 from .drivers import classify  # noqa: E402

@@ -16,7 +16,7 @@ from algebroproj_sym.declaring import LINEAR, PRIMITIVES, Driver, Kernel, Result
 from algebroproj_sym.expressions import Scalar, divided, entries
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import runtime
-from algebroproj_sym.generating.c_source import c_files, stamped
+from algebroproj_sym.generating.c_source import c_files, c_name, is_compiled, stamped
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.numpy_source import SPLITTER, packed, statements
 from algebroproj_sym.generating.operation_counts import operation_counts
@@ -110,6 +110,7 @@ def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:
         title=title,
         notice=NOTICE,
         primitives=sorted(called - {"let"}),
+        compiled=any(is_compiled(low.kernel) for low in group),
         functions=[_function(low) for low in group],
         drivers=[{"name": driver.name, "module": driver.source.stem} for driver in drivers],
     )
@@ -277,4 +278,5 @@ def _signature(kernel: Kernel) -> str:
     arguments = tuple((argument.name, argument.shape) for argument in kernel.arguments)
     results = tuple(result.shape for result in kernel.results)
     block = f", block={LINEAR_BLOCK}" if any(stage.primitive in LINEAR for stage in kernel.stages) else ""
-    return f"Signature({kernel.name!r}, {arguments}, {results}{block})".replace("'", '"')
+    twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(kernel) else ""
+    return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin})".replace("'", '"')

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -75,7 +76,7 @@ def _plane_frame(
     return 1, 0, 0, g00, g10 - g00, g20 - g00, g01, g11 - g01, g21 - g01
 
 
-_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),))
+_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),), twin=ufunc("affine_plane_frame"))
 
 
 def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -144,7 +145,7 @@ def _plane_coordinates(
     return (c22 * d1 - c21 * d2) / det, (c11 * d2 - c12 * d1) / det
 
 
-_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),))
+_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),), twin=ufunc("affine_plane_coordinates"))
 
 
 def space_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -214,7 +215,7 @@ def _space_frame(
     )
 
 
-_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),))
+_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),), twin=ufunc("affine_space_frame"))
 
 
 def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -312,4 +313,4 @@ def _space_coordinates(
     )
 
 
-_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),))
+_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),), twin=ufunc("affine_space_coordinates"))

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._evaluation import Signature, evaluate
 from ._primitives import cos_sin
 
@@ -197,7 +198,7 @@ def _project(
     return (A4 + A1 * X + A2 * Y + A3 * Z) / t11, (A8 + A5 * X + A6 * Y + A7 * Z) / t11
 
 
-_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),))
+_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),), twin=ufunc("collinearity_project"))
 
 
 def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -283,7 +284,7 @@ def _project_jacobian_parameters(
     )
 
 
-_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),))
+_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),), twin=ufunc("collinearity_project_jacobian_parameters"))
 
 
 def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -355,7 +356,7 @@ def _project_jacobian_point(
     )
 
 
-_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),))
+_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),), twin=ufunc("collinearity_project_jacobian_point"))
 
 
 def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -415,7 +416,7 @@ def _space_map(
     )
 
 
-_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),))
+_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),), twin=ufunc("collinearity_space_map"))
 
 
 def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -499,7 +500,7 @@ def _coplanarity_determinant(
     return (t154,)
 
 
-_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),))
+_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),), twin=ufunc("collinearity_coplanarity_determinant"))
 
 
 def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -578,7 +579,7 @@ def _intersect_three(
     return t95, t107, t119
 
 
-_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
+_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect_three"))
 
 
 def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -711,7 +712,7 @@ def _intersect(
     )
 
 
-_INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
+_INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect"))
 
 
 def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -770,7 +771,7 @@ def _model_point(
     return t0 * Xbar1 / t4, t0 * Ybar1 / t4, t0 * Zbar1 / t4
 
 
-_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),))
+_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),), twin=ufunc("collinearity_model_point"))
 
 
 def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translation: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:

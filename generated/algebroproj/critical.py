@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -114,7 +115,7 @@ def _determinant(
     return (t148 - up32 * upp31 * (t73 * t30 + t50 * t118 - t33 * t139 - t62 * t105),)
 
 
-_DETERMINANT_SIGNATURE = Signature("determinant", (("u_left", (5, 2)), ("u_right", (5, 2))), ((),))
+_DETERMINANT_SIGNATURE = Signature("determinant", (("u_left", (5, 2)), ("u_right", (5, 2))), ((),), twin=ufunc("critical_determinant"))
 
 
 def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -169,7 +170,7 @@ def _algebraic_distance(
     return (t21 + y3 * (q30 + q31 * y1 + q32 * y2 + q33 * y3),)
 
 
-_ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), ("y", (3,))), ((),))
+_ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), ("y", (3,))), ((),), twin=ufunc("critical_algebraic_distance"))
 
 
 def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -435,7 +436,7 @@ def _quadric(
     return 0, t839, t840, t841, t839, -r01, t845, t848, t840, t845, -r02, t852, t841, t848, t852, r33 - r03
 
 
-_QUADRIC_SIGNATURE = Signature("quadric", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,)), ("y", (4, 3))), ((4, 4),))
+_QUADRIC_SIGNATURE = Signature("quadric", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,)), ("y", (4, 3))), ((4, 4),), twin=ufunc("critical_quadric"))
 
 
 def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -515,7 +516,7 @@ def _invariants(
     )
 
 
-_INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)))
+_INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)), twin=ufunc("critical_invariants"))
 
 # These call functions of this module, and are imported after them.
 from .drivers import classify  # noqa: E402

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -79,7 +80,7 @@ def _tau(
     return u30 * uN31 / (u31 * uN30), u30 * uN32 / (u32 * uN30)
 
 
-_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),))
+_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),), twin=ufunc("normal_case_tau"))
 
 
 def transform(tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -138,7 +139,7 @@ def _transform(
     return 1, tau1 - 1, tau2 - 1, 0, tau1, 0, 0, 0, tau2
 
 
-_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),))
+_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),), twin=ufunc("normal_case_transform"))
 
 
 def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -195,7 +196,7 @@ def _map_points(
     return tau1 * u1 / weight, tau2 * u2 / weight
 
 
-_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),))
+_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),), twin=ufunc("normal_case_map_points"))
 
 
 def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3_left: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -286,7 +287,7 @@ def _from_orientation(
     )
 
 
-_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)))
+_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)), twin=ufunc("normal_case_from_orientation"))
 
 
 def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -353,7 +354,7 @@ def _mu_left(
     return t11, t11, yA0 * t7 / (difference * yA3)
 
 
-_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),))
+_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_left"))
 
 
 def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -429,7 +430,7 @@ def _mu_right(
     return t32, (yA3 * (t26 + y02) - t20) / (common * t10), (t14 - yA2 * (t26 + y03)) / (common * s1)
 
 
-_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),))
+_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_right"))
 
 
 def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -489,7 +490,7 @@ def _from_correlation(
     return -(z02 / t0), 1, -(z20 * t0 / (z02 * z10)), -(z01 / z10), t0 / z10
 
 
-_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)))
+_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)), twin=ufunc("normal_case_from_correlation"))
 
 
 def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -550,4 +551,4 @@ def _frame(
     return 1, 0, 0, 0, 1, z_n, 0, (tau1 - 1) / (tau2 - 1), 1
 
 
-_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),))
+_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),), twin=ufunc("normal_case_frame"))

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -82,7 +83,7 @@ def _left_bundle(
     return t20, t20, yA0 * (u02 * yA1 - u01 * yA2) / (D * yA3)
 
 
-_LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),))
+_LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_left_bundle"))
 
 
 def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -156,7 +157,7 @@ def _right_bundle(
     return p03 * u01 / (p13 * u00), p03 * u02 / (p23 * u00), p02 * u02 / (n2 * p23)
 
 
-_RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),))
+_RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_right_bundle"))
 
 
 def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -300,4 +301,4 @@ def _intersect(
     )
 
 
-_INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),))
+_INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),), twin=ufunc("orientation_intersect"))

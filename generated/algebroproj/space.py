@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -82,7 +83,7 @@ def _homography(
     return mu0, mu1 - mu0, mu2 - mu0, mu3 - mu0, 0, mu1, 0, 0, 0, 0, mu2, 0, 0, 0, 0, mu3
 
 
-_HOMOGRAPHY_SIGNATURE = Signature("homography", (("mu", (4,)),), ((4, 4),))
+_HOMOGRAPHY_SIGNATURE = Signature("homography", (("mu", (4,)),), ((4, 4),), twin=ufunc("space_homography"))
 
 
 def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -143,7 +144,7 @@ def _mu_from_fifth_point(
     return u0 / y0, u41 / y41, u42 / y42, u43 / y43
 
 
-_MU_FROM_FIFTH_POINT_SIGNATURE = Signature("mu_from_fifth_point", (("y4", (3,)), ("u4", (3,))), ((4,),))
+_MU_FROM_FIFTH_POINT_SIGNATURE = Signature("mu_from_fifth_point", (("y4", (3,)), ("u4", (3,))), ((4,),), twin=ufunc("space_mu_from_fifth_point"))
 
 
 def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -204,7 +205,7 @@ def _map_points(
     return t0 / weighted, t1 / weighted, t3 / weighted
 
 
-_MAP_POINTS_SIGNATURE = Signature("map_points", (("mu", (4,)), ("y", (3,))), ((3,),))
+_MAP_POINTS_SIGNATURE = Signature("map_points", (("mu", (4,)), ("y", (3,))), ((3,),), twin=ufunc("space_map_points"))
 
 
 def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -263,4 +264,4 @@ def _map_plane(
     return first, (a0 + a1) / mu1 - first, (a0 + a2) / mu2 - first, (a0 + a3) / mu3 - first
 
 
-_MAP_PLANE_SIGNATURE = Signature("map_plane", (("mu", (4,)), ("a", (4,))), ((4,),))
+_MAP_PLANE_SIGNATURE = Signature("map_plane", (("mu", (4,)), ("a", (4,))), ((4,),), twin=ufunc("space_map_plane"))

@@ -2,7 +2,7 @@
 
 A compiler can then solve several systems at once.  The operations and their order are those of ``solve`` and
 ``null_vector`` in the NumPy source: partial pivoting, and one step of refinement with the residual in twice the
-precision.  Of a row ``a0_`` of the equations the entries are ``a0_0``, ``a0_1``, ...
+precision.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def solve_body(size: int) -> list[str]:
         *(f"real a{i}_{j} = system[{i}][{j}];" for i in range(size) for j in range(size)),
         *(f"real b{i} = system[{i}][{size}];" for i in range(size)),
         "real kept;",
-        *_eliminated(size, size, "b"),
+        *_eliminated(size, "b"),
         *_upper_solved("x", "b", size),
         *_residual([f"system[{i}][{size}]" for i in range(size)], size),
         *_forward(size, "r"),
@@ -38,27 +38,25 @@ def solve_body(size: int) -> list[str]:
 def null_vector_body(height: int) -> list[str]:
     r"""Return the statements that span the null space of ``system``, rows with one entry more than rows.
 
-    The columns are eliminated; the combination of columns that is left as zero is the vector.
-
     Examples
     --------
     >>> print(*null_vector_body(1)[:5], sep="\n")
     real a0_0 = system[0][0];
-    real a1_0 = system[0][1];
+    real a0_1 = system[0][1];
     const real zero = system[0][0] * 0;
     real kept;
-    const int swap0_1 = isgreater(absolute(a1_0), absolute(a0_0));
+    const int swap0_1 = isgreater(absolute(a0_1), absolute(a0_0));
     """
     width = height + 1
     return [
-        *(f"real a{j}_{i} = system[{i}][{j}];" for j in range(width) for i in range(height)),
+        *(f"real a{i}_{j} = system[{i}][{j}];" for i in range(height) for j in range(width)),
         "const real zero = system[0][0] * 0;",
         "real kept;",
-        *_eliminated(width, height),
-        *_combined("x", [*["zero"] * height, "zero + 1"], height),
+        *_columns_pivoted(height),
+        *_substituted_in_order("x", ["zero"] * height, "zero + 1"),
         *_residual(["zero"] * height, width),
-        *_lower_solved("u", "r", height),
-        *_combined("d", [*(f"u{k}" for k in range(height)), "zero"], height),
+        *_forward(height, "r", exchanged=False),
+        *_substituted_in_order("d", [f"r{i}" for i in range(height)], "zero"),
         *_refined(width),
         "real largest = y0;",
         *(f"largest = isgreater(absolute(y{k}), absolute(largest)) ? y{k} : largest;" for k in range(1, width)),
@@ -66,22 +64,38 @@ def null_vector_body(height: int) -> list[str]:
     ]
 
 
-def _eliminated(height: int, steps: int, right_side: str = "") -> list[str]:
-    """Eliminate below the diagonal, and keep the exchanges of rows and the factors."""
+def _eliminated(size: int, right_side: str) -> list[str]:
+    """Eliminate below the diagonal, with the largest entry of a column on it; keep the exchanges and the factors."""
     lines = []
-    for k in range(steps):
-        below = range(k + 1, height)
+    for k in range(size):
+        below = range(k + 1, size)
         for i in below:
             lines.append(f"const int swap{k}_{i} = isgreater(absolute(a{i}_{k}), absolute(a{k}_{k}));")
-            for j in range(k, steps):
+            for j in range(k, size):
                 lines += _exchanged(f"swap{k}_{i}", f"a{k}_{j}", f"a{i}_{j}")
-            if right_side:
-                lines += _exchanged(f"swap{k}_{i}", f"{right_side}{k}", f"{right_side}{i}")
-        lines += [f"const real f{k}_{i} = a{i}_{k} / a{k}_{k};" for i in below]
-        lines += [f"a{i}_{j} = a{i}_{j} - f{k}_{i} * a{k}_{j};" for i in below for j in range(k + 1, steps)]
-        if right_side:
-            lines += [f"{right_side}{i} = {right_side}{i} - f{k}_{i} * {right_side}{k};" for i in below]
+            lines += _exchanged(f"swap{k}_{i}", f"{right_side}{k}", f"{right_side}{i}")
+        lines += _taken_off(k, size, size)
+        lines += [f"{right_side}{i} = {right_side}{i} - f{k}_{i} * {right_side}{k};" for i in below]
     return lines
+
+
+def _columns_pivoted(height: int) -> list[str]:
+    """Eliminate below the diagonal, with the largest entry of a row on it; keep the exchanges and the factors."""
+    lines = []
+    for k in range(height):
+        for j in range(k + 1, height + 1):
+            lines.append(f"const int swap{k}_{j} = isgreater(absolute(a{k}_{j}), absolute(a{k}_{k}));")
+            for i in range(k, height):
+                lines += _exchanged(f"swap{k}_{j}", f"a{i}_{k}", f"a{i}_{j}")
+        lines += _taken_off(k, height, height + 1)
+    return lines
+
+
+def _taken_off(k: int, height: int, width: int) -> list[str]:
+    """Take multiples of a row off the rows below it."""
+    below = range(k + 1, height)
+    lines = [f"const real f{k}_{i} = a{i}_{k} / a{k}_{k};" for i in below]
+    return lines + [f"a{i}_{j} = a{i}_{j} - f{k}_{i} * a{k}_{j};" for i in below for j in range(k + 1, width)]
 
 
 def _exchanged(condition: str, first: str, second: str) -> list[str]:
@@ -101,33 +115,27 @@ def _upper_solved(unknown: str, right_side: str, size: int) -> list[str]:
     return lines
 
 
-def _lower_solved(unknown: str, right_side: str, size: int) -> list[str]:
-    """Substitute forwards in the transposed system."""
-    lines = []
-    for k in range(size):
-        lines += [f"{right_side}{k} = {right_side}{k} - a{j}_{k} * {unknown}{j};" for j in range(k)]
-        lines.append(f"const real {unknown}{k} = {right_side}{k} / a{k}_{k};")
-    return lines
-
-
-def _forward(size: int, right_side: str) -> list[str]:
+def _forward(size: int, right_side: str, exchanged: bool = True) -> list[str]:
     """Do to a right side what elimination did to the rows."""
     lines = []
     for k in range(size):
-        for i in range(k + 1, size):
+        for i in range(k + 1, size if exchanged else 0):
             lines += _exchanged(f"swap{k}_{i}", f"{right_side}{k}", f"{right_side}{i}")
         lines += [f"{right_side}{i} = {right_side}{i} - f{k}_{i} * {right_side}{k};" for i in range(k + 1, size)]
     return lines
 
 
-def _combined(name: str, weights: Sequence[str], steps: int) -> list[str]:
-    """Compute the combination of the rows before elimination that is this one of the rows after it."""
-    lines = [f"real {name}{k} = {weight};" for k, weight in enumerate(weights)]
-    for k in reversed(range(steps)):
-        below = range(k + 1, len(weights))
-        lines += [f"{name}{k} = {name}{k} - f{k}_{i} * {name}{i};" for i in below]
-        for i in reversed(below):
-            lines += _exchanged(f"swap{k}_{i}", f"{name}{k}", f"{name}{i}")
+def _substituted_in_order(unknown: str, right_sides: Sequence[str], last: str) -> list[str]:
+    """Substitute backwards, the last unknown being given, and put the unknowns where their columns were."""
+    height = len(right_sides)
+    lines = [f"real {unknown}{height} = {last};"]
+    for k in reversed(range(height)):
+        right_of = range(k + 1, height + 1)
+        lines.append(f"real {unknown}{k} = {right_sides[k]};")
+        lines += [f"{unknown}{k} = {unknown}{k} - a{k}_{j} * {unknown}{j};" for j in right_of]
+        lines.append(f"{unknown}{k} = {unknown}{k} / a{k}_{k};")
+        for j in reversed(right_of):
+            lines += _exchanged(f"swap{k}_{j}", f"{unknown}{k}", f"{unknown}{j}")
     return lines
 
 

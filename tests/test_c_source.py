@@ -123,7 +123,7 @@ def test_each_exchange_of_one_operator_in_a_shipped_kernel_is_found(name, source
         ("solve", 5, "h3 = s3_4;", "h3 = s3_3;"),
         ("solve", 5, "real h2 = system[2][5];", "real h2 = system[2][4];"),
         ("solve", 5, "solution[2] = y2;", "solution[2] = y3;"),
-        ("null_vector", 8, "x7 = x7 - f7_8 * x8;", "x7 = x7 + f7_8 * x8;"),
+        ("null_vector", 8, "x7 = x7 - a7_8 * x8;", "x7 = x7 + a7_8 * x8;"),
         ("null_vector", 8, "solution[3] = y3 / largest;", "solution[3] = y4 / largest;"),
     ],
 )

@@ -120,11 +120,11 @@ def solver_is_proved(source: Source, primitive: str, height: int, engine: str = 
     engine : {"flint", "sympy"}
         The polynomial arithmetic.
     """
-    rows = height if primitive == "solve" else height + 1
-    places = [(k, i) for k in range(height) for i in range(k + 1, rows)]
+    lines = height if primitive == "solve" else height + 1
+    places = [(k, i) for k in range(height) for i in range(k + 1, lines)]
     chosen = [[], *([place] for place in places), places]
     proved = _solves if primitive == "solve" else _spans
-    systems = (_system(rows, height, exchanges, engine) for exchanges in chosen)
+    systems = (_system(primitive, height, places, exchanges, engine) for exchanges in chosen)
     try:
         return all(
             proved(source, f"{primitive}_{height}", system, _meaning(system, finite))
@@ -145,27 +145,35 @@ class _System:
     splitter: Any
 
 
-def _system(height: int, steps: int, exchanges: Sequence[tuple[int, int]], engine: str) -> _System:
-    places = [(k, i) for k in range(steps) for i in range(k + 1, height)]
-    upper = [(k, j) for k in range(steps) for j in range(k, steps)]
-    names = ["splitter", *(f"x{k}" for k in range(steps)), *(f"f{k}_{i}" for k, i in places)]
-    names += [f"u{k}_{j}" for k, j in upper]
+def _system(
+    primitive: str, height: int, places: Sequence[tuple[int, int]], exchanges: Sequence[tuple[int, int]], engine: str
+) -> _System:
+    """Undo an elimination: of the rows of a system that is solved, of the columns where a vector is to be spanned."""
+    names = ["splitter", *(f"x{k}" for k in range(height))]
+    names += [f"f{k}_{i}" for k in range(height) for i in range(k + 1, height)]
+    names += [f"u{k}_{j}" for k in range(height) for j in range(k, height)]
     free = dict(zip(names, ring(engine, names).generators, strict=True))
-    zero = free["splitter"] * 0
-    rows = [[free.get(f"u{k}_{j}", zero) for j in range(steps)] for k in range(height)]
-    for k in reversed(range(steps)):
+    unknowns = [free[f"x{k}"] for k in range(height)]
+    upper = [[free.get(f"u{k}_{j}", 0) for j in range(height)] for k in range(height)]
+    sign = 1 if primitive == "solve" else -1
+    rows = [[*row, sign * _product(row, unknowns)] for row in upper]
+    for k in reversed(range(height)):
         for i in range(k + 1, height):
             rows[i] = [entry + free[f"f{k}_{i}"] * above for entry, above in zip(rows[i], rows[k], strict=True)]
-        for i in reversed(range(k + 1, height)):
-            if (k, i) in exchanges:
-                rows[k], rows[i] = rows[i], rows[k]
-    unknowns = [free[f"x{k}"] for k in range(steps)]
+        for first, second in reversed([place for place in places if place[0] == k and place in exchanges]):
+            rows = _exchanged(rows, first, second, primitive)
     return _System(rows, [place in exchanges for place in places], unknowns, free["splitter"])
 
 
+def _exchanged(rows: list[list[Any]], first: int, second: int, primitive: str) -> list[list[Any]]:
+    """Exchange two rows, or two columns."""
+    lines = rows if primitive == "solve" else [list(column) for column in zip(*rows, strict=True)]
+    lines[first], lines[second] = lines[second], lines[first]
+    return lines if primitive == "solve" else [list(row) for row in zip(*lines, strict=True)]
+
+
 def _solves(source: Source, name: str, system: _System, meaning: Meaning) -> bool:
-    rows = [[*row, _product(row, system.unknowns)] for row in system.rows]
-    solution = solver_outputs(source, name, rows, meaning)
+    solution = solver_outputs(source, name, system.rows, meaning)
     return len(solution) == len(system.unknowns) and all(
         got - wanted == 0 for got, wanted in zip(solution, system.unknowns, strict=True)
     )
@@ -173,10 +181,9 @@ def _solves(source: Source, name: str, system: _System, meaning: Meaning) -> boo
 
 def _spans(source: Source, name: str, system: _System, meaning: Meaning) -> bool:
     """Whether a vector spans the null space; the component that is 1 is taken for the largest."""
-    rows = [list(row) for row in zip(*system.rows, strict=True)]
-    vector = solver_outputs(source, name, rows, meaning)
-    zero = all(_product(row, vector) == 0 for row in rows)
-    return zero and len(vector) == len(system.rows) and any(component == 1 for component in vector)
+    vector = solver_outputs(source, name, system.rows, meaning)
+    zero = all(_product(row, vector) == 0 for row in system.rows)
+    return zero and len(vector) == len(system.rows[0]) and any(component == 1 for component in vector)
 
 
 def _meaning(system: _System, finite: bool) -> Meaning:

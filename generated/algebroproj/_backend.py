@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "09d729b3b3b3042c"
+DIGEST = "ae0f50e1dcc5304b"
 """What identifies the C source that belongs to this package."""
 
 

@@ -11,7 +11,9 @@ from collections.abc import Sequence
 
 
 def solve_body(size: int) -> list[str]:
-    r"""Return the statements that solve ``system``, rows of coefficients and right side, into ``solution``.
+    r"""Return the statements that solve ``system`` into ``solution``.
+
+    A row has the coefficients and the right side, and then what rounding took from each of them.
 
     Examples
     --------
@@ -27,7 +29,7 @@ def solve_body(size: int) -> list[str]:
         "real kept;",
         *_eliminated(size, "b"),
         *_upper_solved("x", "b", size),
-        *_residual([f"system[{i}][{size}]" for i in range(size)], size),
+        *_residual([(f"system[{i}][{size}]", f"system[{i}][{2 * size + 1}]") for i in range(size)], size, size),
         *_forward(size, "r"),
         *_upper_solved("d", "r", size),
         *_refined(size),
@@ -36,7 +38,9 @@ def solve_body(size: int) -> list[str]:
 
 
 def null_vector_body(height: int) -> list[str]:
-    r"""Return the statements that span the null space of ``system``, rows with one entry more than rows.
+    r"""Return the statements that span the null space of ``system``, which has one column more than rows.
+
+    A row has the entries, and then what rounding took from each of them.
 
     Examples
     --------
@@ -54,7 +58,7 @@ def null_vector_body(height: int) -> list[str]:
         "real kept;",
         *_columns_pivoted(height),
         *_substituted_in_order("x", ["zero"] * height, "zero + 1"),
-        *_residual(["zero"] * height, width),
+        *_residual([("zero", "zero")] * height, height, width),
         *_forward(height, "r", exchanged=False),
         *_substituted_in_order("d", [f"r{i}" for i in range(height)], "zero"),
         *_refined(width),
@@ -139,16 +143,16 @@ def _substituted_in_order(unknown: str, right_sides: Sequence[str], last: str) -
     return lines
 
 
-def _residual(right_sides: Sequence[str], width: int) -> list[str]:
+def _residual(right_sides: Sequence[tuple[str, str]], height: int, unknowns: int) -> list[str]:
     """Compute right side minus matrix times unknowns, the sum of each row and its rounding errors apart."""
     lines = []
-    for i, right_side in enumerate(right_sides):
-        lines += [f"real h{i} = {right_side};", f"real l{i} = 0;"]
-        for j in range(width):
-            at = f"{i}_{j}"
+    for i, (high, low) in enumerate(right_sides):
+        lines += [f"real h{i} = {high};", f"real l{i} = {low};"]
+        for j in range(unknowns):
+            at, entry, rest = f"{i}_{j}", f"system[{i}][{j}]", f"system[{i}][{height + 1 + j}]"
             lines += [
-                f"const real p{at} = system[{i}][{j}] * x{j};",
-                f"const real e{at} = NAME(product_error)(system[{i}][{j}], x{j}, p{at});",
+                f"const real p{at} = {entry} * x{j};",
+                f"const real e{at} = NAME(product_error)({entry}, x{j}, p{at}) + {rest} * x{j};",
                 f"const real s{at} = h{i} + -p{at};",
                 f"l{i} = l{i} + (NAME(sum_error)(h{i}, -p{at}, s{at}) - e{at});",
                 f"h{i} = s{at};",

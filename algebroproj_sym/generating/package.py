@@ -17,10 +17,11 @@ from algebroproj_sym.expressions import Scalar, divided, entries
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import runtime
 from algebroproj_sym.generating.c_source import c_files, c_name, is_compiled, stamped
+from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.numpy_source import SPLITTER, packed, statements
+from algebroproj_sym.generating.numpy_source import packed, statements
 from algebroproj_sym.generating.operation_counts import operation_counts
-from algebroproj_sym.generating.program import Call, run
+from algebroproj_sym.generating.program import Call, Step, run
 from algebroproj_sym.generating.runtime import _primitives as primitives
 
 LONGEST_FACTOR = 240
@@ -105,12 +106,13 @@ def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:
     sources = sorted({f"{low.kernel.paper} {low.kernel.section}" for low in group})
     title = f"Functions of {', '.join(sources)}."
     called: set[str] = {step.primitive for low in group for step in low.program.steps if isinstance(step, Call)}
-    called |= {"splitter_of" for low in group if low.program.uses()[SPLITTER]}
+    operators = {step.operator for low in group for step in low.program.steps if isinstance(step, Step)}
     return _TEMPLATES.get_template("module.py.j2").render(
         title=title,
         notice=NOTICE,
         primitives=sorted(called - {"let"}),
-        compiled=any(is_compiled(low.kernel) for low in group),
+        compiled=any(is_compiled(low) for low in group),
+        digits=sorted(operators & {"wide", "rounded"}),
         functions=[_function(low) for low in group],
         drivers=[{"name": driver.name, "module": driver.source.stem} for driver in drivers],
     )
@@ -120,7 +122,7 @@ def _function(low: Lowered) -> dict[str, Any]:
     kernel = low.kernel
     return {
         "name": kernel.name,
-        "signature": _signature(kernel),
+        "signature": _signature(low),
         "constant": f"_{kernel.name.upper()}_SIGNATURE",
         "entries": packed([f"{symbol.name}: Any" for symbol in kernel.symbols]),
         "parameters": _parameters(kernel),
@@ -220,10 +222,14 @@ def _factor(factor: Scalar) -> str:
 
 
 def _operations(low: Lowered) -> str:
-    counts = low.program.operations()
+    counts = low.plain.operations()
     listed = ", ".join(f"{counts[kind]} {kind}" for kind in ("+", "-", "*", "/", "neg", *PRIMITIVES) if counts[kind])
     before = operation_counts(low).derived
-    return f"Operations: {counts.total()} ({listed or 'none'}); the derived expression as written takes {before}."
+    text = f"Operations: {counts.total()} ({listed or 'none'}); the derived expression as written takes {before}."
+    if low.program == low.plain:
+        return text
+    single = expanded(low.program).operations().total()
+    return f"{text}\n    With double-double operations for sums that may cancel: {single}."
 
 
 def _example_call(kernel: Kernel) -> str:
@@ -274,9 +280,10 @@ def _type(kernel: Kernel) -> str:
     return arrays if len(kernel.results) == 1 else f"tuple[{arrays}]"
 
 
-def _signature(kernel: Kernel) -> str:
+def _signature(low: Lowered) -> str:
+    kernel = low.kernel
     arguments = tuple((argument.name, argument.shape) for argument in kernel.arguments)
     results = tuple(result.shape for result in kernel.results)
     block = f", block={LINEAR_BLOCK}" if any(stage.primitive in LINEAR for stage in kernel.stages) else ""
-    twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(kernel) else ""
+    twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(low) else ""
     return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin})".replace("'", '"')

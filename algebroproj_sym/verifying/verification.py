@@ -67,7 +67,7 @@ def verify(lowered: Lowered, package: ModuleType, size: int, engine: str = "flin
     return Verification(
         accuracy=accuracy(lowered, package, size),
         source_proved=source_is_proved(lowered.kernel, package, engine),
-        c_source_proved=c_source_is_proved(lowered.kernel, package, engine),
+        c_source_proved=c_source_is_proved(lowered, package, engine),
         identical=is_identical(lowered, package, size),
         silent=silent_factors(lowered, package),
     )

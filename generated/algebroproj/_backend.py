@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "ae0f50e1dcc5304b"
+DIGEST = "07250ee7661c32e2"
 """What identifies the C source that belongs to this package."""
 
 

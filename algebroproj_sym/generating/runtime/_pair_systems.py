@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from algebroproj_sym.generating.double_double import DoubleDouble
+from ._double_double import DoubleDouble
 
 __all__ = ["null_vector_of_pairs", "solution_of_pairs"]
 

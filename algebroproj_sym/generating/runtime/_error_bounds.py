@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from algebroproj_sym.generating.double_double import DoubleDouble, wide
+from ._double_double import DoubleDouble, wide
 
 __all__ = ["Bounded", "bounded"]
 

@@ -139,7 +139,7 @@ def solver_is_proved(source: Source, primitive: str, height: int, engine: str = 
 
 @dataclass(frozen=True)
 class _System:
-    """Rows with free entries and nothing that rounding took from them, the exchanges that elimination is told to make, and free unknowns."""
+    """Rows of free entries, from which rounding took nothing; the exchanges that are made; free unknowns."""
 
     rows: list[list[Any]]
     exchanges: list[bool]

@@ -2,7 +2,7 @@
 
 A compiler can then solve several systems at once.  The operations and their order are those of ``solve`` and
 ``null_vector`` in the NumPy source: partial pivoting, and one step of refinement with the residual in twice the
-precision.  In a row of a system the second parts of its entries, which have twice the digits, follow the first.
+precision.
 """
 
 from __future__ import annotations
@@ -11,7 +11,9 @@ from collections.abc import Sequence
 
 
 def solve_body(size: int) -> list[str]:
-    r"""Return the statements that solve ``system``, rows of coefficients and right side, into ``solution``.
+    r"""Return the statements that solve ``system`` into ``solution``.
+
+    A row has the coefficients and the right side, and then what rounding took from each of them.
 
     Examples
     --------
@@ -27,7 +29,7 @@ def solve_body(size: int) -> list[str]:
         "real kept;",
         *_eliminated(size, "b"),
         *_upper_solved("x", "b", size),
-        *_residual([(f"system[{i}][{size}]", f"system[{i}][{2 * size + 1}]") for i in range(size)], size),
+        *_residual([(f"system[{i}][{size}]", f"system[{i}][{2 * size + 1}]") for i in range(size)], size, size),
         *_forward(size, "r"),
         *_upper_solved("d", "r", size),
         *_refined(size),
@@ -36,7 +38,9 @@ def solve_body(size: int) -> list[str]:
 
 
 def null_vector_body(height: int) -> list[str]:
-    r"""Return the statements that span the null space of ``system``, rows with one entry more than rows.
+    r"""Return the statements that span the null space of ``system``, which has one column more than rows.
+
+    A row has the entries, and then what rounding took from each of them.
 
     Examples
     --------
@@ -54,7 +58,7 @@ def null_vector_body(height: int) -> list[str]:
         "real kept;",
         *_columns_pivoted(height),
         *_substituted_in_order("x", ["zero"] * height, "zero + 1"),
-        *_residual([("zero", "zero")] * height, width),
+        *_residual([("zero", "zero")] * height, height, width),
         *_forward(height, "r", exchanged=False),
         *_substituted_in_order("d", [f"r{i}" for i in range(height)], "zero"),
         *_refined(width),
@@ -139,20 +143,18 @@ def _substituted_in_order(unknown: str, right_sides: Sequence[str], last: str) -
     return lines
 
 
-def _residual(right_sides: Sequence[tuple[str, str]], width: int) -> list[str]:
+def _residual(right_sides: Sequence[tuple[str, str]], height: int, unknowns: int) -> list[str]:
     """Compute right side minus matrix times unknowns, the sum of each row and its rounding errors apart."""
     lines = []
-    rests = len(right_sides) + 1
-    for i, (right_side, rest) in enumerate(right_sides):
-        lines += [f"real h{i} = {right_side};", f"real l{i} = {rest};"]
-        for j in range(width):
-            at = f"{i}_{j}"
+    for i, (high, low) in enumerate(right_sides):
+        lines += [f"real h{i} = {high};", f"real l{i} = {low};"]
+        for j in range(unknowns):
+            at, entry, rest = f"{i}_{j}", f"system[{i}][{j}]", f"system[{i}][{height + 1 + j}]"
             lines += [
-                f"const real p{at} = system[{i}][{j}] * x{j};",
-                f"const real e{at} = NAME(product_error)(system[{i}][{j}], x{j}, p{at});",
+                f"const real p{at} = {entry} * x{j};",
+                f"const real e{at} = NAME(product_error)({entry}, x{j}, p{at}) + {rest} * x{j};",
                 f"const real s{at} = h{i} + -p{at};",
-                f"const real t{at} = NAME(sum_error)(h{i}, -p{at}, s{at});",
-                f"l{i} = l{i} + (t{at} - (e{at} + system[{i}][{rests + j}] * x{j}));",
+                f"l{i} = l{i} + (NAME(sum_error)(h{i}, -p{at}, s{at}) - e{at});",
                 f"h{i} = s{at};",
             ]
         lines.append(f"real r{i} = h{i} + l{i};")

@@ -16,20 +16,20 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from algebroproj_sym.declaring import LINEAR, Kernel
 from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating.c_elimination import null_vector_body, solve_body
-from algebroproj_sym.generating.expansion import expanded
+from algebroproj_sym.generating.expansion import SPLITTER, expanded
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
 
 COMPILED = ("let", *LINEAR)
 """The primitive functions of which there is a compiled version."""
 
+LONGEST = 4000
+"""How many statements a compiler is asked to optimise at once."""
+
 DIGEST = "DIGEST_OF_THE_SOURCE"
 """What stands, in templates, for a digest of the C source."""
 
 DTYPES = ("float", "double", "longdouble")
-
-LONGEST = 2000
-"""How many statements a kernel may have that is compiled for several processors: a compiler is slow on long ones."""
 
 BLOCK = 64
 """How many points are gathered at a time: few enough that all entries of a kernel stay in the first-level cache."""
@@ -64,7 +64,7 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
         The text of each file by its name: ``_kernels.h`` with the formulas, ``_loops.h`` and ``_compiled.c`` with what
         makes ufuncs of them.
     """
-    compiled = sorted((low for low in lowered if is_compiled(low.kernel)), key=lambda low: c_name(low.kernel))
+    compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
     calls = {(call.primitive, len(call.rows)) for low in compiled for call in _calls(low.program)}
     return {
         "_kernels.h": _rendered(
@@ -80,7 +80,7 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
                 for name, height in sorted(calls)
                 if name in LINEAR
             ],
-            kernels=[_kernel(low) for low in compiled],
+            kernels=[{"name": c_name(low.kernel), "statements": statements(expanded(low.program))} for low in compiled],
         ),
         "_loops.h": _rendered("loops.h.j2", notice=notice),
         "_compiled.c": _rendered(
@@ -110,9 +110,10 @@ def stamped(files: Mapping[str, str]) -> dict[str, str]:
     return {name: text.replace(DIGEST, digest) for name, text in files.items()}
 
 
-def is_compiled(kernel: Kernel) -> bool:
-    """Whether a kernel has a compiled version."""
-    return all(stage.primitive in COMPILED for stage in kernel.stages)
+def is_compiled(low: Lowered) -> bool:
+    """Whether a kernel has a compiled version: its program calls no function of the C library, and is not too long."""
+    short = len(expanded(low.program).steps) <= LONGEST
+    return short and all(stage.primitive in COMPILED for stage in low.kernel.stages)
 
 
 def c_name(kernel: Kernel) -> str:
@@ -153,11 +154,6 @@ def statements(program: Program) -> list[str]:
     return lines + [f"out[{place}][i] = {_operand(output, names)};" for place, output in enumerate(program.outputs)]
 
 
-def _kernel(low: Lowered) -> dict[str, object]:
-    body = statements(expanded(low.program))
-    return {"name": c_name(low.kernel), "statements": body, "long": len(body) > LONGEST}
-
-
 def _used(program: Program) -> set[Operand]:
     """Return the operands on which an output depends."""
     used = set(program.outputs)
@@ -169,11 +165,11 @@ def _used(program: Program) -> set[Operand]:
 
 def _solve(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
     size = len(call.rows)
-    width = 2 * (size + 1)
-    padded = [(*row, *[0] * (width - len(row))) for row in call.rows]
-    rows = [f"    {{{', '.join(_operand(operand, names) for operand in row)}}}," for row in padded]
+    written = [[_operand(operand, names) for operand in row] for row in call.rows]
+    padded = [[*row, *["0"] * (2 * size + 2 - len(row))] for row in written]
+    rows = [f"    {{{', '.join(row)}}}," for row in padded]
     return [
-        f"const real system{place}[{size}][{width}] = {{",
+        f"const real system{place}[{size}][{2 * size + 2}] = {{",
         *rows,
         "};",
         f"real solution{place}[{len(call.names)}];",
@@ -198,7 +194,7 @@ def _c_names(program: Program) -> dict[Operand, str]:
     given = chain.from_iterable((step.name,) if isinstance(step, Step) else step.names for step in program.steps)
     wanted = [*program.inputs, *given]
     fresh = (name for place in count() if (name := f"value_{place}") not in wanted)
-    names: dict[Operand, str] = {"splitter": "splitter"}
+    names: dict[Operand, str] = {SPLITTER: "splitter"}
     return names | {name: name if _is_free(name) else next(fresh) for name in wanted}
 
 

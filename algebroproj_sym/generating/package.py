@@ -111,7 +111,7 @@ def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:
         title=title,
         notice=NOTICE,
         primitives=sorted(called - {"let"}),
-        compiled=any(is_compiled(low.kernel) for low in group),
+        compiled=any(is_compiled(low) for low in group),
         digits=sorted(operators & {"wide", "rounded"}),
         functions=[_function(low) for low in group],
         drivers=[{"name": driver.name, "module": driver.source.stem} for driver in drivers],
@@ -122,7 +122,7 @@ def _function(low: Lowered) -> dict[str, Any]:
     kernel = low.kernel
     return {
         "name": kernel.name,
-        "signature": _signature(kernel),
+        "signature": _signature(low),
         "constant": f"_{kernel.name.upper()}_SIGNATURE",
         "entries": packed([f"{symbol.name}: Any" for symbol in kernel.symbols]),
         "parameters": _parameters(kernel),
@@ -280,9 +280,10 @@ def _type(kernel: Kernel) -> str:
     return arrays if len(kernel.results) == 1 else f"tuple[{arrays}]"
 
 
-def _signature(kernel: Kernel) -> str:
+def _signature(low: Lowered) -> str:
+    kernel = low.kernel
     arguments = tuple((argument.name, argument.shape) for argument in kernel.arguments)
     results = tuple(result.shape for result in kernel.results)
     block = f", block={LINEAR_BLOCK}" if any(stage.primitive in LINEAR for stage in kernel.stages) else ""
-    twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(kernel) else ""
+    twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(low) else ""
     return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin})".replace("'", '"')

@@ -18,7 +18,7 @@ from pycparser import CParser, c_ast
 from pycparser.c_parser import ParseError
 
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
-_FUNCTION = re.compile(r"^(?:LONG_)?(KERNEL|SOLVER|INLINE)(\(.*?\)+)\n(\{\n.*?^\})", re.DOTALL | re.MULTILINE)
+_FUNCTION = re.compile(r"^(KERNEL|SOLVER|INLINE)(\(.*?\)+)\n(\{\n.*?^\})", re.DOTALL | re.MULTILINE)
 _NAME = re.compile(r"\bNAME\((\w+)\)")
 _TYPES = "typedef double real; typedef long npy_intp;\n"
 _POINTS = "for (npy_intp i = 0; i < points; i++)"

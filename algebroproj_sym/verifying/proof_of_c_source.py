@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import chain
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -20,7 +19,7 @@ from flint.utils.flint_exceptions import DomainError
 from sympy.polys.polyerrors import ExactQuotientFailed
 
 from algebroproj_sym.declaring import LINEAR, Kernel
-from algebroproj_sym.generating import c_name, is_compiled
+from algebroproj_sym.generating import Lowered, c_name, is_compiled
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 from algebroproj_sym.proving.engines import ring
 from algebroproj_sym.verifying.c_execution import (
@@ -40,13 +39,13 @@ _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 _SPLITTER = sympy.Symbol("splitter")
 
 
-def c_source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint") -> bool:
+def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "flint") -> bool:
     """Whether the C source of a kernel, executed on rational functions, is identical to the derivation.
 
     Parameters
     ----------
-    kernel : Kernel
-        As declared by a derivation.
+    lowered : Lowered
+        The kernel and its program.
     package : module
         In whose folder the source is.
     engine : {"flint", "sympy"}
@@ -57,8 +56,9 @@ def c_source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint
     bool
         True also for a kernel that is left to the NumPy source.
     """
-    if not is_compiled(kernel):
+    if not is_compiled(lowered):
         return True
+    kernel = lowered.kernel
     path = Path(str(package.__file__)).parent / KERNELS
     if not path.is_file():
         return False
@@ -84,12 +84,10 @@ def kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> b
         stage = next(stages, None)
         if stage is None or name != f"{stage.primitive}_{stage.derived.rows}":
             raise NotUnderstoodError(f"{kernel.qualified_name}: unexpected call of {name}")
-        height, width = stage.derived.shape
-        if [len(row) for row in rows] != [2 * width] * height:
-            raise NotUnderstoodError(f"{kernel.qualified_name}: unexpected rows in a call of {name}")
-        if not all(_element(rest, field).is_zero for row in rows for rest in row[width:]):
-            raise NotUnderstoodError(f"{kernel.qualified_name}: expected second parts that are zero without rounding")
-        given.extend(chain.from_iterable(row[:width] for row in rows))
+        width = stage.derived.cols
+        if [len(row) for row in rows] != [2 * width] * stage.derived.rows:
+            raise NotUnderstoodError(f"{kernel.qualified_name}: expected rows of {width} entries, and as many rests")
+        given.extend(row[j] + row[width + j] for row in rows for j in range(width))
         return [field.variables[symbol] for symbol in stage.results]
 
     meaning = Meaning(constants={"splitter": field.variables[_SPLITTER]}, call=call)
@@ -141,7 +139,7 @@ def solver_is_proved(source: Source, primitive: str, height: int, engine: str = 
 
 @dataclass(frozen=True)
 class _System:
-    """Rows with free entries, the exchanges that elimination is told to make, and free unknowns."""
+    """Rows of free entries, from which rounding took nothing; the exchanges that are made; free unknowns."""
 
     rows: list[list[Any]]
     exchanges: list[bool]
@@ -160,14 +158,16 @@ def _system(
     unknowns = [free[f"x{k}"] for k in range(height)]
     upper = [[free.get(f"u{k}_{j}", 0) for j in range(height)] for k in range(height)]
     sign = 1 if primitive == "solve" else -1
+    rests = [0] * (height + 1)
     rows = [[*row, sign * _product(row, unknowns)] for row in upper]
     for k in reversed(range(height)):
         for i in range(k + 1, height):
             rows[i] = [entry + free[f"f{k}_{i}"] * above for entry, above in zip(rows[i], rows[k], strict=True)]
         for first, second in reversed([place for place in places if place[0] == k and place in exchanges]):
             rows = _exchanged(rows, first, second, primitive)
-    doubled = [[*row, *[0] * (height + 1)] for row in rows]
-    return _System(doubled, [place in exchanges for place in places], unknowns, free["splitter"])
+    return _System(
+        [[*row, *rests] for row in rows], [place in exchanges for place in places], unknowns, free["splitter"]
+    )
 
 
 def _exchanged(rows: list[list[Any]], first: int, second: int, primitive: str) -> list[list[Any]]:
@@ -187,9 +187,9 @@ def _solves(source: Source, name: str, system: _System, meaning: Meaning) -> boo
 def _spans(source: Source, name: str, system: _System, meaning: Meaning) -> bool:
     """Whether a vector spans the null space; the component that is 1 is taken for the largest."""
     vector = solver_outputs(source, name, system.rows, meaning)
-    matrix = [row[: len(row) // 2] for row in system.rows]
-    zero = all(_product(row, vector) == 0 for row in matrix)
-    return zero and len(vector) == len(matrix[0]) and any(component == 1 for component in vector)
+    width = len(system.unknowns) + 1
+    zero = len(vector) == width and all(_product(row[:width], vector) == 0 for row in system.rows)
+    return zero and any(component == 1 for component in vector)
 
 
 def _meaning(system: _System, finite: bool) -> Meaning:

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "abac09c3ec2f8c08"
+DIGEST = "07250ee7661c32e2"
 """What identifies the C source that belongs to this package."""
 
 

@@ -96,7 +96,7 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     batch = _batch(signature, [array.shape for array in arrays])
     dtype = _dtype(signature, given, arrays)
     if signature.twin is not None and _is_compiled(dtype):
-        wanted = None if out is None else _checked(signature, out, batch, dtype)
+        wanted = (None,) * len(signature.results) if out is None else _checked(signature, out, batch, dtype)
         return signature.twin(*(array.astype(dtype, copy=False) for array in arrays), out=wanted)
     if not batch and out is None:
         return _of_a_point(signature, body, arrays, dtype)

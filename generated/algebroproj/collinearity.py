@@ -97,7 +97,7 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     Zo*c_omega*c_phi``.
 
     Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
-    With double-double operations for sums that may cancel: 1755.
+    With double-double operations for sums that may cancel: 1775.
 
     Examples
     --------
@@ -188,7 +188,7 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
 
     Operations: 20 (9 +, 9 *, 2 /); the derived expression as written takes 26.
-    With double-double operations for sums that may cancel: 275.
+    With double-double operations for sums that may cancel: 281.
 
     Examples
     --------
@@ -269,7 +269,7 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
 
     Operations: 42 (9 +, 15 *, 12 /, 6 neg); the derived expression as written takes 146.
-    With double-double operations for sums that may cancel: 297.
+    With double-double operations for sums that may cancel: 303.
 
     Examples
     --------
@@ -340,7 +340,7 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
 
     Operations: 67 (9 +, 18 -, 34 *, 6 /); the derived expression as written takes 138.
-    With double-double operations for sums that may cancel: 1213.
+    With double-double operations for sums that may cancel: 1237.
 
     Examples
     --------
@@ -412,7 +412,7 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``B13*X2 + B14*Y2 + B15*Z2 + 1``.
 
     Operations: 27 (12 +, 12 *, 3 /); the derived expression as written takes 39.
-    With double-double operations for sums that may cancel: 363.
+    With double-double operations for sums that may cancel: 371.
 
     Examples
     --------
@@ -488,7 +488,7 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     Polynomial: no input is singular.
 
     Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.
-    With double-double operations for sums that may cancel: 2490.
+    With double-double operations for sums that may cancel: 2492.
 
     Examples
     --------
@@ -577,7 +577,7 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     of 36 terms.
 
     Operations: 120 (17 +, 33 -, 67 *, 3 /); the derived expression as written takes 252.
-    With double-double operations for sums that may cancel: 1961.
+    With double-double operations for sums that may cancel: 1969.
 
     Examples
     --------
@@ -682,7 +682,7 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     d44**2``.
 
     Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.
-    With double-double operations for sums that may cancel: 5268.
+    With double-double operations for sums that may cancel: 5274.
 
     Examples
     --------
@@ -751,7 +751,7 @@ def _intersect(
     )
 
 
-_INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect"))
+_INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
 
 
 def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -793,7 +793,7 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xbar1*Ybar2 - Xbar2*Ybar1``.
 
     Operations: 10 (1 -, 6 *, 3 /); the derived expression as written takes 18.
-    With double-double operations for sums that may cancel: 61.
+    With double-double operations for sums that may cancel: 63.
 
     Examples
     --------
@@ -858,7 +858,7 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     No input is singular.
 
     Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.
-    With double-double operations for sums that may cancel: 719.
+    With double-double operations for sums that may cancel: 725.
 
     Examples
     --------

@@ -174,7 +174,7 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    With double-double operations for sums that may cancel: 170.
+    With double-double operations for sums that may cancel: 176.
 
     Examples
     --------
@@ -235,7 +235,7 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    With double-double operations for sums that may cancel: 170.
+    With double-double operations for sums that may cancel: 176.
 
     Examples
     --------
@@ -312,7 +312,7 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     mupp2*mupp3*upp31``.
 
     Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.
-    With double-double operations for sums that may cancel: 1324.
+    With double-double operations for sums that may cancel: 1358.
 
     Examples
     --------
@@ -645,7 +645,7 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``.
 
     Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.
-    With double-double operations for sums that may cancel: 226.
+    With double-double operations for sums that may cancel: 236.
 
     Examples
     --------

@@ -205,7 +205,7 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
     No input is singular.
 
     Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.
-    With double-double operations for sums that may cancel: 297.
+    With double-double operations for sums that may cancel: 305.
 
     Examples
     --------
@@ -283,7 +283,7 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
     Polynomial: no input is singular.
 
     Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.
-    With double-double operations for sums that may cancel: 1200.
+    With double-double operations for sums that may cancel: 1218.
 
     Examples
     --------
@@ -389,7 +389,7 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
     No input is singular.
 
     Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.
-    With double-double operations for sums that may cancel: 1290.
+    With double-double operations for sums that may cancel: 1298.
 
     Examples
     --------
@@ -486,7 +486,7 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     Polynomial: no input is singular.
 
     Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.
-    With double-double operations for sums that may cancel: 574.
+    With double-double operations for sums that may cancel: 580.
 
     Examples
     --------
@@ -555,7 +555,7 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
 
     Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 257.
+    With double-double operations for sums that may cancel: 263.
 
     Examples
     --------
@@ -617,7 +617,7 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``.
 
     Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 257.
+    With double-double operations for sums that may cancel: 263.
 
     Examples
     --------
@@ -681,7 +681,7 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``c``.
 
     Operations: 11 (2 +, 3 *, 3 /, 3 neg); the derived expression as written takes 10.
-    With double-double operations for sums that may cancel: 127.
+    With double-double operations for sums that may cancel: 135.
 
     Examples
     --------
@@ -746,7 +746,7 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
 
     Operations: 56 (5 +, 11 -, 34 *, 6 /); the derived expression as written takes 84.
-    With double-double operations for sums that may cancel: 837.
+    With double-double operations for sums that may cancel: 1081.
 
     Examples
     --------
@@ -834,7 +834,7 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
 
     Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.
-    With double-double operations for sums that may cancel: 2467.
+    With double-double operations for sums that may cancel: 2487.
 
     Examples
     --------
@@ -938,7 +938,7 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``.
 
     Operations: 78 (9 +, 16 -, 43 *, 9 /, 1 neg); the derived expression as written takes 330.
-    With double-double operations for sums that may cancel: 1517.
+    With double-double operations for sums that may cancel: 1554.
 
     Examples
     --------

@@ -64,7 +64,7 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
     1``.
 
     Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 38.
+    With double-double operations for sums that may cancel: 42.
 
     Examples
     --------
@@ -182,7 +182,7 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     1``.
 
     Operations: 10 (2 +, 2 -, 4 *, 2 /); the derived expression as written takes 16.
-    With double-double operations for sums that may cancel: 88.
+    With double-double operations for sums that may cancel: 90.
 
     Examples
     --------
@@ -260,7 +260,7 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     + yA3*yp02 - yp02``, ``yA2*yp03 - yA3*yp02``, ``yp01``, ``yp02``, ``yp03``, ``ypp03``.
 
     Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
-    With double-double operations for sums that may cancel: 832.
+    With double-double operations for sums that may cancel: 849.
 
     Examples
     --------
@@ -338,7 +338,7 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     uN32*yA1*z_n + uN32*yA2*z_n - yA1 - yA2*z_n``, ``yA3``.
 
     Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
-    With double-double operations for sums that may cancel: 127.
+    With double-double operations for sums that may cancel: 131.
 
     Examples
     --------
@@ -410,7 +410,7 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``.
 
     Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
-    With double-double operations for sums that may cancel: 802.
+    With double-double operations for sums that may cancel: 814.
 
     Examples
     --------

@@ -64,7 +64,7 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
     u01*yA2 - u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1``, ``yA3``.
 
     Operations: 27 (12 -, 13 *, 2 /); the derived expression as written takes 99.
-    With double-double operations for sums that may cancel: 328.
+    With double-double operations for sums that may cancel: 336.
 
     Examples
     --------
@@ -136,7 +136,7 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     + y03*yA2``, ``u01 + u02 - 1``, ``u01*u32 - u02*u31 + u02 - u32``.
 
     Operations: 34 (4 +, 11 -, 16 *, 3 /); the derived expression as written takes 209.
-    With double-double operations for sums that may cancel: 365.
+    With double-double operations for sums that may cancel: 377.
 
     Examples
     --------
@@ -237,7 +237,7 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     d33**2``.
 
     Operations: 203 (24 +, 52 -, 120 *, 3 /, 4 neg); the derived expression as written takes 377.
-    With double-double operations for sums that may cancel: 3382.
+    With double-double operations for sums that may cancel: 3388.
 
     Examples
     --------

@@ -128,7 +128,7 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | Non
     ``y42``, ``y43``.
 
     Operations: 10 (6 -, 4 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 58.
+    With double-double operations for sums that may cancel: 62.
 
     Examples
     --------
@@ -188,7 +188,7 @@ def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) 
     mu1*y1 - mu2*y2 - mu3*y3``.
 
     Operations: 13 (4 +, 2 -, 4 *, 3 /); the derived expression as written takes 33.
-    With double-double operations for sums that may cancel: 162.
+    With double-double operations for sums that may cancel: 164.
 
     Examples
     --------
@@ -251,7 +251,7 @@ def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -
     ``mu3``.
 
     Operations: 10 (3 +, 3 -, 4 /); the derived expression as written takes 19.
-    With double-double operations for sums that may cancel: 232.
+    With double-double operations for sums that may cancel: 246.
 
     Examples
     --------

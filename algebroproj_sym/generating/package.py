@@ -16,7 +16,7 @@ from algebroproj_sym.declaring import LINEAR, PRIMITIVES, Driver, Kernel, Result
 from algebroproj_sym.expressions import Scalar, divided, entries
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import runtime
-from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.numpy_source import SPLITTER, packed, statements
 from algebroproj_sym.generating.operation_counts import operation_counts
 from algebroproj_sym.generating.program import Call, run
@@ -137,6 +137,8 @@ def _function(low: Lowered) -> dict[str, Any]:
         "example_call": _example_call(kernel),
         "example_result": _example_result(low),
         "body": statements(low.program),
+        "factors": packed([f'"{factor}"' for factor in map(_name, low.hypotheses)]),
+        "factors_body": statements(factors_of(low)) if low.hypotheses else [],
     }
 
 
@@ -209,9 +211,15 @@ def _singularities(low: Lowered) -> str:
 
 
 def _factor(factor: Scalar) -> str:
+    text = _name(factor)
+    return f"``{text}``" if text == str(factor) else text
+
+
+def _name(factor: Scalar) -> str:
+    """Return a factor as it is written; of a long one, what can be read."""
     text = str(factor)
     if len(text) <= LONGEST_FACTOR:
-        return f"``{text}``"
+        return text
     return f"a factor of a denominator above, of {len(sympy.Add.make_args(factor))} terms"
 
 

@@ -177,9 +177,12 @@ def _fill(
 ) -> None:
     cores = [core for _, core in signature.arguments]
     entries = [entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)]
-    targets = [
-        target for array, core in zip(results, signature.results, strict=True) for target in _entries(array, core)
-    ]
+    targets = [to for array, core in zip(results, signature.results, strict=True) for to in _entries(array, core)]
+    if prod(batch) <= signature.block:
+        values = body(*(entry.astype(dtype, copy=False) for entry in entries))
+        for target, value in zip(targets, values, strict=True):
+            target[...] = value
+        return
     for block in _blocks(batch, signature.block):
         taken = (_part(entry, block).astype(dtype, order="C", copy=False) for entry in entries)
         for target, value in zip(targets, body(*taken), strict=True):
@@ -187,6 +190,9 @@ def _fill(
 
 
 def _entries(array: Any, core: Shape) -> list[Any]:
+    """Return the entries of the core dimensions, row by row, as arrays of the leading dimensions."""
+    if not core:
+        return [array]
     return [array[(..., *place)] for place in product(*map(range, core))]
 
 

@@ -198,6 +198,7 @@ def _singularities(low: Lowered) -> str:
     if low.hypotheses:
         factors = ", ".join(map(_factor, low.hypotheses))
         sentences.append(f"Not finite, with NumPy's floating-point warning, where one of these vanishes: {factors}.")
+        sentences.append("Their values are given by the function `hypotheses` of this package.")
     if any(stage.primitive in LINEAR for stage in low.kernel.stages):
         sentences.append(
             "Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and "

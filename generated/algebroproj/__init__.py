@@ -7,5 +7,6 @@ and the dtype is preserved.  Singular input follows NumPy's floating-point error
 """
 
 from . import affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space
+from ._hypotheses import hypotheses
 
-__all__ = ["affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]
+__all__ = ["hypotheses", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]

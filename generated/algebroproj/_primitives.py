@@ -131,7 +131,7 @@ def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any]:
     entries = [entry for row in rows for entry in row]
     xp = namespace(entries)
     dtype = _dtype(xp, entries)
-    if dtype == np.dtype(object):
+    if _is_objects(dtype):
         entries = _of_one_kind(entries)
     arrays = xp.broadcast_arrays(*(xp.asarray(entry, dtype=dtype) for entry in entries))
     return xp, xp.reshape(xp.stack(arrays), (len(rows), len(rows[0]), *arrays[0].shape))
@@ -157,7 +157,11 @@ def _is_refinable(xp: Any, value: Any) -> bool:
 
 
 def _is_of_objects(value: Any) -> bool:
-    return bool(getattr(value, "dtype", np.dtype(object)) == np.dtype(object))
+    return not hasattr(value, "dtype") or _is_objects(value.dtype)
+
+
+def _is_objects(dtype: Any) -> bool:
+    return getattr(dtype, "kind", "") == "O"
 
 
 def _rows_eliminated(xp: Any, rows: list[Any]) -> list[_Step]:

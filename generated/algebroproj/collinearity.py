@@ -92,7 +92,7 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
         result[10] = -e33/r3
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xo*c_omega*s_phi - Yo*s_omega +
-    Zo*c_omega*c_phi``.
+    Zo*c_omega*c_phi``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
 
@@ -144,6 +144,20 @@ def _coefficients(
 _COEFFICIENTS_SIGNATURE = Signature("coefficients", (("angles", (3,)), ("center", (3,)), ("principal_distance", ()), ("comparator_angles", (2,)), ("comparator_center", (2,))), ((11,),))
 
 
+def _coefficients_factors(
+    phi: Any, omega: Any, kappa: Any, Xo: Any, Yo: Any, Zo: Any, principal_distance: Any, alpha: Any,
+    beta_: Any, xco: Any, yco: Any,
+) -> tuple[Any, ...]:
+    c_phi, s_phi = cos_sin(phi)
+    c_omega, s_omega = cos_sin(omega)
+    return (Xo * c_omega * s_phi + Zo * c_omega * c_phi - Yo * s_omega,)
+
+
+_COEFFICIENTS_FACTORS = (
+    "Xo*c_omega*s_phi - Yo*s_omega + Zo*c_omega*c_phi",
+)
+
+
 def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Measured image point of an object point by the general collinearity equations.
 
@@ -178,6 +192,7 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
         result[1] = (A8 + A5*X + A6*Y + A7*Z)/(1 + A10*Y + A11*Z + A9*X)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 20 (9 +, 9 *, 2 /); the derived expression as written takes 26.
 
@@ -198,6 +213,18 @@ def _project(
 
 
 _PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),))
+
+
+def _project_factors(
+    A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
+    X: Any, Y: Any, Z: Any,
+) -> tuple[Any, ...]:
+    return (1 + A10 * Y + A11 * Z + A9 * X,)
+
+
+_PROJECT_FACTORS = (
+    "A10*Y + A11*Z + A9*X + 1",
+)
 
 
 def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -255,6 +282,7 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
         result[1, 10] = -Z*(A8 + A5*X + A6*Y + A7*Z)/(w*(1 + A10*Y + A11*Z + A9*X))
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 42 (9 +, 15 *, 12 /, 6 neg); the derived expression as written takes 146.
 
@@ -284,6 +312,18 @@ def _project_jacobian_parameters(
 
 
 _PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),))
+
+
+def _project_jacobian_parameters_factors(
+    A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
+    X: Any, Y: Any, Z: Any,
+) -> tuple[Any, ...]:
+    return (1 + A10 * Y + A11 * Z + A9 * X,)
+
+
+_PROJECT_JACOBIAN_PARAMETERS_FACTORS = (
+    "A10*Y + A11*Z + A9*X + 1",
+)
 
 
 def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -325,6 +365,7 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
         result[1, 2] = (A7 + X*(A7*A9 - A11*A5) + Y*(A10*A7 - A11*A6) - A11*A8)/w**2
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 67 (9 +, 18 -, 34 *, 6 /); the derived expression as written takes 138.
 
@@ -356,6 +397,18 @@ def _project_jacobian_point(
 
 
 _PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),))
+
+
+def _project_jacobian_point_factors(
+    A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
+    X: Any, Y: Any, Z: Any,
+) -> tuple[Any, ...]:
+    return (1 + A10 * Y + A11 * Z + A9 * X,)
+
+
+_PROJECT_JACOBIAN_POINT_FACTORS = (
+    "A10*Y + A11*Z + A9*X + 1",
+)
 
 
 def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -393,6 +446,7 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
         result[2] = (B12 + B10*Y2 + B11*Z2 + B9*X2)/(1 + B13*X2 + B14*Y2 + B15*Z2)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``B13*X2 + B14*Y2 + B15*Z2 + 1``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 27 (12 +, 12 *, 3 /); the derived expression as written takes 39.
 
@@ -416,6 +470,18 @@ def _space_map(
 
 
 _SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),))
+
+
+def _space_map_factors(
+    B1: Any, B2: Any, B3: Any, B4: Any, B5: Any, B6: Any, B7: Any, B8: Any, B9: Any, B10: Any, B11: Any,
+    B12: Any, B13: Any, B14: Any, B15: Any, X2: Any, Y2: Any, Z2: Any,
+) -> tuple[Any, ...]:
+    return (1 + B13 * X2 + B14 * Y2 + B15 * Z2,)
+
+
+_SPACE_MAP_FACTORS = (
+    "B13*X2 + B14*Y2 + B15*Z2 + 1",
+)
 
 
 def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -548,7 +614,7 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
         result[2] = (A2_2*ray1_3 + A2_4*ray1_1 + xc2*(-ray1_1 + A2_9*ray1_5 - A2_10*ray1_3) - A2_1*ray1_5)/D
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: a factor of a denominator above,
-    of 36 terms.
+    of 36 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 120 (17 +, 33 -, 67 *, 3 /); the derived expression as written takes 252.
 
@@ -579,6 +645,50 @@ def _intersect_three(
 
 
 _INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
+
+
+def _intersect_three_factors(
+    A1_1: Any, A1_2: Any, A1_3: Any, A1_4: Any, A1_5: Any, A1_6: Any, A1_7: Any, A1_8: Any, A1_9: Any,
+    A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
+    A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
+) -> tuple[Any, ...]:
+    t0 = A1_1 * A1_6
+    t2 = A1_2 * A1_7
+    t5 = A1_3 * A1_5
+    t8 = A1_1 * yc1
+    t9 = A1_11 * t8
+    t12 = A1_1 * A1_7
+    t13 = A2_10 * xc2
+    t16 = A1_3 * yc1
+    t17 = A1_10 * t16
+    t20 = A1_10 * xc1
+    t21 = A1_5 * t20
+    t24 = A1_11 * xc1
+    t25 = A1_6 * t24
+    t28 = A1_2 * A1_5
+    t29 = A2_11 * xc2
+    t31 = t0 * A2_3 + t2 * A2_1 + t5 * A2_2 + t9 * A2_2 + t12 * t13 + t17 * A2_1 + t21 * A2_3 + t25 * A2_1 + t28 * t29
+    t32 = A1_2 * yc1
+    t33 = A1_9 * t32
+    t36 = A1_3 * A1_6
+    t37 = A2_9 * xc2
+    t40 = A1_9 * xc1
+    t41 = A1_7 * t40
+    t44 = A1_10 * t8
+    t47 = A1_7 * t20
+    t50 = A1_11 * t32
+    t53 = A1_5 * t24
+    t56 = A1_9 * t16
+    t58 = t31 + t33 * A2_3 + t36 * t37 + t41 * A2_2 + t44 * t29 + t47 * t37 + t50 * t37 + t53 * t13 + t56 * t13
+    t59 = A1_6 * t40
+    t75 = t58 + t59 * t29 - t12 * A2_2 - t28 * A2_3 - t36 * A2_1 - t44 * A2_3 - t0 * t29 - t47 * A2_1 - t50 * A2_1
+    t93 = t75 - t53 * A2_2 - t2 * t37 - t5 * t13 - t56 * A2_2 - t59 * A2_3 - t9 * t13 - t17 * t37 - t21 * t29 - t25 * t37
+    return (t93 - t33 * t29 - t41 * t13,)
+
+
+_INTERSECT_THREE_FACTORS = (
+    "a factor of a denominator above, of 36 terms",
+)
 
 
 def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -648,7 +758,7 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
         result[2] = (d13*d14 + d23*d24 + d33*d34 + d43*d44)/(d14**2 + d24**2 + d34**2 + d44**2)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``d14**2 + d24**2 + d34**2 +
-    d44**2``.
+    d44**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.
 
@@ -714,6 +824,57 @@ def _intersect(
 _INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
 
 
+def _intersect_factors(
+    A1_1: Any, A1_2: Any, A1_3: Any, A1_4: Any, A1_5: Any, A1_6: Any, A1_7: Any, A1_8: Any, A1_9: Any,
+    A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
+    A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
+) -> tuple[Any, ...]:
+    t49 = xc1 * (A1_11 * A1_6 - A1_10 * A1_7) + yc1 * (A1_10 * A1_3 - A1_11 * A1_2) + A1_2 * A1_7 - A1_3 * A1_6
+    t121 = xc2 * (A2_11 * A2_6 - A2_10 * A2_7) + yc2 * (A2_10 * A2_3 - A2_11 * A2_2) + A2_2 * A2_7 - A2_3 * A2_6
+    ray1_1 = xc1 * (A1_10 * A1_5 - A1_6 * A1_9) + yc1 * (A1_2 * A1_9 - A1_1 * A1_10) + A1_1 * A1_6 - A1_2 * A1_5
+    ray1_2 = xc1 * (A1_11 * A1_5 - A1_7 * A1_9) + yc1 * (A1_3 * A1_9 - A1_1 * A1_11) + A1_1 * A1_7 - A1_3 * A1_5
+    ray1_3 = yc1 * (A1_1 - A1_4 * A1_9) + A1_4 * A1_5 - xc1 * (A1_5 - A1_8 * A1_9) - A1_1 * A1_8
+    ray1_4 = t49
+    ray1_5 = yc1 * (A1_2 - A1_10 * A1_4) + A1_4 * A1_6 - xc1 * (A1_6 - A1_10 * A1_8) - A1_2 * A1_8
+    ray1_6 = yc1 * (A1_3 - A1_11 * A1_4) + A1_4 * A1_7 - xc1 * (A1_7 - A1_11 * A1_8) - A1_3 * A1_8
+    ray2_1 = xc2 * (A2_10 * A2_5 - A2_6 * A2_9) + yc2 * (A2_2 * A2_9 - A2_1 * A2_10) + A2_1 * A2_6 - A2_2 * A2_5
+    ray2_2 = xc2 * (A2_11 * A2_5 - A2_7 * A2_9) + yc2 * (A2_3 * A2_9 - A2_1 * A2_11) + A2_1 * A2_7 - A2_3 * A2_5
+    ray2_3 = yc2 * (A2_1 - A2_4 * A2_9) + A2_4 * A2_5 - xc2 * (A2_5 - A2_8 * A2_9) - A2_1 * A2_8
+    ray2_4 = t121
+    ray2_5 = yc2 * (A2_2 - A2_10 * A2_4) + A2_4 * A2_6 - xc2 * (A2_6 - A2_10 * A2_8) - A2_2 * A2_8
+    ray2_6 = yc2 * (A2_3 - A2_11 * A2_4) + A2_4 * A2_7 - xc2 * (A2_7 - A2_11 * A2_8) - A2_3 * A2_8
+    t150 = ray2_4 + A1_11 * ray2_5 - A1_10 * ray2_6
+    t158 = ray2_2 + A1_11 * ray2_3 - A1_9 * ray2_6
+    t172 = ray2_1 + A1_10 * ray2_3 - A1_9 * ray2_5
+    t181 = A1_11 * ray2_1 + A1_9 * ray2_4 - A1_10 * ray2_2
+    t223 = ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6
+    t231 = ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6
+    t245 = ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5
+    t254 = A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2
+    d11 = A1_7 * ray2_5 + A1_8 * ray2_4 - yc1 * t150 - A1_6 * ray2_6
+    d12 = yc1 * t158 + A1_5 * ray2_6 - A1_7 * ray2_3 - A1_8 * ray2_2
+    d13 = A1_6 * ray2_3 + A1_8 * ray2_1 - yc1 * t172 - A1_5 * ray2_5
+    d14 = yc1 * t181 + A1_6 * ray2_2 - A1_5 * ray2_4 - A1_7 * ray2_1
+    d21 = A1_3 * ray2_5 + A1_4 * ray2_4 - xc1 * t150 - A1_2 * ray2_6
+    d22 = A1_1 * ray2_6 + xc1 * t158 - A1_3 * ray2_3 - A1_4 * ray2_2
+    d23 = A1_2 * ray2_3 + A1_4 * ray2_1 - xc1 * t172 - A1_1 * ray2_5
+    d24 = A1_2 * ray2_2 + xc1 * t181 - A1_1 * ray2_4 - A1_3 * ray2_1
+    d31 = A2_7 * ray1_5 + A2_8 * ray1_4 - yc2 * t223 - A2_6 * ray1_6
+    d32 = yc2 * t231 + A2_5 * ray1_6 - A2_7 * ray1_3 - A2_8 * ray1_2
+    d33 = A2_6 * ray1_3 + A2_8 * ray1_1 - yc2 * t245 - A2_5 * ray1_5
+    d34 = yc2 * t254 + A2_6 * ray1_2 - A2_5 * ray1_4 - A2_7 * ray1_1
+    d41 = A2_3 * ray1_5 + A2_4 * ray1_4 - xc2 * t223 - A2_2 * ray1_6
+    d42 = A2_1 * ray1_6 + xc2 * t231 - A2_3 * ray1_3 - A2_4 * ray1_2
+    d43 = A2_2 * ray1_3 + A2_4 * ray1_1 - xc2 * t245 - A2_1 * ray1_5
+    d44 = A2_2 * ray1_2 + xc2 * t254 - A2_1 * ray1_4 - A2_3 * ray1_1
+    return (d14 * d14 + d24 * d24 + d34 * d34 + d44 * d44,)
+
+
+_INTERSECT_FACTORS = (
+    "d14**2 + d24**2 + d34**2 + d44**2",
+)
+
+
 def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Model point on the left ray, from reduced transformed picture coordinates.
 
@@ -751,6 +912,7 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
         result[2] = Ybar2*Zbar1*base/(Xbar1*Ybar2 - Xbar2*Ybar1)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xbar1*Ybar2 - Xbar2*Ybar1``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (1 -, 6 *, 3 /); the derived expression as written takes 18.
 
@@ -771,6 +933,17 @@ def _model_point(
 
 
 _MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),))
+
+
+def _model_point_factors(
+    Xbar1: Any, Ybar1: Any, Zbar1: Any, Xbar2: Any, Ybar2: Any, Zbar2: Any, base: Any,
+) -> tuple[Any, ...]:
+    return (Xbar1 * Ybar2 - Xbar2 * Ybar1,)
+
+
+_MODEL_POINT_FACTORS = (
+    "Xbar1*Ybar2 - Xbar2*Ybar1",
+)
 
 
 def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translation: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:

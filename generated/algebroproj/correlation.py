@@ -298,7 +298,7 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mup1*mup2*mup3*up31 +
     mup1*mup2*mup3*up32 - mup1*mup2*mup3 + mup1*mup2 - mup1*mup3*up32 - mup2*mup3*up31``,
     ``mupp1*mupp2*mupp3*upp31 + mupp1*mupp2*mupp3*upp32 - mupp1*mupp2*mupp3 + mupp1*mupp2 - mupp1*mupp3*upp32 -
-    mupp2*mupp3*upp31``.
+    mupp2*mupp3*upp31``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.
 
@@ -334,6 +334,26 @@ def _correlation_from_cameras(
 
 
 _CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),))
+
+
+def _correlation_from_cameras_factors(
+    mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any, mupp1: Any, mupp2: Any, mupp3: Any,
+    upp31: Any, upp32: Any,
+) -> tuple[Any, ...]:
+    t0 = mup1 * mup2
+    t1 = mup3 * t0
+    t14 = mupp1 * mupp2
+    t15 = mupp3 * t14
+    return (
+        t0 + t1 * up31 + t1 * up32 - t0 * mup3 - mup1 * mup3 * up32 - mup2 * mup3 * up31,
+        t14 + t15 * upp31 + t15 * upp32 - t14 * mupp3 - mupp1 * mupp3 * upp32 - mupp2 * mupp3 * upp31,
+    )
+
+
+_CORRELATION_FROM_CAMERAS_FACTORS = (
+    "mup1*mup2*mup3*up31 + mup1*mup2*mup3*up32 - mup1*mup2*mup3 + mup1*mup2 - mup1*mup3*up32 - mup2*mup3*up31",
+    "mupp1*mupp2*mupp3*upp31 + mupp1*mupp2*mupp3*upp32 - mupp1*mupp2*mupp3 + mupp1*mupp2 - mupp1*mupp3*upp32 - mupp2*mupp3*upp31",
+)
 
 
 def system(u_left: ArrayLike, u_right: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -625,7 +645,8 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
         right[0] = (z12*z20 - z10*z22)/D
         right[1] = (z10*z21 - z11*z20)/D
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``. Their
+    values are given by the function `hypotheses` of this package.
 
     Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.
 
@@ -648,3 +669,14 @@ def _epipoles(
 
 
 _EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)))
+
+
+def _epipoles_factors(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
+) -> tuple[Any, ...]:
+    return (z11 * z22 - z12 * z21,)
+
+
+_EPIPOLES_FACTORS = (
+    "z11*z22 - z12*z21",
+)

@@ -65,7 +65,8 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDA
         result[1] = yp/(xp - xpp)
         result[2] = -c/(xp - xpp)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 6 (1 -, 3 *, 1 /, 1 neg); the derived expression as written takes 6.
 
@@ -85,6 +86,17 @@ def _reconstruct(
 
 
 _RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),))
+
+
+def _reconstruct_factors(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any,
+) -> tuple[Any, ...]:
+    return (xp - xpp,)
+
+
+_RECONSTRUCT_FACTORS = (
+    "xp - xpp",
+)
 
 
 def rotation_left(phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -533,7 +545,8 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
         result[0] = -c*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3)
         result[1] = -c*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
 
     Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
 
@@ -554,6 +567,18 @@ def _to_normal(
 
 
 _TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),))
+
+
+def _to_normal_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (i3 * x + j3 * y - c * k3,)
+
+
+_TO_NORMAL_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
 
 
 def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -591,7 +616,8 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
         result[0] = -c*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3)
         result[1] = -c*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``. Their
+    values are given by the function `hypotheses` of this package.
 
     Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
 
@@ -612,6 +638,18 @@ def _from_normal(
 
 
 _FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),))
+
+
+def _from_normal_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (k1 * x + k2 * y - c * k3,)
+
+
+_FROM_NORMAL_FACTORS = (
+    "-c*k3 + k1*x + k2*y",
+)
 
 
 def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -651,7 +689,8 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
         result[1, 1] = -xN*yN/c
         result[1, 2] = xN
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``c``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``c``. Their values are given by
+    the function `hypotheses` of this package.
 
     Operations: 11 (2 +, 3 *, 3 /, 3 neg); the derived expression as written takes 10.
 
@@ -671,6 +710,17 @@ def _jacobian_angles(
 
 
 _JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),))
+
+
+def _jacobian_angles_factors(
+    xN: Any, yN: Any, c: Any,
+) -> tuple[Any, ...]:
+    return (c,)
+
+
+_JACOBIAN_ANGLES_FACTORS = (
+    "c",
+)
 
 
 def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -713,7 +763,8 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
         result[1, 0] = c*(c*(i2*k3 - i3*k2) - y*(i2*j3 - i3*j2))/depth**2
         result[1, 1] = c*(c*(j2*k3 - j3*k2) + x*(i2*j3 - i3*j2))/depth**2
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
 
     Operations: 56 (5 +, 11 -, 34 *, 6 /); the derived expression as written takes 84.
 
@@ -742,6 +793,18 @@ def _jacobian_image(
 
 
 _JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),))
+
+
+def _jacobian_image_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (i3 * x + j3 * y - c * k3,)
+
+
+_JACOBIAN_IMAGE_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
 
 
 def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, variance: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -798,7 +861,8 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
         result[1, 0] = Ba11*(Ba21*s11 + Ba22*s21 + Ba23*s31) + Ba12*(Ba21*s12 + Ba22*s22 + Ba23*s32) + Ba13*(Ba21*s13 + Ba22*s23 + Ba23*s33) + Bx11*Bx21*variance + Bx12*Bx22*variance
         result[1, 1] = Ba21*(Ba21*s11 + Ba22*s21 + Ba23*s31) + Ba22*(Ba21*s12 + Ba22*s22 + Ba23*s32) + Ba23*(Ba21*s13 + Ba22*s23 + Ba23*s33) + variance*Bx21**2 + variance*Bx22**2
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
 
     Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.
 
@@ -851,6 +915,19 @@ def _normal_covariance(
 _NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),))
 
 
+def _normal_covariance_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any, s11: Any, s12: Any, s13: Any, s21: Any, s22: Any, s23: Any, s31: Any, s32: Any, s33: Any,
+    variance: Any,
+) -> tuple[Any, ...]:
+    return (i3 * x + j3 * y - c * k3,)
+
+
+_NORMAL_COVARIANCE_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
+
+
 def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left: ArrayLike, S_right: ArrayLike, S_mixed: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Dispersion of a model point from those of its homologous points of the normal case.
 
@@ -900,7 +977,8 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
         result[2, 1] = (parallax*(c*sl01 - c*sm10) + yp*(c*sm00 - c*sr00) - yp*(c*sl00 - c*sm00))/parallax**4
         result[2, 2] = (c*(c*sl00 - c*sm00) - c*(c*sm00 - c*sr00))/parallax**4
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 78 (9 +, 16 -, 43 *, 9 /, 1 neg); the derived expression as written takes 330.
 
@@ -936,6 +1014,18 @@ def _model_covariance(
 
 
 _MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),))
+
+
+def _model_covariance_factors(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any, sl00: Any, sl01: Any, sl10: Any, sl11: Any, sr00: Any,
+    sr01: Any, sr10: Any, sr11: Any, sm00: Any, sm01: Any, sm10: Any, sm11: Any,
+) -> tuple[Any, ...]:
+    return (xp - xpp,)
+
+
+_MODEL_COVARIANCE_FACTORS = (
+    "xp - xpp",
+)
 
 # These call functions of this module, and are imported after them.
 from .drivers import adjust  # noqa: E402

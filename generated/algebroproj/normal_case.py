@@ -59,7 +59,7 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
         result[1] = u30*uN32/(u32*uN30)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u32``, ``uN31 + uN32 -
-    1``.
+    1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
 
@@ -80,6 +80,17 @@ def _tau(
 
 
 _TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),))
+
+
+def _tau_factors(
+    u31: Any, u32: Any, uN31: Any, uN32: Any,
+) -> tuple[Any, ...]:
+    return u31, u32, uN31 + uN32 - 1
+
+
+_TAU_FACTORS = (
+    "u31", "u32", "uN31 + uN32 - 1",
+)
 
 
 def transform(tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -176,7 +187,7 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
         result[1] = tau2*u2/weight
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``tau1*u1 + tau2*u2 - u1 - u2 +
-    1``.
+    1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (2 +, 2 -, 4 *, 2 /); the derived expression as written takes 16.
 
@@ -196,6 +207,17 @@ def _map_points(
 
 
 _MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),))
+
+
+def _map_points_factors(
+    tau1: Any, tau2: Any, u1: Any, u2: Any,
+) -> tuple[Any, ...]:
+    return (1 + tau1 * u1 + tau2 * u2 - u1 - u2,)
+
+
+_MAP_POINTS_FACTORS = (
+    "tau1*u1 + tau2*u2 - u1 - u2 + 1",
+)
 
 
 def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3_left: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -253,7 +275,8 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31*yA1*yp02*yp03 +
     u31*yA1*yp03**2 - u31*yA1*yp03 - u31*yA2*yp01*yp03 - u31*yA3*yp01*yp03 + u31*yp01*yp03 + yA1*yp01*yp03 +
     yA2*yp01*yp03 - yA3*yp01**2 - yA3*yp01*yp02 + yA3*yp01 - yp01*yp03``, ``yA1*yp02 - yA2*yp01 - yA2*yp03 + yA2
-    + yA3*yp02 - yp02``, ``yA2*yp03 - yA3*yp02``, ``yp01``, ``yp02``, ``yp03``, ``ypp03``.
+    + yA3*yp02 - yp02``, ``yA2*yp03 - yA3*yp02``, ``yp01``, ``yp02``, ``yp03``, ``ypp03``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
 
@@ -287,6 +310,26 @@ def _from_orientation(
 
 
 _FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)))
+
+
+def _from_orientation_factors(
+    yA1: Any, yA2: Any, yA3: Any, yp01: Any, yp02: Any, yp03: Any, ypp01: Any, ypp02: Any, ypp03: Any,
+    u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = yA3 * yp01
+    t1 = yp03 * u31
+    t2 = yA1 * t1
+    t7 = yp01 * yp03
+    t23 = t0 + t2 * yp03 + t1 * yp01 + t7 * yA1 + t7 * yA2 + t2 * yp02 - t0 * yp01 - t7 - t1 * yA1 - t0 * yp02 - yp01 * t1 * yA2
+    t28 = yA3 * yp02 - yA2 * yp03
+    return t23 - t0 * t1, t28 + yA2 + yA1 * yp02 - yp02 - yA2 * yp01, -t28, yp01, yp02, yp03, ypp03
+
+
+_FROM_ORIENTATION_FACTORS = (
+    "u31*yA1*yp02*yp03 + u31*yA1*yp03**2 - u31*yA1*yp03 - u31*yA2*yp01*yp03 - u31*yA3*yp01*yp03 + u31*yp01*yp03 + yA1*yp01*yp03 + yA2*yp01*yp03 - yA3*yp01**2 - yA3*yp01*yp02 + yA3*yp01 - yp01*yp03",
+    "yA1*yp02 - yA2*yp01 - yA2*yp03 + yA2 + yA3*yp02 - yp02", "yA2*yp03 - yA3*yp02", "yp01", "yp02",
+    "yp03", "ypp03",
+)
 
 
 def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -329,7 +372,8 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
         result[2] = yA0*(yA1 + yA2*z_n)/(difference*yA3)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``uN31*yA1 + uN31*yA2 +
-    uN32*yA1*z_n + uN32*yA2*z_n - yA1 - yA2*z_n``, ``yA3``.
+    uN32*yA1*z_n + uN32*yA2*z_n - yA1 - yA2*z_n``, ``yA3``. Their values are given by the function `hypotheses`
+    of this package.
 
     Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
 
@@ -354,6 +398,18 @@ def _mu_left(
 
 
 _MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),))
+
+
+def _mu_left_factors(
+    yA1: Any, yA2: Any, yA3: Any, uN31: Any, uN32: Any, z_n: Any,
+) -> tuple[Any, ...]:
+    t3 = uN32 * z_n
+    return uN31 * yA1 + uN31 * yA2 + t3 * yA1 + t3 * yA2 - yA1 - yA2 * z_n, yA3
+
+
+_MU_LEFT_FACTORS = (
+    "uN31*yA1 + uN31*yA2 + uN32*yA1*z_n + uN32*yA2*z_n - yA1 - yA2*z_n", "yA3",
+)
 
 
 def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -399,7 +455,7 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
         result[2] = (yA2*(1 - y01 - y03) - y02*(1 - yA1 - yA3))/(common*s1)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-y02*yA3 + y03*yA2``, ``uppN31 +
-    uppN32*z_n - 1``, ``yA1``, ``z_n - 1``.
+    uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
 
@@ -430,6 +486,17 @@ def _mu_right(
 
 
 _MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),))
+
+
+def _mu_right_factors(
+    yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, uppN31: Any, uppN32: Any, z_n: Any,
+) -> tuple[Any, ...]:
+    return y03 * yA2 - y02 * yA3, uppN31 + uppN32 * z_n - 1, yA1, z_n - 1
+
+
+_MU_RIGHT_FACTORS = (
+    "-y02*yA3 + y03*yA2", "uppN31 + uppN32*z_n - 1", "yA1", "z_n - 1",
+)
 
 
 def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -471,6 +538,7 @@ def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDA
         tau_right[1] = (z10 + z12)/z10
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z02``, ``z10``, ``z10 + z12``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (1 +, 2 *, 4 /, 3 neg); the derived expression as written takes 11.
 
@@ -490,6 +558,17 @@ def _from_correlation(
 
 
 _FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)))
+
+
+def _from_correlation_factors(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
+) -> tuple[Any, ...]:
+    return z02, z10, z10 + z12
+
+
+_FROM_CORRELATION_FACTORS = (
+    "z02", "z10", "z10 + z12",
+)
 
 
 def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -532,7 +611,8 @@ def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) ->
         result[2, 1] = (-1 + tau1)/(-1 + tau2)
         result[2, 2] = 1
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``tau2 - 1``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``tau2 - 1``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 3 (2 -, 1 /); the derived expression as written takes 3.
 
@@ -551,3 +631,14 @@ def _frame(
 
 
 _FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),))
+
+
+def _frame_factors(
+    z_n: Any, tau1: Any, tau2: Any,
+) -> tuple[Any, ...]:
+    return (tau2 - 1,)
+
+
+_FRAME_FACTORS = (
+    "tau2 - 1",
+)

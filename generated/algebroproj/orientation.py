@@ -59,7 +59,8 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
         result[2] = yA0*(u02*yA1 - u01*yA2)/(D*yA3)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u01*u32*yA1 + u01*u32*yA2 -
-    u01*yA2 - u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1``, ``yA3``.
+    u01*yA2 - u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1``, ``yA3``. Their values are given by the
+    function `hypotheses` of this package.
 
     Operations: 27 (12 -, 13 *, 2 /); the derived expression as written takes 99.
 
@@ -83,6 +84,20 @@ def _left_bundle(
 
 
 _LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),))
+
+
+def _left_bundle_factors(
+    yA1: Any, yA2: Any, yA3: Any, u01: Any, u02: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t3 = u01 * u32
+    t12 = u02 * u31
+    return u02 * yA1 + u31 * yA2 + t3 * yA1 + t3 * yA2 - u01 * yA2 - u32 * yA1 - t12 * yA1 - t12 * yA2, yA3
+
+
+_LEFT_BUNDLE_FACTORS = (
+    "u01*u32*yA1 + u01*u32*yA2 - u01*yA2 - u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1",
+    "yA3",
+)
 
 
 def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -130,7 +145,8 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
         result[2] = p02*u02/(n2*p23)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-y01*yA3 + y03*yA1``, ``-y02*yA3
-    + y03*yA2``, ``u01 + u02 - 1``, ``u01*u32 - u02*u31 + u02 - u32``.
+    + y03*yA2``, ``u01 + u02 - 1``, ``u01*u32 - u02*u31 + u02 - u32``. Their values are given by the function
+    `hypotheses` of this package.
 
     Operations: 34 (4 +, 11 -, 16 *, 3 /); the derived expression as written takes 209.
 
@@ -157,6 +173,17 @@ def _right_bundle(
 
 
 _RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),))
+
+
+def _right_bundle_factors(
+    yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, u01: Any, u02: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return y03 * yA1 - y01 * yA3, y03 * yA2 - y02 * yA3, u01 + u02 - 1, u02 + u01 * u32 - u32 - u02 * u31
+
+
+_RIGHT_BUNDLE_FACTORS = (
+    "-y01*yA3 + y03*yA1", "-y02*yA3 + y03*yA2", "u01 + u02 - 1", "u01*u32 - u02*u31 + u02 - u32",
+)
 
 
 def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -230,7 +257,7 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
         result[2] = (d02*d03 + d12*d13 + d22*d23 + d32*d33)/(d03**2 + d13**2 + d23**2 + d33**2)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``d03**2 + d13**2 + d23**2 +
-    d33**2``.
+    d33**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 203 (24 +, 52 -, 120 *, 3 /, 4 neg); the derived expression as written takes 377.
 
@@ -301,3 +328,61 @@ def _intersect(
 
 
 _INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),))
+
+
+def _intersect_factors(
+    up1: Any, up2: Any, upp1: Any, upp2: Any, mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any,
+    mupp1: Any, mupp2: Any, mupp3: Any, upp31: Any, upp32: Any,
+) -> tuple[Any, ...]:
+    t2 = mup2 - 1
+    t6 = mup1 - 1
+    t9 = mup3 * up32
+    t11 = mup3 - 1
+    t13 = mup3 * up31
+    t38 = mupp2 - 1
+    t42 = mupp1 - 1
+    t45 = mupp3 * upp32
+    t47 = mupp3 - 1
+    t49 = mupp3 * upp31
+    rp0 = mup1 * mup2 - up2 * mup1 * t2 - up1 * mup2 * t6
+    rp1 = t9 * mup1 - up2 * (mup1 * t11 - t13 * t6) - up1 * t9 * t6
+    rp2 = mup1 * up2
+    rp3 = up1 * (mup2 * t11 - t9 * t2) + up2 * t13 * t2 - t13 * mup2
+    rp4 = -(mup2 * up1)
+    rp5 = t13 * up2 - t9 * up1
+    rpp0 = mupp1 * mupp2 - upp2 * mupp1 * t38 - upp1 * mupp2 * t42
+    rpp1 = t45 * mupp1 - upp2 * (mupp1 * t47 - t49 * t42) - upp1 * t45 * t42
+    rpp2 = mupp1 * upp2
+    rpp3 = upp1 * (mupp2 * t47 - t45 * t38) + upp2 * t49 * t38 - t49 * mupp2
+    rpp4 = -(mupp2 * upp1)
+    rpp5 = t49 * upp2 - t45 * upp1
+    t76 = rpp3 + rpp4 * t11 - rpp5 * t2
+    t82 = rpp1 + rpp2 * t11 - rpp5 * t6
+    t91 = rpp4 * t6 - rpp0 - rpp2 * t2
+    t99 = rpp0 * t11 + rpp3 * t6 - rpp1 * t2
+    t126 = rp3 + rp4 * t47 - rp5 * t38
+    t132 = rp1 + rp2 * t47 - rp5 * t42
+    t141 = rp4 * t42 - rp0 - rp2 * t38
+    t149 = rp0 * t47 + rp3 * t42 - rp1 * t38
+    d10 = t13 * rpp4 - up1 * t76
+    d11 = up1 * t82 + mup1 * rpp5 - t13 * rpp2
+    d12 = up1 * t91 - mup1 * rpp4
+    d13 = up1 * t99 - mup1 * rpp3 - t13 * rpp0
+    d00 = t9 * rpp4 - up2 * t76 - mup2 * rpp5
+    d01 = up2 * t82 - t9 * rpp2
+    d02 = mup2 * rpp2 - up2 * -t91
+    d03 = mup2 * rpp1 + up2 * t99 - t9 * rpp0
+    d30 = t49 * rp4 - upp1 * t126
+    d31 = upp1 * t132 + mupp1 * rp5 - t49 * rp2
+    d32 = upp1 * t141 - mupp1 * rp4
+    d33 = upp1 * t149 - mupp1 * rp3 - t49 * rp0
+    d20 = t45 * rp4 - upp2 * t126 - mupp2 * rp5
+    d21 = upp2 * t132 - t45 * rp2
+    d22 = mupp2 * rp2 - upp2 * -t141
+    d23 = mupp2 * rp1 + upp2 * t149 - t45 * rp0
+    return (d03 * d03 + d13 * d13 + d23 * d23 + d33 * d33,)
+
+
+_INTERSECT_FACTORS = (
+    "d03**2 + d13**2 + d23**2 + d33**2",
+)

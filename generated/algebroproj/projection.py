@@ -126,7 +126,7 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
         result[2] = -y00/(u30*y03)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
-    ``y02``, ``y03``.
+    ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.
 
@@ -147,6 +147,17 @@ def _mu_from_center(
 
 
 _MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),))
+
+
+def _mu_from_center_factors(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return u31 + u32 - 1, y01, y02, y03
+
+
+_MU_FROM_CENTER_FACTORS = (
+    "u31 + u32 - 1", "y01", "y02", "y03",
+)
 
 
 def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -185,7 +196,8 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
         result[2] = -mu1*mu2/delta
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*mu2*mu3*u31 +
-    mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``.
+    mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``. Their values are given by the
+    function `hypotheses` of this package.
 
     Operations: 18 (1 +, 4 -, 9 *, 3 /, 1 neg); the derived expression as written takes 47.
 
@@ -208,6 +220,19 @@ def _center_from_mu(
 
 
 _CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),))
+
+
+def _center_from_mu_factors(
+    mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = mu1 * mu2
+    t1 = mu3 * t0
+    return (t0 + t1 * u31 + t1 * u32 - t0 * mu3 - mu1 * mu3 * u32 - mu2 * mu3 * u31,)
+
+
+_CENTER_FROM_MU_FACTORS = (
+    "mu1*mu2*mu3*u31 + mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31",
+)
 
 
 def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -259,7 +284,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
         result[2, 2] = -u32*y00/(u30*y03)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
-    ``y02``, ``y03``.
+    ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.
 
@@ -295,6 +320,17 @@ def _projection_matrix(
 
 
 _PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),))
+
+
+def _projection_matrix_factors(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return u31 + u32 - 1, y01, y02, y03
+
+
+_PROJECTION_MATRIX_FACTORS = (
+    "u31 + u32 - 1", "y01", "y02", "y03",
+)
 
 
 def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -393,7 +429,7 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
         result = -u31*u32*y00**2/(u30**2*y01*y02*y03)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
-    ``y02``, ``y03``.
+    ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.
 
@@ -414,6 +450,17 @@ def _projection_determinant(
 
 
 _PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),))
+
+
+def _projection_determinant_factors(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return u31 + u32 - 1, y01, y02, y03
+
+
+_PROJECTION_DETERMINANT_FACTORS = (
+    "u31 + u32 - 1", "y01", "y02", "y03",
+)
 
 
 def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -518,7 +565,8 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
         result[2, 2] = w2*y03/d2
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u31 + u32 - 1``,
-    ``u32``, ``y01``, ``y01 + y02 + y03 - 1``, ``y02``, ``y03``.
+    ``u32``, ``y01``, ``y01 + y02 + y03 - 1``, ``y02``, ``y03``. Their values are given by the function
+    `hypotheses` of this package.
 
     Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.
 
@@ -552,6 +600,17 @@ def _reconstruction_matrix(
 
 
 _RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),))
+
+
+def _reconstruction_matrix_factors(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return u31, u31 + u32 - 1, u32, y01, y01 + y02 + y03 - 1, y02, y03
+
+
+_RECONSTRUCTION_MATRIX_FACTORS = (
+    "u31", "u31 + u32 - 1", "u32", "y01", "y01 + y02 + y03 - 1", "y02", "y03",
+)
 
 
 def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -599,7 +658,8 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
         result[2, 2] = -mu1*(-1 + mu2)/d1
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*mu2*mu3*u31 +
-    mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``.
+    mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``. Their values are given by the
+    function `hypotheses` of this package.
 
     Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.
 
@@ -630,6 +690,19 @@ def _reconstruction_matrix_from_mu(
 
 
 _RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),))
+
+
+def _reconstruction_matrix_from_mu_factors(
+    mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = mu1 * mu2
+    t1 = mu3 * t0
+    return (t0 + t1 * u31 + t1 * u32 - t0 * mu3 - mu1 * mu3 * u32 - mu2 * mu3 * u31,)
+
+
+_RECONSTRUCTION_MATRIX_FROM_MU_FACTORS = (
+    "mu1*mu2*mu3*u31 + mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31",
+)
 
 
 def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -669,7 +742,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
         result[1] = (mu2*y2 + mu3*u32*y3)/delta
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*y1 + mu2*y2 + mu3*y3 - y1 -
-    y2 - y3 + 1``.
+    y2 - y3 + 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 18 (5 +, 3 -, 8 *, 2 /); the derived expression as written takes 28.
 
@@ -690,3 +763,14 @@ def _project(
 
 
 _PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),))
+
+
+def _project_factors(
+    y1: Any, y2: Any, y3: Any, mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return (1 + mu1 * y1 + mu2 * y2 + mu3 * y3 - y1 - y2 - y3,)
+
+
+_PROJECT_FACTORS = (
+    "mu1*y1 + mu2*y2 + mu3*y3 - y1 - y2 - y3 + 1",
+)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -30,7 +29,7 @@ def hypotheses(function: Callable[..., Any]) -> Callable[..., dict[str, Any]]:
     TypeError
         If the function is not a generated one.
     """
-    names = vars(sys.modules[function.__module__])
+    names = getattr(function, "__globals__", {})
     signature = names.get(f"_{function.__name__.upper()}_SIGNATURE")
     if not isinstance(signature, Signature):
         raise TypeError(f"hypotheses: expected a generated function, got {function.__name__}")
@@ -42,7 +41,9 @@ def hypotheses(function: Callable[..., Any]) -> Callable[..., dict[str, Any]]:
         if len(arguments) != len(signature.arguments):
             expected = ", ".join(name for name, _ in signature.arguments)
             raise TypeError(f"{signature.name}: expected the arguments {expected}, got {len(arguments)}")
+        if not factors:
+            return {}
         computed = evaluate(wanted, body, arguments)
-        return dict(zip(factors, computed if len(factors) > 1 else (computed,), strict=False)) if factors else {}
+        return dict(zip(factors, computed if len(factors) > 1 else (computed,), strict=True))
 
     return values

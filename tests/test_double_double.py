@@ -7,7 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from algebroproj_sym.generating.double_double import DoubleDouble, Unrounded, rounded, two_product, two_sum, wide
+from algebroproj_sym.generating.runtime._double_double import (
+    DoubleDouble,
+    Unrounded,
+    rounded,
+    two_product,
+    two_sum,
+    wide,
+)
 
 DTYPES = (np.float32, np.float64, np.longdouble)
 numbers = st.floats(min_value=1e-60, max_value=1e60) | st.floats(min_value=-1e60, max_value=-1e-60)

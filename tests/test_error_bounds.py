@@ -8,7 +8,7 @@ import pytest
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.generating import compensated, run
-from algebroproj_sym.generating.error_bounds import Bounded
+from algebroproj_sym.generating.runtime._error_bounds import Bounded
 from algebroproj_sym.verifying import stratified
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels() if not kernel.stages}

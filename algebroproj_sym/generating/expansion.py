@@ -9,8 +9,9 @@ from collections.abc import Callable
 from itertools import count
 from typing import Any
 
-from algebroproj_sym.generating.double_double import DoubleDouble
+from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
+from algebroproj_sym.generating.runtime._double_double import DoubleDouble
 
 SPLITTER = "splitter"
 """An operand of this name is 2**s + 1, where s is half of the binary digits of the dtype, rounded up."""
@@ -49,10 +50,20 @@ class _Recorder:
             self._known[key] = _Recorded(self, name)
         return self._known[key]
 
-    def call(self, call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[_Recorded, ...]:
-        """Return the results of a call, whose operands are single numbers."""
-        self.steps.append(Call(call.names, call.primitive, tuple(tuple(map(_operand, row)) for row in rows)))
-        return tuple(_Recorded(self, name) for name in call.names)
+    def call(self, call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
+        """Return the results of a call; in a row with numbers of twice the digits the second parts follow the first."""
+        doubled = any(isinstance(operand, DoubleDouble) for row in rows for operand in row)
+        written = tuple(map(_parts, rows)) if doubled else rows
+        single = call.primitive in LINEAR or not doubled
+        names = call.names if single else tuple(part for name in call.names for part in (name, f"{name}_rest"))
+        self.steps.append(Call(names, call.primitive, tuple(tuple(map(_operand, row)) for row in written)))
+        numbers = [_Recorded(self, name) for name in names]
+        return tuple(numbers) if single else tuple(map(DoubleDouble, numbers[::2], numbers[1::2]))
+
+
+def _parts(row: tuple[Any, ...]) -> tuple[Any, ...]:
+    pairs = [operand if isinstance(operand, DoubleDouble) else DoubleDouble(operand) for operand in row]
+    return (*(pair.hi for pair in pairs), *(0 if pair.lo is None else pair.lo for pair in pairs))
 
 
 def _operation(operator: Operator, reflected: bool = False) -> Callable[[_Recorded, Any], Any]:

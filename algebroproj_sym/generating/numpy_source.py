@@ -14,12 +14,10 @@ from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
 
 LINE = 100
-SPLITTER = "splitter"
-"""An operand of this name is Dekker's constant of the dtype of the first input."""
 
 _TEMPORARY = re.compile(r"t\d+")
 
-_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3}
+_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3, "wide": 4, "rounded": 4}
 _ATOM = 4
 
 
@@ -40,7 +38,7 @@ def statements(program: Program) -> list[str]:
     """
     uses = program.uses()
     written: dict[Operand, _Text] = {}
-    lines = [f"{SPLITTER} = splitter_of({program.inputs[0]})"] if uses[SPLITTER] else []
+    lines: list[str] = []
     for step in program.steps:
         if isinstance(step, Call):
             lines += _call(step, written)
@@ -100,6 +98,8 @@ def _operand(operand: Operand, written: dict[Operand, _Text]) -> _Text:
 def _operation(step: Step, written: dict[Operand, _Text]) -> _Text:
     precedence = _PRECEDENCE[step.operator]
     operands = [_operand(operand, written) for operand in step.operands]
+    if step.operator in ("wide", "rounded"):
+        return _Text(f"{step.operator}({operands[0].text})", _ATOM)
     if step.operator == "neg":
         return _Text(f"-{_parenthesised(operands[0], precedence + 1)}", precedence)
     left, right = _parenthesised(operands[0], precedence), _parenthesised(operands[1], precedence + 1)

@@ -16,10 +16,11 @@ from algebroproj_sym.declaring import LINEAR, PRIMITIVES, Driver, Kernel, Result
 from algebroproj_sym.expressions import Scalar, divided, entries
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import runtime
+from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered, factors_of
-from algebroproj_sym.generating.numpy_source import SPLITTER, packed, statements
+from algebroproj_sym.generating.numpy_source import packed, statements
 from algebroproj_sym.generating.operation_counts import operation_counts
-from algebroproj_sym.generating.program import Call, run
+from algebroproj_sym.generating.program import Call, Step, run
 from algebroproj_sym.generating.runtime import _primitives as primitives
 
 LONGEST_FACTOR = 240
@@ -102,11 +103,13 @@ def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:
     sources = sorted({f"{low.kernel.paper} {low.kernel.section}" for low in group})
     title = f"Functions of {', '.join(sources)}."
     called: set[str] = {step.primitive for low in group for step in low.program.steps if isinstance(step, Call)}
-    called |= {"splitter_of" for low in group if low.program.uses()[SPLITTER]}
+    programs = [program for low in group for program in (low.program, factors_of(low))]
+    operators = {step.operator for program in programs for step in program.steps if isinstance(step, Step)}
     return _TEMPLATES.get_template("module.py.j2").render(
         title=title,
         notice=NOTICE,
         primitives=sorted(called - {"let"}),
+        digits=sorted(operators & {"wide", "rounded"}),
         functions=[_function(low) for low in group],
         drivers=[{"name": driver.name, "module": driver.source.stem} for driver in drivers],
     )
@@ -225,10 +228,14 @@ def _name(factor: Scalar) -> str:
 
 
 def _operations(low: Lowered) -> str:
-    counts = low.program.operations()
+    counts = low.plain.operations()
     listed = ", ".join(f"{counts[kind]} {kind}" for kind in ("+", "-", "*", "/", "neg", *PRIMITIVES) if counts[kind])
     before = operation_counts(low).derived
-    return f"Operations: {counts.total()} ({listed or 'none'}); the derived expression as written takes {before}."
+    text = f"Operations: {counts.total()} ({listed or 'none'}); the derived expression as written takes {before}."
+    if low.program == low.plain:
+        return text
+    single = expanded(low.program).operations().total()
+    return f"{text}\n    With double-double operations for sums that may cancel: {single}."
 
 
 def _example_call(kernel: Kernel) -> str:

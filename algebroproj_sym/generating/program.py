@@ -14,7 +14,7 @@ from operator import add, mul, neg, sub, truediv
 from typing import Any, Literal, TypeAlias
 
 from algebroproj_sym.declaring import Primitive
-from algebroproj_sym.generating.double_double import rounded, wide
+from algebroproj_sym.generating.runtime._double_double import rounded, wide
 
 Operator = Literal["+", "-", "*", "/", "neg", "wide", "rounded"]
 Operand: TypeAlias = "str | int"

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 from ._primitives import cos_sin
 
@@ -95,6 +96,7 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     Zo*c_omega*c_phi``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
+    With double-double operations for sums that may cancel: 1775.
 
     Examples
     --------
@@ -108,11 +110,11 @@ def _coefficients(
     phi: Any, omega: Any, kappa: Any, Xo: Any, Yo: Any, Zo: Any, principal_distance: Any, alpha: Any,
     beta_: Any, xco: Any, yco: Any,
 ) -> tuple[Any, ...]:
-    c_phi, s_phi = cos_sin(phi)
-    c_omega, s_omega = cos_sin(omega)
-    c_kappa, s_kappa = cos_sin(kappa)
-    c_alpha, s_alpha = cos_sin(alpha)
-    c_beta_, s_beta_ = cos_sin(beta_)
+    c_phi, s_phi = cos_sin(wide(phi))
+    c_omega, s_omega = cos_sin(wide(omega))
+    c_kappa, s_kappa = cos_sin(wide(kappa))
+    c_alpha, s_alpha = cos_sin(wide(alpha))
+    c_beta_, s_beta_ = cos_sin(wide(beta_))
     t1 = s_omega * s_kappa
     e11 = c_kappa * c_phi + t1 * s_phi
     e12 = c_omega * s_kappa
@@ -121,23 +123,28 @@ def _coefficients(
     e21 = t8 * s_phi - c_phi * s_kappa
     e22 = c_kappa * c_omega
     e23 = s_kappa * s_phi + t8 * c_phi
-    e31 = c_omega * s_phi
-    e32 = -s_omega
-    e33 = c_omega * c_phi
+    t15 = c_omega * s_phi
+    e31 = rounded(t15)
+    t16 = -s_omega
+    e32 = rounded(t16)
+    t17 = c_omega * c_phi
+    e33 = rounded(t17)
     r1 = Xo * e11 + Yo * e12 + Zo * e13
     r2 = Xo * e21 + Yo * e22 + Zo * e23
-    r3 = Xo * e31 + Yo * e32 + Zo * e33
+    t18 = Xo * t15 + Yo * t16 + Zo * t17
+    r3 = rounded(t18)
     t35 = s_alpha * c_beta_
     t38 = s_alpha * s_beta_
     return (
-        (principal_distance * (c_alpha * e11 + t35 * e31 + t38 * e21) - e31 * xco) / r3,
-        (principal_distance * (c_alpha * e12 + t35 * e32 + t38 * e22) - e32 * xco) / r3,
-        (principal_distance * (c_alpha * e13 + t35 * e33 + t38 * e23) - e33 * xco) / r3,
-        xco - principal_distance * (c_alpha * r1 + t35 * r3 + t38 * r2) / r3,
-        (principal_distance * (c_beta_ * e21 - e31 * s_beta_) - e31 * yco) / r3,
-        (principal_distance * (c_beta_ * e22 - e32 * s_beta_) - e32 * yco) / r3,
-        (principal_distance * (c_beta_ * e23 - e33 * s_beta_) - e33 * yco) / r3,
-        yco - principal_distance * (c_beta_ * r2 - r3 * s_beta_) / r3, -(e31 / r3), -(e32 / r3), -(e33 / r3),
+        rounded(principal_distance * (c_alpha * e11 + t35 * t15 + t38 * e21) - t15 * xco) / r3,
+        rounded(principal_distance * (c_alpha * e12 + t35 * t16 + t38 * e22) - t16 * xco) / r3,
+        rounded(principal_distance * (c_alpha * e13 + t35 * t17 + t38 * e23) - t17 * xco) / r3,
+        rounded(xco - principal_distance * (c_alpha * r1 + t35 * t18 + t38 * r2) / t18),
+        rounded(principal_distance * (c_beta_ * e21 - t15 * s_beta_) - t15 * yco) / r3,
+        rounded(principal_distance * (c_beta_ * e22 - t16 * s_beta_) - t16 * yco) / r3,
+        rounded(principal_distance * (c_beta_ * e23 - t17 * s_beta_) - t17 * yco) / r3,
+        rounded(yco - principal_distance * (c_beta_ * r2 - t18 * s_beta_) / t18), -(e31 / r3), -(e32 / r3),
+        -(e33 / r3),
     )
 
 
@@ -148,9 +155,9 @@ def _coefficients_factors(
     phi: Any, omega: Any, kappa: Any, Xo: Any, Yo: Any, Zo: Any, principal_distance: Any, alpha: Any,
     beta_: Any, xco: Any, yco: Any,
 ) -> tuple[Any, ...]:
-    c_phi, s_phi = cos_sin(phi)
-    c_omega, s_omega = cos_sin(omega)
-    return (Xo * c_omega * s_phi + Zo * c_omega * c_phi - Yo * s_omega,)
+    c_phi, s_phi = cos_sin(wide(phi))
+    c_omega, s_omega = cos_sin(wide(omega))
+    return (rounded(Xo * c_omega * s_phi + Zo * c_omega * c_phi - Yo * s_omega),)
 
 
 _COEFFICIENTS_FACTORS = (
@@ -195,6 +202,7 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 20 (9 +, 9 *, 2 /); the derived expression as written takes 26.
+    With double-double operations for sums that may cancel: 281.
 
     Examples
     --------
@@ -208,8 +216,11 @@ def _project(
     A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
     X: Any, Y: Any, Z: Any,
 ) -> tuple[Any, ...]:
-    t11 = 1 + A10 * Y + A11 * Z + A9 * X
-    return (A4 + A1 * X + A2 * Y + A3 * Z) / t11, (A8 + A5 * X + A6 * Y + A7 * Z) / t11
+    t11 = rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X)
+    return (
+        rounded(A4 + wide(A1) * X + wide(A2) * Y + wide(A3) * Z) / t11,
+        rounded(A8 + wide(A5) * X + wide(A6) * Y + wide(A7) * Z) / t11,
+    )
 
 
 _PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),))
@@ -219,7 +230,7 @@ def _project_factors(
     A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
     X: Any, Y: Any, Z: Any,
 ) -> tuple[Any, ...]:
-    return (1 + A10 * Y + A11 * Z + A9 * X,)
+    return (rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X),)
 
 
 _PROJECT_FACTORS = (
@@ -285,6 +296,7 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 42 (9 +, 15 *, 12 /, 6 neg); the derived expression as written takes 146.
+    With double-double operations for sums that may cancel: 303.
 
     Examples
     --------
@@ -298,13 +310,13 @@ def _project_jacobian_parameters(
     A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
     X: Any, Y: Any, Z: Any,
 ) -> tuple[Any, ...]:
-    w = 1 + A10 * Y + A11 * Z + A9 * X
+    w = rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X)
     t6 = X / w
     t7 = Y / w
     t8 = Z / w
     t9 = 1 / w
-    t16 = (A4 + A1 * X + A2 * Y + A3 * Z) / w
-    t32 = (A8 + A5 * X + A6 * Y + A7 * Z) / w
+    t16 = rounded(A4 + wide(A1) * X + wide(A2) * Y + wide(A3) * Z) / w
+    t32 = rounded(A8 + wide(A5) * X + wide(A6) * Y + wide(A7) * Z) / w
     return (
         t6, t7, t8, t9, 0, 0, 0, 0, -(X * t16 / w), -(Y * t16 / w), -(Z * t16 / w), 0, 0, 0, 0, t6, t7, t8,
         t9, -(X * t32 / w), -(Y * t32 / w), -(Z * t32 / w),
@@ -318,7 +330,7 @@ def _project_jacobian_parameters_factors(
     A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
     X: Any, Y: Any, Z: Any,
 ) -> tuple[Any, ...]:
-    return (1 + A10 * Y + A11 * Z + A9 * X,)
+    return (rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X),)
 
 
 _PROJECT_JACOBIAN_PARAMETERS_FACTORS = (
@@ -368,6 +380,7 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 67 (9 +, 18 -, 34 *, 6 /); the derived expression as written takes 138.
+    With double-double operations for sums that may cancel: 1237.
 
     Examples
     --------
@@ -381,18 +394,21 @@ def _project_jacobian_point(
     A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
     X: Any, Y: Any, Z: Any,
 ) -> tuple[Any, ...]:
-    w = 1 + A10 * Y + A11 * Z + A9 * X
-    t8 = A1 * A10 - A2 * A9
-    t12 = A1 * A11 - A3 * A9
+    w = 1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X
+    t8 = wide(A1) * A10 - wide(A2) * A9
+    t12 = wide(A1) * A11 - wide(A3) * A9
     t18 = w * w
-    t22 = A11 * A2 - A10 * A3
-    t39 = A10 * A5 - A6 * A9
-    t43 = A11 * A5 - A7 * A9
-    t52 = A11 * A6 - A10 * A7
+    t22 = wide(A11) * A2 - wide(A10) * A3
+    t39 = wide(A10) * A5 - wide(A6) * A9
+    t43 = wide(A11) * A5 - wide(A7) * A9
+    t52 = wide(A11) * A6 - wide(A10) * A7
     return (
-        (Y * t8 + Z * t12 + A1 - A4 * A9) / t18, (Z * t22 + A2 - X * t8 - A10 * A4) / t18,
-        (A3 - X * t12 - Y * t22 - A11 * A4) / t18, (Y * t39 + Z * t43 + A5 - A8 * A9) / t18,
-        (Z * t52 + A6 - X * t39 - A10 * A8) / t18, (A7 - X * t43 - Y * t52 - A11 * A8) / t18,
+        rounded((Y * t8 + Z * t12 + A1 - wide(A4) * A9) / t18),
+        rounded((Z * t22 + A2 - X * t8 - wide(A10) * A4) / t18),
+        rounded((A3 - X * t12 - Y * t22 - wide(A11) * A4) / t18),
+        rounded((Y * t39 + Z * t43 + A5 - wide(A8) * A9) / t18),
+        rounded((Z * t52 + A6 - X * t39 - wide(A10) * A8) / t18),
+        rounded((A7 - X * t43 - Y * t52 - wide(A11) * A8) / t18),
     )
 
 
@@ -403,7 +419,7 @@ def _project_jacobian_point_factors(
     A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
     X: Any, Y: Any, Z: Any,
 ) -> tuple[Any, ...]:
-    return (1 + A10 * Y + A11 * Z + A9 * X,)
+    return (rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X),)
 
 
 _PROJECT_JACOBIAN_POINT_FACTORS = (
@@ -449,6 +465,7 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 27 (12 +, 12 *, 3 /); the derived expression as written takes 39.
+    With double-double operations for sums that may cancel: 371.
 
     Examples
     --------
@@ -462,10 +479,11 @@ def _space_map(
     B1: Any, B2: Any, B3: Any, B4: Any, B5: Any, B6: Any, B7: Any, B8: Any, B9: Any, B10: Any, B11: Any,
     B12: Any, B13: Any, B14: Any, B15: Any, X2: Any, Y2: Any, Z2: Any,
 ) -> tuple[Any, ...]:
-    t11 = 1 + B13 * X2 + B14 * Y2 + B15 * Z2
+    t11 = rounded(1 + wide(B13) * X2 + wide(B14) * Y2 + wide(B15) * Z2)
     return (
-        (B4 + B1 * X2 + B2 * Y2 + B3 * Z2) / t11, (B8 + B5 * X2 + B6 * Y2 + B7 * Z2) / t11,
-        (B12 + B10 * Y2 + B11 * Z2 + B9 * X2) / t11,
+        rounded(B4 + wide(B1) * X2 + wide(B2) * Y2 + wide(B3) * Z2) / t11,
+        rounded(B8 + wide(B5) * X2 + wide(B6) * Y2 + wide(B7) * Z2) / t11,
+        rounded(B12 + wide(B10) * Y2 + wide(B11) * Z2 + wide(B9) * X2) / t11,
     )
 
 
@@ -476,7 +494,7 @@ def _space_map_factors(
     B1: Any, B2: Any, B3: Any, B4: Any, B5: Any, B6: Any, B7: Any, B8: Any, B9: Any, B10: Any, B11: Any,
     B12: Any, B13: Any, B14: Any, B15: Any, X2: Any, Y2: Any, Z2: Any,
 ) -> tuple[Any, ...]:
-    return (1 + B13 * X2 + B14 * Y2 + B15 * Z2,)
+    return (rounded(1 + wide(B13) * X2 + wide(B14) * Y2 + wide(B15) * Z2),)
 
 
 _SPACE_MAP_FACTORS = (
@@ -535,6 +553,7 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     Polynomial: no input is singular.
 
     Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.
+    With double-double operations for sums that may cancel: 2492.
 
     Examples
     --------
@@ -549,20 +568,26 @@ def _coplanarity_determinant(
     A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
     A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
 ) -> tuple[Any, ...]:
-    ray1_1 = xc1 * (A1_10 * A1_5 - A1_6 * A1_9) + yc1 * (A1_2 * A1_9 - A1_1 * A1_10) + A1_1 * A1_6 - A1_2 * A1_5
-    ray1_2 = xc1 * (A1_11 * A1_5 - A1_7 * A1_9) + yc1 * (A1_3 * A1_9 - A1_1 * A1_11) + A1_1 * A1_7 - A1_3 * A1_5
-    ray1_3 = yc1 * (A1_1 - A1_4 * A1_9) + A1_4 * A1_5 - xc1 * (A1_5 - A1_8 * A1_9) - A1_1 * A1_8
-    ray1_4 = xc1 * (A1_11 * A1_6 - A1_10 * A1_7) + yc1 * (A1_10 * A1_3 - A1_11 * A1_2) + A1_2 * A1_7 - A1_3 * A1_6
-    ray1_5 = yc1 * (A1_2 - A1_10 * A1_4) + A1_4 * A1_6 - xc1 * (A1_6 - A1_10 * A1_8) - A1_2 * A1_8
-    ray1_6 = yc1 * (A1_3 - A1_11 * A1_4) + A1_4 * A1_7 - xc1 * (A1_7 - A1_11 * A1_8) - A1_3 * A1_8
-    ray2_1 = xc2 * (A2_10 * A2_5 - A2_6 * A2_9) + yc2 * (A2_2 * A2_9 - A2_1 * A2_10) + A2_1 * A2_6 - A2_2 * A2_5
-    ray2_2 = xc2 * (A2_11 * A2_5 - A2_7 * A2_9) + yc2 * (A2_3 * A2_9 - A2_1 * A2_11) + A2_1 * A2_7 - A2_3 * A2_5
-    ray2_3 = yc2 * (A2_1 - A2_4 * A2_9) + A2_4 * A2_5 - xc2 * (A2_5 - A2_8 * A2_9) - A2_1 * A2_8
-    ray2_4 = xc2 * (A2_11 * A2_6 - A2_10 * A2_7) + yc2 * (A2_10 * A2_3 - A2_11 * A2_2) + A2_2 * A2_7 - A2_3 * A2_6
-    ray2_5 = yc2 * (A2_2 - A2_10 * A2_4) + A2_4 * A2_6 - xc2 * (A2_6 - A2_10 * A2_8) - A2_2 * A2_8
-    ray2_6 = yc2 * (A2_3 - A2_11 * A2_4) + A2_4 * A2_7 - xc2 * (A2_7 - A2_11 * A2_8) - A2_3 * A2_8
-    t154 = ray1_2 * ray2_5 + ray1_5 * ray2_2 - ray1_1 * ray2_6 - ray1_3 * ray2_4 - ray1_4 * ray2_3 - ray1_6 * ray2_1
-    return (t154,)
+    t10 = xc1 * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + yc1 * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10) + wide(A1_1) * A1_6
+    ray1_1 = t10 - wide(A1_2) * A1_5
+    t23 = xc1 * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + yc1 * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11) + wide(A1_1) * A1_7
+    ray1_2 = t23 - wide(A1_3) * A1_5
+    ray1_3 = yc1 * (A1_1 - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - xc1 * (A1_5 - wide(A1_8) * A1_9) - wide(A1_1) * A1_8
+    t47 = xc1 * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + yc1 * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2) + wide(A1_2) * A1_7
+    ray1_4 = t47 - wide(A1_3) * A1_6
+    ray1_5 = yc1 * (A1_2 - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - xc1 * (A1_6 - wide(A1_10) * A1_8) - wide(A1_2) * A1_8
+    ray1_6 = yc1 * (A1_3 - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - xc1 * (A1_7 - wide(A1_11) * A1_8) - wide(A1_3) * A1_8
+    t82 = xc2 * (wide(A2_10) * A2_5 - wide(A2_6) * A2_9) + yc2 * (wide(A2_2) * A2_9 - wide(A2_1) * A2_10) + wide(A2_1) * A2_6
+    ray2_1 = t82 - wide(A2_2) * A2_5
+    t95 = xc2 * (wide(A2_11) * A2_5 - wide(A2_7) * A2_9) + yc2 * (wide(A2_3) * A2_9 - wide(A2_1) * A2_11) + wide(A2_1) * A2_7
+    ray2_2 = t95 - wide(A2_3) * A2_5
+    ray2_3 = yc2 * (A2_1 - wide(A2_4) * A2_9) + wide(A2_4) * A2_5 - xc2 * (A2_5 - wide(A2_8) * A2_9) - wide(A2_1) * A2_8
+    t119 = xc2 * (wide(A2_11) * A2_6 - wide(A2_10) * A2_7) + yc2 * (wide(A2_10) * A2_3 - wide(A2_11) * A2_2) + wide(A2_2) * A2_7
+    ray2_4 = t119 - wide(A2_3) * A2_6
+    ray2_5 = yc2 * (A2_2 - wide(A2_10) * A2_4) + wide(A2_4) * A2_6 - xc2 * (A2_6 - wide(A2_10) * A2_8) - wide(A2_2) * A2_8
+    ray2_6 = yc2 * (A2_3 - wide(A2_11) * A2_4) + wide(A2_4) * A2_7 - xc2 * (A2_7 - wide(A2_11) * A2_8) - wide(A2_3) * A2_8
+    t203 = ray1_2 * ray2_5 + ray1_5 * ray2_2 - ray1_1 * ray2_6 - ray1_3 * ray2_4 - ray1_4 * ray2_3 - ray1_6 * ray2_1
+    return (rounded(t203),)
 
 
 _COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),))
@@ -617,6 +642,7 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     of 36 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 120 (17 +, 33 -, 67 *, 3 /); the derived expression as written takes 252.
+    With double-double operations for sums that may cancel: 1969.
 
     Examples
     --------
@@ -631,17 +657,21 @@ def _intersect_three(
     A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
     A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
 ) -> tuple[Any, ...]:
-    ray1_1 = xc1 * (A1_10 * A1_5 - A1_6 * A1_9) + yc1 * (A1_2 * A1_9 - A1_1 * A1_10) + A1_1 * A1_6 - A1_2 * A1_5
-    ray1_2 = xc1 * (A1_11 * A1_5 - A1_7 * A1_9) + yc1 * (A1_3 * A1_9 - A1_1 * A1_11) + A1_1 * A1_7 - A1_3 * A1_5
-    ray1_3 = yc1 * (A1_1 - A1_4 * A1_9) + A1_4 * A1_5 - xc1 * (A1_5 - A1_8 * A1_9) - A1_1 * A1_8
-    ray1_4 = xc1 * (A1_11 * A1_6 - A1_10 * A1_7) + yc1 * (A1_10 * A1_3 - A1_11 * A1_2) + A1_2 * A1_7 - A1_3 * A1_6
-    ray1_5 = yc1 * (A1_2 - A1_10 * A1_4) + A1_4 * A1_6 - xc1 * (A1_6 - A1_10 * A1_8) - A1_2 * A1_8
-    ray1_6 = yc1 * (A1_3 - A1_11 * A1_4) + A1_4 * A1_7 - xc1 * (A1_7 - A1_11 * A1_8) - A1_3 * A1_8
-    D = xc2 * (A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2) + A2_2 * ray1_2 - A2_1 * ray1_4 - A2_3 * ray1_1
-    t95 = (A2_3 * ray1_5 + A2_4 * ray1_4 - xc2 * (ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6) - A2_2 * ray1_6) / D
-    t107 = (xc2 * (ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6) + A2_1 * ray1_6 - A2_3 * ray1_3 - A2_4 * ray1_2) / D
-    t119 = (A2_2 * ray1_3 + A2_4 * ray1_1 - xc2 * (ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5) - A2_1 * ray1_5) / D
-    return t95, t107, t119
+    t10 = xc1 * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + yc1 * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10) + wide(A1_1) * A1_6
+    ray1_1 = t10 - wide(A1_2) * A1_5
+    t23 = xc1 * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + yc1 * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11) + wide(A1_1) * A1_7
+    ray1_2 = t23 - wide(A1_3) * A1_5
+    ray1_3 = yc1 * (A1_1 - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - xc1 * (A1_5 - wide(A1_8) * A1_9) - wide(A1_1) * A1_8
+    t47 = xc1 * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + yc1 * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2) + wide(A1_2) * A1_7
+    ray1_4 = t47 - wide(A1_3) * A1_6
+    ray1_5 = yc1 * (A1_2 - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - xc1 * (A1_6 - wide(A1_10) * A1_8) - wide(A1_2) * A1_8
+    ray1_6 = yc1 * (A1_3 - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - xc1 * (A1_7 - wide(A1_11) * A1_8) - wide(A1_3) * A1_8
+    t143 = xc2 * (A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2) + A2_2 * ray1_2 - A2_1 * ray1_4 - A2_3 * ray1_1
+    D = rounded(t143)
+    t94 = rounded(A2_3 * ray1_5 + A2_4 * ray1_4 - xc2 * (ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6) - A2_2 * ray1_6)
+    t106 = rounded(xc2 * (ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6) + A2_1 * ray1_6 - A2_3 * ray1_3 - A2_4 * ray1_2)
+    t118 = rounded(A2_2 * ray1_3 + A2_4 * ray1_1 - xc2 * (ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5) - A2_1 * ray1_5)
+    return t94 / D, t106 / D, t118 / D
 
 
 _INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
@@ -652,27 +682,27 @@ def _intersect_three_factors(
     A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
     A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
 ) -> tuple[Any, ...]:
-    t0 = A1_1 * A1_6
-    t2 = A1_2 * A1_7
-    t5 = A1_3 * A1_5
-    t8 = A1_1 * yc1
+    t0 = wide(A1_1) * A1_6
+    t2 = wide(A1_2) * A1_7
+    t5 = wide(A1_3) * A1_5
+    t8 = wide(A1_1) * yc1
     t9 = A1_11 * t8
-    t12 = A1_1 * A1_7
-    t13 = A2_10 * xc2
-    t16 = A1_3 * yc1
+    t12 = wide(A1_1) * A1_7
+    t13 = wide(A2_10) * xc2
+    t16 = wide(A1_3) * yc1
     t17 = A1_10 * t16
-    t20 = A1_10 * xc1
+    t20 = wide(A1_10) * xc1
     t21 = A1_5 * t20
-    t24 = A1_11 * xc1
+    t24 = wide(A1_11) * xc1
     t25 = A1_6 * t24
-    t28 = A1_2 * A1_5
-    t29 = A2_11 * xc2
+    t28 = wide(A1_2) * A1_5
+    t29 = wide(A2_11) * xc2
     t31 = t0 * A2_3 + t2 * A2_1 + t5 * A2_2 + t9 * A2_2 + t12 * t13 + t17 * A2_1 + t21 * A2_3 + t25 * A2_1 + t28 * t29
-    t32 = A1_2 * yc1
+    t32 = wide(A1_2) * yc1
     t33 = A1_9 * t32
-    t36 = A1_3 * A1_6
-    t37 = A2_9 * xc2
-    t40 = A1_9 * xc1
+    t36 = wide(A1_3) * A1_6
+    t37 = wide(A2_9) * xc2
+    t40 = wide(A1_9) * xc1
     t41 = A1_7 * t40
     t44 = A1_10 * t8
     t47 = A1_7 * t20
@@ -683,7 +713,7 @@ def _intersect_three_factors(
     t59 = A1_6 * t40
     t75 = t58 + t59 * t29 - t12 * A2_2 - t28 * A2_3 - t36 * A2_1 - t44 * A2_3 - t0 * t29 - t47 * A2_1 - t50 * A2_1
     t93 = t75 - t53 * A2_2 - t2 * t37 - t5 * t13 - t56 * A2_2 - t59 * A2_3 - t9 * t13 - t17 * t37 - t21 * t29 - t25 * t37
-    return (t93 - t33 * t29 - t41 * t13,)
+    return (rounded(t93 - t33 * t29 - t41 * t13),)
 
 
 _INTERSECT_THREE_FACTORS = (
@@ -761,6 +791,7 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     d44**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.
+    With double-double operations for sums that may cancel: 5274.
 
     Examples
     --------
@@ -775,49 +806,57 @@ def _intersect(
     A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
     A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
 ) -> tuple[Any, ...]:
-    t49 = xc1 * (A1_11 * A1_6 - A1_10 * A1_7) + yc1 * (A1_10 * A1_3 - A1_11 * A1_2) + A1_2 * A1_7 - A1_3 * A1_6
-    t121 = xc2 * (A2_11 * A2_6 - A2_10 * A2_7) + yc2 * (A2_10 * A2_3 - A2_11 * A2_2) + A2_2 * A2_7 - A2_3 * A2_6
-    ray1_1 = xc1 * (A1_10 * A1_5 - A1_6 * A1_9) + yc1 * (A1_2 * A1_9 - A1_1 * A1_10) + A1_1 * A1_6 - A1_2 * A1_5
-    ray1_2 = xc1 * (A1_11 * A1_5 - A1_7 * A1_9) + yc1 * (A1_3 * A1_9 - A1_1 * A1_11) + A1_1 * A1_7 - A1_3 * A1_5
-    ray1_3 = yc1 * (A1_1 - A1_4 * A1_9) + A1_4 * A1_5 - xc1 * (A1_5 - A1_8 * A1_9) - A1_1 * A1_8
-    ray1_4 = t49
-    ray1_5 = yc1 * (A1_2 - A1_10 * A1_4) + A1_4 * A1_6 - xc1 * (A1_6 - A1_10 * A1_8) - A1_2 * A1_8
-    ray1_6 = yc1 * (A1_3 - A1_11 * A1_4) + A1_4 * A1_7 - xc1 * (A1_7 - A1_11 * A1_8) - A1_3 * A1_8
-    ray2_1 = xc2 * (A2_10 * A2_5 - A2_6 * A2_9) + yc2 * (A2_2 * A2_9 - A2_1 * A2_10) + A2_1 * A2_6 - A2_2 * A2_5
-    ray2_2 = xc2 * (A2_11 * A2_5 - A2_7 * A2_9) + yc2 * (A2_3 * A2_9 - A2_1 * A2_11) + A2_1 * A2_7 - A2_3 * A2_5
-    ray2_3 = yc2 * (A2_1 - A2_4 * A2_9) + A2_4 * A2_5 - xc2 * (A2_5 - A2_8 * A2_9) - A2_1 * A2_8
-    ray2_4 = t121
-    ray2_5 = yc2 * (A2_2 - A2_10 * A2_4) + A2_4 * A2_6 - xc2 * (A2_6 - A2_10 * A2_8) - A2_2 * A2_8
-    ray2_6 = yc2 * (A2_3 - A2_11 * A2_4) + A2_4 * A2_7 - xc2 * (A2_7 - A2_11 * A2_8) - A2_3 * A2_8
+    t10 = xc1 * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + yc1 * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10) + wide(A1_1) * A1_6
+    ray1_1 = t10 - wide(A1_2) * A1_5
+    t23 = xc1 * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + yc1 * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11) + wide(A1_1) * A1_7
+    ray1_2 = t23 - wide(A1_3) * A1_5
+    ray1_3 = yc1 * (A1_1 - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - xc1 * (A1_5 - wide(A1_8) * A1_9) - wide(A1_1) * A1_8
+    t47 = xc1 * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + yc1 * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2) + wide(A1_2) * A1_7
+    ray1_4 = t47 - wide(A1_3) * A1_6
+    ray1_5 = yc1 * (A1_2 - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - xc1 * (A1_6 - wide(A1_10) * A1_8) - wide(A1_2) * A1_8
+    ray1_6 = yc1 * (A1_3 - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - xc1 * (A1_7 - wide(A1_11) * A1_8) - wide(A1_3) * A1_8
+    t82 = xc2 * (wide(A2_10) * A2_5 - wide(A2_6) * A2_9) + yc2 * (wide(A2_2) * A2_9 - wide(A2_1) * A2_10) + wide(A2_1) * A2_6
+    ray2_1 = t82 - wide(A2_2) * A2_5
+    t95 = xc2 * (wide(A2_11) * A2_5 - wide(A2_7) * A2_9) + yc2 * (wide(A2_3) * A2_9 - wide(A2_1) * A2_11) + wide(A2_1) * A2_7
+    ray2_2 = t95 - wide(A2_3) * A2_5
+    ray2_3 = yc2 * (A2_1 - wide(A2_4) * A2_9) + wide(A2_4) * A2_5 - xc2 * (A2_5 - wide(A2_8) * A2_9) - wide(A2_1) * A2_8
+    t119 = xc2 * (wide(A2_11) * A2_6 - wide(A2_10) * A2_7) + yc2 * (wide(A2_10) * A2_3 - wide(A2_11) * A2_2) + wide(A2_2) * A2_7
+    ray2_4 = t119 - wide(A2_3) * A2_6
+    ray2_5 = yc2 * (A2_2 - wide(A2_10) * A2_4) + wide(A2_4) * A2_6 - xc2 * (A2_6 - wide(A2_10) * A2_8) - wide(A2_2) * A2_8
+    ray2_6 = yc2 * (A2_3 - wide(A2_11) * A2_4) + wide(A2_4) * A2_7 - xc2 * (A2_7 - wide(A2_11) * A2_8) - wide(A2_3) * A2_8
     t150 = ray2_4 + A1_11 * ray2_5 - A1_10 * ray2_6
-    t158 = ray2_2 + A1_11 * ray2_3 - A1_9 * ray2_6
-    t172 = ray2_1 + A1_10 * ray2_3 - A1_9 * ray2_5
-    t181 = A1_11 * ray2_1 + A1_9 * ray2_4 - A1_10 * ray2_2
-    t223 = ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6
-    t231 = ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6
-    t245 = ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5
-    t254 = A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2
     d11 = A1_7 * ray2_5 + A1_8 * ray2_4 - yc1 * t150 - A1_6 * ray2_6
+    t158 = ray2_2 + A1_11 * ray2_3 - A1_9 * ray2_6
     d12 = yc1 * t158 + A1_5 * ray2_6 - A1_7 * ray2_3 - A1_8 * ray2_2
+    t172 = ray2_1 + A1_10 * ray2_3 - A1_9 * ray2_5
     d13 = A1_6 * ray2_3 + A1_8 * ray2_1 - yc1 * t172 - A1_5 * ray2_5
-    d14 = yc1 * t181 + A1_6 * ray2_2 - A1_5 * ray2_4 - A1_7 * ray2_1
+    t181 = A1_11 * ray2_1 + A1_9 * ray2_4 - A1_10 * ray2_2
+    t353 = yc1 * t181 + A1_6 * ray2_2 - A1_5 * ray2_4 - A1_7 * ray2_1
+    d14 = rounded(t353)
     d21 = A1_3 * ray2_5 + A1_4 * ray2_4 - xc1 * t150 - A1_2 * ray2_6
     d22 = A1_1 * ray2_6 + xc1 * t158 - A1_3 * ray2_3 - A1_4 * ray2_2
     d23 = A1_2 * ray2_3 + A1_4 * ray2_1 - xc1 * t172 - A1_1 * ray2_5
-    d24 = A1_2 * ray2_2 + xc1 * t181 - A1_1 * ray2_4 - A1_3 * ray2_1
+    t354 = A1_2 * ray2_2 + xc1 * t181 - A1_1 * ray2_4 - A1_3 * ray2_1
+    d24 = rounded(t354)
+    t223 = ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6
     d31 = A2_7 * ray1_5 + A2_8 * ray1_4 - yc2 * t223 - A2_6 * ray1_6
+    t231 = ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6
     d32 = yc2 * t231 + A2_5 * ray1_6 - A2_7 * ray1_3 - A2_8 * ray1_2
+    t245 = ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5
     d33 = A2_6 * ray1_3 + A2_8 * ray1_1 - yc2 * t245 - A2_5 * ray1_5
-    d34 = yc2 * t254 + A2_6 * ray1_2 - A2_5 * ray1_4 - A2_7 * ray1_1
+    t254 = A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2
+    t355 = yc2 * t254 + A2_6 * ray1_2 - A2_5 * ray1_4 - A2_7 * ray1_1
+    d34 = rounded(t355)
     d41 = A2_3 * ray1_5 + A2_4 * ray1_4 - xc2 * t223 - A2_2 * ray1_6
     d42 = A2_1 * ray1_6 + xc2 * t231 - A2_3 * ray1_3 - A2_4 * ray1_2
     d43 = A2_2 * ray1_3 + A2_4 * ray1_1 - xc2 * t245 - A2_1 * ray1_5
-    d44 = A2_2 * ray1_2 + xc2 * t254 - A2_1 * ray1_4 - A2_3 * ray1_1
+    t356 = A2_2 * ray1_2 + xc2 * t254 - A2_1 * ray1_4 - A2_3 * ray1_1
+    d44 = rounded(t356)
     t303 = d14 * d14 + d24 * d24 + d34 * d34 + d44 * d44
     return (
-        (d11 * d14 + d21 * d24 + d31 * d34 + d41 * d44) / t303,
-        (d12 * d14 + d22 * d24 + d32 * d34 + d42 * d44) / t303,
-        (d13 * d14 + d23 * d24 + d33 * d34 + d43 * d44) / t303,
+        rounded(d11 * t353 + d21 * t354 + d31 * t355 + d41 * t356) / t303,
+        rounded(d12 * t353 + d22 * t354 + d32 * t355 + d42 * t356) / t303,
+        rounded(d13 * t353 + d23 * t354 + d33 * t355 + d43 * t356) / t303,
     )
 
 
@@ -829,44 +868,48 @@ def _intersect_factors(
     A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
     A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
 ) -> tuple[Any, ...]:
-    t49 = xc1 * (A1_11 * A1_6 - A1_10 * A1_7) + yc1 * (A1_10 * A1_3 - A1_11 * A1_2) + A1_2 * A1_7 - A1_3 * A1_6
-    t121 = xc2 * (A2_11 * A2_6 - A2_10 * A2_7) + yc2 * (A2_10 * A2_3 - A2_11 * A2_2) + A2_2 * A2_7 - A2_3 * A2_6
-    ray1_1 = xc1 * (A1_10 * A1_5 - A1_6 * A1_9) + yc1 * (A1_2 * A1_9 - A1_1 * A1_10) + A1_1 * A1_6 - A1_2 * A1_5
-    ray1_2 = xc1 * (A1_11 * A1_5 - A1_7 * A1_9) + yc1 * (A1_3 * A1_9 - A1_1 * A1_11) + A1_1 * A1_7 - A1_3 * A1_5
-    ray1_3 = yc1 * (A1_1 - A1_4 * A1_9) + A1_4 * A1_5 - xc1 * (A1_5 - A1_8 * A1_9) - A1_1 * A1_8
-    ray1_4 = t49
-    ray1_5 = yc1 * (A1_2 - A1_10 * A1_4) + A1_4 * A1_6 - xc1 * (A1_6 - A1_10 * A1_8) - A1_2 * A1_8
-    ray1_6 = yc1 * (A1_3 - A1_11 * A1_4) + A1_4 * A1_7 - xc1 * (A1_7 - A1_11 * A1_8) - A1_3 * A1_8
-    ray2_1 = xc2 * (A2_10 * A2_5 - A2_6 * A2_9) + yc2 * (A2_2 * A2_9 - A2_1 * A2_10) + A2_1 * A2_6 - A2_2 * A2_5
-    ray2_2 = xc2 * (A2_11 * A2_5 - A2_7 * A2_9) + yc2 * (A2_3 * A2_9 - A2_1 * A2_11) + A2_1 * A2_7 - A2_3 * A2_5
-    ray2_3 = yc2 * (A2_1 - A2_4 * A2_9) + A2_4 * A2_5 - xc2 * (A2_5 - A2_8 * A2_9) - A2_1 * A2_8
-    ray2_4 = t121
-    ray2_5 = yc2 * (A2_2 - A2_10 * A2_4) + A2_4 * A2_6 - xc2 * (A2_6 - A2_10 * A2_8) - A2_2 * A2_8
-    ray2_6 = yc2 * (A2_3 - A2_11 * A2_4) + A2_4 * A2_7 - xc2 * (A2_7 - A2_11 * A2_8) - A2_3 * A2_8
+    t10 = xc1 * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + yc1 * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10) + wide(A1_1) * A1_6
+    ray1_1 = t10 - wide(A1_2) * A1_5
+    t23 = xc1 * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + yc1 * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11) + wide(A1_1) * A1_7
+    ray1_2 = t23 - wide(A1_3) * A1_5
+    ray1_3 = yc1 * (A1_1 - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - xc1 * (A1_5 - wide(A1_8) * A1_9) - wide(A1_1) * A1_8
+    t47 = xc1 * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + yc1 * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2) + wide(A1_2) * A1_7
+    ray1_4 = t47 - wide(A1_3) * A1_6
+    ray1_5 = yc1 * (A1_2 - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - xc1 * (A1_6 - wide(A1_10) * A1_8) - wide(A1_2) * A1_8
+    ray1_6 = yc1 * (A1_3 - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - xc1 * (A1_7 - wide(A1_11) * A1_8) - wide(A1_3) * A1_8
+    t82 = xc2 * (wide(A2_10) * A2_5 - wide(A2_6) * A2_9) + yc2 * (wide(A2_2) * A2_9 - wide(A2_1) * A2_10) + wide(A2_1) * A2_6
+    ray2_1 = t82 - wide(A2_2) * A2_5
+    t95 = xc2 * (wide(A2_11) * A2_5 - wide(A2_7) * A2_9) + yc2 * (wide(A2_3) * A2_9 - wide(A2_1) * A2_11) + wide(A2_1) * A2_7
+    ray2_2 = t95 - wide(A2_3) * A2_5
+    ray2_3 = yc2 * (A2_1 - wide(A2_4) * A2_9) + wide(A2_4) * A2_5 - xc2 * (A2_5 - wide(A2_8) * A2_9) - wide(A2_1) * A2_8
+    t119 = xc2 * (wide(A2_11) * A2_6 - wide(A2_10) * A2_7) + yc2 * (wide(A2_10) * A2_3 - wide(A2_11) * A2_2) + wide(A2_2) * A2_7
+    ray2_4 = t119 - wide(A2_3) * A2_6
+    ray2_5 = yc2 * (A2_2 - wide(A2_10) * A2_4) + wide(A2_4) * A2_6 - xc2 * (A2_6 - wide(A2_10) * A2_8) - wide(A2_2) * A2_8
+    ray2_6 = yc2 * (A2_3 - wide(A2_11) * A2_4) + wide(A2_4) * A2_7 - xc2 * (A2_7 - wide(A2_11) * A2_8) - wide(A2_3) * A2_8
     t150 = ray2_4 + A1_11 * ray2_5 - A1_10 * ray2_6
-    t158 = ray2_2 + A1_11 * ray2_3 - A1_9 * ray2_6
-    t172 = ray2_1 + A1_10 * ray2_3 - A1_9 * ray2_5
-    t181 = A1_11 * ray2_1 + A1_9 * ray2_4 - A1_10 * ray2_2
-    t223 = ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6
-    t231 = ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6
-    t245 = ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5
-    t254 = A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2
     d11 = A1_7 * ray2_5 + A1_8 * ray2_4 - yc1 * t150 - A1_6 * ray2_6
+    t158 = ray2_2 + A1_11 * ray2_3 - A1_9 * ray2_6
     d12 = yc1 * t158 + A1_5 * ray2_6 - A1_7 * ray2_3 - A1_8 * ray2_2
+    t172 = ray2_1 + A1_10 * ray2_3 - A1_9 * ray2_5
     d13 = A1_6 * ray2_3 + A1_8 * ray2_1 - yc1 * t172 - A1_5 * ray2_5
-    d14 = yc1 * t181 + A1_6 * ray2_2 - A1_5 * ray2_4 - A1_7 * ray2_1
+    t181 = A1_11 * ray2_1 + A1_9 * ray2_4 - A1_10 * ray2_2
+    d14 = rounded(yc1 * t181 + A1_6 * ray2_2 - A1_5 * ray2_4 - A1_7 * ray2_1)
     d21 = A1_3 * ray2_5 + A1_4 * ray2_4 - xc1 * t150 - A1_2 * ray2_6
     d22 = A1_1 * ray2_6 + xc1 * t158 - A1_3 * ray2_3 - A1_4 * ray2_2
     d23 = A1_2 * ray2_3 + A1_4 * ray2_1 - xc1 * t172 - A1_1 * ray2_5
-    d24 = A1_2 * ray2_2 + xc1 * t181 - A1_1 * ray2_4 - A1_3 * ray2_1
+    d24 = rounded(A1_2 * ray2_2 + xc1 * t181 - A1_1 * ray2_4 - A1_3 * ray2_1)
+    t223 = ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6
     d31 = A2_7 * ray1_5 + A2_8 * ray1_4 - yc2 * t223 - A2_6 * ray1_6
+    t231 = ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6
     d32 = yc2 * t231 + A2_5 * ray1_6 - A2_7 * ray1_3 - A2_8 * ray1_2
+    t245 = ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5
     d33 = A2_6 * ray1_3 + A2_8 * ray1_1 - yc2 * t245 - A2_5 * ray1_5
-    d34 = yc2 * t254 + A2_6 * ray1_2 - A2_5 * ray1_4 - A2_7 * ray1_1
+    t254 = A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2
+    d34 = rounded(yc2 * t254 + A2_6 * ray1_2 - A2_5 * ray1_4 - A2_7 * ray1_1)
     d41 = A2_3 * ray1_5 + A2_4 * ray1_4 - xc2 * t223 - A2_2 * ray1_6
     d42 = A2_1 * ray1_6 + xc2 * t231 - A2_3 * ray1_3 - A2_4 * ray1_2
     d43 = A2_2 * ray1_3 + A2_4 * ray1_1 - xc2 * t245 - A2_1 * ray1_5
-    d44 = A2_2 * ray1_2 + xc2 * t254 - A2_1 * ray1_4 - A2_3 * ray1_1
+    d44 = rounded(A2_2 * ray1_2 + xc2 * t254 - A2_1 * ray1_4 - A2_3 * ray1_1)
     return (d14 * d14 + d24 * d24 + d34 * d34 + d44 * d44,)
 
 
@@ -915,6 +958,7 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (1 -, 6 *, 3 /); the derived expression as written takes 18.
+    With double-double operations for sums that may cancel: 63.
 
     Examples
     --------
@@ -928,7 +972,7 @@ def _model_point(
     Xbar1: Any, Ybar1: Any, Zbar1: Any, Xbar2: Any, Ybar2: Any, Zbar2: Any, base: Any,
 ) -> tuple[Any, ...]:
     t0 = Ybar2 * base
-    t4 = Xbar1 * Ybar2 - Xbar2 * Ybar1
+    t4 = rounded(wide(Xbar1) * Ybar2 - wide(Xbar2) * Ybar1)
     return t0 * Xbar1 / t4, t0 * Ybar1 / t4, t0 * Zbar1 / t4
 
 
@@ -938,7 +982,7 @@ _MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("red
 def _model_point_factors(
     Xbar1: Any, Ybar1: Any, Zbar1: Any, Xbar2: Any, Ybar2: Any, Zbar2: Any, base: Any,
 ) -> tuple[Any, ...]:
-    return (Xbar1 * Ybar2 - Xbar2 * Ybar1,)
+    return (rounded(wide(Xbar1) * Ybar2 - wide(Xbar2) * Ybar1),)
 
 
 _MODEL_POINT_FACTORS = (
@@ -990,6 +1034,7 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     No input is singular.
 
     Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.
+    With double-double operations for sums that may cancel: 725.
 
     Examples
     --------
@@ -1002,20 +1047,18 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
 def _similarity(
     XM: Any, YM: Any, ZM: Any, Phi: Any, Omega: Any, Kappa: Any, scale: Any, Xo: Any, Yo: Any, Zo: Any,
 ) -> tuple[Any, ...]:
-    c_Phi, s_Phi = cos_sin(Phi)
-    c_Omega, s_Omega = cos_sin(Omega)
-    c_Kappa, s_Kappa = cos_sin(Kappa)
-    t0 = XM * scale
+    c_Phi, s_Phi = cos_sin(wide(Phi))
+    c_Omega, s_Omega = cos_sin(wide(Omega))
+    c_Kappa, s_Kappa = cos_sin(wide(Kappa))
+    t0 = wide(XM) * scale
     t2 = s_Omega * s_Kappa
     t7 = scale * c_Omega
     t8 = ZM * t7
-    t11 = YM * scale
+    t11 = wide(YM) * scale
     t13 = s_Omega * c_Kappa
-    return (
-        Xo + t0 * (c_Kappa * c_Phi + t2 * s_Phi) + t8 * s_Phi - t11 * (c_Phi * s_Kappa - t13 * s_Phi),
-        Yo + t7 * XM * s_Kappa + t7 * YM * c_Kappa - ZM * s_Omega * scale,
-        Zo + t11 * (s_Kappa * s_Phi + t13 * c_Phi) + t8 * c_Phi - t0 * (c_Kappa * s_Phi - t2 * c_Phi),
-    )
+    t17 = rounded(Xo + t0 * (c_Kappa * c_Phi + t2 * s_Phi) + t8 * s_Phi - t11 * (c_Phi * s_Kappa - t13 * s_Phi))
+    t38 = rounded(Zo + t11 * (s_Kappa * s_Phi + t13 * c_Phi) + t8 * c_Phi - t0 * (c_Kappa * s_Phi - t2 * c_Phi))
+    return t17, rounded(Yo + t7 * XM * s_Kappa + t7 * YM * c_Kappa - ZM * s_Omega * scale), t38
 
 
 _SIMILARITY_SIGNATURE = Signature("similarity", (("X_model", (3,)), ("angles", (3,)), ("scale", ()), ("translation", (3,))), ((3,),))

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 from ._primitives import null_vector, solve
 
@@ -172,6 +173,7 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
+    With double-double operations for sums that may cancel: 176.
 
     Examples
     --------
@@ -185,7 +187,11 @@ def _epipolar_line_left(
     z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any, upp1: Any,
     upp2: Any,
 ) -> tuple[Any, ...]:
-    return z00 + upp1 * z01 + upp2 * z02, z10 + upp1 * z11 + upp2 * z12, z20 + upp1 * z21 + upp2 * z22
+    return (
+        rounded(z00 + wide(upp1) * z01 + wide(upp2) * z02),
+        rounded(z10 + wide(upp1) * z11 + wide(upp2) * z12),
+        rounded(z20 + wide(upp1) * z21 + wide(upp2) * z22),
+    )
 
 
 _EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),))
@@ -228,6 +234,7 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
+    With double-double operations for sums that may cancel: 176.
 
     Examples
     --------
@@ -241,7 +248,10 @@ def _epipolar_line_right(
     z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any, up1: Any,
     up2: Any,
 ) -> tuple[Any, ...]:
-    return z00 + up1 * z10 + up2 * z20, z01 + up1 * z11 + up2 * z21, z02 + up1 * z12 + up2 * z22
+    return (
+        rounded(z00 + wide(up1) * z10 + wide(up2) * z20), rounded(z01 + wide(up1) * z11 + wide(up2) * z21),
+        rounded(z02 + wide(up1) * z12 + wide(up2) * z22),
+    )
 
 
 _EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),))
@@ -301,6 +311,7 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     mupp2*mupp3*upp31``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.
+    With double-double operations for sums that may cancel: 1358.
 
     Examples
     --------
@@ -314,22 +325,25 @@ def _correlation_from_cameras(
     mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any, mupp1: Any, mupp2: Any, mupp3: Any,
     upp31: Any, upp32: Any,
 ) -> tuple[Any, ...]:
-    t0 = mup3 * mupp1
-    t2 = mup1 * mupp3
+    t0 = wide(mup3) * mupp1
+    t2 = wide(mup1) * mupp3
     q1 = t0 * up31 - t2 * upp31
-    t5 = mup3 * mupp2
-    t7 = mup2 * mupp3
+    t5 = wide(mup3) * mupp2
+    t7 = wide(mup2) * mupp3
     q2 = t5 * up32 - t7 * upp32
-    deltap = mup1 * mup2 * (mup3 - 1) - mup3 * (mup1 * up32 * (mup2 - 1) + mup2 * up31 * (mup1 - 1))
-    deltapp = mupp1 * mupp2 * (mupp3 - 1) - mupp3 * (mupp1 * upp32 * (mupp2 - 1) + mupp2 * upp31 * (mupp1 - 1))
+    deltap = wide(mup1) * mup2 * (wide(mup3) - 1) - mup3 * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
+    deltapp = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - mupp3 * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
     t35 = deltap * deltapp
-    t47 = mup3 - mupp3
-    t50 = mup1 - mupp1
-    t54 = mup2 - mupp2
+    t47 = wide(mup3) - mupp3
+    t50 = wide(mup1) - mupp1
+    t54 = wide(mup2) - mupp2
     return (
-        0, mup1 * q2 / t35, -(mup2 * q1 / t35), -(mupp1 * q2 / t35), q2 * (mupp1 - mup1) / t35,
-        (mup2 * mupp1 * t47 - t7 * upp31 * t50 - t0 * up32 * t54) / t35, mupp2 * q1 / t35,
-        (t2 * upp32 * t54 + t5 * up31 * t50 - mup1 * mupp2 * t47) / t35, q1 * t54 / t35,
+        0, rounded(mup1 * q2 / t35), rounded(-(mup2 * q1 / t35)), rounded(-(mupp1 * q2 / t35)),
+        rounded(q2 * (wide(mupp1) - mup1) / t35),
+        rounded((wide(mup2) * mupp1 * t47 - t7 * upp31 * t50 - t0 * up32 * t54) / t35),
+        rounded(mupp2 * q1 / t35),
+        rounded((t2 * upp32 * t54 + t5 * up31 * t50 - wide(mup1) * mupp2 * t47) / t35),
+        rounded(q1 * t54 / t35),
     )
 
 
@@ -340,14 +354,13 @@ def _correlation_from_cameras_factors(
     mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any, mupp1: Any, mupp2: Any, mupp3: Any,
     upp31: Any, upp32: Any,
 ) -> tuple[Any, ...]:
-    t0 = mup1 * mup2
+    t0 = wide(mup1) * mup2
     t1 = mup3 * t0
-    t14 = mupp1 * mupp2
+    t13 = rounded(t0 + t1 * up31 + t1 * up32 - t0 * mup3 - wide(mup1) * mup3 * up32 - wide(mup2) * mup3 * up31)
+    t14 = wide(mupp1) * mupp2
     t15 = mupp3 * t14
-    return (
-        t0 + t1 * up31 + t1 * up32 - t0 * mup3 - mup1 * mup3 * up32 - mup2 * mup3 * up31,
-        t14 + t15 * upp31 + t15 * upp32 - t14 * mupp3 - mupp1 * mupp3 * upp32 - mupp2 * mupp3 * upp31,
-    )
+    t35 = t14 + t15 * upp31 + t15 * upp32 - t14 * mupp3 - wide(mupp1) * mupp3 * upp32 - wide(mupp2) * mupp3 * upp31
+    return t13, rounded(t35)
 
 
 _CORRELATION_FROM_CAMERAS_FACTORS = (
@@ -498,6 +511,7 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
     arbitrarily large.
 
     Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.
+    With double-double operations for sums that may cancel: 485.
 
     Examples
     --------
@@ -513,11 +527,11 @@ def _correlation_matrix(
     upp62: Any, upp71: Any, upp72: Any,
 ) -> tuple[Any, ...]:
     z11, z12, z20, z21, z22 = solve(
-        [upp31 * (up31 - 1), up31 * upp32, up32 - upp32, up32 * upp31, upp32 * (up32 - 1), upp31 - up31],
-        [upp41 * (up41 - 1), up41 * upp42, up42 - upp42, up42 * upp41, upp42 * (up42 - 1), upp41 - up41],
-        [upp51 * (up51 - 1), up51 * upp52, up52 - upp52, up52 * upp51, upp52 * (up52 - 1), upp51 - up51],
-        [upp61 * (up61 - 1), up61 * upp62, up62 - upp62, up62 * upp61, upp62 * (up62 - 1), upp61 - up61],
-        [upp71 * (up71 - 1), up71 * upp72, up72 - upp72, up72 * upp71, upp72 * (up72 - 1), upp71 - up71],
+        [upp31 * (wide(up31) - 1), wide(up31) * upp32, wide(up32) - upp32, wide(up32) * upp31, upp32 * (wide(up32) - 1), wide(upp31) - up31],
+        [upp41 * (wide(up41) - 1), wide(up41) * upp42, wide(up42) - upp42, wide(up42) * upp41, upp42 * (wide(up42) - 1), wide(upp41) - up41],
+        [upp51 * (wide(up51) - 1), wide(up51) * upp52, wide(up52) - upp52, wide(up52) * upp51, upp52 * (wide(up52) - 1), wide(upp51) - up51],
+        [upp61 * (wide(up61) - 1), wide(up61) * upp62, wide(up62) - upp62, wide(up62) * upp61, upp62 * (wide(up62) - 1), wide(upp61) - up61],
+        [upp71 * (wide(up71) - 1), wide(up71) * upp72, wide(up72) - upp72, wide(up72) * upp71, upp72 * (wide(up72) - 1), wide(upp71) - up71],
     )
     return 0, -(z11 + 1), -(z20 + z22), 1, z11, z12, z20, z21, z22
 
@@ -578,6 +592,7 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: ND
     arbitrarily large.
 
     Operations: 33 (32 *, 1 null_vector); the derived expression as written takes 32.
+    With double-double operations for sums that may cancel: 417.
 
     Examples
     --------
@@ -594,14 +609,14 @@ def _general_correlation_matrix(
     vpp51: Any, vpp52: Any, vpp61: Any, vpp62: Any, vpp71: Any, vpp72: Any,
 ) -> tuple[Any, ...]:
     c00, c01, c02, c10, c11, c12, c20, c21, c22 = null_vector(
-        [1, vpp01, vpp02, vp01, vp01 * vpp01, vp01 * vpp02, vp02, vp02 * vpp01, vp02 * vpp02],
-        [1, vpp11, vpp12, vp11, vp11 * vpp11, vp11 * vpp12, vp12, vp12 * vpp11, vp12 * vpp12],
-        [1, vpp21, vpp22, vp21, vp21 * vpp21, vp21 * vpp22, vp22, vp22 * vpp21, vp22 * vpp22],
-        [1, vpp31, vpp32, vp31, vp31 * vpp31, vp31 * vpp32, vp32, vp32 * vpp31, vp32 * vpp32],
-        [1, vpp41, vpp42, vp41, vp41 * vpp41, vp41 * vpp42, vp42, vp42 * vpp41, vp42 * vpp42],
-        [1, vpp51, vpp52, vp51, vp51 * vpp51, vp51 * vpp52, vp52, vp52 * vpp51, vp52 * vpp52],
-        [1, vpp61, vpp62, vp61, vp61 * vpp61, vp61 * vpp62, vp62, vp62 * vpp61, vp62 * vpp62],
-        [1, vpp71, vpp72, vp71, vp71 * vpp71, vp71 * vpp72, vp72, vp72 * vpp71, vp72 * vpp72],
+        [1, vpp01, vpp02, vp01, wide(vp01) * vpp01, wide(vp01) * vpp02, vp02, wide(vp02) * vpp01, wide(vp02) * vpp02],
+        [1, vpp11, vpp12, vp11, wide(vp11) * vpp11, wide(vp11) * vpp12, vp12, wide(vp12) * vpp11, wide(vp12) * vpp12],
+        [1, vpp21, vpp22, vp21, wide(vp21) * vpp21, wide(vp21) * vpp22, vp22, wide(vp22) * vpp21, wide(vp22) * vpp22],
+        [1, vpp31, vpp32, vp31, wide(vp31) * vpp31, wide(vp31) * vpp32, vp32, wide(vp32) * vpp31, wide(vp32) * vpp32],
+        [1, vpp41, vpp42, vp41, wide(vp41) * vpp41, wide(vp41) * vpp42, vp42, wide(vp42) * vpp41, wide(vp42) * vpp42],
+        [1, vpp51, vpp52, vp51, wide(vp51) * vpp51, wide(vp51) * vpp52, vp52, wide(vp52) * vpp51, wide(vp52) * vpp52],
+        [1, vpp61, vpp62, vp61, wide(vp61) * vpp61, wide(vp61) * vpp62, vp62, wide(vp62) * vpp61, wide(vp62) * vpp62],
+        [1, vpp71, vpp72, vp71, wide(vp71) * vpp71, wide(vp71) * vpp72, vp72, wide(vp72) * vpp71, wide(vp72) * vpp72],
     )
     return c00, c01, c02, c10, c11, c12, c20, c21, c22
 
@@ -649,6 +664,7 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
     values are given by the function `hypotheses` of this package.
 
     Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.
+    With double-double operations for sums that may cancel: 236.
 
     Examples
     --------
@@ -661,10 +677,10 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
 def _epipoles(
     z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
 ) -> tuple[Any, ...]:
-    D = z11 * z22 - z12 * z21
+    D = rounded(wide(z11) * z22 - wide(z12) * z21)
     return (
-        (z02 * z21 - z01 * z22) / D, (z01 * z12 - z02 * z11) / D, (z12 * z20 - z10 * z22) / D,
-        (z10 * z21 - z11 * z20) / D,
+        rounded(wide(z02) * z21 - wide(z01) * z22) / D, rounded(wide(z01) * z12 - wide(z02) * z11) / D,
+        rounded(wide(z12) * z20 - wide(z10) * z22) / D, rounded(wide(z10) * z21 - wide(z11) * z20) / D,
     )
 
 
@@ -674,7 +690,7 @@ _EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)))
 def _epipoles_factors(
     z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
 ) -> tuple[Any, ...]:
-    return (z11 * z22 - z12 * z21,)
+    return (rounded(wide(z11) * z22 - wide(z12) * z21),)
 
 
 _EPIPOLES_FACTORS = (

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -62,6 +63,7 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
+    With double-double operations for sums that may cancel: 42.
 
     Examples
     --------
@@ -74,8 +76,8 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
 def _tau(
     u31: Any, u32: Any, uN31: Any, uN32: Any,
 ) -> tuple[Any, ...]:
-    u30 = 1 - u31 - u32
-    uN30 = 1 - uN31 - uN32
+    u30 = rounded(1 - wide(u31) - u32)
+    uN30 = rounded(1 - wide(uN31) - uN32)
     return u30 * uN31 / (u31 * uN30), u30 * uN32 / (u32 * uN30)
 
 
@@ -85,7 +87,7 @@ _TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),))
 def _tau_factors(
     u31: Any, u32: Any, uN31: Any, uN32: Any,
 ) -> tuple[Any, ...]:
-    return u31, u32, uN31 + uN32 - 1
+    return u31, u32, rounded(wide(uN31) + uN32 - 1)
 
 
 _TAU_FACTORS = (
@@ -190,6 +192,7 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (2 +, 2 -, 4 *, 2 /); the derived expression as written takes 16.
+    With double-double operations for sums that may cancel: 90.
 
     Examples
     --------
@@ -202,7 +205,7 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
 def _map_points(
     tau1: Any, tau2: Any, u1: Any, u2: Any,
 ) -> tuple[Any, ...]:
-    weight = u1 * (tau1 - 1) + u2 * (tau2 - 1) + 1
+    weight = rounded(u1 * (wide(tau1) - 1) + u2 * (wide(tau2) - 1) + 1)
     return tau1 * u1 / weight, tau2 * u2 / weight
 
 
@@ -212,7 +215,7 @@ _MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((
 def _map_points_factors(
     tau1: Any, tau2: Any, u1: Any, u2: Any,
 ) -> tuple[Any, ...]:
-    return (1 + tau1 * u1 + tau2 * u2 - u1 - u2,)
+    return (rounded(1 + wide(tau1) * u1 + wide(tau2) * u2 - u1 - u2),)
 
 
 _MAP_POINTS_FACTORS = (
@@ -279,6 +282,7 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     given by the function `hypotheses` of this package.
 
     Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
+    With double-double operations for sums that may cancel: 849.
 
     Examples
     --------
@@ -292,20 +296,21 @@ def _from_orientation(
     yA1: Any, yA2: Any, yA3: Any, yp01: Any, yp02: Any, yp03: Any, ypp01: Any, ypp02: Any, ypp03: Any,
     u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t0 = yA2 - 1
-    t3 = yp02 - 1
+    t0 = wide(yA2) - 1
+    t3 = wide(yp02) - 1
     p01 = yp01 * (t0 + yA3) - yA1 * (t3 + yp03)
-    p02 = yp02 * (yA1 + yA3 - 1) - yA2 * (yp01 + yp03 - 1)
+    p02 = yp02 * (wide(yA1) + yA3 - 1) - yA2 * (wide(yp01) + yp03 - 1)
     p03 = yp03 * (t0 + yA1) - yA3 * (t3 + yp01)
-    a13 = yA1 * yp03 - yA3 * yp01
-    a23 = yA2 * yp03 - yA3 * yp02
-    t26 = yp03 * u31
+    a13 = wide(yA1) * yp03 - wide(yA3) * yp01
+    a23 = wide(yA2) * yp03 - wide(yA3) * yp02
+    t26 = wide(yp03) * u31
     numerator = p03 * yp01 - t26 * p01
-    uN32 = numerator * yp02 / (p02 * yp01 * yp03)
-    quotient = yp03 / ypp03
+    t46 = numerator * yp02 / (p02 * yp01 * yp03)
+    uN32 = rounded(t46)
+    quotient = wide(yp03) / ypp03
     return (
-        -(t26 * a13 * p02 / (a23 * numerator)), u31, uN32, quotient * u31 * ypp01 / yp01,
-        quotient * uN32 * ypp02 / yp02,
+        rounded(-(t26 * a13 * p02 / (a23 * numerator))), u31, uN32, rounded(quotient * u31 * ypp01 / yp01),
+        rounded(quotient * t46 * ypp02 / yp02),
     )
 
 
@@ -316,13 +321,16 @@ def _from_orientation_factors(
     yA1: Any, yA2: Any, yA3: Any, yp01: Any, yp02: Any, yp03: Any, ypp01: Any, ypp02: Any, ypp03: Any,
     u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t0 = yA3 * yp01
-    t1 = yp03 * u31
+    t0 = wide(yA3) * yp01
+    t1 = wide(yp03) * u31
     t2 = yA1 * t1
-    t7 = yp01 * yp03
+    t7 = wide(yp01) * yp03
     t23 = t0 + t2 * yp03 + t1 * yp01 + t7 * yA1 + t7 * yA2 + t2 * yp02 - t0 * yp01 - t7 - t1 * yA1 - t0 * yp02 - yp01 * t1 * yA2
-    t28 = yA3 * yp02 - yA2 * yp03
-    return t23 - t0 * t1, t28 + yA2 + yA1 * yp02 - yp02 - yA2 * yp01, -t28, yp01, yp02, yp03, ypp03
+    t42 = wide(yA3) * yp02 - wide(yA2) * yp03
+    return (
+        rounded(t23 - t0 * t1), rounded(t42 + yA2 + wide(yA1) * yp02 - yp02 - wide(yA2) * yp01),
+        -rounded(t42), yp01, yp02, yp03, ypp03,
+    )
 
 
 _FROM_ORIENTATION_FACTORS = (
@@ -376,6 +384,7 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     of this package.
 
     Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
+    With double-double operations for sums that may cancel: 131.
 
     Examples
     --------
@@ -388,13 +397,14 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
 def _mu_left(
     yA1: Any, yA2: Any, yA3: Any, uN31: Any, uN32: Any, z_n: Any,
 ) -> tuple[Any, ...]:
-    t0 = yA1 + yA2
-    yA0 = 1 - t0 - yA3
-    weighted = uN31 + uN32 * z_n
-    t7 = yA1 + yA2 * z_n
-    difference = weighted * t0 - t7
+    t0 = wide(yA1) + yA2
+    yA0 = rounded(1 - t0 - yA3)
+    t15 = uN31 + wide(uN32) * z_n
+    weighted = rounded(t15)
+    t17 = yA1 + wide(yA2) * z_n
+    difference = rounded(t15 * t0 - t17)
     t11 = -(weighted * yA0 / difference)
-    return t11, t11, yA0 * t7 / (difference * yA3)
+    return t11, t11, yA0 * rounded(t17) / (difference * yA3)
 
 
 _MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),))
@@ -403,8 +413,8 @@ _MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", 
 def _mu_left_factors(
     yA1: Any, yA2: Any, yA3: Any, uN31: Any, uN32: Any, z_n: Any,
 ) -> tuple[Any, ...]:
-    t3 = uN32 * z_n
-    return uN31 * yA1 + uN31 * yA2 + t3 * yA1 + t3 * yA2 - yA1 - yA2 * z_n, yA3
+    t3 = wide(uN32) * z_n
+    return rounded(wide(uN31) * yA1 + wide(uN31) * yA2 + t3 * yA1 + t3 * yA2 - yA1 - wide(yA2) * z_n), yA3
 
 
 _MU_LEFT_FACTORS = (
@@ -458,6 +468,7 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
+    With double-double operations for sums that may cancel: 814.
 
     Examples
     --------
@@ -470,19 +481,22 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
 def _mu_right(
     yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, uppN31: Any, uppN32: Any, z_n: Any,
 ) -> tuple[Any, ...]:
-    s0 = uppN31 + uppN32 * z_n
+    s0 = uppN31 + wide(uppN32) * z_n
     s1 = s0 - 1
-    sz = z_n * (uppN32 - 1) + uppN31
-    t6 = y03 * yA2
-    t7 = y02 * yA3
+    sz = z_n * (wide(uppN32) - 1) + uppN31
+    t6 = wide(y03) * yA2
+    t7 = wide(y02) * yA3
     common = t6 - t7
-    t10 = z_n - 1
-    t12 = yA1 - 1
+    t10 = wide(z_n) - 1
+    t12 = wide(yA1) - 1
     t14 = y02 * (t12 + yA3)
     t20 = y03 * (t12 + yA2)
-    t26 = y01 - 1
-    t32 = (s0 * yA3 * t10 * (t6 - t14) - s1 * yA2 * z_n * (t7 - t20) - sz * yA2 * yA3 * t26) / (s1 * common * yA1 * t10)
-    return t32, (yA3 * (t26 + y02) - t20) / (common * t10), (t14 - yA2 * (t26 + y03)) / (common * s1)
+    t26 = wide(y01) - 1
+    t46 = (s0 * yA3 * t10 * (t6 - t14) - s1 * yA2 * z_n * (t7 - t20) - sz * yA2 * yA3 * t26) / (s1 * common * yA1 * t10)
+    return (
+        rounded(t46), rounded((yA3 * (t26 + y02) - t20) / (common * t10)),
+        rounded((t14 - yA2 * (t26 + y03)) / (common * s1)),
+    )
 
 
 _MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),))
@@ -491,7 +505,7 @@ _MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3",
 def _mu_right_factors(
     yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, uppN31: Any, uppN32: Any, z_n: Any,
 ) -> tuple[Any, ...]:
-    return y03 * yA2 - y02 * yA3, uppN31 + uppN32 * z_n - 1, yA1, z_n - 1
+    return rounded(wide(y03) * yA2 - wide(y02) * yA3), rounded(uppN31 + wide(uppN32) * z_n - 1), yA1, z_n - 1
 
 
 _MU_RIGHT_FACTORS = (

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -129,6 +130,7 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.
+    With double-double operations for sums that may cancel: 56.
 
     Examples
     --------
@@ -141,8 +143,8 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
 def _mu_from_center(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    y00 = 1 - y01 - y02 - y03
-    u30 = 1 - u31 - u32
+    y00 = rounded(1 - wide(y01) - y02 - y03)
+    u30 = rounded(1 - wide(u31) - u32)
     return u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -(y00 / (u30 * y03))
 
 
@@ -152,7 +154,7 @@ _MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2
 def _mu_from_center_factors(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    return u31 + u32 - 1, y01, y02, y03
+    return rounded(wide(u31) + u32 - 1), y01, y02, y03
 
 
 _MU_FROM_CENTER_FACTORS = (
@@ -200,6 +202,7 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     function `hypotheses` of this package.
 
     Operations: 18 (1 +, 4 -, 9 *, 3 /, 1 neg); the derived expression as written takes 47.
+    With double-double operations for sums that may cancel: 203.
 
     Examples
     --------
@@ -212,11 +215,11 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
 def _center_from_mu(
     mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t0 = mu1 * mu2
-    t3 = mu1 * u32
-    t6 = mu2 * u31
-    delta = t0 * (mu3 - 1) - mu3 * (t3 * (mu2 - 1) + t6 * (mu1 - 1))
-    return t6 * mu3 / delta, t3 * mu3 / delta, -(t0 / delta)
+    t11 = wide(mu1) * mu2
+    t20 = wide(mu1) * u32
+    t23 = wide(mu2) * u31
+    delta = rounded(t11 * (wide(mu3) - 1) - mu3 * (t20 * (wide(mu2) - 1) + t23 * (wide(mu1) - 1)))
+    return rounded(t23) * mu3 / delta, rounded(t20) * mu3 / delta, -(rounded(t11) / delta)
 
 
 _CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),))
@@ -225,9 +228,9 @@ _CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2
 def _center_from_mu_factors(
     mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t0 = mu1 * mu2
+    t0 = wide(mu1) * mu2
     t1 = mu3 * t0
-    return (t0 + t1 * u31 + t1 * u32 - t0 * mu3 - mu1 * mu3 * u32 - mu2 * mu3 * u31,)
+    return (rounded(t0 + t1 * u31 + t1 * u32 - t0 * mu3 - wide(mu1) * mu3 * u32 - wide(mu2) * mu3 * u31),)
 
 
 _CENTER_FROM_MU_FACTORS = (
@@ -287,6 +290,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.
+    With double-double operations for sums that may cancel: 310.
 
     Examples
     --------
@@ -299,23 +303,24 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
 def _projection_matrix(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t0 = 1 - y01
+    t0 = 1 - wide(y01)
     t1 = t0 - y02
-    y00 = t1 - y03
-    t3 = u31 + u32
-    u30 = 1 - t3
-    a1 = 1 - y02 - y03
+    y00 = rounded(t1 - y03)
+    t3 = wide(u31) + u32
+    u30 = rounded(1 - t3)
+    a1 = 1 - wide(y02) - y03
     a2 = t0 - y03
-    b1 = 1 - u32
-    b2 = 1 - u31
-    w1 = a1 * u31 - b1 * y01
-    w2 = a2 * u32 - b2 * y02
+    b1 = 1 - wide(u32)
+    b2 = 1 - wide(u31)
+    w1 = rounded(a1 * u31 - b1 * y01)
+    w2 = rounded(a2 * u32 - b2 * y02)
     t27 = u31 * y00
     t30 = u30 * y03
     t33 = u32 * y00
     return (
-        w1 / (y01 * (b1 - u31)), w2 / (y02 * (b2 - u32)), (t1 - y03 * t3) / (y03 * (t3 - 1)),
-        t27 / (u30 * y01), 0, -(t27 / t30), 0, t33 / (u30 * y02), -(t33 / t30),
+        w1 / (y01 * rounded(b1 - u31)), w2 / (y02 * rounded(b2 - u32)),
+        rounded(t1 - y03 * t3) / (y03 * rounded(t3 - 1)), t27 / (u30 * y01), 0, -(t27 / t30), 0,
+        t33 / (u30 * y02), -(t33 / t30),
     )
 
 
@@ -325,7 +330,7 @@ _PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u
 def _projection_matrix_factors(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    return u31 + u32 - 1, y01, y02, y03
+    return rounded(wide(u31) + u32 - 1), y01, y02, y03
 
 
 _PROJECTION_MATRIX_FACTORS = (
@@ -432,6 +437,7 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.
+    With double-double operations for sums that may cancel: 245.
 
     Examples
     --------
@@ -444,9 +450,9 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
 def _projection_determinant(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    y00 = 1 - y01 - y02 - y03
-    u30 = 1 - u31 - u32
-    return (-(u31 * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03)),)
+    y00 = 1 - wide(y01) - y02 - y03
+    u30 = 1 - wide(u31) - u32
+    return (rounded(-(wide(u31) * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03))),)
 
 
 _PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),))
@@ -455,7 +461,7 @@ _PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", 
 def _projection_determinant_factors(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    return u31 + u32 - 1, y01, y02, y03
+    return rounded(wide(u31) + u32 - 1), y01, y02, y03
 
 
 _PROJECTION_DETERMINANT_FACTORS = (
@@ -498,6 +504,7 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
     Polynomial: no input is singular.
 
     Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.
+    With double-double operations for sums that may cancel: 197.
 
     Examples
     --------
@@ -510,7 +517,8 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
 def _projection_determinant_from_mu(
     mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    return (mu1 * mu2 * (mu3 - 1) - mu3 * (mu1 * u32 * (mu2 - 1) + mu2 * u31 * (mu1 - 1)),)
+    t18 = wide(mu1) * mu2 * (wide(mu3) - 1) - mu3 * (wide(mu1) * u32 * (wide(mu2) - 1) + wide(mu2) * u31 * (wide(mu1) - 1))
+    return (rounded(t18),)
 
 
 _PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),))
@@ -569,6 +577,7 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     `hypotheses` of this package.
 
     Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.
+    With double-double operations for sums that may cancel: 378.
 
     Examples
     --------
@@ -581,21 +590,21 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
 def _reconstruction_matrix(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t0 = y02 + y03
+    t0 = wide(y02) + y03
     a1 = 1 - t0
-    t2 = y01 + y03
+    t2 = wide(y01) + y03
     a2 = 1 - t2
-    b1 = 1 - u32
-    b2 = 1 - u31
-    w1 = a1 * u31 - b1 * y01
-    w2 = a2 * u32 - b2 * y02
-    d1 = u31 * (a1 - y01)
-    d2 = u32 * (a2 - y02)
-    t24 = 0 / (u31 - 1 + u32) + 0 / y01 + 0 / y02 + 0 / y03
+    b1 = 1 - wide(u32)
+    b2 = 1 - wide(u31)
+    w1 = rounded(a1 * u31 - b1 * y01)
+    w2 = rounded(a2 * u32 - b2 * y02)
+    d1 = u31 * rounded(a1 - y01)
+    d2 = u32 * rounded(a2 - y02)
+    t24 = 0 / rounded(wide(u31) - 1 + u32) + 0 / y01 + 0 / y02 + 0 / y03
     return (
-        t24 - y01, t24 - y01 * (b1 * (y01 - 1) + u31 * t0) / d1, w2 * y01 / d2 + t24, t24 - y02,
-        w1 * y02 / d1 + t24, t24 - y02 * (b2 * (y02 - 1) + u32 * t2) / d2, t24 - y03, w1 * y03 / d1 + t24,
-        w2 * y03 / d2 + t24,
+        t24 - y01, t24 - y01 * rounded(b1 * (wide(y01) - 1) + u31 * t0) / d1, w2 * y01 / d2 + t24, t24 - y02,
+        w1 * y02 / d1 + t24, t24 - y02 * rounded(b2 * (wide(y02) - 1) + u32 * t2) / d2, t24 - y03,
+        w1 * y03 / d1 + t24, w2 * y03 / d2 + t24,
     )
 
 
@@ -605,7 +614,7 @@ _RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3
 def _reconstruction_matrix_factors(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    return u31, u31 + u32 - 1, u32, y01, y01 + y02 + y03 - 1, y02, y03
+    return u31, rounded(wide(u31) + u32 - 1), u32, y01, rounded(wide(y01) + y02 + y03 - 1), y02, y03
 
 
 _RECONSTRUCTION_MATRIX_FACTORS = (
@@ -662,6 +671,7 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     function `hypotheses` of this package.
 
     Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.
+    With double-double operations for sums that may cancel: 346.
 
     Examples
     --------
@@ -674,15 +684,21 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
 def _reconstruction_matrix_from_mu(
     mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t0 = mu3 - 1
-    t2 = mu3 * u32
-    t3 = mu2 - 1
-    n1 = mu2 * t0 - t2 * t3
-    t7 = mu3 * u31
-    t8 = mu1 - 1
-    n2 = mu1 * t0 - t7 * t8
-    d1 = mu1 * n1 - mu2 * t7 * t8
-    d2 = mu2 * n2 - mu1 * t2 * t3
+    t0 = wide(mu3) - 1
+    t10 = wide(mu3) * u32
+    t2 = rounded(t10)
+    t18 = wide(mu2) - 1
+    t3 = rounded(t18)
+    t40 = mu2 * t0 - t10 * t18
+    n1 = rounded(t40)
+    t41 = wide(mu3) * u31
+    t7 = rounded(t41)
+    t43 = wide(mu1) - 1
+    t8 = rounded(t43)
+    t45 = mu1 * t0 - t41 * t43
+    n2 = rounded(t45)
+    d1 = rounded(mu1 * t40 - mu2 * t41 * t43)
+    d2 = rounded(mu2 * t45 - mu1 * t10 * t18)
     return (
         -(t7 * mu2 / d1), n1 / d1, t7 * t3 / d1, -(t2 * mu1 / d1), t2 * t8 / d1, n2 / d2, mu1 * mu2 / d1,
         -(mu2 * t8 / d1), -(mu1 * t3 / d1),
@@ -695,9 +711,9 @@ _RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from
 def _reconstruction_matrix_from_mu_factors(
     mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t0 = mu1 * mu2
+    t0 = wide(mu1) * mu2
     t1 = mu3 * t0
-    return (t0 + t1 * u31 + t1 * u32 - t0 * mu3 - mu1 * mu3 * u32 - mu2 * mu3 * u31,)
+    return (rounded(t0 + t1 * u31 + t1 * u32 - t0 * mu3 - wide(mu1) * mu3 * u32 - wide(mu2) * mu3 * u31),)
 
 
 _RECONSTRUCTION_MATRIX_FROM_MU_FACTORS = (
@@ -745,6 +761,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     y2 - y3 + 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 18 (5 +, 3 -, 8 *, 2 /); the derived expression as written takes 28.
+    With double-double operations for sums that may cancel: 255.
 
     Examples
     --------
@@ -757,9 +774,9 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
 def _project(
     y1: Any, y2: Any, y3: Any, mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    delta = y1 * (mu1 - 1) + y2 * (mu2 - 1) + y3 * (mu3 - 1) + 1
-    t10 = y3 * mu3
-    return (mu1 * y1 + t10 * u31) / delta, (mu2 * y2 + t10 * u32) / delta
+    delta = rounded(y1 * (wide(mu1) - 1) + y2 * (wide(mu2) - 1) + y3 * (wide(mu3) - 1) + 1)
+    t10 = wide(y3) * mu3
+    return rounded(wide(mu1) * y1 + t10 * u31) / delta, rounded(wide(mu2) * y2 + t10 * u32) / delta
 
 
 _PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),))
@@ -768,7 +785,7 @@ _PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,
 def _project_factors(
     y1: Any, y2: Any, y3: Any, mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    return (1 + mu1 * y1 + mu2 * y2 + mu3 * y3 - y1 - y2 - y3,)
+    return (rounded(1 + wide(mu1) * y1 + wide(mu2) * y2 + wide(mu3) * y3 - y1 - y2 - y3),)
 
 
 _PROJECT_FACTORS = (

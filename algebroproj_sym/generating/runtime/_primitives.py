@@ -7,50 +7,50 @@ linear systems are given row by row, and broadcast; the results have the shape t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import log2
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from ._bounded_primitives import (
+    arctan2_with_bound,
+    cos_sin_with_bounds,
+    null_vector_with_bounds,
+    solution_with_bounds,
+)
+from ._double_double import DoubleDouble, Unrounded, two_product, two_sum
+from ._elementary import arctan2_of_pair, cos_sin_of_pair
+from ._error_bounds import Bounded
 from ._namespace import namespace
+from ._pair_systems import null_vector_of_pairs, solution_of_pairs
 
-__all__ = ["arctan2", "cos_sin", "null_vector", "solve", "splitter_of"]
+__all__ = ["arctan2", "cos_sin", "null_vector", "solve"]
 
 
 def cos_sin(angle: Any) -> tuple[Any, Any]:
-    """Return cosine and sine of an angle in radians."""
+    """Return cosine and sine of an angle in radians, with as many digits as the angle has."""
+    if isinstance(angle, Bounded):
+        return cos_sin_with_bounds(angle, cos_sin)
+    if isinstance(angle, DoubleDouble):
+        return cos_sin_of_pair(angle)
     xp = namespace([angle])
     return xp.cos(angle), xp.sin(angle)
 
 
 def arctan2(y: Any, x: Any) -> Any:
-    """Return the angle, in radians between -pi and pi, of the direction (x, y)."""
+    """Return the angle, in radians between -pi and pi, of the direction (x, y), with as many digits as these have."""
+    if isinstance(y, Bounded) or isinstance(x, Bounded):
+        return arctan2_with_bound(y, x, arctan2)
+    if isinstance(y, DoubleDouble) and isinstance(x, DoubleDouble):
+        return arctan2_of_pair(y, x)
     return namespace([y, x]).atan2(y, x)
-
-
-def splitter_of(value: Any) -> int:
-    """Return Dekker's constant, which splits a number of p binary digits into halves: 2**ceil(p / 2) + 1.
-
-    It is 1, which splits off nothing, for numbers that are not real floating-point numbers.
-
-    Examples
-    --------
-    >>> splitter_of(np.float32(1)) == 2**12 + 1, splitter_of(np.float64(1)) == 2**27 + 1, splitter_of(3)
-    (True, True, 1)
-    """
-    xp = namespace([value])
-    if not _is_refinable(xp, value):
-        return 1
-    digits = 1 - round(log2(float(xp.finfo(value.dtype).eps)))
-    return int(2 ** ((digits + 1) // 2) + 1)
 
 
 def solve(*rows: Sequence[Any]) -> tuple[Any, ...]:
     """Solve linear systems whose rows are coefficients and right side.
 
     Gaussian elimination with partial pivoting; real floating-point solutions are refined once, with residuals in twice
-    the precision.  Where a system is singular, the unknowns are not finite.  Numbers that are no machine numbers
-    (Fraction, mpmath) are taken for exact: any pivot but zero will do.
+    the precision, for which the entries may have twice the digits.  Where a system is singular, the unknowns are not
+    finite.  Numbers that are no machine numbers (Fraction, mpmath) are taken for exact: any pivot but zero will do.
 
     Parameters
     ----------
@@ -68,13 +68,18 @@ def solve(*rows: Sequence[Any]) -> tuple[Any, ...]:
     >>> float(x), float(y)
     (2.0, 1.0)
     """
-    xp, system = _stacked(rows)
-    matrix, right = system[:, :-1, ...], system[:, -1, ...]
+    kinds = _kinds(rows)
+    if Bounded in kinds:
+        return tuple(solution_with_bounds(rows, solve))
+    if Unrounded in kinds:
+        return tuple(solution_of_pairs(rows))
+    xp, system, rest = _stacked(rows)
     steps = _rows_eliminated(xp, [system[i, ...] for i in range(len(rows))])
     unknowns = _substituted_backwards([step.head[:-1] for step in steps], [step.head[-1] for step in steps])
     if _is_refinable(xp, system):
         with np.errstate(all="ignore"):
-            residual = _substituted_forwards(xp, steps, _residual(xp, matrix, unknowns, right))
+            left = _residual(system, rest, unknowns, (system[:, -1, ...], rest[:, -1, ...]))
+            residual = _substituted_forwards(xp, steps, left)
             corrections = _substituted_backwards([step.head[:-1] for step in steps], residual)
             unknowns = _refined(xp, unknowns, corrections)
     return tuple(unknowns)
@@ -101,13 +106,19 @@ def null_vector(*rows: Sequence[Any]) -> tuple[Any, ...]:
     >>> float(x), float(y)
     (1.0, -0.25)
     """
-    xp, matrix = _stacked(rows)
+    kinds = _kinds(rows)
+    if Bounded in kinds:
+        return tuple(null_vector_with_bounds(rows, null_vector, solve))
+    if Unrounded in kinds:
+        return tuple(null_vector_of_pairs(rows))
+    xp, matrix, rest = _stacked(rows)
     zero = matrix[0, 0, ...] * 0
     steps = _columns_pivoted(xp, [matrix[:, j, ...] for j in range(len(rows) + 1)])
     vector = _substituted_in_order(xp, steps, [zero] * len(rows), zero + 1)
     if _is_refinable(xp, matrix):
         with np.errstate(all="ignore"):
-            residual = _residual(xp, matrix, vector, xp.stack([zero] * len(rows)))
+            nothing = xp.stack([zero] * len(rows))
+            residual = _residual(matrix, rest, vector, (nothing, nothing))
             residual = _substituted_forwards(xp, [step._replace(swaps=[]) for step in steps], residual)
             vector = _refined(xp, vector, _substituted_in_order(xp, steps, residual, zero))
     largest = vector[0]
@@ -124,15 +135,21 @@ class _Step(NamedTuple):
     head: list[Any]
 
 
-def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any]:
-    """Return the array library of the entries, and the entries as an array of shape (rows, columns, ...)."""
-    entries = [entry for row in rows for entry in row]
-    xp = namespace(entries)
-    dtype = _dtype(xp, entries)
+def _kinds(rows: Sequence[Sequence[Any]]) -> set[type]:
+    return {type(entry) for row in rows for entry in row}
+
+
+def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any, Any]:
+    """Return the array library of the entries, and their two parts as arrays of shape (rows, columns, ...)."""
+    entries = [entry if isinstance(entry, DoubleDouble) else DoubleDouble(entry) for row in rows for entry in row]
+    parts = [*(entry.hi for entry in entries), *(0 if entry.lo is None else entry.lo for entry in entries)]
+    xp = namespace(parts)
+    dtype = _dtype(xp, parts)
     if _is_objects(dtype):
-        entries = _of_one_kind(entries)
-    arrays = xp.broadcast_arrays(*(xp.asarray(entry, dtype=dtype) for entry in entries))
-    return xp, xp.reshape(xp.stack(arrays), (len(rows), len(rows[0]), *arrays[0].shape))
+        parts = _of_one_kind(parts)
+    arrays = xp.broadcast_arrays(*(xp.asarray(part, dtype=dtype) for part in parts))
+    both = xp.reshape(xp.stack(arrays), (2, len(rows), len(rows[0]), *arrays[0].shape))
+    return xp, both[0, ...], both[1, ...]
 
 
 def _dtype(xp: Any, entries: Sequence[Any]) -> Any:
@@ -240,35 +257,14 @@ def _solved(head: Sequence[Any], value: Any, unknowns: Sequence[Any]) -> Any:
     return value / pivot
 
 
-def _residual(xp: Any, matrix: Any, unknowns: Sequence[Any], right: Any) -> Any:
-    """Return right - matrix * unknowns, computed with about twice the digits."""
-    products, errors = _two_product(matrix, xp.stack(unknowns), splitter_of(matrix))
-    high, low = right, xp.zeros_like(right)
-    for j in range(len(unknowns)):
-        high, rounding = _two_sum(high, -products[:, j, ...])
-        low = low + (rounding - errors[:, j, ...])
+def _residual(matrix: Any, rest: Any, unknowns: Sequence[Any], right: tuple[Any, Any]) -> Any:
+    """Return right - (matrix + rest) * unknowns, computed with about twice the digits."""
+    high, low = right
+    for j, unknown in enumerate(unknowns):
+        product, error = two_product(matrix[:, j, ...], unknown)
+        high, rounding = two_sum(high, -product)
+        low = low + (rounding - (error + rest[:, j, ...] * unknown))
     return high + low
-
-
-def _two_sum(a: Any, b: Any) -> tuple[Any, Any]:
-    """Return the rounded sum and its error, which is exact (Knuth)."""
-    s = a + b
-    t = s - a
-    return s, (a - (s - t)) + (b - t)
-
-
-def _two_product(a: Any, b: Any, splitter: int) -> tuple[Any, Any]:
-    """Return the rounded product and its error, which is exact unless splitting overflows (Dekker)."""
-    a_high, a_low = _split(a, splitter)
-    b_high, b_low = _split(b, splitter)
-    p = a * b
-    return p, ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
-
-
-def _split(a: Any, splitter: int) -> tuple[Any, Any]:
-    c = splitter * a
-    high = c - (c - a)
-    return high, a - high
 
 
 def _refined(xp: Any, values: Sequence[Any], corrections: Sequence[Any]) -> list[Any]:

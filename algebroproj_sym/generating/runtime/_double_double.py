@@ -11,18 +11,19 @@ long as splitting them does not overflow, and their remainders do not underflow:
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
-from math import ceil, log2
+from math import log2
 from typing import Any, TypeAlias
 
 import numpy as np
 
-__all__ = ["DoubleDouble", "Unrounded", "rounded", "wide"]
+from ._namespace import namespace
+
+__all__ = ["DoubleDouble", "Unrounded", "rounded", "splitter_of", "two_product", "two_sum", "wide"]
 
 Number: TypeAlias = Any
 
-_WITHOUT_ROUNDING = (np.dtype(object),)
+_DOUBLE = 2**27 + 1
 
 
 class DoubleDouble:
@@ -154,7 +155,7 @@ def two_product(a: Number, b: Number) -> tuple[Number, Number]:
     (1.0000000018626451, 8.673617379884035e-19)
     """
     product = a * b
-    splitter = _splitter(product)
+    splitter = splitter_of(product)
     a_high, a_low = _halves(a, splitter)
     b_high, b_low = _halves(b, splitter)
     return product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
@@ -167,18 +168,26 @@ def _halves(number: Number, splitter: int) -> tuple[Number, Number]:
     return high, number - high
 
 
-def _splitter(number: Number) -> Number:
-    """Return 2**s + 1, where s is half of the binary digits of a number, rounded up."""
-    if hasattr(number, "splitter"):
-        return number.splitter
-    dtype = getattr(number, "dtype", None)
-    if dtype is None or dtype in _WITHOUT_ROUNDING:
-        return 2**27 + 1
-    namespace = getattr(number, "__array_namespace__", lambda: np)()
-    return _splitter_of(namespace.finfo, dtype)
+def splitter_of(value: Number) -> Number:
+    """Return Dekker's constant, which splits a number of p binary digits into halves: 2**ceil(p / 2) + 1.
+
+    It is 1, which splits off nothing, for numbers that are not real floating-point numbers.
+
+    Examples
+    --------
+    >>> splitter_of(np.float32(1)) == 2**12 + 1, splitter_of(np.float64(1)) == 2**27 + 1, splitter_of(3)
+    (True, True, 1)
+    """
+    if isinstance(value, float):
+        return _DOUBLE
+    if hasattr(value, "splitter"):
+        return value.splitter
+    return _splitter_of_dtype(namespace([value]), value.dtype) if hasattr(value, "dtype") else 1
 
 
 @cache
-def _splitter_of(finfo: Callable[[Any], Any], dtype: Any) -> int:
-    digits = 1 - round(log2(float(finfo(dtype).eps)))
-    return int(2 ** ceil(digits / 2)) + 1
+def _splitter_of_dtype(xp: Any, dtype: Any) -> int:
+    if (xp is np and dtype == np.dtype(object)) or not xp.isdtype(dtype, "real floating"):
+        return 1
+    digits = 1 - round(log2(float(xp.finfo(dtype).eps)))
+    return int(2 ** ((digits + 1) // 2) + 1)

@@ -12,9 +12,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from algebroproj_sym.generating.double_double import DoubleDouble, wide
+from ._double_double import DoubleDouble, wide
 
-__all__ = ["Bounded"]
+__all__ = ["Bounded", "bounded"]
 
 Number: TypeAlias = Any
 
@@ -56,14 +56,14 @@ class Bounded:
     def rounded(self) -> Bounded:
         """Return the rounded number, whose bound grows by what is cut off."""
         rest = 0 if self.value.lo is None else abs(self.value.lo)
-        return _result(self.value.hi, self.error + rest)
+        return bounded(self.value.hi, self.error + rest)
 
     def __neg__(self) -> Bounded:
         return Bounded(-self.value, self.error)
 
     def __add__(self, other: Number) -> Bounded:
         total = self.value + _value(other)
-        return _result(total, self.error + _error(other) + _rounding(total, self, other))
+        return bounded(total, self.error + _error(other) + _rounding(total, self, other))
 
     __radd__ = __add__
 
@@ -77,7 +77,7 @@ class Bounded:
         product = self.value * _value(other)
         a, b = magnitude(self.value), magnitude(_value(other))
         error = a * _error(other) + b * self.error + self.error * _error(other)
-        return _result(product, error + _rounding(product, self, other) + _tiny(product))
+        return bounded(product, error + _rounding(product, self, other) + _tiny(product))
 
     __rmul__ = __mul__
 
@@ -90,17 +90,17 @@ class Bounded:
 
 def _quotient(a: Number, b: Number) -> Bounded:
     quotient = _value(a) / _value(b)
-    left = magnitude(_value(b)) * (1 - SLACK * _unit(quotient)) - _error(b)
-    inherited = (_error(a) + magnitude(quotient) * (1 + SLACK * _unit(quotient)) * _error(b)) / np.where(
+    left = magnitude(_value(b)) * (1 - SLACK * unit_of(quotient)) - _error(b)
+    inherited = (_error(a) + magnitude(quotient) * (1 + SLACK * unit_of(quotient)) * _error(b)) / np.where(
         left > 0, left, 0
     )
-    return _result(quotient, inherited + _rounding(quotient) + _tiny(quotient))
+    return bounded(quotient, inherited + _rounding(quotient) + _tiny(quotient))
 
 
-def _result(value: Number, error: Number) -> Bounded:
+def bounded(value: Number, error: Number) -> Bounded:
     """Return a number with its bound, enlarged by what computing it has rounded, and infinite where it has failed."""
-    enlarged = error * (1 + SLACK * _unit(value))
-    return Bounded(value, np.where(np.isnan(enlarged) | ~np.isfinite(_high(value)), np.inf, enlarged))
+    enlarged = error * (1 + SLACK * unit_of(value))
+    return Bounded(value, np.where(np.isnan(enlarged) | ~np.isfinite(high(value)), np.inf, enlarged))
 
 
 def _value(number: Number) -> Number:
@@ -111,18 +111,18 @@ def _error(number: Number) -> Number:
     return number.error if isinstance(number, Bounded) else 0
 
 
-def _high(number: Number) -> Number:
+def high(number: Number) -> Number:
     return number.hi if isinstance(number, DoubleDouble) else number
 
 
 def magnitude(number: Number) -> Number:
     """Return the absolute value of a number, of a double-double number that of its first part, a little enlarged."""
-    return abs(number.hi) * (1 + 4 * _unit(number)) if isinstance(number, DoubleDouble) else abs(number)
+    return abs(number.hi) * (1 + 4 * unit_of(number)) if isinstance(number, DoubleDouble) else abs(number)
 
 
 def _rounding(result: Number, *error_free: Number) -> Number:
     """Return what an operation rounds at most; double-double sums and products of single numbers are error-free."""
-    unit = _unit(result)
+    unit = unit_of(result)
     if not isinstance(result, DoubleDouble):
         return unit * abs(result)
     if error_free and all(_is_single(_value(operand)) for operand in error_free):
@@ -134,11 +134,11 @@ def _is_single(number: Number) -> bool:
     return not isinstance(number, DoubleDouble) or number.lo is None
 
 
-def _unit(number: Number) -> Number:
+def unit_of(number: Number) -> Number:
     """Return the unit roundoff of the dtype of a number."""
-    return np.finfo(np.asarray(_high(number)).dtype).eps / 2
+    return np.finfo(np.asarray(high(number)).dtype).eps / 2
 
 
 def _tiny(number: Number) -> Number:
     """Return more than what underflow can change: a product of parts of double-double numbers may underflow."""
-    return np.finfo(np.asarray(_high(number)).dtype).smallest_normal * 2.0
+    return np.finfo(np.asarray(high(number)).dtype).smallest_normal * 2.0

@@ -188,9 +188,9 @@ def _epipolar_line_left(
     upp2: Any,
 ) -> tuple[Any, ...]:
     return (
-        rounded(z00 + wide(upp1) * z01 + wide(upp2) * z02),
-        rounded(z10 + wide(upp1) * z11 + wide(upp2) * z12),
-        rounded(z20 + wide(upp1) * z21 + wide(upp2) * z22),
+        rounded(wide(z00) + wide(upp1) * z01 + wide(upp2) * z02),
+        rounded(wide(z10) + wide(upp1) * z11 + wide(upp2) * z12),
+        rounded(wide(z20) + wide(upp1) * z21 + wide(upp2) * z22),
     )
 
 
@@ -249,8 +249,9 @@ def _epipolar_line_right(
     up2: Any,
 ) -> tuple[Any, ...]:
     return (
-        rounded(z00 + wide(up1) * z10 + wide(up2) * z20), rounded(z01 + wide(up1) * z11 + wide(up2) * z21),
-        rounded(z02 + wide(up1) * z12 + wide(up2) * z22),
+        rounded(wide(z00) + wide(up1) * z10 + wide(up2) * z20),
+        rounded(wide(z01) + wide(up1) * z11 + wide(up2) * z21),
+        rounded(wide(z02) + wide(up1) * z12 + wide(up2) * z22),
     )
 
 
@@ -331,17 +332,17 @@ def _correlation_from_cameras(
     t5 = wide(mup3) * mupp2
     t7 = wide(mup2) * mupp3
     q2 = t5 * up32 - t7 * upp32
-    deltap = wide(mup1) * mup2 * (wide(mup3) - 1) - mup3 * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
-    deltapp = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - mupp3 * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
+    deltap = wide(mup1) * mup2 * (wide(mup3) - 1) - wide(mup3) * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
+    deltapp = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - wide(mupp3) * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
     t35 = deltap * deltapp
     t47 = wide(mup3) - mupp3
     t50 = wide(mup1) - mupp1
     t54 = wide(mup2) - mupp2
     return (
-        0, rounded(mup1 * q2 / t35), rounded(-(mup2 * q1 / t35)), rounded(-(mupp1 * q2 / t35)),
-        rounded(q2 * (wide(mupp1) - mup1) / t35),
+        0, rounded(wide(mup1) * q2 / t35), rounded(-(wide(mup2) * q1 / t35)),
+        rounded(-(wide(mupp1) * q2 / t35)), rounded(q2 * (wide(mupp1) - mup1) / t35),
         rounded((wide(mup2) * mupp1 * t47 - t7 * upp31 * t50 - t0 * up32 * t54) / t35),
-        rounded(mupp2 * q1 / t35),
+        rounded(wide(mupp2) * q1 / t35),
         rounded((t2 * upp32 * t54 + t5 * up31 * t50 - wide(mup1) * mupp2 * t47) / t35),
         rounded(q1 * t54 / t35),
     )
@@ -355,10 +356,10 @@ def _correlation_from_cameras_factors(
     upp31: Any, upp32: Any,
 ) -> tuple[Any, ...]:
     t0 = wide(mup1) * mup2
-    t1 = mup3 * t0
+    t1 = wide(mup3) * t0
     t13 = rounded(t0 + t1 * up31 + t1 * up32 - t0 * mup3 - wide(mup1) * mup3 * up32 - wide(mup2) * mup3 * up31)
     t14 = wide(mupp1) * mupp2
-    t15 = mupp3 * t14
+    t15 = wide(mupp3) * t14
     t35 = t14 + t15 * upp31 + t15 * upp32 - t14 * mupp3 - wide(mupp1) * mupp3 * upp32 - wide(mupp2) * mupp3 * upp31
     return t13, rounded(t35)
 
@@ -527,11 +528,11 @@ def _correlation_matrix(
     upp62: Any, upp71: Any, upp72: Any,
 ) -> tuple[Any, ...]:
     z11, z12, z20, z21, z22 = solve(
-        [upp31 * (wide(up31) - 1), wide(up31) * upp32, wide(up32) - upp32, wide(up32) * upp31, upp32 * (wide(up32) - 1), wide(upp31) - up31],
-        [upp41 * (wide(up41) - 1), wide(up41) * upp42, wide(up42) - upp42, wide(up42) * upp41, upp42 * (wide(up42) - 1), wide(upp41) - up41],
-        [upp51 * (wide(up51) - 1), wide(up51) * upp52, wide(up52) - upp52, wide(up52) * upp51, upp52 * (wide(up52) - 1), wide(upp51) - up51],
-        [upp61 * (wide(up61) - 1), wide(up61) * upp62, wide(up62) - upp62, wide(up62) * upp61, upp62 * (wide(up62) - 1), wide(upp61) - up61],
-        [upp71 * (wide(up71) - 1), wide(up71) * upp72, wide(up72) - upp72, wide(up72) * upp71, upp72 * (wide(up72) - 1), wide(upp71) - up71],
+        [wide(upp31) * (wide(up31) - 1), wide(up31) * upp32, wide(up32) - upp32, wide(up32) * upp31, wide(upp32) * (wide(up32) - 1), wide(upp31) - up31],
+        [wide(upp41) * (wide(up41) - 1), wide(up41) * upp42, wide(up42) - upp42, wide(up42) * upp41, wide(upp42) * (wide(up42) - 1), wide(upp41) - up41],
+        [wide(upp51) * (wide(up51) - 1), wide(up51) * upp52, wide(up52) - upp52, wide(up52) * upp51, wide(upp52) * (wide(up52) - 1), wide(upp51) - up51],
+        [wide(upp61) * (wide(up61) - 1), wide(up61) * upp62, wide(up62) - upp62, wide(up62) * upp61, wide(upp62) * (wide(up62) - 1), wide(upp61) - up61],
+        [wide(upp71) * (wide(up71) - 1), wide(up71) * upp72, wide(up72) - upp72, wide(up72) * upp71, wide(upp72) * (wide(up72) - 1), wide(upp71) - up71],
     )
     return 0, -(z11 + 1), -(z20 + z22), 1, z11, z12, z20, z21, z22
 

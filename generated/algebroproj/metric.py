@@ -319,11 +319,15 @@ def _correlation_matrix(
     t54 = wide(b1) * k3p - wide(b3) * k1p
     t59 = wide(b2) * k1p - wide(b1) * k2p
     return (
-        rounded(i1pp * t2 + i2pp * t6 + i3pp * t11), rounded(j1pp * t2 + j2pp * t6 + j3pp * t11),
-        rounded(k1pp * t2 + k2pp * t6 + k3pp * t11), rounded(i1pp * t26 + i2pp * t30 + i3pp * t35),
-        rounded(j1pp * t26 + j2pp * t30 + j3pp * t35), rounded(k1pp * t26 + k2pp * t30 + k3pp * t35),
-        rounded(i1pp * t50 + i2pp * t54 + i3pp * t59), rounded(j1pp * t50 + j2pp * t54 + j3pp * t59),
-        rounded(k1pp * t50 + k2pp * t54 + k3pp * t59),
+        rounded(wide(i1pp) * t2 + wide(i2pp) * t6 + wide(i3pp) * t11),
+        rounded(wide(j1pp) * t2 + wide(j2pp) * t6 + wide(j3pp) * t11),
+        rounded(wide(k1pp) * t2 + wide(k2pp) * t6 + wide(k3pp) * t11),
+        rounded(wide(i1pp) * t26 + wide(i2pp) * t30 + wide(i3pp) * t35),
+        rounded(wide(j1pp) * t26 + wide(j2pp) * t30 + wide(j3pp) * t35),
+        rounded(wide(k1pp) * t26 + wide(k2pp) * t30 + wide(k3pp) * t35),
+        rounded(wide(i1pp) * t50 + wide(i2pp) * t54 + wide(i3pp) * t59),
+        rounded(wide(j1pp) * t50 + wide(j2pp) * t54 + wide(j3pp) * t59),
+        rounded(wide(k1pp) * t50 + wide(k2pp) * t54 + wide(k3pp) * t59),
     )
 
 
@@ -438,8 +442,8 @@ def _rotations_from_correlation(
     kappapp = rounded(t83)
     c_kappapp, s_kappapp = cos_sin(t83)
     phipp = arctan2(u3pp, rounded(c_kappapp * u1pp - s_kappapp * u2pp))
-    t67 = rounded(c13 * s_kappap + c23 * c_kappap)
-    omegapp = arctan2(t67 * rounded(c33 * c_phip + c23 * s_kappap * s_phip - c13 * c_kappap * s_phip), t67 * t67)
+    t67 = rounded(wide(c13) * s_kappap + wide(c23) * c_kappap)
+    omegapp = arctan2(t67 * rounded(wide(c33) * c_phip + wide(c23) * s_kappap * s_phip - wide(c13) * c_kappap * s_phip), t67 * t67)
     return phip, kappap, omegapp, phipp, kappapp
 
 
@@ -735,7 +739,7 @@ def _jacobian_angles(
     t1 = xN * yN / c
     t11 = wide(xN)
     t13 = wide(yN)
-    return t1, -rounded(c + t11 * t11 / c), -yN, rounded(c + t13 * t13 / c), -t1, xN
+    return t1, -rounded(wide(c) + t11 * t11 / c), -yN, rounded(wide(c) + t13 * t13 / c), -t1, xN
 
 
 _JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),))
@@ -817,10 +821,10 @@ def _jacobian_image(
     t27 = depth * depth
     t43 = wide(i2) * j3 - wide(i3) * j2
     return (
-        rounded(c * (c * (wide(i1) * k3 - wide(i3) * k1) - y * t23) / t27),
-        rounded(c * (c * (wide(j1) * k3 - wide(j3) * k1) + x * t23) / t27),
-        rounded(c * (c * (wide(i2) * k3 - wide(i3) * k2) - y * t43) / t27),
-        rounded(c * (c * (wide(j2) * k3 - wide(j3) * k2) + x * t43) / t27),
+        rounded(wide(c) * (wide(c) * (wide(i1) * k3 - wide(i3) * k1) - wide(y) * t23) / t27),
+        rounded(wide(c) * (wide(c) * (wide(j1) * k3 - wide(j3) * k1) + wide(x) * t23) / t27),
+        rounded(wide(c) * (wide(c) * (wide(i2) * k3 - wide(i3) * k2) - wide(y) * t43) / t27),
+        rounded(wide(c) * (wide(c) * (wide(j2) * k3 - wide(j3) * k2) + wide(x) * t43) / t27),
     )
 
 
@@ -915,34 +919,34 @@ def _normal_covariance(
     depth = wide(i3) * x + wide(j3) * y - wide(c) * k3
     slope_x = (wide(i1) * x + wide(j1) * y - wide(c) * k1) / depth
     slope_y = (wide(i2) * x + wide(j2) * y - wide(c) * k2) / depth
-    t17 = c * slope_x
+    t17 = wide(c) * slope_x
     Ba11 = t17 * slope_y
-    Ba12 = -(c * (1 + slope_x * slope_x))
-    Ba13 = c * slope_y
-    Ba21 = c * (1 + slope_y * slope_y)
+    Ba12 = -(wide(c) * (1 + slope_x * slope_x))
+    Ba13 = wide(c) * slope_y
+    Ba21 = wide(c) * (1 + slope_y * slope_y)
     Ba22 = -Ba11
     Ba23 = -t17
     t35 = wide(i1) * j3 - wide(i3) * j1
     t39 = depth * depth
-    Bx11 = c * (c * (wide(i1) * k3 - wide(i3) * k1) - y * t35) / t39
-    Bx12 = c * (c * (wide(j1) * k3 - wide(j3) * k1) + x * t35) / t39
+    Bx11 = wide(c) * (wide(c) * (wide(i1) * k3 - wide(i3) * k1) - wide(y) * t35) / t39
+    Bx12 = wide(c) * (wide(c) * (wide(j1) * k3 - wide(j3) * k1) + wide(x) * t35) / t39
     t55 = wide(i2) * j3 - wide(i3) * j2
-    Bx21 = c * (c * (wide(i2) * k3 - wide(i3) * k2) - y * t55) / t39
-    Bx22 = c * (c * (wide(j2) * k3 - wide(j3) * k2) + x * t55) / t39
+    Bx21 = wide(c) * (wide(c) * (wide(i2) * k3 - wide(i3) * k2) - wide(y) * t55) / t39
+    Bx22 = wide(c) * (wide(c) * (wide(j2) * k3 - wide(j3) * k2) + wide(x) * t55) / t39
     t72 = Ba11 * s11 + Ba12 * s21 + Ba13 * s31
     t78 = Ba11 * s12 + Ba12 * s22 + Ba13 * s32
     t85 = Ba11 * s13 + Ba12 * s23 + Ba13 * s33
-    t88 = variance * Bx11
-    t91 = variance * Bx12
+    t88 = wide(variance) * Bx11
+    t91 = wide(variance) * Bx12
     t96 = t88 * Bx21 + t91 * Bx22
     t107 = Ba21 * s11 + Ba22 * s21 + Ba23 * s31
     t114 = Ba21 * s12 + Ba22 * s22 + Ba23 * s32
     t121 = Ba21 * s13 + Ba22 * s23 + Ba23 * s33
+    t146 = Ba21 * t107 + Ba22 * t114 + Ba23 * t121 + wide(variance) * Bx21 * Bx21 + wide(variance) * Bx22 * Bx22
     return (
         rounded(Ba11 * t72 + Ba12 * t78 + Ba13 * t85 + t88 * Bx11 + t91 * Bx12),
         rounded(t96 + Ba21 * t72 + Ba22 * t78 + Ba23 * t85),
-        rounded(t96 + Ba11 * t107 + Ba12 * t114 + Ba13 * t121),
-        rounded(Ba21 * t107 + Ba22 * t114 + Ba23 * t121 + variance * Bx21 * Bx21 + variance * Bx22 * Bx22),
+        rounded(t96 + Ba11 * t107 + Ba12 * t114 + Ba13 * t121), rounded(t146),
     )
 
 
@@ -1036,17 +1040,18 @@ def _model_covariance(
     t30 = wide(sm00) * yp
     t31 = parallax * sm10 + wide(sr00) * yp - t30
     t36 = t30 + parallax * sl10 - wide(sl00) * yp
-    t50 = rounded((parallax * (parallax * sl11 + wide(sm10) * yp - wide(sl01) * yp) + yp * t31 - yp * t36) / t12)
+    t93 = (parallax * (parallax * sl11 + wide(sm10) * yp - wide(sl01) * yp) + wide(yp) * t31 - wide(yp) * t36) / t12
     t55 = wide(c) * sm00
     t57 = t55 - wide(c) * sr00
     t60 = t55 - wide(c) * sl00
     return (
-        rounded((xp * t3 - xpp * t7) / t12),
-        rounded((parallax * (wide(sm10) * xp - wide(sl01) * xpp) + yp * t3 - yp * t7) / t12),
-        rounded((c * t7 - c * t3) / t12), rounded((xp * t31 - xpp * t36) / t12), t50,
-        rounded((c * t36 - c * t31) / t12), rounded((xp * t57 + xpp * t60) / t12),
-        rounded((parallax * (wide(c) * sl01 - wide(c) * sm10) + yp * t57 + yp * t60) / t12),
-        rounded(-((c * t60 + c * t57) / t12)),
+        rounded((wide(xp) * t3 - wide(xpp) * t7) / t12),
+        rounded((parallax * (wide(sm10) * xp - wide(sl01) * xpp) + wide(yp) * t3 - wide(yp) * t7) / t12),
+        rounded((wide(c) * t7 - wide(c) * t3) / t12), rounded((wide(xp) * t31 - wide(xpp) * t36) / t12),
+        rounded(t93), rounded((wide(c) * t36 - wide(c) * t31) / t12),
+        rounded((wide(xp) * t57 + wide(xpp) * t60) / t12),
+        rounded((parallax * (wide(c) * sl01 - wide(c) * sm10) + wide(yp) * t57 + wide(yp) * t60) / t12),
+        rounded(-((wide(c) * t60 + wide(c) * t57) / t12)),
     )
 
 

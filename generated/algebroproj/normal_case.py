@@ -205,7 +205,7 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
 def _map_points(
     tau1: Any, tau2: Any, u1: Any, u2: Any,
 ) -> tuple[Any, ...]:
-    weight = rounded(u1 * (wide(tau1) - 1) + u2 * (wide(tau2) - 1) + 1)
+    weight = rounded(wide(u1) * (wide(tau1) - 1) + wide(u2) * (wide(tau2) - 1) + 1)
     return tau1 * u1 / weight, tau2 * u2 / weight
 
 
@@ -298,9 +298,9 @@ def _from_orientation(
 ) -> tuple[Any, ...]:
     t0 = wide(yA2) - 1
     t3 = wide(yp02) - 1
-    p01 = yp01 * (t0 + yA3) - yA1 * (t3 + yp03)
-    p02 = yp02 * (wide(yA1) + yA3 - 1) - yA2 * (wide(yp01) + yp03 - 1)
-    p03 = yp03 * (t0 + yA1) - yA3 * (t3 + yp01)
+    p01 = wide(yp01) * (t0 + yA3) - wide(yA1) * (t3 + yp03)
+    p02 = wide(yp02) * (wide(yA1) + yA3 - 1) - wide(yA2) * (wide(yp01) + yp03 - 1)
+    p03 = wide(yp03) * (t0 + yA1) - wide(yA3) * (t3 + yp01)
     a13 = wide(yA1) * yp03 - wide(yA3) * yp01
     a23 = wide(yA2) * yp03 - wide(yA3) * yp02
     t26 = wide(yp03) * u31
@@ -323,9 +323,9 @@ def _from_orientation_factors(
 ) -> tuple[Any, ...]:
     t0 = wide(yA3) * yp01
     t1 = wide(yp03) * u31
-    t2 = yA1 * t1
+    t2 = wide(yA1) * t1
     t7 = wide(yp01) * yp03
-    t23 = t0 + t2 * yp03 + t1 * yp01 + t7 * yA1 + t7 * yA2 + t2 * yp02 - t0 * yp01 - t7 - t1 * yA1 - t0 * yp02 - yp01 * t1 * yA2
+    t23 = t0 + t2 * yp03 + t1 * yp01 + t7 * yA1 + t7 * yA2 + t2 * yp02 - t0 * yp01 - t7 - t1 * yA1 - t0 * yp02 - wide(yp01) * t1 * yA2
     t42 = wide(yA3) * yp02 - wide(yA2) * yp03
     return (
         rounded(t23 - t0 * t1), rounded(t42 + yA2 + wide(yA1) * yp02 - yp02 - wide(yA2) * yp01),
@@ -399,9 +399,9 @@ def _mu_left(
 ) -> tuple[Any, ...]:
     t0 = wide(yA1) + yA2
     yA0 = rounded(1 - t0 - yA3)
-    t15 = uN31 + wide(uN32) * z_n
+    t15 = wide(uN31) + wide(uN32) * z_n
     weighted = rounded(t15)
-    t17 = yA1 + wide(yA2) * z_n
+    t17 = wide(yA1) + wide(yA2) * z_n
     difference = rounded(t15 * t0 - t17)
     t11 = -(weighted * yA0 / difference)
     return t11, t11, yA0 * rounded(t17) / (difference * yA3)
@@ -481,21 +481,21 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
 def _mu_right(
     yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, uppN31: Any, uppN32: Any, z_n: Any,
 ) -> tuple[Any, ...]:
-    s0 = uppN31 + wide(uppN32) * z_n
+    s0 = wide(uppN31) + wide(uppN32) * z_n
     s1 = s0 - 1
-    sz = z_n * (wide(uppN32) - 1) + uppN31
+    sz = wide(z_n) * (wide(uppN32) - 1) + uppN31
     t6 = wide(y03) * yA2
     t7 = wide(y02) * yA3
     common = t6 - t7
     t10 = wide(z_n) - 1
     t12 = wide(yA1) - 1
-    t14 = y02 * (t12 + yA3)
-    t20 = y03 * (t12 + yA2)
+    t14 = wide(y02) * (t12 + yA3)
+    t20 = wide(y03) * (t12 + yA2)
     t26 = wide(y01) - 1
     t46 = (s0 * yA3 * t10 * (t6 - t14) - s1 * yA2 * z_n * (t7 - t20) - sz * yA2 * yA3 * t26) / (s1 * common * yA1 * t10)
     return (
-        rounded(t46), rounded((yA3 * (t26 + y02) - t20) / (common * t10)),
-        rounded((t14 - yA2 * (t26 + y03)) / (common * s1)),
+        rounded(t46), rounded((wide(yA3) * (t26 + y02) - t20) / (common * t10)),
+        rounded((t14 - wide(yA2) * (t26 + y03)) / (common * s1)),
     )
 
 
@@ -505,7 +505,10 @@ _MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3",
 def _mu_right_factors(
     yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, uppN31: Any, uppN32: Any, z_n: Any,
 ) -> tuple[Any, ...]:
-    return rounded(wide(y03) * yA2 - wide(y02) * yA3), rounded(uppN31 + wide(uppN32) * z_n - 1), yA1, z_n - 1
+    return (
+        rounded(wide(y03) * yA2 - wide(y02) * yA3), rounded(wide(uppN31) + wide(uppN32) * z_n - 1), yA1,
+        z_n - 1,
+    )
 
 
 _MU_RIGHT_FACTORS = (

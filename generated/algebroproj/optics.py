@@ -404,7 +404,7 @@ def _map_plane_points(
 ) -> tuple[Any, ...]:
     t6 = wide(mu1) * u1
     t10 = wide(mu2) * u2
-    weighted = rounded(t6 + t10 - mu0 * (wide(u1) + u2 - 1))
+    weighted = rounded(t6 + t10 - wide(mu0) * (wide(u1) + u2 - 1))
     return rounded(t6) / weighted, rounded(t10) / weighted
 
 

@@ -218,7 +218,7 @@ def _center_from_mu(
     t11 = wide(mu1) * mu2
     t20 = wide(mu1) * u32
     t23 = wide(mu2) * u31
-    delta = rounded(t11 * (wide(mu3) - 1) - mu3 * (t20 * (wide(mu2) - 1) + t23 * (wide(mu1) - 1)))
+    delta = rounded(t11 * (wide(mu3) - 1) - wide(mu3) * (t20 * (wide(mu2) - 1) + t23 * (wide(mu1) - 1)))
     return rounded(t23) * mu3 / delta, rounded(t20) * mu3 / delta, -(rounded(t11) / delta)
 
 
@@ -229,7 +229,7 @@ def _center_from_mu_factors(
     mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
     t0 = wide(mu1) * mu2
-    t1 = mu3 * t0
+    t1 = wide(mu3) * t0
     return (rounded(t0 + t1 * u31 + t1 * u32 - t0 * mu3 - wide(mu1) * mu3 * u32 - wide(mu2) * mu3 * u31),)
 
 
@@ -319,7 +319,7 @@ def _projection_matrix(
     t33 = u32 * y00
     return (
         w1 / (y01 * rounded(b1 - u31)), w2 / (y02 * rounded(b2 - u32)),
-        rounded(t1 - y03 * t3) / (y03 * rounded(t3 - 1)), t27 / (u30 * y01), 0, -(t27 / t30), 0,
+        rounded(t1 - wide(y03) * t3) / (y03 * rounded(t3 - 1)), t27 / (u30 * y01), 0, -(t27 / t30), 0,
         t33 / (u30 * y02), -(t33 / t30),
     )
 
@@ -517,7 +517,7 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
 def _projection_determinant_from_mu(
     mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t18 = wide(mu1) * mu2 * (wide(mu3) - 1) - mu3 * (wide(mu1) * u32 * (wide(mu2) - 1) + wide(mu2) * u31 * (wide(mu1) - 1))
+    t18 = wide(mu1) * mu2 * (wide(mu3) - 1) - wide(mu3) * (wide(mu1) * u32 * (wide(mu2) - 1) + wide(mu2) * u31 * (wide(mu1) - 1))
     return (rounded(t18),)
 
 
@@ -602,9 +602,9 @@ def _reconstruction_matrix(
     d2 = u32 * rounded(a2 - y02)
     t24 = 0 / rounded(wide(u31) - 1 + u32) + 0 / y01 + 0 / y02 + 0 / y03
     return (
-        t24 - y01, t24 - y01 * rounded(b1 * (wide(y01) - 1) + u31 * t0) / d1, w2 * y01 / d2 + t24, t24 - y02,
-        w1 * y02 / d1 + t24, t24 - y02 * rounded(b2 * (wide(y02) - 1) + u32 * t2) / d2, t24 - y03,
-        w1 * y03 / d1 + t24, w2 * y03 / d2 + t24,
+        t24 - y01, t24 - y01 * rounded(b1 * (wide(y01) - 1) + wide(u31) * t0) / d1, w2 * y01 / d2 + t24,
+        t24 - y02, w1 * y02 / d1 + t24, t24 - y02 * rounded(b2 * (wide(y02) - 1) + wide(u32) * t2) / d2,
+        t24 - y03, w1 * y03 / d1 + t24, w2 * y03 / d2 + t24,
     )
 
 
@@ -689,16 +689,16 @@ def _reconstruction_matrix_from_mu(
     t2 = rounded(t10)
     t18 = wide(mu2) - 1
     t3 = rounded(t18)
-    t40 = mu2 * t0 - t10 * t18
+    t40 = wide(mu2) * t0 - t10 * t18
     n1 = rounded(t40)
     t41 = wide(mu3) * u31
     t7 = rounded(t41)
     t43 = wide(mu1) - 1
     t8 = rounded(t43)
-    t45 = mu1 * t0 - t41 * t43
+    t45 = wide(mu1) * t0 - t41 * t43
     n2 = rounded(t45)
-    d1 = rounded(mu1 * t40 - mu2 * t41 * t43)
-    d2 = rounded(mu2 * t45 - mu1 * t10 * t18)
+    d1 = rounded(wide(mu1) * t40 - wide(mu2) * t41 * t43)
+    d2 = rounded(wide(mu2) * t45 - wide(mu1) * t10 * t18)
     return (
         -(t7 * mu2 / d1), n1 / d1, t7 * t3 / d1, -(t2 * mu1 / d1), t2 * t8 / d1, n2 / d2, mu1 * mu2 / d1,
         -(mu2 * t8 / d1), -(mu1 * t3 / d1),
@@ -712,7 +712,7 @@ def _reconstruction_matrix_from_mu_factors(
     mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
     t0 = wide(mu1) * mu2
-    t1 = mu3 * t0
+    t1 = wide(mu3) * t0
     return (rounded(t0 + t1 * u31 + t1 * u32 - t0 * mu3 - wide(mu1) * mu3 * u32 - wide(mu2) * mu3 * u31),)
 
 
@@ -774,7 +774,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
 def _project(
     y1: Any, y2: Any, y3: Any, mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    delta = rounded(y1 * (wide(mu1) - 1) + y2 * (wide(mu2) - 1) + y3 * (wide(mu3) - 1) + 1)
+    delta = rounded(wide(y1) * (wide(mu1) - 1) + wide(y2) * (wide(mu2) - 1) + wide(y3) * (wide(mu3) - 1) + 1)
     t10 = wide(y3) * mu3
     return rounded(wide(mu1) * y1 + t10 * u31) / delta, rounded(wide(mu2) * y2 + t10 * u32) / delta
 

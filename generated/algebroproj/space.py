@@ -214,7 +214,7 @@ def _map_points(
     t9 = wide(mu1) * y1
     t14 = wide(mu2) * y2
     t16 = wide(mu3) * y3
-    weighted = rounded(t9 + t14 + t16 - mu0 * (wide(y1) + y2 + y3 - 1))
+    weighted = rounded(t9 + t14 + t16 - wide(mu0) * (wide(y1) + y2 + y3 - 1))
     return rounded(t9) / weighted, rounded(t14) / weighted, rounded(t16) / weighted
 
 

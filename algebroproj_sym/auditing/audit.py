@@ -129,15 +129,22 @@ def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
 
 def _readings(piece: str, quote: Quote, symbols: Symbols) -> Iterator[Any]:
     for values in product(*quote.indices.values()):
-        chosen = tuple(zip(quote.indices, values, strict=True))
-        yield from _parts(read_formula(piece, replace(symbols, indices=chosen)), quote)
+        chosen = replace(symbols, indices=tuple(zip(quote.indices, values, strict=True)))
+        for cell in _cells(piece):
+            yield from _parts(read_formula(cell, chosen), quote)
+
+
+def _cells(piece: str) -> list[str]:
+    """Return the cells of a row of a table, which tabulators separate; of a formula itself."""
+    return [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
 
 
 def _parts(sides: tuple[Side, ...], quote: Quote) -> list[Any]:
     if not quote.equation:
-        if not -len(sides) <= quote.side < len(sides):
-            raise UnreadableError(f"side {quote.side} of a formula with {len(sides)} sides")
-        return [sides[quote.side]()]
+        wrong = [side for side in quote.sides if not -len(sides) <= side < len(sides)]
+        if wrong:
+            raise UnreadableError(f"side {wrong[0]} of a formula with {len(sides)} sides")
+        return [sides[side]() for side in quote.sides]
     left, right = sides[0](), sides[-1]()
     if len(sides) < 2 or (shape(left) != shape(right) and right != 0):
         raise UnreadableError("no equation of two sides of one shape")
@@ -147,15 +154,15 @@ def _parts(sides: tuple[Side, ...], quote: Quote) -> list[Any]:
 
 def _coefficients(difference: Any, unknowns: tuple[str, ...]) -> list[Any]:
     """Return the coefficients of an equation that is linear in some unknowns."""
-    symbols = [sympy.Symbol(name) for name in unknowns if name != "1"]
+    symbols = [sympy.Symbol(name) for name in unknowns if name not in ("1", "-1")]
     plain = remembered(difference).doit()
     constant = plain.xreplace(dict.fromkeys(symbols, sympy.Integer(0)))
     by_name = {symbol.name: plain.diff(symbol) for symbol in symbols}
     if any(value.has(*symbols) for value in by_name.values()):
         raise UnreadableError(f"no equation that is linear in {', '.join(unknowns)}")
-    if "1" not in unknowns and prove(constant, 0).verdict != "proved":
+    if not {"1", "-1"} & {*unknowns} and prove(constant, 0).verdict != "proved":
         raise UnreadableError(f"a term without {', '.join(unknowns)}")
-    return [by_name.get(name, constant) for name in unknowns]
+    return [{**by_name, "1": constant, "-1": -constant}[name] for name in unknowns]
 
 
 def _layouts(read: Sequence[Any], printed: Sequence[Any], quote: Quote) -> Iterator[tuple[list[Any], list[Any]]]:

@@ -45,7 +45,7 @@ def normalised(latex: str) -> str:
     >>> normalised(r"\left( y _ { 0 1 } ^ { \prime } \right) &= 2")
     "( y_{01}^{'} ) = 2"
     """
-    text = _SPACE.sub(r"\\quad ", _DROPPED.sub(" ", latex))
+    text = _SPACE.sub(r"\\quad ", _DROPPED.sub(" ", re.sub(r"&\s*\\quad", "&", latex)))
     text = re.sub(r"\\prime(?![a-z])", "'", _without_alignment(text))
     text = re.sub(r"\s*([_^])\s*", r"\1", re.sub(r"\s+", " ", text))
     text = re.sub(r"\s*([{}'])\s*|(?<=\d) (?=\d)", lambda found: found[1] or "", text)
@@ -53,11 +53,11 @@ def normalised(latex: str) -> str:
 
 
 def _without_alignment(text: str) -> str:
-    """Drop ``&`` outside matrices, where it only aligns equations."""
+    """Drop what only aligns equations outside matrices, ``&`` and line breaks."""
     depth, kept = 0, []
     for token in _TOKENS.findall(text):
         depth += token.startswith("\\begin{") - token.startswith("\\end{")
-        if token != "&" or depth:
+        if depth or token not in ("&", r"\\"):
             kept.append(token)
     return "".join(kept)
 
@@ -73,7 +73,7 @@ def split_symbol(symbol: str) -> tuple[str, int, str, str]:
     start = _first_script(symbol)
     letter, rest = symbol[:start].strip().removesuffix("{}"), symbol[start:]
     primes, subscript, superscript = 0, "", ""
-    for mark, script in re.findall(r"([_^]|')((?:\{(?:[^{}]|\{[^{}]*\})*\})|\\[a-z]+|[0-9A-Za-z*])?", rest):
+    for mark, script in re.findall(r"([_^]|')((?:\{(?:[^{}]|\{[^{}]*\})*\})|\\[a-zA-Z]+|[0-9A-Za-z*])?", rest):
         content = _bare(script)
         if mark == "_":
             subscript += content

@@ -56,12 +56,12 @@ class Quote:
         The line of the paper's file on which the quote begins.
     pieces : tuple of str
         The quote; several pieces where something else stands between them.
-    side : int
-        Which side of an equation the claims are about, counted as in a Python sequence.
+    sides : tuple of int
+        Which sides of each piece the claims are about, counted as in a Python sequence.
     equation : bool
         Whether the claims are about the difference of the first and the last side.
     coefficients : tuple of str
-        Then: the unknowns whose coefficients the claims list, "1" for the constant.
+        Then: the unknowns whose coefficients the claims list, "1" for the constant, "-1" for it on the right side.
     indices : mapping of str to tuple of str
         Letters that stand for indices, and the values for which the quote is read.
     unparsed : str
@@ -71,7 +71,7 @@ class Quote:
     claims: tuple[str, ...]
     line: int
     pieces: tuple[str, ...]
-    side: int = -1
+    sides: tuple[int, ...] = (-1,)
     equation: bool = False
     coefficients: tuple[str, ...] = ()
     indices: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -135,7 +135,7 @@ def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
     latex = entry.get("latex")
     pieces = (latex,) if isinstance(latex, str) else tuple(latex or ())
     unparsed = entry.get("unparsed", "")
-    known = {"claims", "line", "latex", "side", "equation", "coefficients", "indices", "unparsed"}
+    known = {"claims", "line", "latex", "sides", "equation", "coefficients", "indices", "unparsed"}
     where = f"{path}, quote of {', '.join(entry.get('claims', ['?']))}"
     if not pieces or not all(isinstance(piece, str) and piece.strip() for piece in pieces):
         raise DeclarationError(f"{where}: expected latex, a text or a list of texts, got {latex!r}")
@@ -149,7 +149,7 @@ def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
         claims=tuple(entry["claims"]),
         line=entry["line"],
         pieces=pieces,
-        side=entry.get("side", -1),
+        sides=tuple(entry.get("sides", (-1,))),
         equation=bool(entry.get("equation", "coefficients" in entry)),
         coefficients=tuple(entry.get("coefficients", ())),
         indices={letter: tuple(map(str, values)) for letter, values in entry.get("indices", {}).items()},

@@ -25,9 +25,12 @@ from algebroproj_sym.expressions import (
     vector,
 )
 
-_DROPPED = re.compile(r"\\left(?![a-z])|\\right(?![a-z])|\\[,;:!]|~|\\displaystyle|\\big[lr]?(?![a-z])|\\mathrm(?![a-z])")
+_DROPPED = re.compile(r"\\left(?![a-z])|\\right(?![a-z])|\\[,;:!]|~|\\displaystyle|\\big[lr]?(?![a-z])|\\(?:mathrm|rm)(?![a-z])")
+_BROKEN = re.compile(r"\\n(?!eq|u(?![a-z]))")
+_BEFORE = re.compile(r"(?:\{\}|(?<=\{))_\{?(\w)\}? *(\\(?:mathbf|overline)\{[A-Z]\}|[A-Z])_(?:\{(\w+)\}|(\w))")
+_FUNCTION = re.compile(r"(\\(?:sin|cos|tan)(?![a-z])|) *(.*)", re.DOTALL)
 _SPACE = re.compile(r"(?<!\\)\\ |\\qquad(?![a-z])")
-_TOKENS = re.compile(r"\\begin\{[a-z]+\}|\\end\{[a-z]+\}|\\\\|\\.|.", re.DOTALL)
+_TOKENS = re.compile(r"\\begin\{[a-z]+\}|\\end\{[a-z]+\}|\\[a-zA-Z]+|\\\\|\\.|.", re.DOTALL)
 
 Names = Callable[[str], Any]
 Side = Callable[[], Expression]
@@ -40,24 +43,31 @@ class UnreadableError(ValueError):
 def normalised(latex: str) -> str:
     r"""Return LaTeX without what only concerns its looks: spacing, sizes of brackets, alignment of equations.
 
+    A subscript before its letter goes first in the one behind it; a line break that a scan writes as ``\n`` is none.
+
     Examples
     --------
     >>> normalised(r"\left( y _ { 0 1 } ^ { \prime } \right) &= 2")
-    "( y_{01}^{'} ) = 2"
+    "( y_{01}^{'}) = 2"
+    >>> normalised(r"{}_2A_{10} Z")
+    'A_{2_10}Z'
     """
-    text = _SPACE.sub(r"\\quad ", _DROPPED.sub(" ", re.sub(r"&\s*\\quad", "&", latex)))
+    text = _SPACE.sub(r"\\quad ", _DROPPED.sub(" ", _BROKEN.sub(" ", latex)))
     text = re.sub(r"\\prime(?![a-z])", "'", _without_alignment(text))
     text = re.sub(r"\s*([_^])\s*", r"\1", re.sub(r"\s+", " ", text))
     text = re.sub(r"\s*([{}'])\s*|(?<=\d) (?=\d)", lambda found: found[1] or "", text)
+    text = re.sub(r"\\\\ *(?=\\end)", "", text)
+    text = _BEFORE.sub(r"\2_{\1_\3\4}", text)
     return re.sub(r"(\\[a-z]+)(?=\\begin)", r"\1 ", text).strip(" .;,")
 
 
 def _without_alignment(text: str) -> str:
-    """Drop what only aligns equations outside matrices, ``&`` and line breaks."""
-    depth, kept = 0, []
+    """Drop what only aligns equations: ``&`` and line breaks outside matrices, wide spaces outside brackets."""
+    matrices, brackets, kept = 0, 0, []
     for token in _TOKENS.findall(text):
-        depth += token.startswith("\\begin{") - token.startswith("\\end{")
-        if depth or token not in ("&", r"\\"):
+        matrices += token.startswith("\\begin{") - token.startswith("\\end{")
+        brackets += (token in "([") - (token in ")]")
+        if not (token in ("&", r"\\") and not matrices or token == r"\quad" and not brackets):
             kept.append(token)
     return "".join(kept)
 
@@ -267,7 +277,7 @@ def _raised(base: Any, exponent: str) -> Any:
 
 def _named(symbol: str, names: Names) -> Any:
     """Return what a symbol stands for; a superscript that no table explains is an exponent."""
-    function, _, argument = symbol.rpartition(" ") if symbol.startswith(("\\sin", "\\cos", "\\tan")) else ("", "", symbol)
+    function, argument = _FUNCTION.match(symbol).groups()  # type: ignore[union-attr]
     letter, primes, subscript, superscript = split_symbol(argument)
     whole = function + written(letter, primes, subscript, superscript)
     known = names(whole)

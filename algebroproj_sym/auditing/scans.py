@@ -8,7 +8,7 @@ from pathlib import Path
 
 from algebroproj_sym.declaring import DeclarationError, Quote
 
-NEAR = 12
+NEAR = 20
 
 
 def misplaced(quote: Quote, file: Path) -> str:

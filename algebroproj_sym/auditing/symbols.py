@@ -117,4 +117,5 @@ def _table(entry: Mapping[str, Any]) -> Table:
 
 
 def _canonical(symbol: str) -> str:
-    return symbol if symbol.startswith(("\\sin", "\\cos", "\\tan")) else written(*split_symbol(symbol))
+    function = re.match(r"(\\(?:sin|cos|tan)|)", symbol)
+    return function[0] + written(*split_symbol(symbol[function.end() :]))

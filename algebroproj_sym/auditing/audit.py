@@ -21,6 +21,7 @@ Status = Literal["equal", "number", "quoted", "unquoted", "failed"]
 STATUSES: tuple[Status, ...] = get_args(Status)
 _COUNTED = ("rank", "count", "reference")
 _DIGITS = re.compile(r"(?<![\d.,])[-−]?\s?(?:\d+(?:[.,]\d+)?|\.\d+)(?!\d)")
+_PLAIN = str.maketrans({"−": "-", ",": "."})
 _WORDS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 
 
@@ -80,10 +81,10 @@ def numbers_in(text: str) -> list[Decimal]:
 
     Examples
     --------
-    >>> numbers_in("1 & -0.50 \\\\\\\\ u_{01} = 1,64746")
-    [Decimal('1'), Decimal('-0.50'), Decimal('1'), Decimal('1.64746')]
+    >>> numbers_in("1 & - 0.50 & u = 1,64746")
+    [Decimal('1'), Decimal('-0.50'), Decimal('1.64746')]
     """
-    return [Decimal(re.sub(r"\\s", "", found).replace("−", "-").replace(",", ".")) for found in _DIGITS.findall(text)]
+    return [Decimal(re.sub(r"\s", "", found).translate(_PLAIN)) for found in _DIGITS.findall(text)]
 
 
 def _missing_numbers(quote: Quote, claims: Sequence[Claim]) -> str:

@@ -25,10 +25,10 @@ from algebroproj_sym.expressions import (
     vector,
 )
 
-_DROPPED = re.compile(r"\\left(?![a-z])|\\right(?![a-z])|\\[,;:!]|~|\\displaystyle|\\big[lr]?(?![a-z])|\\(?:mathrm|rm)(?![a-z])")
+_DROPPED = re.compile(r"\\(?:left|right|displaystyle|big[lr]?|mathrm|rm)(?![a-z])|\\[,;:!]|~")
 _BROKEN = re.compile(r"\\n(?!eq|u(?![a-z]))")
 _BEFORE = re.compile(r"(?:\{\}|(?<=\{))_\{?(\w)\}? *(\\(?:mathbf|overline)\{[A-Z]\}|[A-Z])_(?:\{(\w+)\}|(\w))")
-_FUNCTION = re.compile(r"(\\(?:sin|cos|tan)(?![a-z])|) *(.*)", re.DOTALL)
+FUNCTIONS = (r"\sin", r"\cos", r"\tan")
 _SPACE = re.compile(r"(?<!\\)\\ |\\qquad(?![a-z])")
 _TOKENS = re.compile(r"\\begin\{[a-z]+\}|\\end\{[a-z]+\}|\\[a-zA-Z]+|\\\\|\\.|.", re.DOTALL)
 
@@ -67,7 +67,8 @@ def _without_alignment(text: str) -> str:
     for token in _TOKENS.findall(text):
         matrices += token.startswith("\\begin{") - token.startswith("\\end{")
         brackets += (token in "([") - (token in ")]")
-        if not (token in ("&", r"\\") and not matrices or token == r"\quad" and not brackets):
+        aligns = token in ("&", r"\\") and not matrices
+        if not aligns and (token != r"\quad" or brackets):
             kept.append(token)
     return "".join(kept)
 
@@ -277,7 +278,8 @@ def _raised(base: Any, exponent: str) -> Any:
 
 def _named(symbol: str, names: Names) -> Any:
     """Return what a symbol stands for; a superscript that no table explains is an exponent."""
-    function, argument = _FUNCTION.match(symbol).groups()  # type: ignore[union-attr]
+    function = next((name for name in FUNCTIONS if symbol.startswith(name)), "")
+    argument = symbol.removeprefix(function).strip()
     letter, primes, subscript, superscript = split_symbol(argument)
     whole = function + written(letter, primes, subscript, superscript)
     known = names(whole)

@@ -1,11 +1,11 @@
-"""What the symbols of a paper stand for: the reviewed tables in the file ``symbols.toml`` of its derivations.
+r"""What the symbols of a paper stand for: the reviewed tables in the file ``symbols.toml`` of its derivations.
 
 ::
 
     [[table]]
     claims = ["1.1", "2.2.6"]                    sections and numbers; without, all claims
-    letters = { '\\mathcal{J}' = "y" }            a letter, or its scan, and how names of symbols begin
-    symbols = { '\\mathbf{u}' = "[[1], [u1], [u2]]" }   a symbol, and the expression it stands for
+    letters = { '\mathcal{J}' = "y" }            a letter, or its scan, and how names of symbols begin
+    symbols = { '\mathbf{u}' = "[[1], [u1], [u2]]" }   a symbol, and the expression it stands for
     primes = false                               where the claims write no primes
 
 A symbol that no table has is named by rule: letter, a p for each prime, subscript.  Later tables come first.
@@ -23,7 +23,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.auditing.latex import split_symbol, written
+from algebroproj_sym.auditing.latex import FUNCTIONS, split_symbol, written
 from algebroproj_sym.declaring import Claim, DeclarationError
 from algebroproj_sym.expressions import Expression, ParseError, parse
 
@@ -54,8 +54,12 @@ class Table:
 
     def covers(self, claim: Claim) -> bool:
         """Whether the table is for a claim."""
-        sections = any(claim.section == part or claim.section.startswith(f"{part}.") for part in self.claims)
-        return not self.claims or sections or any(re.match(rf"{re.escape(p)}(#|/|$)", claim.number) for p in self.claims)
+        return not self.claims or any(_is_part(claim, part) for part in self.claims)
+
+
+def _is_part(claim: Claim, part: str) -> bool:
+    in_section = claim.section == part or claim.section.startswith(f"{part}.")
+    return in_section or re.match(rf"{re.escape(part)}(#|/|$)", claim.number) is not None
 
 
 @dataclass(frozen=True)
@@ -117,5 +121,5 @@ def _table(entry: Mapping[str, Any]) -> Table:
 
 
 def _canonical(symbol: str) -> str:
-    function = re.match(r"(\\(?:sin|cos|tan)|)", symbol)
-    return function[0] + written(*split_symbol(symbol[function.end() :]))
+    function = next((name for name in FUNCTIONS if symbol.startswith(name)), "")
+    return function + written(*split_symbol(symbol.removeprefix(function).strip()))

@@ -1,4 +1,4 @@
-"""Quotes: where a paper prints what a claim is about, word for word, from the file ``quotes.toml`` of its derivations.
+r"""Quotes: where a paper prints what a claim is about, word for word, from the file ``quotes.toml`` of its derivations.
 
 ::
 
@@ -7,11 +7,13 @@
     [[quote]]
     claims = ["1.3.5#mu3"]                          several claims may share a quote
     line = 201                                      the line on which it begins
-    latex = '\\mu_3 = -\\frac{y_{00}}{u_{30}y_{03}}'  or a list of pieces that follow one another
+    latex = '\mu_3 = -\frac{y_{00}}{u_{30}y_{03}}'    or a list of pieces that follow one another
 
     [[unquoted]]
     claims = ["1.3/core"]
     reason = "implied"
+
+A claim with ``/beyond/`` in its number has no quote; where a whole folder goes beyond the papers, ``beyond = true``.
 """
 
 from __future__ import annotations
@@ -95,15 +97,18 @@ class Quotations:
         By the number of the claim.
     unquoted : mapping of str to str
         Why a claim has no quote, by its number.
+    beyond : bool
+        Whether all claims of the folder go beyond the papers.
     """
 
     source: str = ""
     quotes: Mapping[str, Quote] = field(default_factory=dict)
     unquoted: Mapping[str, Unquoted] = field(default_factory=dict)
+    beyond: bool = False
 
     def why_unquoted(self, claim: Claim) -> Unquoted | None:
         """Return why a claim has no quote; None if that is not stated."""
-        return "beyond" if _BEYOND in claim.number else self.unquoted.get(claim.number)
+        return "beyond" if self.beyond or _BEYOND in claim.number else self.unquoted.get(claim.number)
 
 
 def quotations(folder: Path) -> Quotations:
@@ -128,7 +133,7 @@ def _read(path: Path, stamp: int) -> Quotations:
     reasons = [(number, reason) for entry in content.get("unquoted", ()) for number, reason in _reasons(entry, path)]
     _require_once([*(number for quote in quotes for number in quote.claims), *(number for number, _ in reasons)], path)
     by_number = {number: quote for quote in quotes for number in quote.claims}
-    return Quotations(str(content.get("source", "")), by_number, dict(reasons))
+    return Quotations(str(content.get("source", "")), by_number, dict(reasons), bool(content.get("beyond", False)))
 
 
 def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
@@ -158,7 +163,7 @@ def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
 
 
 def _reasons(entry: Mapping[str, Any], path: Path) -> Iterator[tuple[str, Unquoted]]:
-    reason = entry.get("reason")
+    reason: Any = entry.get("reason")
     if reason not in get_args(Unquoted):
         raise DeclarationError(f"{path}: expected a reason of {get_args(Unquoted)}, got {reason!r}")
     for number in entry.get("claims", ()):

@@ -76,4 +76,5 @@ def _percent(counts: Counter[str]) -> str:
 
 
 def _explained(reason: str) -> str:
-    return {**UNPARSED, **UNQUOTED}.get(reason, reason)  # type: ignore[dict-item]
+    meanings: dict[str, str] = {**UNPARSED, **UNQUOTED}  # type: ignore[dict-item]
+    return meanings.get(reason, reason)

@@ -28,7 +28,26 @@ from algebroproj_sym.declaring import Claim, DeclarationError
 from algebroproj_sym.expressions import Expression, ParseError, parse
 
 FILE = "symbols.toml"
-_PLAIN = re.compile(r"\\?[a-zA-Z]+")
+_GREEK = (
+    *(
+        "alpha",
+        "beta",
+        "gamma",
+        "delta",
+        "epsilon",
+        "zeta",
+        "eta",
+        "theta",
+        "iota",
+        "kappa",
+        "lambda",
+        "mu",
+        "nu",
+        "xi",
+    ),
+    *("pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega", "varphi", "varrho", "vartheta", "varkappa"),
+)
+_LETTER = re.compile(rf"[A-Za-z]|\\(?i:{'|'.join(_GREEK)})")
 
 
 @dataclass(frozen=True)
@@ -82,7 +101,7 @@ class Symbols:
 
     def _by_rule(self, letter: str, primes: int, subscript: str) -> sympy.Symbol | None:
         begin = next((table.letters[letter] for table in self.tables if letter in table.letters), None)
-        if begin is None and not _PLAIN.fullmatch(letter):
+        if begin is None and not _LETTER.fullmatch(letter):
             return None
         marks = "p" * primes if all(table.primes for table in self.tables) else ""
         name = f"{begin if begin is not None else letter.lstrip(chr(92))}{marks}{subscript}"

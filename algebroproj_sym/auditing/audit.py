@@ -170,8 +170,8 @@ def _layouts(read: Sequence[Any], printed: Sequence[Any], quote: Quote) -> Itera
     """Yield entries of both sides in one order: by rows, and by columns."""
     for order in (_by_rows, _by_columns):
         theirs, ours = [e for part in read for e in order(part)], [e for part in printed for e in order(part)]
-        if all(entry == 0 for entry in theirs) and len(theirs) == 1:
-            theirs = theirs * len(ours)
+        if all(entry == 0 for entry in theirs):
+            theirs = [sympy.Integer(0)] * len(ours)
         if len(theirs) == len(ours):
             yield theirs, ours
             if quote.equation:

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
@@ -29,7 +30,7 @@ from algebroproj_sym.declaring import DeclarationError, Quotations, Quote, locat
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving import prove
-from algebroproj_sym.reporting import audit_record
+from algebroproj_sym.reporting import audit_counts, audit_record, audited_share
 
 x, y, D, u1, u2, up1, upp31, mu1, mu2, y01, z11 = sympy.symbols("x y D u1 u2 up1 upp31 mu1 mu2 y01 z11")
 DEMO = Table(
@@ -277,6 +278,23 @@ def test_most_of_what_the_papers_print_is_audited_by_machine(findings):
     assert len(by_machine) > 0.69 * len(about)
 
 
+def test_the_readme_has_the_figures(findings, repository):
+    readme = (repository / "README.md").read_text(encoding="utf-8")
+    for paper, counts in audit_counts(findings).items():
+        cells = [counts[name] for name in ("equal", "number", "quoted", "beyond", "unquoted")]
+        row = " | ".join(map(str, (f"`{paper}`", counts.total(), *cells, audited_share(counts))))
+        assert f"| {row} |" in readme
+    for reason in ("words", "damaged", "abbreviated", "implicit"):
+        assert f"({sum(f.reason == reason for f in findings)})" in readme
+
+
+def test_words_are_quoted_sparingly(findings):
+    quotes = {f.quote for f in findings if f.quote and f.quote.unparsed == "words"}
+    for quote in quotes:
+        plain = re.sub(r"\$[^$]*\$", " ", " ".join(quote.pieces))
+        assert len(re.findall(r"[A-Za-z]{2,}", plain)) <= 20, quote.text
+
+
 def test_the_record_is_the_same_each_time(findings, papers):
     found = [finding for finding in findings if finding.claim.paper == "okamoto1981"]
     record = audit_record(found, papers is not None)
@@ -378,7 +396,7 @@ def test_the_command_audits_a_folder_of_ones_own(folder):
     assert result.exit_code == 0, result.output
     record = json.loads(result.stdout)
     assert record["against the papers"] is True
-    assert record["summary"] == {"lines": {"equal": 1, "unquoted": 1}}
+    assert record["summary"] == {"lines": {"equal": 1, "beyond": 1}}
     assert record["findings"][0] == {
         **{"paper": "lines", "number": "1.1", "status": "equal", "reason": ""},
         **{"line": 2, "quote": "s = x + 2 \\eta"},

@@ -76,7 +76,7 @@ class Quote:
     sides: tuple[int, ...] = (-1,)
     equation: bool = False
     coefficients: tuple[str, ...] = ()
-    indices: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    indices: Mapping[str, tuple[str, ...]] = field(default_factory=dict, hash=False)
     unparsed: Unparsed | Literal[""] = ""
 
     @property

@@ -123,7 +123,7 @@ def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
     except UnreadableError as error:
         return Finding(claim, "failed", f"cannot be read: {error}", quote)
     printed = claim.printed if isinstance(claim.printed, tuple) else (claim.printed,)
-    if any(_are_equal(claim, theirs, ours) for theirs, ours in _layouts(read, printed, quote)):
+    if any(_are_equal(theirs, ours) for theirs, ours in _layouts(read, printed, quote)):
         return Finding(claim, "equal", "", quote)
     return Finding(claim, "failed", f"the quote reads {', '.join(map(str, read))}", quote)
 
@@ -186,5 +186,5 @@ def _by_columns(part: Any) -> list[Any]:
     return list(entries(part.T if shape(part) else part))
 
 
-def _are_equal(claim: Claim, theirs: list[Any], ours: list[Any]) -> bool:
+def _are_equal(theirs: list[Any], ours: list[Any]) -> bool:
     return prove(vector(*theirs), vector(*ours)).verdict == "proved"

@@ -9,7 +9,7 @@ from fractions import Fraction
 
 import sympy
 
-from algebroproj_sym.expressions import evaluate
+from algebroproj_sym.expressions import evaluate, free_symbols
 
 Point = dict[sympy.Symbol, Fraction]
 
@@ -53,13 +53,13 @@ def points_on(
 def _onto(constraints: Sequence[sympy.Expr], start: Point, generator: random.Random) -> Point | None:
     point, solved = dict(start), set[sympy.Symbol]()
     for constraint in constraints:
-        free = sorted(constraint.free_symbols - solved, key=str)
+        free = sorted(free_symbols(constraint) - solved, key=lambda symbol: symbol.name)
         generator.shuffle(free)
         for variable in free:
             root = _affine_root(constraint, point, variable)
             if root is not None:
                 point[variable] = root
-                solved |= constraint.free_symbols
+                solved |= free_symbols(constraint)
                 break
         else:
             return None

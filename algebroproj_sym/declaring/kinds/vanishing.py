@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.expressions import evaluate, symbols_of
+from algebroproj_sym.expressions import evaluate, symbols_of, written
 from algebroproj_sym.proving import Point, Proof, RationalFunction, RationalFunctionField, points_on, prove, seed_of
 
 TRIES = 200
@@ -30,8 +30,8 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     if value.is_zero:
         raise DeclarationError(f"{claim.number}: expected a derived expression that is not identically zero")
     content, factors = field.irreducible(value.numerator)
-    zeros = {str(field.expression(f)): (field.expression(f), count) for f, count in factors}
-    excluded = {*map(str, field.divisors()), *_irreducible(claim.nonzero, field)}
+    zeros = {written(field.expression(f)): (field.expression(f), count) for f, count in factors}
+    excluded = {*map(written, field.divisors()), *_irreducible(claim.nonzero, field)}
     restricted = {name: entry for name, entry in zeros.items() if name not in excluded}
     parts = [_irreducible([factor], field) for factor in printed]
     claimed: Factors = {name: entry for part in parts for name, entry in part.items()}
@@ -55,7 +55,7 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
 def _irreducible(expressions: Sequence[sympy.Expr], field: RationalFunctionField) -> Factors:
     numerators = [evaluate(expression, field.variables, field.lift)[0].numerator for expression in expressions]
     factors = [factor for numerator in numerators for factor in field.irreducible(numerator)[1]]
-    return {str(field.expression(factor)): (field.expression(factor), count) for factor, count in factors}
+    return {written(field.expression(factor)): (field.expression(factor), count) for factor, count in factors}
 
 
 def _product(factors: Factors) -> sympy.Expr:
@@ -68,7 +68,7 @@ def _powers(factors: Factors) -> list[list[Any]]:
 
 def _exponents(value: RationalFunction) -> Factors:
     factors = [(value.field.expression(value.field.factors[place]), count) for place, count in value.denominator]
-    return {str(factor): (factor, count) for factor, count in factors if count}
+    return {written(factor): (factor, count) for factor, count in factors if count}
 
 
 def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr], engine: str) -> Proof:
@@ -76,7 +76,7 @@ def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr
     derived: Any = claim.derived
     symbols = symbols_of((derived, product, *claim.nonzero))
     for suspect in suspects:
-        for point in points_on([suspect], symbols, seed_of(derived, product), TRIES):
+        for point in points_on([suspect], symbols, seed_of(written(derived), written(product)), TRIES):
             if _tells_apart(point, derived, product, claim.nonzero):
                 values = [str(evaluate(side, point)[0]) for side in (derived, product)]
                 certificate = {"method": "counterexample", "derived": values[0], "product of the factors": values[1]}

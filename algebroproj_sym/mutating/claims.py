@@ -14,13 +14,13 @@ from algebroproj_sym.expressions import written
 from algebroproj_sym.mutating.forms import Mutant, mutants, sampled
 from algebroproj_sym.proving import Proof, UndefinedError, seed_of
 
-Fate = Literal["refuted", "undefined", "equivalent", "survived"]
+Fate = Literal["refuted", "undefined", "equivalent", "explained", "survived"]
 
 
 @dataclass(frozen=True)
 class MutantFate:
     """What became of a mutant: ``refuted`` by an exact counterexample, ``undefined`` because a denominator is zero,
-    ``equivalent`` to the unchanged form by a proof, or ``survived`` with the reason.
+    ``equivalent`` to the unchanged form by a proof, or ``survived``, ``explained`` where it is known why it must.
     """  # noqa: D205
 
     change: str

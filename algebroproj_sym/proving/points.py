@@ -10,6 +10,8 @@ from fractions import Fraction
 import sympy
 
 from algebroproj_sym.expressions import evaluate, free_symbols
+from algebroproj_sym.proving.rational_function import RationalFunctionField
+from algebroproj_sym.proving.varieties import real_points
 
 Point = dict[sympy.Symbol, Fraction]
 
@@ -48,6 +50,22 @@ def points_on(
         point = _onto(constraints, next(source), generator)
         if point is not None and _vanish(constraints, point):
             yield point
+
+
+def rational_zeros(expression: sympy.Expr, symbols: Sequence[sympy.Symbol], seed: int, tries: int) -> Iterator[Point]:
+    """Yield rational points on which a polynomial vanishes: values for all variables but one, then a rational root.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> point = next(rational_zeros(x**2 + y**2 - 25, [x, y], 1, 50))
+    >>> point[x]**2 + point[y]**2
+    Fraction(25, 1)
+    """
+    field = RationalFunctionField(symbols, "flint")
+    polynomial = evaluate(expression, field.variables, field.lift)[0].numerator
+    for values in real_points([polynomial], polynomial.context(), seed, tries):
+        yield dict(zip(symbols, values, strict=True))  # type: ignore[arg-type]
 
 
 def _onto(constraints: Sequence[sympy.Expr], start: Point, generator: random.Random) -> Point | None:

@@ -7,15 +7,26 @@ not defined, or nothing is claimed.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import islice
 from typing import Any, TypeAlias
 
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.expressions import evaluate, symbols_of, written
-from algebroproj_sym.proving import Point, Proof, RationalFunction, RationalFunctionField, points_on, prove, seed_of
+from algebroproj_sym.proving import (
+    Point,
+    Proof,
+    RationalFunction,
+    RationalFunctionField,
+    points_on,
+    prove,
+    rational_points,
+    rational_zeros,
+    seed_of,
+)
 
 TRIES = 200
 
@@ -35,7 +46,8 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     restricted = {name: entry for name, entry in zeros.items() if name not in excluded}
     parts = [_irreducible([factor], field) for factor in printed]
     claimed: Factors = {name: entry for part in parts for name, entry in part.items()}
-    if restricted.keys() == claimed.keys():
+    everywhere = any(_is_zero(factor, field) for factor in printed)
+    if restricted.keys() == claimed.keys() and not everywhere:
         denominator = field.expression(field.product(value.denominator))
         factored = sympy.Rational(content.numerator, content.denominator) * _product(zeros) / denominator
         certificate = {
@@ -50,6 +62,10 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
         return replace(proof, certificate=certificate) if proof.verdict == "proved" else proof
     suspects = [(restricted | claimed)[name][0] for name in sorted(restricted.keys() ^ claimed.keys())]
     return _refutation(claim, sympy.Mul(*printed), suspects, engine)
+
+
+def _is_zero(expression: sympy.Expr, field: RationalFunctionField) -> bool:
+    return bool(evaluate(expression, field.variables, field.lift)[0].is_zero)
 
 
 def _irreducible(expressions: Sequence[sympy.Expr], field: RationalFunctionField) -> Factors:
@@ -75,14 +91,22 @@ def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr
     """Find a zero of one side that is none of the other, on the factors that only one side has."""
     derived: Any = claim.derived
     symbols = symbols_of((derived, product, *claim.nonzero))
-    for suspect in suspects:
-        for point in points_on([suspect], symbols, seed_of(written(derived), written(product)), TRIES):
-            if _tells_apart(point, derived, product, claim.nonzero):
-                values = [str(evaluate(side, point)[0]) for side in (derived, product)]
-                certificate = {"method": "counterexample", "derived": values[0], "product of the factors": values[1]}
-                return Proof("refuted", (), certificate, point, engine)
+    for point in _candidates(suspects, symbols, seed_of(written(derived), written(product))):
+        if _tells_apart(point, derived, product, claim.nonzero):
+            values = [str(evaluate(side, point)[0]) for side in (derived, product)]
+            certificate = {"method": "counterexample", "derived": values[0], "product of the factors": values[1]}
+            return Proof("refuted", (), certificate, point, engine)
     reason = "the irreducible factors differ, but no rational point tells them apart"
     return Proof("open", (), {"method": "none", "reason": reason}, None, engine)
+
+
+def _candidates(suspects: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int) -> Iterator[Point]:
+    """Yield zeros of the factors, solved for a variable or with a rational root, then any points."""
+    for suspect in suspects:
+        yield from points_on([suspect], symbols, seed, TRIES)
+    for suspect in suspects:
+        yield from rational_zeros(suspect, symbols, seed, TRIES)
+    yield from islice(rational_points(symbols, seed), TRIES)
 
 
 def _tells_apart(point: Point, derived: sympy.Expr, product: sympy.Expr, nonzero: Sequence[sympy.Expr]) -> bool:

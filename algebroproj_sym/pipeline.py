@@ -17,6 +17,7 @@ from algebroproj_sym.declaring import Claim, Judgement, Kernel, judge, numbered_
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
+from algebroproj_sym.remembering import Memory
 from algebroproj_sym.reporting import derived_form
 from algebroproj_sym.verifying import Verification, load_package, verify
 
@@ -43,7 +44,9 @@ class UnprovedError(ValueError):
         self.selector = f"{kernel.paper}:{number}"
 
 
-def check(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iterator[Judgement]:
+def check(
+    claims: Sequence[Claim], engine: str = "flint", jobs: int = 1, memory: Memory | None = None
+) -> Iterator[Judgement]:
     """Judge claims, in order.
 
     Parameters
@@ -54,12 +57,24 @@ def check(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iter
         Which polynomial arithmetic to use.
     jobs : int
         How many processes.
+    memory : Memory, optional
+        What earlier runs have proved; without it, everything is proved.
 
     Yields
     ------
     Judgement
     """
-    return _mapped(partial(judge, engine=engine), claims, jobs)
+    known = [memory.recall(claim, engine) if memory else None for claim in claims]
+    changed = [claim for claim, judgement in zip(claims, known, strict=True) if judgement is None]
+    judged = _mapped(partial(judge, engine=engine), changed, jobs)
+    for judgement in known:
+        if judgement is not None:
+            yield judgement
+            continue
+        proved = next(judged)
+        if memory:
+            memory.keep(proved)
+        yield proved
 
 
 def derived_forms(claims: Sequence[Claim], jobs: int = 1) -> Iterator[Expression | None]:

@@ -22,7 +22,8 @@ from algebroproj_sym.reporting.site import OccupiedError, catalogue, functions_o
 @options.samples
 @options.engine
 @options.jobs
-def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, jobs: int) -> None:
+@options.fresh
+def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, jobs: int, fresh: bool) -> None:
     """Prove everything, generate, verify, and write a static site to DIR.
 
     The site has a page for each paper, claim and function, and the errata of each paper; open DIR/index.html.  DIR is
@@ -37,7 +38,7 @@ def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, job
         require_free(out)
     except OccupiedError as error:
         raise click.UsageError(f"--out: {error}") from error
-    judgements = judged(claims, engine, jobs)
+    judgements = judged(claims, engine, jobs, fresh=fresh)
     console().print(summary_text(judgements))
     derived(claims, jobs)
     say_what_is_wrong(judgements)

@@ -11,13 +11,16 @@ from algebroproj_sym import pipeline
 from algebroproj_sym.cli.terminal import progressing, verbosity
 from algebroproj_sym.declaring import Claim, Judgement, Kernel
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
+from algebroproj_sym.remembering import Memory, cache_folder
 from algebroproj_sym.reporting import failure_text, remember
 from algebroproj_sym.verifying import Verification
 
 
-def judged(claims: Sequence[Claim], engine: str, jobs: int) -> list[Judgement]:
-    """Judge claims, in order."""
-    return list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
+def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = True) -> list[Judgement]:
+    """Judge claims, in order; unless it is to be done afresh, only those that have changed since an earlier run."""
+    memory = Memory(cache_folder(), fresh)
+    memory.forget_what_is_old()
+    return list(progressing(pipeline.check(claims, engine, jobs, memory), len(claims), "checking"))
 
 
 def derived(claims: Sequence[Claim], jobs: int) -> None:

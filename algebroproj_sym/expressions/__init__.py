@@ -8,6 +8,7 @@ from algebroproj_sym.expressions.grammar import (
     Scalar,
     divided,
     entries,
+    free_symbols,
     rational,
     shape,
     symbols_of,
@@ -30,6 +31,7 @@ from algebroproj_sym.expressions.linear import (
 from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over, remembered
 from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
+from algebroproj_sym.expressions.writing import written
 
 __all__ = [
     "Expression",
@@ -46,6 +48,7 @@ __all__ = [
     "dot",
     "entries",
     "evaluate",
+    "free_symbols",
     "homogeneous",
     "in_steps",
     "inverse",
@@ -62,4 +65,5 @@ __all__ = [
     "symbols_of",
     "text",
     "vector",
+    "written",
 ]

@@ -8,7 +8,15 @@ from tempfile import TemporaryDirectory
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import derived, judged, lowered_after, require_as_declared, say_what_is_wrong, verified
+from algebroproj_sym.cli.steps import (
+    derived,
+    judged,
+    lowered_after,
+    require_as_declared,
+    run_notebooks,
+    say_what_is_wrong,
+    verified,
+)
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels, located, split
 from algebroproj_sym.generating import PACKAGE, render, write
@@ -22,11 +30,12 @@ from algebroproj_sym.reporting.site import OccupiedError, catalogue, functions_o
 @options.samples
 @options.engine
 @options.jobs
-def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, jobs: int) -> None:
+@click.option("--notebooks", is_flag=True, help="Run the derivations as notebooks, and add them to the site.")
+def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, jobs: int, notebooks: bool) -> None:
     """Prove everything, generate, verify, and write a static site to DIR.
 
     The site has a page for each paper, claim and function, and the errata of each paper; open DIR/index.html.  DIR is
-    replaced as a whole.
+    replaced as a whole.  With --notebooks each derivation is run from top to bottom, and each claim links to its cell.
 
     With SELECTORs, as for check, the site has the selected claims, and the functions that rest on them alone.
     """
@@ -49,7 +58,8 @@ def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, job
         write(package, Path(folder) / PACKAGE)
         verifications = verified(lowered, Path(folder), samples, engine, jobs)
     modules = [derivation for derivation, _ in found]
-    site = render_site(catalogue(judgements, modules, functions_of(lowered, verifications, package)))
+    shown = run_notebooks({module.path: module for module in modules}.values(), jobs) if notebooks else []
+    site = render_site(catalogue(judgements, modules, functions_of(lowered, verifications, package), shown))
     replace(site, out)
     console().print(f"written to {out}: {len(site)} files; open {out / 'index.html'}")
     require_as_declared(judgements, verifications, out / "index.html")

@@ -3,6 +3,7 @@
 from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
 from algebroproj_sym.reporting.forms import derived_form, remember
 from algebroproj_sym.reporting.ledger import claim_record, ledger, summary, write_json, write_text
+from algebroproj_sym.reporting.notebooks import Notebook, NotebookError, run_notebook
 from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
     claims_table,
@@ -14,6 +15,8 @@ from algebroproj_sym.reporting.tables import (
 )
 
 __all__ = [
+    "Notebook",
+    "NotebookError",
     "answers_record",
     "answers_summary",
     "answers_table",
@@ -27,6 +30,7 @@ __all__ = [
     "operations_table",
     "remember",
     "report",
+    "run_notebook",
     "summary",
     "summary_text",
     "verification_table",

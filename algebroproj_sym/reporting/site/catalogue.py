@@ -9,7 +9,8 @@ from functools import cached_property
 from algebroproj_sym.declaring import Derivation, Judgement, Publication, publication
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.reporting.ledger import summary
-from algebroproj_sym.reporting.site.addresses import claim_page, function_page
+from algebroproj_sym.reporting.notebooks import Notebook
+from algebroproj_sym.reporting.site.addresses import claim_page, function_page, notebook_page, slug
 from algebroproj_sym.verifying import Verification
 
 
@@ -121,10 +122,13 @@ class Catalogue:
         With at least one claim each.
     functions : tuple of Function
         In the order of the kernels.
+    notebooks : tuple of Notebook
+        The derivations, run; none unless they are wanted.
     """
 
     papers: tuple[Paper, ...]
     functions: tuple[Function, ...]
+    notebooks: tuple[Notebook, ...] = ()
 
     @property
     def entries(self) -> tuple[Entry, ...]:
@@ -135,6 +139,12 @@ class Catalogue:
     def by_number(self) -> Mapping[tuple[str, str], Entry]:
         """The claims by paper and number."""
         return {(entry.paper, entry.number): entry for entry in self.entries}
+
+    def cell_of(self, entry: Entry) -> str | None:
+        """Return the address of the cell that derives a claim, if the notebook was run."""
+        module = entry.derivation.module
+        ran = any(notebook.module == module for notebook in self.notebooks)
+        return f"{notebook_page(module)}#{slug(entry.number)}" if ran else None
 
     def functions_on(self, entry: Entry) -> tuple[Function, ...]:
         """Return the functions that rest on a claim."""
@@ -154,6 +164,7 @@ def catalogue(
     judgements: Sequence[Judgement],
     derivations: Sequence[Derivation],
     functions: Sequence[Function] = (),
+    notebooks: Sequence[Notebook] = (),
 ) -> Catalogue:
     """Return what the site is about.
 
@@ -165,10 +176,14 @@ def catalogue(
         Where each of their claims is declared.
     functions : sequence of Function
         The generated functions.
+    notebooks : sequence of Notebook
+        The derivations, run.
     """
     entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
     papers = _grouped(sorted(entries, key=_place), lambda entry: entry.paper)
-    return Catalogue(tuple(Paper(publication(key), _chapters(group)) for key, group in papers), tuple(functions))
+    return Catalogue(
+        tuple(Paper(publication(key), _chapters(group)) for key, group in papers), tuple(functions), tuple(notebooks)
+    )
 
 
 def _place(entry: Entry) -> tuple[str, str, int]:

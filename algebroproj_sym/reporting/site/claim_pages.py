@@ -48,6 +48,7 @@ def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: M
         note=linked(claim.note, entry.paper, entry.page, catalogue),
         instead=catalogue.by_number.get((entry.paper, claim.instead)),
         functions=catalogue.functions_on(entry),
+        cell=catalogue.cell_of(entry),
         previous=paper.entries[place - 1] if place else None,
         following=paper.entries[place + 1] if place + 1 < len(paper.entries) else None,
         record=record,

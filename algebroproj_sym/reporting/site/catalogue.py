@@ -180,10 +180,9 @@ def catalogue(
         The derivations, run.
     """
     entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
-    papers = _grouped(sorted(entries, key=_place), lambda entry: entry.paper)
-    return Catalogue(
-        tuple(Paper(publication(key), _chapters(group)) for key, group in papers), tuple(functions), tuple(notebooks)
-    )
+    groups = _grouped(sorted(entries, key=_place), lambda entry: entry.paper)
+    papers = tuple(Paper(publication(key), _chapters(group)) for key, group in groups)
+    return Catalogue(papers, tuple(functions), tuple(notebooks))
 
 
 def _place(entry: Entry) -> tuple[str, str, int]:

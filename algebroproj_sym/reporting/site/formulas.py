@@ -64,9 +64,8 @@ def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "for
         pieces = [equation(presentation(factor), sympy.Integer(0), extent=size(factor)) for factor in statement]
         return Form(Markup("<p>or</p>").join(pieces))
     if _is_formula(statement):
-        return Form(
-            scrolling(math(presentation(statement, marks), block=True), label, focusable=size(statement) > SMALL)
-        )
+        shown = math(presentation(statement, marks), block=True)
+        return Form(scrolling(shown, label, focusable=size(statement) > SMALL))
     return _as_text(statement, label)
 
 

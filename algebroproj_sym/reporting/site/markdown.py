@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from functools import cache
 from typing import Any
@@ -11,6 +12,9 @@ from markupsafe import Markup
 from algebroproj_sym.reporting.site.formulas import scrolling
 
 SHORT = 40
+_SCROLLING_INLINE = Markup('<span class="line-formula" tabindex="0" role="group" aria-label="formula">{}</span>')
+_GROUP = r"\{[^{}]*\}|\\[A-Za-z]+|[^\s{}]"
+_PRIMES = re.compile(rf"(?P<primes>'+)(?P<below>_(?:{_GROUP}))?\^(?P<above>{_GROUP})")
 
 
 def markdown_html(text: str) -> Markup:
@@ -28,8 +32,26 @@ def latex_html(formula: str, *, block: bool) -> Markup:
     """Return a LaTeX formula as MathML; a block that is too wide for the page scrolls."""
     from latex2mathml.converter import convert
 
-    mathml = Markup(convert(formula, display="block" if block else "inline"))
-    return scrolling(mathml, "formula", focusable=len(formula) > SHORT) if block else mathml
+    mathml = Markup(convert(_primed(formula), display="block" if block else "inline"))
+    if block:
+        return scrolling(mathml, "formula", focusable=len(formula) > SHORT)
+    return mathml if len(formula) <= SHORT else _SCROLLING_INLINE.format(mathml)
+
+
+def _primed(formula: str) -> str:
+    r"""Write primes before a superscript into the superscript, which the converter does not do itself.
+
+    Examples
+    --------
+    >>> _primed("u''^T M'^{-1} x'_1^2")
+    'u^{\\prime\\prime T} M^{\\prime -1} x_1^{\\prime 2}'
+    """
+    return _PRIMES.sub(_with_primes_above, formula)
+
+
+def _with_primes_above(match: re.Match[str]) -> str:
+    primes = r"\prime" * len(match["primes"])
+    return f"{match['below'] or ''}^{{{primes} {match['above'].strip('{}')}}}"
 
 
 @cache

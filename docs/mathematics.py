@@ -1,4 +1,4 @@
-"""Formulas of the documentation as MathML, written when the pages are built: readers need neither script nor network."""
+"""Formulas of the documentation as MathML, written when the pages are built: no script, no network."""
 
 import html
 import re

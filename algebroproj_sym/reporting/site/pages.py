@@ -26,7 +26,13 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
     """
     record = ledger([entry.judgement for entry in catalogue.entries], timed=False)
     files = {
-        START: page("start", START, catalogue=catalogue, verdicts=VERDICTS),
+        START: page(
+            "start",
+            START,
+            catalogue=catalogue,
+            verdicts=VERDICTS,
+            checked=sum(map(catalogue.is_checked, catalogue.entries)),
+        ),
         SEARCH: page("search", SEARCH, catalogue=catalogue),
         MARKER: search_script(catalogue),
         LEDGER: json.dumps(record, indent=1, ensure_ascii=False) + "\n",

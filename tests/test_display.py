@@ -109,6 +109,13 @@ def test_an_equality_up_to_scale_is_not_shown_as_an_equality(section):
     assert "=" not in formula
 
 
+def test_a_rank_and_a_limit_are_not_shown_as_equal_to_their_argument(section):
+    rank = section.rank("1.2", "a rank", printed=1, derived=Matrix([[x, x], [x, x]]), kernel=[vector(1, -1)])
+    assert paragraphs(rank)[1].startswith(r"1 = \operatorname{rank} \left[")
+    limit = section.limit("1.3", "a limit", printed=y, derived=x + y, variable=x)
+    assert paragraphs(limit)[1] == r"y = \lim_{x \to 0} \left(x + y\right)"
+
+
 def test_an_open_claim_shows_why_it_is(section):
     claim = section.vanishing("1.2", "no zero", printed=(), derived=x**2 + 1)
     heading, _, rest = paragraphs(claim)

@@ -92,12 +92,20 @@ def _formula(claim: Claim, verdict: Verdict) -> str:
     if claim.derived is None:
         return _latex(claim.printed)
     as_written = claim.kind in ("count", "rank") or _is_long(claim.derived)
-    derived = _latex(claim.derived if as_written else reduced(claim.derived))
+    derived = _applied(claim, _latex(claim.derived if as_written else reduced(claim.derived)))
     if claim.kind == "vanishing":
         return f"{derived} {_relation(claim, verdict)} {_latex(claim.printed)}"
     if claim.printed is None:
         return derived
     return f"{_latex(claim.printed)} {_relation(claim, verdict)} {derived}"
+
+
+def _applied(claim: Claim, derived: str) -> str:
+    """Return what is compared with the printed form: of a rank, a count and a limit not the derived form itself."""
+    if claim.kind == "limit":
+        return rf"\lim_{{{_latex(claim.variable)} \to 0}} \left({derived}\right)"
+    operators = {"rank": r"\operatorname{rank} ", "count": r"\operatorname{rank} \partial "}
+    return operators.get(claim.kind, "") + derived
 
 
 def _relation(claim: Claim, verdict: Verdict) -> str:

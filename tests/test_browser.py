@@ -44,9 +44,12 @@ READ_PAGE = """() => {
   };
 }"""
 
-pytestmark = pytest.mark.skipif(
-    CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium; install Debian's package chromium"
-)
+pytestmark = [
+    pytest.mark.xdist_group("browser"),
+    pytest.mark.skipif(
+        CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium; install Debian's package chromium"
+    ),
+]
 
 
 @dataclass

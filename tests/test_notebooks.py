@@ -20,6 +20,8 @@ from algebroproj_sym.reporting.site.addresses import slug
 from algebroproj_sym.reporting.site.markdown import latex_html, markdown_html
 from algebroproj_sym.scaffolding import create
 
+pytestmark = pytest.mark.xdist_group("notebooks")
+
 PLAIN = """
 import sympy
 from algebroproj_sym import Section

@@ -1,0 +1,614 @@
+(** Rational formulas over the reals, decided by computing in the kernel.
+
+    A theorem of the exported files states equations between real numbers in ordinary notation.  Its proof names the
+    same formulas as trees of type [expr], and the lemma [follows] or [computed] below reduces the theorem to a
+    computation with polynomials over Q, or with rational numbers.  Everything here is proved; a reader of a theorem
+    needs to believe none of it. *)
+
+From Coq Require Import Reals QArith Qreals List ZArith Lia Lra.
+From Coq Require Import BinList Ring_theory Ring_polynom.
+Import ListNotations.
+Open Scope R_scope.
+
+(** * Formulas and what they say *)
+
+(** [Div a b c h]: the numerator of b is c times the product of the divisors with the exponents h. *)
+Inductive expr : Type :=
+| Int (n : Z)
+| Var (k : nat)
+| Opp (a : expr)
+| Add (a b : expr)
+| Sub (a b : expr)
+| Mul (a b : expr)
+| Div (a b : expr) (c : Q) (h : list Z)
+| Pow (a : expr) (n : nat).
+
+Fixpoint eval (env : list R) (e : expr) : R :=
+  match e with
+  | Int n => IZR n
+  | Var k => List.nth k env 0
+  | Opp a => - eval env a
+  | Add a b => eval env a + eval env b
+  | Sub a b => eval env a - eval env b
+  | Mul a b => eval env a * eval env b
+  | Div a b _ _ => eval env a / eval env b
+  | Pow a n => eval env a ^ n
+  end.
+
+Inductive literal : Type :=
+| Zero (a : expr)
+| Nonzero (a : expr)
+| Equal (a b : expr)
+| Unequal (a b : expr)
+| Atmost (a b : expr).
+
+Definition says (env : list R) (l : literal) : Prop :=
+  match l with
+  | Zero a => eval env a = 0
+  | Nonzero a => eval env a <> 0
+  | Equal a b => eval env a = eval env b
+  | Unequal a b => eval env a <> eval env b
+  | Atmost a b => eval env a <= eval env b
+  end.
+
+Fixpoint all (props : list Prop) : Prop :=
+  match props with
+  | [] => True
+  | [p] => p
+  | p :: rest => p /\ all rest
+  end.
+
+Lemma all_cons p rest : all (p :: rest) <-> p /\ all rest.
+Proof. destruct rest; simpl; tauto. Qed.
+
+Lemma all_map {A} (f : A -> Prop) (l : list A) : all (map f l) <-> Forall f l.
+Proof.
+  induction l as [|a l IH]; [simpl; split; auto|].
+  cbn [map]. rewrite all_cons, IH. split; [intros []; now constructor|inversion 1; tauto].
+Qed.
+
+(** Names of subterms: the k-th variable after the first [n] is the value of the k-th definition. *)
+Fixpoint defined (env : list R) (n : nat) (definitions : list expr) : list Prop :=
+  match definitions with
+  | [] => []
+  | d :: rest => (List.nth n env 0 = eval env d) :: defined env (S n) rest
+  end.
+
+(** * Polynomials over Q *)
+
+Definition qadd (a b : Q) : Q := Qred (a + b).
+Definition qsub (a b : Q) : Q := Qred (a - b).
+Definition qmul (a b : Q) : Q := Qred (a * b).
+Definition qdiv (a b : Q) : Q := Qred (a / b).
+
+
+Lemma Q2R_0 : Q2R 0 = 0.
+Proof. unfold Q2R; simpl; lra. Qed.
+Lemma Q2R_1 : Q2R 1 = 1.
+Proof. unfold Q2R; simpl; lra. Qed.
+
+Lemma real_morphism : ring_morph 0 1 Rplus Rmult Rminus Ropp (@eq R) 0%Q 1%Q qadd qmul qsub Qopp Qeq_bool Q2R.
+Proof.
+  constructor; intros; unfold qadd, qsub, qmul; rewrite ?(Qeq_eqR _ _ (Qred_correct _)).
+  - exact Q2R_0.
+  - exact Q2R_1.
+  - apply Q2R_plus.
+  - apply Q2R_minus.
+  - apply Q2R_mult.
+  - apply Q2R_opp.
+  - now apply Qeq_eqR, Qeq_bool_iff.
+Qed.
+
+Definition Rsth : Equivalence (@eq R) := eq_equivalence.
+Definition Reqe : ring_eq_ext Rplus Rmult Ropp (@eq R) := Eq_ext _ _ _.
+Definition Rarth : almost_ring_theory 0 1 Rplus Rmult Rminus Ropp (@eq R) := Rth_ARth Rsth Reqe RTheory.
+
+Definition poly := Pol Q.
+Definition padd : poly -> poly -> poly := Padd 0%Q qadd Qeq_bool.
+Definition pmul : poly -> poly -> poly := Pmul 0%Q 1%Q qadd qmul Qeq_bool.
+Definition popp : poly -> poly := Popp Qopp.
+Definition peq : poly -> poly -> bool := Peq Qeq_bool.
+Definition pvar (k : nat) : poly := mk_X 0%Q 1%Q (Pos.of_succ_nat k).
+Definition value_of (xs : list R) : poly -> R := Pphi 0 Rplus Rmult Q2R xs.
+
+Arguments padd : simpl never.
+Arguments pmul : simpl never.
+Arguments popp : simpl never.
+Arguments value_of : simpl never.
+
+Lemma value_add xs p q : value_of xs (padd p q) = value_of xs p + value_of xs q.
+Proof. exact (Padd_ok Rsth Reqe Rarth real_morphism q p xs). Qed.
+Lemma value_mul xs p q : value_of xs (pmul p q) = value_of xs p * value_of xs q.
+Proof. exact (Pmul_ok Rsth Reqe Rarth real_morphism p q xs). Qed.
+Lemma value_opp xs p : value_of xs (popp p) = - value_of xs p.
+Proof. exact (Popp_ok Rsth Reqe Rarth real_morphism p xs). Qed.
+Lemma value_eq xs p q : peq p q = true -> value_of xs p = value_of xs q.
+Proof. intro H. exact (Peq_ok Rsth Reqe real_morphism p q H xs). Qed.
+
+Lemma nth_nothing p : BinList.nth 0 p (@nil R) = 0.
+Proof.
+  assert (forall p, jump p (@nil R) = []) as E by (intro q; induction q; simpl; congruence).
+  induction p; simpl; rewrite ?E; auto.
+Qed.
+
+Lemma nth_successor p x (xs : list R) : BinList.nth 0 (Pos.succ p) (x :: xs) = BinList.nth 0 p xs.
+Proof.
+  change (BinList.nth 0 (Pos.succ p) (tl (0 :: x :: xs)) = BinList.nth 0 p (tl (x :: xs))).
+  rewrite !nth_jump, jump_succ. simpl jump at 1. now rewrite jump_tl.
+Qed.
+
+Lemma nth_positive k (xs : list R) : BinList.nth 0 (Pos.of_succ_nat k) xs = List.nth k xs 0.
+Proof.
+  revert xs; induction k as [|k IH]; intros [|x xs]; try reflexivity; [apply nth_nothing|].
+  simpl Pos.of_succ_nat. now rewrite nth_successor, IH.
+Qed.
+
+Lemma value_var xs k : value_of xs (pvar k) = List.nth k xs 0.
+Proof.
+  rewrite <- nth_positive. symmetry.
+  exact (mkX_ok Rsth Reqe Rarth real_morphism (Pos.of_succ_nat k) xs).
+Qed.
+Lemma value_constant xs c : value_of xs (Pc c) = Q2R c.
+Proof. reflexivity. Qed.
+
+(** * Fractions over listed divisors: a polynomial times integer powers of the divisors *)
+
+Definition fraction : Type := poly * list Z.
+
+Fixpoint powers (fs : list R) (e : list Z) : R :=
+  match fs, e with f :: fs, n :: e => powerRZ f n * powers fs e | _, _ => 1 end.
+
+Fixpoint plus (e f : list Z) : list Z :=
+  match e, f with [], _ => f | _, [] => e | a :: e, b :: f => (a + b)%Z :: plus e f end.
+Definition opposite : list Z -> list Z := map Z.opp.
+(** What the exponents e exceed f by, and the least of both. *)
+Definition excess (e f : list Z) : list Z := map (Z.max 0) (plus e (opposite f)).
+Definition least (e f : list Z) : list Z := plus e (opposite (excess e f)).
+
+Fixpoint ppower (p : poly) (n : nat) : poly :=
+  match n with O => Pc 1%Q | S O => p | S n => pmul p (ppower p n) end.
+Fixpoint lift (fs : list poly) (e : list Z) : poly :=
+  match fs, e with
+  | f :: fs, n :: e => if (n =? 0)%Z then lift fs e else pmul (ppower f (Z.to_nat n)) (lift fs e)
+  | _, _ => Pc 1%Q
+  end.
+
+Definition regular (fs : list R) : Prop := Forall (fun f => f <> 0) fs.
+
+Lemma powers_plus fs e f : regular fs -> powers fs (plus e f) = powers fs e * powers fs f.
+Proof.
+  intro H. revert e f. induction H as [|x l Hx _ IH]; intros [|a e] [|b f]; simpl; try ring.
+  rewrite powerRZ_add, IH by assumption. ring.
+Qed.
+
+Lemma powers_nonzero fs e : regular fs -> powers fs e <> 0.
+Proof.
+  intro H. revert e. induction H as [|x l Hx _ IH]; intros [|a e]; simpl; try lra.
+  apply Rmult_integral_contrapositive_currified; [now apply powerRZ_NOR|apply IH].
+Qed.
+
+Lemma powers_opposite fs e : regular fs -> powers fs (opposite e) * powers fs e = 1.
+Proof.
+  intro H. revert e. induction H as [|x l Hx _ IH]; intros [|a e]; simpl; try ring.
+  transitivity (powerRZ x (- a) * powerRZ x a * (powers l (opposite e) * powers l e)); [ring|].
+  rewrite IH, <- powerRZ_add, Z.add_opp_diag_l by assumption. simpl; ring.
+Qed.
+
+Section Fractions.
+Variable xs : list R.
+Variable divisors : list poly.
+Let fs := map (value_of xs) divisors.
+Hypothesis Hfs : regular fs.
+
+Definition meaning (v : fraction) : R := value_of xs (fst v) * powers fs (snd v).
+
+Lemma value_ppower p n : value_of xs (ppower p n) = value_of xs p ^ n.
+Proof.
+  induction n as [|[|n] IH].
+  - exact Q2R_1.
+  - simpl; ring.
+  - change (ppower p (S (S n))) with (pmul p (ppower p (S n))). rewrite value_mul, IH. reflexivity.
+Qed.
+
+Lemma value_lift e : Forall (fun n => (0 <= n)%Z) e -> value_of xs (lift divisors e) = powers fs e.
+Proof.
+  unfold fs. clear Hfs fs. revert e; induction divisors as [|f l IH]; intros [|n e] H;
+    try exact Q2R_1.
+  inversion_clear H. cbn [lift map powers]. destruct (Z.eqb_spec n 0) as [->|].
+  - rewrite IH by assumption. simpl. ring.
+  - rewrite value_mul, value_ppower, IH by assumption. f_equal.
+    rewrite <- (Z2Nat.id n) at 2 by assumption. apply pow_powerRZ.
+Qed.
+
+Lemma excess_natural e f : Forall (fun n => (0 <= n)%Z) (excess e f).
+Proof. apply Forall_map, Forall_forall. intros. lia. Qed.
+
+Lemma least_comm e f : least e f = least f e.
+Proof.
+  unfold least, excess, opposite.
+  revert f; induction e as [|a e IH]; intros [|b f]; cbn; try reflexivity; f_equal; try lia; [| |apply IH].
+  - clear. induction f as [|a f IH]; cbn; f_equal; [lia|apply IH].
+  - clear. induction e as [|a e IH]; cbn; f_equal; [lia|apply IH].
+Qed.
+
+Lemma powers_excess e f : powers fs (excess e f) * powers fs (least e f) = powers fs e.
+Proof.
+  unfold least. rewrite powers_plus by assumption.
+  replace (powers fs (excess e f) * (powers fs e * powers fs (opposite (excess e f))))
+    with (powers fs e * (powers fs (opposite (excess e f)) * powers fs (excess e f))) by ring.
+  rewrite powers_opposite by assumption. ring.
+Qed.
+
+Definition fconstant (c : Q) : fraction := (Pc c, []).
+Definition fopp (v : fraction) : fraction := (popp (fst v), snd v).
+Definition fadd (v w : fraction) : fraction :=
+  if peq (fst v) (Pc 0%Q) then w else if peq (fst w) (Pc 0%Q) then v else
+  (padd (pmul (fst v) (lift divisors (excess (snd v) (snd w)))) (pmul (fst w) (lift divisors (excess (snd w) (snd v)))),
+   least (snd v) (snd w)).
+Definition fmul (v w : fraction) : fraction := (pmul (fst v) (fst w), plus (snd v) (snd w)).
+Fixpoint fpow (v : fraction) (n : nat) : fraction :=
+  match n with O => fconstant 1 | S O => v | S n => fmul v (fpow v n) end.
+Definition fdiv (v w : fraction) (c : Q) (h : list Z) : option fraction :=
+  if peq (fst w) (pmul (Pc c) (lift divisors h)) && negb (Qeq_bool c 0) && forallb (Z.leb 0) h
+  then Some (pmul (fst v) (Pc (Qred (/ c))), plus (snd v) (opposite (plus h (snd w))))
+  else None.
+
+Lemma meaning_constant c : meaning (fconstant c) = Q2R c.
+Proof. change (Q2R c * powers fs [] = Q2R c). destruct fs; simpl; ring. Qed.
+Lemma meaning_zero v : peq (fst v) (Pc 0%Q) = true -> meaning v = 0.
+Proof.
+  intro H. unfold meaning. rewrite (value_eq xs _ _ H), value_constant, Q2R_0. ring.
+Qed.
+Lemma meaning_opp v : meaning (fopp v) = - meaning v.
+Proof. unfold meaning, fopp; simpl. rewrite value_opp. ring. Qed.
+Lemma meaning_add v w : meaning (fadd v w) = meaning v + meaning w.
+Proof.
+  unfold fadd. destruct (peq (fst v) _) eqn:Hv; [rewrite (meaning_zero v) by assumption; ring|].
+  destruct (peq (fst w) _) eqn:Hw; [rewrite (meaning_zero w) by assumption; ring|].
+  unfold meaning; simpl. rewrite value_add, !value_mul, !value_lift by apply excess_natural.
+  rewrite Rmult_plus_distr_r, !Rmult_assoc. rewrite powers_excess.
+  now rewrite (least_comm (snd v)), powers_excess.
+Qed.
+Lemma meaning_mul v w : meaning (fmul v w) = meaning v * meaning w.
+Proof. unfold meaning, fmul; simpl. rewrite value_mul, powers_plus by assumption. ring. Qed.
+Lemma meaning_pow v n : meaning (fpow v n) = meaning v ^ n.
+Proof.
+  induction n as [|[|n] IH].
+  - simpl. rewrite meaning_constant. exact Q2R_1.
+  - simpl; ring.
+  - change (fpow v (S (S n))) with (fmul v (fpow v (S n))). rewrite meaning_mul, IH. reflexivity.
+Qed.
+Lemma Q2R_nonzero c : Qeq_bool c 0 = false -> Q2R c <> 0.
+Proof.
+  intros H E. apply Qeq_bool_neq in H. apply H, eqR_Qeq. now rewrite E, Q2R_0.
+Qed.
+Lemma meaning_div v w c h u : fdiv v w c h = Some u -> meaning u = meaning v / meaning w.
+Proof.
+  unfold fdiv. destruct (_ && _)%bool eqn:H; [|discriminate]. intro E; injection E as <-.
+  apply andb_prop in H as [H Hh]. apply andb_prop in H as [H Hc]. apply Bool.negb_true_iff in Hc.
+  assert (Forall (fun n => (0 <= n)%Z) h) as N.
+  { apply Forall_forall. intros n Hn. rewrite forallb_forall in Hh. now apply Z.leb_le, Hh. }
+  unfold meaning; cbn [fst snd]. rewrite (value_eq xs _ _ H), !value_mul, !value_constant, value_lift by assumption.
+  rewrite powers_plus, (Qeq_eqR _ _ (Qred_correct _)), Q2R_inv by (assumption || now apply Qeq_bool_neq).
+  assert (powers fs (opposite (plus h (snd w))) = / (powers fs h * powers fs (snd w))) as ->.
+  { rewrite <- powers_plus by assumption. apply Rmult_eq_reg_r with (powers fs (plus h (snd w))); [|now apply powers_nonzero].
+    rewrite powers_opposite by assumption. symmetry. now apply Rinv_l, powers_nonzero. }
+  field. repeat split; try now apply powers_nonzero. now apply Q2R_nonzero.
+Qed.
+
+(** * The normal form of a formula *)
+
+Fixpoint normal (values : list fraction) (e : expr) : option fraction :=
+  let both a b f :=
+    match normal values a, normal values b with Some v, Some w => f v w | _, _ => None end in
+  match e with
+  | Int n => Some (fconstant (inject_Z n))
+  | Var k => nth_error values k
+  | Opp a => option_map fopp (normal values a)
+  | Add a b => both a b (fun v w => Some (fadd v w))
+  | Sub a b => both a b (fun v w => Some (fadd v (fopp w)))
+  | Mul a b => both a b (fun v w => Some (fmul v w))
+  | Div a b c h => both a b (fun v w => fdiv v w c h)
+  | Pow a n => option_map (fun v => fpow v n) (normal values a)
+  end.
+
+Definition faithful (env : list R) (values : list fraction) : Prop :=
+  forall k v, nth_error values k = Some v -> List.nth k env 0 = meaning v.
+
+Lemma normal_sound env values : faithful env values ->
+  forall e v, normal values e = Some v -> eval env e = meaning v.
+Proof.
+  intro F. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intros u H;
+    try (destruct (normal values a) as [v|]; [|discriminate]; rewrite (IH v) by reflexivity; injection H as <-);
+    try (destruct (normal values a) as [v|]; [|discriminate]; destruct (normal values b) as [w|]; [|discriminate];
+         rewrite (IHa v), (IHb w) by reflexivity; try injection H as <-).
+  - injection H as <-. rewrite meaning_constant. unfold Q2R; simpl. lra.
+  - now apply F.
+  - now rewrite meaning_opp.
+  - now rewrite meaning_add.
+  - now rewrite meaning_add, meaning_opp.
+  - now rewrite meaning_mul.
+  - symmetry. now apply meaning_div with c h.
+  - now rewrite meaning_pow.
+Qed.
+
+Fixpoint extended (values : list fraction) (definitions : list expr) : option (list fraction) :=
+  match definitions with
+  | [] => Some values
+  | d :: rest => match normal values d with Some v => extended (values ++ [v]) rest | None => None end
+  end.
+
+Lemma extended_faithful env definitions : forall values more,
+  faithful env values -> extended values definitions = Some more ->
+  all (defined env (length values) definitions) -> faithful env more.
+Proof.
+  induction definitions as [|d rest IH]; cbn [extended defined]; intros values more F E D; [now injection E as <-|].
+  destruct (normal values d) as [v|] eqn:N; [|discriminate].
+  rewrite all_cons in D. destruct D as [D1 D2].
+  apply IH with (values ++ [v]); [|assumption|now rewrite app_length, Nat.add_comm].
+  intros k w H. destruct (Nat.lt_ge_cases k (length values)) as [L|L].
+  - rewrite nth_error_app1 in H by assumption. now apply F.
+  - rewrite nth_error_app2 in H by assumption. destruct (k - length values)%nat as [|j] eqn:K.
+    + simpl in H. injection H as <-. replace k with (length values) by lia.
+      rewrite D1. now apply normal_sound with values.
+    + destruct j; discriminate.
+Qed.
+
+(** * What follows from constraints *)
+
+Definition above (v : fraction) : fraction := (fst v, map (Z.max 0) (snd v)).
+
+Lemma meaning_above v : meaning v = 0 -> meaning (above v) = 0.
+Proof.
+  unfold meaning, above; simpl. intro H.
+  destruct (Rmult_integral _ _ H) as [->|E]; [ring|now destruct (powers_nonzero fs (snd v) Hfs)].
+Qed.
+
+(** The difference of the sides to a power, times divisors, is a combination of the constraints. *)
+Inductive goal : Type := Equation (a b : expr) (power : nat) (multiplier : list Z) (cofactors : list expr).
+
+Fixpoint combination (values : list fraction) (cofactors : list expr) (constraints : list fraction) : option fraction :=
+  match cofactors, constraints with
+  | [], _ => Some (fconstant 0)
+  | c :: cs, g :: gs =>
+      match normal values c, combination values cs gs with
+      | Some v, Some w => Some (fadd (fmul v (above g)) w)
+      | _, _ => None
+      end
+  | _, _ => None
+  end.
+
+Definition reached (values constraints : list fraction) (g : goal) : bool :=
+  let '(Equation a b power multiplier cofactors) := g in
+  match normal values (Sub a b), combination values cofactors constraints with
+  | Some v, Some w => 
+      let d := fpow v power in
+      peq (fst (fadd (fst d, plus (snd d) multiplier) (fopp w))) (Pc 0%Q)
+  | _, _ => false
+  end.
+
+Definition concludes (env : list R) (g : goal) : Prop := let '(Equation a b _ _ _) := g in eval env a = eval env b.
+
+Lemma combination_zero env values constraints : faithful env values -> Forall (fun v => meaning v = 0) constraints ->
+  forall cofactors w, combination values cofactors constraints = Some w -> meaning w = 0.
+Proof.
+  intros F Z. induction Z as [|g gs Hg _ IH]; intros [|c cs] w; simpl; intro H; try discriminate;
+    try (injection H as <-; rewrite meaning_constant; exact Q2R_0).
+  destruct (normal values c) as [v|]; [|discriminate].
+  destruct (combination values cs gs) as [u|] eqn:E; [|discriminate]. injection H as <-.
+  rewrite meaning_add, meaning_mul, meaning_above, (IH cs u) by assumption. ring.
+Qed.
+
+Lemma reached_sound env values constraints g : faithful env values -> Forall (fun v => meaning v = 0) constraints ->
+  reached values constraints g = true -> concludes env g.
+Proof.
+  destruct g as [a b power multiplier cofactors]. unfold reached, concludes. intros F Z H.
+  destruct (normal values (Sub a b)) as [v|] eqn:N; [|discriminate].
+  destruct (combination values cofactors constraints) as [w|] eqn:C; [|discriminate].
+  apply meaning_zero in H. rewrite meaning_add, meaning_opp, (combination_zero env values constraints F Z _ _ C) in H.
+  apply (normal_sound env values F) in N. simpl in N. apply Rminus_diag_uniq. rewrite N.
+  destruct (Req_dec (meaning v) 0) as [|D]; [assumption|exfalso].
+  apply (pow_nonzero _ power) in D. rewrite <- meaning_pow in D. unfold meaning in D, H. simpl in H.
+  rewrite powers_plus in H by assumption.
+  assert (value_of xs (fst (fpow v power)) * powers fs (snd (fpow v power)) * powers fs multiplier = 0) as E by lra.
+  apply Rmult_integral in E as [E|E]; [now apply D|now apply powers_nonzero in E].
+Qed.
+
+End Fractions.
+
+Fixpoint traverse {A B} (f : A -> option B) (l : list A) : option (list B) :=
+  match l with
+  | [] => Some []
+  | a :: rest => match f a, traverse f rest with Some b, Some bs => Some (b :: bs) | _, _ => None end
+  end.
+
+Lemma traverse_Forall {A B} (f : A -> option B) (P : A -> Prop) (Q : B -> Prop) l bs :
+  (forall a b, f a = Some b -> P a -> Q b) -> traverse f l = Some bs -> Forall P l -> Forall Q bs.
+Proof.
+  intros H. revert bs. induction l as [|a l IH]; simpl; intros bs E F; [injection E as <-; constructor|].
+  destruct (f a) eqn:Ea; [|discriminate]. destruct (traverse f l); [|discriminate]. injection E as <-.
+  inversion_clear F. constructor; eauto.
+Qed.
+
+Definition base (n : nat) : list fraction := map (fun k => (pvar k, [])) (seq 0 n).
+Definition polynomial (v : option fraction) : option poly :=
+  match v with Some (p, []) => Some p | _ => None end.
+
+Lemma base_faithful (divisors : list poly) xs ss : faithful xs divisors (xs ++ ss) (base (length xs)).
+Proof.
+  intros k v H. unfold base in H. rewrite nth_error_map in H.
+  destruct (nth_error (seq 0 (length xs)) k) as [j|] eqn:E; [|discriminate]. injection H as <-.
+  assert (k < length xs)%nat as L.
+  { rewrite <- (seq_length (length xs) 0). apply nth_error_Some. now rewrite E. }
+  assert (j = k) as -> by (apply (nth_error_nth _ _ O) in E; now rewrite seq_nth in E by assumption).
+  unfold meaning; cbn [fst snd]. rewrite value_var, app_nth1 by assumption. destruct (map _ divisors); simpl; ring.
+Qed.
+
+(** Whether the goals follow from divisors and units that are not zero, definitions, and constraints that are zero;
+    the first [n] variables are free. *)
+Definition decided (n : nat) (divisors definitions units constraints : list expr) (goals : list goal) : bool :=
+  match traverse (fun e => polynomial (normal [] (base n) e)) divisors with
+  | None => false
+  | Some ps =>
+  match extended ps (base n) definitions with
+  | None => false
+  | Some values =>
+  match traverse (normal ps values) units with
+  | None => false
+  | Some us =>
+  let qs := (ps ++ map fst us)%list in
+  match extended qs (base n) definitions with
+  | None => false
+  | Some values =>
+  match traverse (normal qs values) constraints with
+  | None => false
+  | Some cs => forallb (reached qs values cs) goals
+  end end end end end.
+
+Theorem follows xs ss divisors definitions units constraints goals :
+  decided (length xs) divisors definitions units constraints goals = true ->
+  all (map (fun d => eval xs d <> 0) divisors) ->
+  all (defined (xs ++ ss) (length xs) definitions) ->
+  all (map (fun u => eval (xs ++ ss) u <> 0) units) ->
+  all (map (fun c => eval (xs ++ ss) c = 0) constraints) ->
+  all (map (concludes (xs ++ ss)) goals).
+Proof.
+  unfold decided. rewrite !all_map. intros H Hd Hdef Hu Hc.
+  destruct (traverse _ divisors) as [ps|] eqn:Ed; [|discriminate].
+  destruct (extended ps _ definitions) as [values|] eqn:Ev; [|discriminate].
+  destruct (traverse (normal ps values) units) as [us|] eqn:Eu; [|discriminate].
+  destruct (extended (ps ++ map fst us)%list _ definitions) as [values'|] eqn:Ev'; [|discriminate].
+  destruct (traverse (normal _ values') constraints) as [cs|] eqn:Ec; [|discriminate].
+  assert (length (base (length xs)) = length xs) as L by (unfold base; now rewrite map_length, seq_length).
+  assert (regular (map (value_of xs) ps)) as Rps.
+  { apply Forall_map. refine (traverse_Forall _ _ _ _ _ _ Ed Hd). intros d p E N.
+    destruct (normal [] (base (length xs)) d) as [[q [|]]|] eqn:Nd; try discriminate. injection E as ->.
+    assert (regular (map (value_of xs) [])) as R0 by constructor.
+    rewrite <- (app_nil_r xs) in N at 1.
+    rewrite (normal_sound xs [] R0 _ _ (base_faithful [] xs []) _ _ Nd) in N.
+    unfold meaning in N. cbn [fst snd powers map] in N. lra. }
+  assert (faithful xs ps (xs ++ ss) values) as F.
+  { apply (extended_faithful xs ps Rps (xs ++ ss) definitions (base (length xs))); [apply base_faithful|assumption|].
+    now rewrite L. }
+  set (qs := (ps ++ map fst us)%list) in *.
+  assert (regular (map (value_of xs) qs)) as Rqs.
+  { unfold qs. rewrite map_app. apply Forall_app. split; [assumption|].
+    rewrite map_map. apply Forall_map. refine (traverse_Forall _ _ _ _ _ _ Eu Hu). intros u v E N Z.
+    apply N. rewrite (normal_sound xs ps Rps _ _ F _ _ E). unfold meaning. rewrite Z. ring. }
+  assert (faithful xs qs (xs ++ ss) values') as F'.
+  { apply (extended_faithful xs qs Rqs (xs ++ ss) definitions (base (length xs))); [apply base_faithful|assumption|].
+    now rewrite L. }
+  apply Forall_forall. intros g Hg. rewrite forallb_forall in H.
+  apply (reached_sound xs qs Rqs _ _ cs g F'); [|now apply H].
+  refine (traverse_Forall _ _ _ _ _ _ Ec Hc). intros c v E Zc.
+  now rewrite <- (normal_sound xs qs Rqs _ _ F' _ _ E).
+Qed.
+
+(** * Formulas at rational points *)
+
+Fixpoint qpow (q : Q) (n : nat) : Q := match n with O => 1%Q | S n => qmul q (qpow q n) end.
+
+Fixpoint number (env : list Q) (e : expr) : option Q :=
+  let both a b f := match number env a, number env b with Some p, Some q => f p q | _, _ => None end in
+  match e with
+  | Int n => Some (inject_Z n)
+  | Var k => nth_error env k
+  | Opp a => option_map Qopp (number env a)
+  | Add a b => both a b (fun p q => Some (qadd p q))
+  | Sub a b => both a b (fun p q => Some (qsub p q))
+  | Mul a b => both a b (fun p q => Some (qmul p q))
+  | Div a b _ _ => both a b (fun p q => if Qeq_bool q 0 then None else Some (qdiv p q))
+  | Pow a n => option_map (fun p => qpow p n) (number env a)
+  end.
+
+Fixpoint numbers (env : list Q) (definitions : list expr) : option (list Q) :=
+  match definitions with
+  | [] => Some env
+  | d :: rest => match number env d with Some q => numbers (env ++ [q]) rest | None => None end
+  end.
+
+Definition holds (env : list Q) (l : literal) : bool :=
+  let compare a b f := match number env a, number env b with Some p, Some q => f p q | _, _ => false end in
+  match l with
+  | Zero a => compare a (Int 0) Qeq_bool
+  | Nonzero a => compare a (Int 0) (fun p q => negb (Qeq_bool p q))
+  | Equal a b => compare a b Qeq_bool
+  | Unequal a b => compare a b (fun p q => negb (Qeq_bool p q))
+  | Atmost a b => compare a b Qle_bool
+  end.
+
+Definition evaluated (xs : list Q) (definitions : list expr) (literals : list literal) : bool :=
+  match numbers xs definitions with Some env => forallb (holds env) literals | None => false end.
+
+Definition rational (env : list R) (values : list Q) : Prop :=
+  forall k q, nth_error values k = Some q -> List.nth k env 0 = Q2R q.
+
+Lemma Q2R_Z n : Q2R (inject_Z n) = IZR n.
+Proof. unfold Q2R, inject_Z; simpl; lra. Qed.
+Lemma Q2R_red q : Q2R (Qred q) = Q2R q.
+Proof. apply Qeq_eqR, Qred_correct. Qed.
+Lemma Q2R_power q n : Q2R (qpow q n) = Q2R q ^ n.
+Proof. induction n as [|n IH]; simpl; [exact Q2R_1|]. unfold qmul. now rewrite Q2R_red, Q2R_mult, IH. Qed.
+
+Lemma number_sound env values : rational env values -> forall e q, number values e = Some q -> eval env e = Q2R q.
+Proof.
+  intro F. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intros u H;
+    try (destruct (number values a) as [p|]; [|discriminate]; rewrite (IH p) by reflexivity; injection H as <-);
+    try (destruct (number values a) as [p|]; [|discriminate]; destruct (number values b) as [q|]; [|discriminate];
+         rewrite (IHa p), (IHb q) by reflexivity; try injection H as <-);
+    unfold qadd, qsub, qmul; rewrite ?Q2R_red.
+  - injection H as <-. now rewrite Q2R_Z.
+  - now apply F.
+  - now rewrite Q2R_opp.
+  - now rewrite Q2R_plus.
+  - now rewrite Q2R_minus.
+  - now rewrite Q2R_mult.
+  - destruct (Qeq_bool q 0) eqn:E; [discriminate|]. injection H as <-. unfold qdiv.
+    rewrite Q2R_red, Q2R_div; [reflexivity|now apply Qeq_bool_neq].
+  - now rewrite Q2R_power.
+Qed.
+
+Lemma numbers_rational env definitions : forall values more,
+  rational env values -> numbers values definitions = Some more ->
+  all (defined env (length values) definitions) -> rational env more.
+Proof.
+  induction definitions as [|d rest IH]; cbn [numbers defined]; intros values more F E D; [now injection E as <-|].
+  destruct (number values d) as [v|] eqn:N; [|discriminate].
+  rewrite all_cons in D. destruct D as [D1 D2].
+  apply IH with (values ++ [v])%list; [|assumption|now rewrite app_length, Nat.add_comm].
+  intros k w H. destruct (Nat.lt_ge_cases k (length values)) as [L|L].
+  - rewrite nth_error_app1 in H by assumption. now apply F.
+  - rewrite nth_error_app2 in H by assumption. destruct (k - length values)%nat as [|j] eqn:K.
+    + simpl in H. injection H as <-. replace k with (length values) by lia.
+      rewrite D1. now apply number_sound with values.
+    + destruct j; discriminate.
+Qed.
+
+Lemma holds_sound env values : rational env values -> forall l, holds values l = true -> says env l.
+Proof.
+  intros F l. pose proof (number_sound env values F) as S.
+  destruct l as [a|a|a b|a b|a b]; unfold holds, says; try (specialize (S a) as Sa; try specialize (S b) as Sb);
+    (destruct (number values a) as [p|]; [|discriminate]); rewrite (Sa p) by reflexivity.
+  - simpl. intro H. rewrite <- Q2R_0. now apply Qeq_eqR, Qeq_bool_iff.
+  - simpl. intros H E. apply Bool.negb_true_iff in H. now apply Q2R_nonzero in H.
+  - destruct (number values b) as [q|]; [|discriminate]. rewrite (Sb q) by reflexivity. intro H.
+    now apply Qeq_eqR, Qeq_bool_iff.
+  - destruct (number values b) as [q|]; [|discriminate]. rewrite (Sb q) by reflexivity. intros H E.
+    apply Bool.negb_true_iff in H. apply Qeq_bool_neq in H. now apply H, eqR_Qeq.
+  - destruct (number values b) as [q|]; [|discriminate]. rewrite (Sb q) by reflexivity. intro H.
+    now apply Qle_Rle, Qle_bool_iff.
+Qed.
+
+Theorem computed xs ss definitions literals :
+  evaluated xs definitions literals = true ->
+  all (defined (map Q2R xs ++ ss) (length xs) definitions) ->
+  all (map (says (map Q2R xs ++ ss)) literals).
+Proof.
+  unfold evaluated. intros H D. rewrite all_map.
+  destruct (numbers xs definitions) as [values|] eqn:E; [|discriminate].
+  apply Forall_forall. intros l Hl. rewrite forallb_forall in H.
+  apply holds_sound with values; [|now apply H].
+  apply (numbers_rational _ definitions xs); [|assumption|assumption].
+  intros k q N. rewrite app_nth1; [|rewrite map_length; apply nth_error_Some; now rewrite N].
+  apply (map_nth_error Q2R) in N. now apply nth_error_nth.
+Qed.

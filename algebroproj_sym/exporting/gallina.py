@@ -13,6 +13,7 @@ RESERVED = frozenset(
     "Unequal Var Z Zero _ as at by cofix computed conj else end eq_refl ex_intro exists exists2 fix follows for forall "
     "fun if in let match mod nil proportional return then true using where with".split()
 )
+LONG = 10**15
 _SUM, _PRODUCT, _SIGN, _POWER, _ATOM = range(5)
 
 
@@ -37,11 +38,13 @@ def formula(term: Term, within: int = _SUM) -> str:
 
 
 def _formula(term: Term) -> tuple[str, int]:
-    if term.kind in ("int", "name"):
+    if term.kind == "int":
+        return digits(int(term.value)), _ATOM
+    if term.kind == "name":
         return identifier(str(term.value)), _ATOM
     first, *others = term.parts
     if term.kind == "-":
-        return f"- ({first.value})" if first.kind == "int" else f"- {formula(first, _SIGN)}", _SIGN
+        return f"- ({digits(int(first.value))})" if first.kind == "int" else f"- {formula(first, _SIGN)}", _SIGN
     if term.kind == "^":
         return f"{formula(first, _ATOM)} ^ {term.value}", _POWER
     if term.kind == "/":
@@ -78,7 +81,7 @@ def tree(term: Term, places: Mapping[str, int], splits: Splits) -> str:
     'Sub (Var 0) (Var 1)'
     """
     if term.kind == "int":
-        return f"Int {term.value}"
+        return f"Int {digits(int(term.value))}"
     if term.kind == "name":
         return f"Var {places[str(term.value)]}"
     if term.kind == "^":
@@ -111,8 +114,19 @@ def rational(value: Fraction) -> str:
     >>> rational(Fraction(-1, 2))
     '((-1) # 2)'
     """
-    above = str(value.numerator) if value >= 0 else f"({value.numerator})"
-    return f"({above} # {value.denominator})"
+    above = digits(value.numerator) if value >= 0 else f"(-{digits(-value.numerator)})"
+    return f"({above} # {digits(value.denominator)})"
+
+
+def digits(value: int) -> str:
+    """Return a natural number; a long one in hexadecimal digits, which Coq reads in linear time.
+
+    Examples
+    --------
+    >>> digits(31), digits(2**80)
+    ('31', '0x100000000000000000000')
+    """
+    return str(value) if value < LONG else hex(value)
 
 
 def listed(items: Sequence[str], separator: str = "; ") -> str:

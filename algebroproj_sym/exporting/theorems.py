@@ -11,7 +11,7 @@ from algebroproj_sym.exporting.gallina import conjoined, exponent_list, formula,
 from algebroproj_sym.exporting.terms import Term, free, name, names, used
 from algebroproj_sym.replaying.field import Element, Field
 
-CHECKED = "vm_cast_no_check (@eq_refl bool true)."
+CHECKED = "all: vm_cast_no_check (@eq_refl bool true)."
 
 
 @dataclass(frozen=True)
@@ -117,12 +117,13 @@ def universal(given: Hypotheses, goals: Sequence[Goal], conclusion: str = "", us
     conclusion : str
         What is concluded, if it is not the conjunction of the equations.
     using : str
-        How the conclusion follows from the conjunction; it is put before its proof.
+        What makes the conclusion of the proof of the conjunction.
     """
     given = needed(given, goals)
     stated, introduced = premises(given)
     conclusion = conclusion or equations(goals)
-    proof = f"{using}{consequence(given, goals, introduced)}"
+    applied = consequence(given, goals, introduced)
+    proof = f"{using} ({applied})" if using else applied
     lines = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
     statement = "\n".join([*lines, *stated, f"{conclusion}"])
     return statement, f"intros {' '.join(introduced.order)}.\nrefine ({proof}).\n{CHECKED}"
@@ -147,14 +148,21 @@ def premises(given: Hypotheses) -> tuple[list[str], Introduced]:
         return tuple(free(f"{prefix}_{place}", taken) for place in range(count))
 
     divisors, units = called("nonzero", len(given.divisors)), called("unit", len(given.units))
-    definitions, constraints = called("is", len(given.definitions)), called("zero", len(given.constraints))
+    constraints = called("zero", len(given.constraints))
     lines = [f"{formula(divisor)} <> 0 ->" for divisor in given.divisors]
-    lines += [f"forall {identifier(n)} : R, {identifier(n)} = {formula(value)} ->" for n, value in given.definitions.items()]
+    defined, definitions = premises_of_definitions(given.definitions, taken)
+    lines += defined
     lines += [f"{formula(unit)} <> 0 ->" for unit in given.units]
     lines += [f"{formula(constraint)} = 0 ->" for constraint in given.constraints]
     pairs = [text for pair in zip(map(identifier, given.definitions), definitions, strict=True) for text in pair]
     order = (*map(identifier, given.variables), *divisors, *pairs, *units, *constraints)
     return lines, Introduced(order, divisors, definitions, units, constraints)
+
+
+def premises_of_definitions(definitions: Mapping[str, Term], taken: set[str]) -> tuple[list[str], tuple[str, ...]]:
+    """Return the lines that give names to formulas, and what a proof calls these equations."""
+    lines = [f"forall {identifier(n)} : R, {identifier(n)} = {formula(value)} ->" for n, value in definitions.items()]
+    return lines, tuple(free(f"is_{place}", taken) for place in range(len(definitions)))
 
 
 def consequence(given: Hypotheses, goals: Sequence[Goal], introduced: Introduced) -> str:

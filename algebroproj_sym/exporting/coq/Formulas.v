@@ -40,7 +40,19 @@ Inductive literal : Type :=
 | Nonzero (a : expr)
 | Equal (a b : expr)
 | Unequal (a b : expr)
-| Atmost (a b : expr).
+| Near (a b tolerance : expr)
+| Far (a b tolerance : expr)
+| Regular (rows : list (list expr)) (inverse : list (list Q)).
+
+(** Matrices are lists of rows; a second factor is a list of columns. *)
+Fixpoint dot (u v : list R) : R :=
+  match u, v with a :: u, b :: v => a * b + dot u v | _, _ => 0 end.
+Definition times (rows columns : list (list R)) : list (list R) := map (fun row => map (dot row) columns) rows.
+Definition unit_matrix (n : nat) : list (list R) :=
+  map (fun i => map (fun j => if Nat.eqb i j then 1 else 0) (seq 0 n)) (seq 0 n).
+(** A square matrix with an inverse: its determinant is not zero. *)
+Definition regular_matrix (rows : list (list R)) : Prop :=
+  exists columns, length columns = length rows /\ times rows columns = unit_matrix (length rows).
 
 Definition says (env : list R) (l : literal) : Prop :=
   match l with
@@ -48,7 +60,9 @@ Definition says (env : list R) (l : literal) : Prop :=
   | Nonzero a => eval env a <> 0
   | Equal a b => eval env a = eval env b
   | Unequal a b => eval env a <> eval env b
-  | Atmost a b => eval env a <= eval env b
+  | Near a b t => Rabs (eval env a - eval env b) <= eval env t
+  | Far a b t => eval env t < Rabs (eval env a - eval env b)
+  | Regular rows _ => regular_matrix (map (map (eval env)) rows)
   end.
 
 Fixpoint all (props : list Prop) : Prop :=
@@ -79,7 +93,6 @@ Fixpoint defined (env : list R) (n : nat) (definitions : list expr) : list Prop 
 Definition qadd (a b : Q) : Q := Qred (a + b).
 Definition qsub (a b : Q) : Q := Qred (a - b).
 Definition qmul (a b : Q) : Q := Qred (a * b).
-Definition qdiv (a b : Q) : Q := Qred (a / b).
 
 
 Lemma Q2R_0 : Q2R 0 = 0.
@@ -516,8 +529,8 @@ Fixpoint number (env : list Q) (e : expr) : option Q :=
   | Opp a => option_map Qopp (number env a)
   | Add a b => both a b (fun p q => Some (qadd p q))
   | Sub a b => both a b (fun p q => Some (qsub p q))
-  | Mul a b => both a b (fun p q => Some (qmul p q))
-  | Div a b _ _ => both a b (fun p q => if Qeq_bool q 0 then None else Some (qdiv p q))
+  | Mul a b => both a b (fun p q => Some (p * q)%Q)
+  | Div a b _ _ => both a b (fun p q => if Qeq_bool q 0 then None else Some (p / q)%Q)
   | Pow a n => option_map (fun p => qpow p n) (number env a)
   end.
 
@@ -527,6 +540,17 @@ Fixpoint numbers (env : list Q) (definitions : list expr) : option (list Q) :=
   | d :: rest => match number env d with Some q => numbers (env ++ [q]) rest | None => None end
   end.
 
+Definition within (p q : Q) : bool := Qle_bool p q && Qle_bool (- p) q.
+
+Fixpoint qdot (u v : list Q) : Q :=
+  match u, v with a :: u, b :: v => qadd (qmul a b) (qdot u v) | _, _ => 0%Q end.
+Definition qtimes (rows columns : list (list Q)) : list (list Q) := map (fun row => map (qdot row) columns) rows.
+Definition qunit (n : nat) : list (list Q) :=
+  map (fun i => map (fun j => if Nat.eqb i j then 1%Q else 0%Q) (seq 0 n)) (seq 0 n).
+Fixpoint each {A} (f : A -> A -> bool) (u v : list A) : bool :=
+  match u, v with [], [] => true | a :: u, b :: v => f a b && each f u v | _, _ => false end.
+Definition qsame : list (list Q) -> list (list Q) -> bool := each (each Qeq_bool).
+
 Definition holds (env : list Q) (l : literal) : bool :=
   let compare a b f := match number env a, number env b with Some p, Some q => f p q | _, _ => false end in
   match l with
@@ -534,7 +558,13 @@ Definition holds (env : list Q) (l : literal) : bool :=
   | Nonzero a => compare a (Int 0) (fun p q => negb (Qeq_bool p q))
   | Equal a b => compare a b Qeq_bool
   | Unequal a b => compare a b (fun p q => negb (Qeq_bool p q))
-  | Atmost a b => compare a b Qle_bool
+  | Near a b t => compare a b (fun p q => compare t t (fun r _ => within (p - q) r))
+  | Far a b t => compare a b (fun p q => compare t t (fun r _ => negb (within (p - q) r)))
+  | Regular rows inverse =>
+      match traverse (traverse (number env)) rows with
+      | Some m => Nat.eqb (length inverse) (length rows) && qsame (qtimes m inverse) (qunit (length rows))
+      | None => false
+      end
   end.
 
 Definition evaluated (xs : list Q) (definitions : list expr) (literals : list literal) : bool :=
@@ -556,15 +586,15 @@ Proof.
     try (destruct (number values a) as [p|]; [|discriminate]; rewrite (IH p) by reflexivity; injection H as <-);
     try (destruct (number values a) as [p|]; [|discriminate]; destruct (number values b) as [q|]; [|discriminate];
          rewrite (IHa p), (IHb q) by reflexivity; try injection H as <-);
-    unfold qadd, qsub, qmul; rewrite ?Q2R_red.
+    unfold qadd, qsub; rewrite ?Q2R_red.
   - injection H as <-. now rewrite Q2R_Z.
   - now apply F.
   - now rewrite Q2R_opp.
   - now rewrite Q2R_plus.
   - now rewrite Q2R_minus.
   - now rewrite Q2R_mult.
-  - destruct (Qeq_bool q 0) eqn:E; [discriminate|]. injection H as <-. unfold qdiv.
-    rewrite Q2R_red, Q2R_div; [reflexivity|now apply Qeq_bool_neq].
+  - destruct (Qeq_bool q 0) eqn:E; [discriminate|]. injection H as <-.
+    rewrite Q2R_div; [reflexivity|now apply Qeq_bool_neq].
   - now rewrite Q2R_power.
 Qed.
 
@@ -584,19 +614,84 @@ Proof.
     + destruct j; discriminate.
 Qed.
 
+Lemma within_sound p q : within p q = true <-> Rabs (Q2R p) <= Q2R q.
+Proof.
+  unfold within. rewrite Bool.andb_true_iff, !Qle_bool_iff. split.
+  - intros [H1 H2]. apply Qle_Rle in H1, H2. rewrite Q2R_opp in H2. apply Rabs_le. lra.
+  - intro H. split; apply Rle_Qle; rewrite ?Q2R_opp; revert H; unfold Rabs; destruct (Rcase_abs _); lra.
+Qed.
+
+Lemma each_map {A B} (f : A -> A -> bool) (g : A -> B) : (forall a b, f a b = true -> g a = g b) ->
+  forall u v, each f u v = true -> map g u = map g v.
+Proof.
+  intros H. induction u as [|a u IH]; intros [|b v] E; try discriminate; [reflexivity|].
+  simpl in *. apply andb_prop in E as [E1 E2]. f_equal; auto.
+Qed.
+
+Lemma qsame_sound m n : qsame m n = true -> map (map Q2R) m = map (map Q2R) n.
+Proof.
+  apply each_map, each_map. intros a b E. now apply Qeq_eqR, Qeq_bool_iff.
+Qed.
+
+Lemma qdot_real u v : Q2R (qdot u v) = dot (map Q2R u) (map Q2R v).
+Proof.
+  revert v; induction u as [|a u IH]; intros [|b v]; simpl; try exact Q2R_0.
+  unfold qadd, qmul. now rewrite Q2R_red, Q2R_plus, Q2R_red, Q2R_mult, IH.
+Qed.
+
+Lemma qtimes_real rows columns :
+  map (map Q2R) (qtimes rows columns) = times (map (map Q2R) rows) (map (map Q2R) columns).
+Proof.
+  unfold qtimes, times. rewrite !map_map. apply map_ext. intro row. rewrite !map_map. apply map_ext. intro column.
+  apply qdot_real.
+Qed.
+
+Lemma qunit_real n : map (map Q2R) (qunit n) = unit_matrix n.
+Proof.
+  unfold qunit, unit_matrix. rewrite map_map. apply map_ext. intro i. rewrite map_map. apply map_ext. intro j.
+  destruct (Nat.eqb i j); [exact Q2R_1|exact Q2R_0].
+Qed.
+
+Lemma traverse_map {A} (f : A -> option Q) (g : A -> R) : (forall a q, f a = Some q -> g a = Q2R q) ->
+  forall l qs, traverse f l = Some qs -> map g l = map Q2R qs.
+Proof.
+  intros H. induction l as [|a l IH]; simpl; intros qs E; [now injection E as <-|].
+  destruct (f a) eqn:Ea; [|discriminate]. destruct (traverse f l); [|discriminate]. injection E as <-.
+  simpl. f_equal; auto.
+Qed.
+
+Lemma traverse_matrix env values rows m : rational env values -> traverse (traverse (number values)) rows = Some m ->
+  map (map (eval env)) rows = map (map Q2R) m /\ length m = length rows.
+Proof.
+  intro F. revert m. induction rows as [|row rows IH]; simpl; intros m E; [now injection E as <-|].
+  destruct (traverse (number values) row) as [r|] eqn:Er; [|discriminate].
+  destruct (traverse _ rows) as [rs|]; [|discriminate]. injection E as <-.
+  destruct (IH rs eq_refl) as [I1 I2]. simpl. split; [|now f_equal]. f_equal; [|assumption].
+  apply (traverse_map (number values)); [|assumption]. intros a q. now apply number_sound.
+Qed.
+
 Lemma holds_sound env values : rational env values -> forall l, holds values l = true -> says env l.
 Proof.
   intros F l. pose proof (number_sound env values F) as S.
-  destruct l as [a|a|a b|a b|a b]; unfold holds, says; try (specialize (S a) as Sa; try specialize (S b) as Sb);
-    (destruct (number values a) as [p|]; [|discriminate]); rewrite (Sa p) by reflexivity.
-  - simpl. intro H. rewrite <- Q2R_0. now apply Qeq_eqR, Qeq_bool_iff.
-  - simpl. intros H E. apply Bool.negb_true_iff in H. now apply Q2R_nonzero in H.
-  - destruct (number values b) as [q|]; [|discriminate]. rewrite (Sb q) by reflexivity. intro H.
-    now apply Qeq_eqR, Qeq_bool_iff.
-  - destruct (number values b) as [q|]; [|discriminate]. rewrite (Sb q) by reflexivity. intros H E.
-    apply Bool.negb_true_iff in H. apply Qeq_bool_neq in H. now apply H, eqR_Qeq.
-  - destruct (number values b) as [q|]; [|discriminate]. rewrite (Sb q) by reflexivity. intro H.
-    now apply Qle_Rle, Qle_bool_iff.
+  assert (forall a b f, match number values a, number values b with Some p, Some q => f p q | _, _ => false end = true ->
+    exists p q, eval env a = Q2R p /\ eval env b = Q2R q /\ f p q = true) as C.
+  { intros a b f H. destruct (number values a) as [p|] eqn:Ea; [|discriminate].
+    destruct (number values b) as [q|] eqn:Eb; [|discriminate]. exists p, q. auto. }
+  destruct l as [a|a|a b|a b|a b t|a b t|rows inverse]; unfold holds, says; intro H.
+  - apply C in H as (p & q & -> & E & H). simpl in E. rewrite E. now apply Qeq_eqR, Qeq_bool_iff.
+  - apply C in H as (p & q & -> & E & H). simpl in E. rewrite E. intro D. apply Bool.negb_true_iff, Qeq_bool_neq in H.
+    now apply H, eqR_Qeq.
+  - apply C in H as (p & q & -> & -> & H). now apply Qeq_eqR, Qeq_bool_iff.
+  - apply C in H as (p & q & -> & -> & H). intro D. apply Bool.negb_true_iff, Qeq_bool_neq in H. now apply H, eqR_Qeq.
+  - apply C in H as (p & q & -> & -> & H). apply C in H as (r & _ & -> & _ & H). rewrite <- Q2R_minus.
+    now apply within_sound.
+  - apply C in H as (p & q & -> & -> & H). apply C in H as (r & _ & -> & _ & H). rewrite <- Q2R_minus.
+    apply Bool.negb_true_iff in H.
+    apply Rnot_le_lt. intro D. apply within_sound in D. congruence.
+  - destruct (traverse _ rows) as [m|] eqn:E; [|discriminate]. apply andb_prop in H as [L H].
+    destruct (traverse_matrix _ _ _ _ F E) as [-> N]. apply Nat.eqb_eq in L.
+    exists (map (map Q2R) inverse). rewrite !map_length, N. split; [assumption|].
+    rewrite <- qtimes_real, (qsame_sound _ _ H). apply qunit_real.
 Qed.
 
 Theorem computed xs ss definitions literals :
@@ -611,4 +706,16 @@ Proof.
   apply (numbers_rational _ definitions xs); [|assumption|assumption].
   intros k q N. rewrite app_nth1; [|rewrite map_length; apply nth_error_Some; now rewrite N].
   apply (map_nth_error Q2R) in N. now apply nth_error_nth.
+Qed.
+
+(** * Proportional lists *)
+
+Lemma proportional p d (pairs : list (R * R)) : p <> 0 -> d <> 0 ->
+  all (map (fun q => fst q * d = snd q * p) pairs) ->
+  exists k, all ((k <> 0) :: map (fun q => fst q = k * snd q) pairs).
+Proof.
+  intros P D H. exists (p / d). rewrite all_cons. split.
+  - apply Rmult_integral_contrapositive_currified; [assumption|now apply Rinv_neq_0_compat].
+  - rewrite all_map in *. apply Forall_forall. intros q I. rewrite Forall_forall in H. specialize (H q I).
+    apply Rmult_eq_reg_r with d; [|assumption]. rewrite H. field. assumption.
 Qed.

@@ -1,7 +1,7 @@
 """From the evidence of a claim to theorems, kind by kind.
 
-``PROOFS`` holds what shows that a form holds, ``REFUTATIONS`` what shows that the printed one does not; each is a function
-of the statement, the name of the form, and the certificate, and returns theorems by what they show.
+``PROOFS`` holds what shows that a form holds, ``REFUTATIONS`` what shows that the printed one does not; each is a
+function of the statement, the name of the form, and the certificate, and returns theorems by what they show.
 """
 
 from __future__ import annotations
@@ -19,15 +19,12 @@ from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import (
     Term,
     Written,
-    difference,
     free,
     integer,
     name,
     negative,
     number,
-    power,
     product,
-    quotient,
     term,
     total,
     written,
@@ -35,13 +32,12 @@ from algebroproj_sym.exporting.terms import (
 from algebroproj_sym.exporting.theorems import Goal, Hypotheses, equations, splitting, universal
 from algebroproj_sym.exporting.vanishing import both_ways
 from algebroproj_sym.replaying.evaluation import at_point, evaluate
-from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.statement import Point, Statement
 from algebroproj_sym.replaying.text import decimal, parse
 from algebroproj_sym.replaying.text import number as rational_number
 
 Certificate: TypeAlias = Mapping[str, Any]
-Proved: TypeAlias = Mapping[str, tuple[str, str]]
+Proved: TypeAlias = dict[str, tuple[str, str]]
 """Statement and proof, by what the theorem shows."""
 
 
@@ -65,25 +61,27 @@ def _setting(statement: Statement, entry: str) -> tuple[Term, ...]:
 
 
 def identity(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Equations between rational functions."""
+    """Show equations between rational functions."""
     left, right = written(statement, form), written(statement, "derived")
     given = _hypotheses(statement, certificate["denominators"], left, right)
     return {"holds": universal(given, [Goal(a, b) for a, b in zip(left.entries, right.entries, strict=True)])}
 
 
 def constrained(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Equations that follow from constraints, by their cofactors; and a point that satisfies all hypotheses."""
+    """Show equations that follow from constraints, by their cofactors; and a point that satisfies all hypotheses."""
     left, right = written(statement, form), written(statement, "derived")
     given = _constrained(statement, _hypotheses(statement, certificate["denominators"], left, right))
     pairs = zip(left.entries, right.entries, strict=True)
-    goals = [_member(given, a, b, part, len(given.units)) for (a, b), part in zip(pairs, certificate["entries"], strict=True)]
+    goals = [
+        _member(given, a, b, part, len(given.units)) for (a, b), part in zip(pairs, certificate["entries"], strict=True)
+    ]
     return {"holds": universal(given, goals), "witness": _witness(given, statement.point(certificate["witness"]))}
 
 
 def _member(given: Hypotheses, left: Term, right: Term, part: Certificate, units: int) -> Goal:
     """Return the goal that an entry follows from the constraints; so many units enter the multiplier."""
     split = splitting(given)
-    exponents = {place: 1 for place in range(len(given.divisors))}
+    exponents = dict.fromkeys(range(len(given.divisors)), 1)
     for place, unit in enumerate(given.units[:units]):
         for factor, exponent in evaluated(unit, split.field, split.known, {}).exponents.items():
             exponents[factor] += max(exponent, 0)
@@ -102,7 +100,7 @@ def _witness(given: Hypotheses, point: Point) -> tuple[str, str]:
 
 
 def projective(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Entries that are proportional where the entry at the pivot is not zero."""
+    """Show that entries are proportional where the entry at the pivot is not zero."""
     left, right = written(statement, form), written(statement, "derived")
     given = _hypotheses(statement, certificate["denominators"], left, right)
     pivot = certificate["pivot"]
@@ -124,19 +122,19 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Pro
     k = name(free("k", {*given.variables, *given.definitions}))
     scaled = equations([Goal(a, product([k, b])) for a, b in pairs])
     listed_pairs = listed([f"({formula(a)}, {formula(b)})" for a, b in pairs])
-    d_name, p_name = (f"unit_{place}" for place in (len(given.units) - 2, len(given.units) - 1))
+    lemma = f"proportional {formula(p)} {formula(d)} {listed_pairs}"
     return {
         "holds": universal(
             given,
             goals,
             f"exists {k.value} : R, {k.value} <> 0 /\\\n{scaled}",
-            f"proportional {formula(p)} {formula(d)} {listed_pairs} {p_name} {d_name}",
+            lambda introduced, crossed: f"{lemma} {' '.join(introduced.units[:-3:-1])} ({crossed})",
         )
     }
 
 
 def structure(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Zeros, equal and opposite entries of a matrix."""
+    """Show zeros, equal and opposite entries of a matrix."""
     derived = written(statement, "derived")
     given = _hypotheses(statement, certificate["denominators"], derived)
     first: dict[str, Term] = {}
@@ -149,13 +147,18 @@ def structure(statement: Statement, form: str, certificate: Certificate) -> Prov
             goals.append(Goal(first[mark], signed))
     proved = {"holds": universal(given, goals)} if goals else {}
     point = _point_where(statement, given, [*first.values()])
-    literals = [*divisors_nonzero([*first.values()], given.definitions), *(Literal("Nonzero", (t,)) for t in first.values())]
+    literals = [
+        *divisors_nonzero([*first.values()], given.definitions),
+        *(Literal("Nonzero", (t,)) for t in first.values()),
+    ]
     return proved | ({"marked": points.at_point(point, given.definitions, literals)} if first else {})
 
 
 def _marks(statement: Statement, form: str) -> list[tuple[int, str]]:
     """Return the sign and the mark of each entry of a pattern."""
-    signed = [(node.kind == "-", node.children[0] if node.kind == "-" else node) for node in statement.form(form).entries]
+    signed = [
+        (node.kind == "-", node.children[0] if node.kind == "-" else node) for node in statement.form(form).entries
+    ]
     return [(-1 if minus else 1, str(node.value)) for minus, node in signed]
 
 
@@ -171,7 +174,7 @@ def _point_where(statement: Statement, given: Hypotheses, terms: Sequence[Term])
 
 
 def vanishing(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """An expression is zero exactly where a product is."""
+    """Show that an expression is zero exactly where a product is."""
     derived, printed = written(statement, "derived"), written(statement, form)
     given = _hypotheses(statement, statement.record["hypotheses"], derived, printed)
     given = replace(given, units=_setting(statement, "nonzero"))
@@ -179,7 +182,7 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> Prov
 
 
 def rank(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """A regular minor at a point, and independent vectors that the matrix takes to zero."""
+    """Show a regular minor at a point, and independent vectors that the matrix takes to zero."""
     return {"minor": _minor(statement, certificate, certificate["point"])} | _kernel(statement, certificate)
 
 
@@ -196,8 +199,7 @@ def _minor(statement: Statement, certificate: Certificate, exact: Any) -> tuple[
     minor = tuple(tuple(matrix[i][j] for j in columns) for i in rows)
     literal = Regular(minor, inverse([[values[i][j] for j in columns] for i in rows]))
     chosen = [entry for row in minor for entry in row]
-    literals = [*divisors_nonzero(chosen, derived.definitions), literal]
-    return points.at_point(point, derived.definitions, literals)
+    return points.at_point(point, derived.definitions, [*divisors_nonzero(chosen, derived.definitions), literal])
 
 
 def _kernel(statement: Statement, certificate: Certificate) -> Proved:
@@ -206,9 +208,7 @@ def _kernel(statement: Statement, certificate: Certificate) -> Proved:
     derived = written(statement, "derived")
     vectors = [tuple(map(term, parse(text).entries)) for text in certificate["kernel"]]
     given = _hypotheses(statement, statement.record["hypotheses"], derived)
-    goals = [
-        Goal(_dot(row, vector), integer(0)) for row in _rows(statement, derived.entries) for vector in vectors
-    ]
+    goals = [Goal(_dot(row, vector), integer(0)) for row in _rows(statement, derived.entries) for vector in vectors]
     return {"kernel": universal(given, goals), "independent": _independent(statement, certificate, vectors)}
 
 
@@ -231,7 +231,7 @@ def _independent(statement: Statement, certificate: Certificate, vectors: Sequen
 
 
 def numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """A number within the tolerance of the exact one, or of the one from unrounded input."""
+    """Show that a number is within the tolerance of the exact one, or of the one from unrounded input."""
     exact = written(statement, "derived")
     if certificate["method"] == "rounding of inputs":
         exact = Written((read(statement.setting["unrounded"]),), {})
@@ -246,7 +246,7 @@ def _compared(statement: Statement, form: str, exact: Written, kind: str) -> lis
 
 
 def not_numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """A number farther from the exact one, and from the one from unrounded input, than the tolerance."""
+    """Show that a number is farther from the exact one, and from the one from unrounded input, than the tolerance."""
     found = {}
     forms = {"refuted": written(statement, "derived")}
     if "unrounded" in statement.setting:
@@ -257,7 +257,7 @@ def not_numeric(statement: Statement, form: str, certificate: Certificate) -> Pr
 
 
 def differing(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """A point where two sides are defined, the hypotheses hold, and the sides differ."""
+    """Show a point where two sides are defined, the hypotheses hold, and the sides differ."""
     left, right = written(statement, form), written(statement, "derived")
     place = next(i for i, (a, b) in enumerate(zip(certificate["left"], certificate["right"], strict=True)) if a != b)
     return _refuted(statement, [left, right], [Literal("Unequal", (left.entries[place], right.entries[place]))])
@@ -269,11 +269,13 @@ def _refuted(statement: Statement, forms: Sequence[Written], literals: Sequence[
     entries = [entry for form in forms for entry in form.entries]
     given = [Literal("Zero", (constraint,)) for constraint in _setting(statement, "constraints")]
     given += [Literal("Nonzero", (unit,)) for unit in _setting(statement, "nonzero")]
-    return {"refuted": points.at_point(point, definitions, [*divisors_nonzero(entries, definitions), *given, *literals])}
+    return {
+        "refuted": points.at_point(point, definitions, [*divisors_nonzero(entries, definitions), *given, *literals])
+    }
 
 
 def not_projective(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """A point where two sides are not proportional."""
+    """Show a point where two sides are not proportional."""
     left, right = written(statement, form), written(statement, "derived")
     pivot = certificate["pivot"]
     p, d = left.entries[pivot], right.entries[pivot]
@@ -283,7 +285,7 @@ def not_projective(statement: Statement, form: str, certificate: Certificate) ->
 
 
 def not_structure(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """A point where a matrix does not follow the pattern."""
+    """Show a point where a matrix does not follow the pattern."""
     derived = written(statement, "derived")
     first: dict[str, Term] = {}
     expected = []
@@ -296,7 +298,7 @@ def not_structure(statement: Statement, form: str, certificate: Certificate) -> 
 
 
 def not_vanishing(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """A point where one side is zero and the other is not."""
+    """Show a point where one side is zero and the other is not."""
     printed, derived = written(statement, form), written(statement, "derived")
     sides = (derived.entries[0], product(printed.entries))
     zero = certificate["derived"] == "0"
@@ -305,7 +307,7 @@ def not_vanishing(statement: Statement, form: str, certificate: Certificate) -> 
 
 
 def not_rank(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """A regular minor that is too large, or too many vectors that the matrix takes to zero."""
+    """Show a regular minor that is too large, or too many vectors that the matrix takes to zero."""
     if certificate["method"] == "counterexample":
         return {"refuted": _minor(statement, certificate, statement.record["counterexample"])}
     return _kernel(statement, certificate)

@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import prod
 
 from algebroproj_sym.exporting.gallina import conjoined, formula, identifier, listed, rational, tree
-from algebroproj_sym.exporting.terms import Term, free, names, used, walk
+from algebroproj_sym.exporting.terms import Term, names, used, walk
 from algebroproj_sym.exporting.theorems import CHECKED, premises_of_definitions, spelled
 
 Point = Mapping[str, Fraction]
@@ -93,7 +93,8 @@ def at_point(point: Point, definitions: Mapping[str, Term], literals: Sequence[L
 def _literal(literal: Literal | Regular, places: Mapping[str, int]) -> str:
     if isinstance(literal, Regular):
         rows = listed([listed([tree(term, places, {}) for term in row]) for row in literal.rows])
-        return f"Regular {rows} {listed([listed([*map(rational, column)]) for column in zip(*literal.inverse, strict=True)])}"
+        columns = listed([listed([*map(rational, column)]) for column in zip(*literal.inverse, strict=True)])
+        return f"Regular {rows} {columns}"
     return f"{literal.kind} {' '.join(f'({tree(term, places, {})})' for term in literal.terms)}"
 
 

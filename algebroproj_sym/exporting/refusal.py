@@ -3,5 +3,5 @@
 from __future__ import annotations
 
 
-class NotExportable(Exception):
+class NotExportable(ValueError):  # noqa: N818 - a finding, not a malfunction
     """A claim has no theorem, for a reason."""

@@ -104,7 +104,7 @@ class Written:
     """The entries of a form, and the definitions that they use, in an order in which they can be read."""
 
     entries: tuple[Term, ...]
-    definitions: Mapping[str, Term]
+    definitions: Definitions
 
 
 def written(statement: Statement, form: str) -> Written:
@@ -167,7 +167,8 @@ def term(node: Node, standing: Mapping[str, str] | None = None, steps: Sequence[
     if node.kind == "symbol":
         return name((standing or {}).get(node.value, node.value))
     if node.kind == "step":
-        return steps[node.value]
+        step: Term = steps[node.value]
+        return step
     parts = [term(child, standing, steps) for child in node.children]
     if node.kind == "^":
         return power(parts[0], node.value)
@@ -187,7 +188,7 @@ def _signed_product(parts: Sequence[Term]) -> Term:
 def used(definitions: Mapping[str, Term], terms: Iterable[Term]) -> Definitions:
     """Return the definitions that terms need, in their order."""
     needed = names(terms)
-    for called in reversed(definitions):
+    for called in [*definitions][::-1]:
         if called in needed:
             needed |= names([definitions[called]])
     return {called: value for called, value in definitions.items() if called in needed}

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
+from typing import TypeAlias
 
-from algebroproj_sym.exporting.divisions import Splits, evaluated, field_over, vector
-from algebroproj_sym.exporting.gallina import conjoined, exponent_list, formula, identifier, listed, rational, tree
-from algebroproj_sym.exporting.terms import Term, free, name, names, used
+from algebroproj_sym.exporting.divisions import Splits, evaluated, field_over
+from algebroproj_sym.exporting.gallina import conjoined, exponent_list, formula, identifier, listed, tree
+from algebroproj_sym.exporting.terms import Term, free, used
 from algebroproj_sym.replaying.field import Element, Field
 
 CHECKED = "all: vm_cast_no_check (@eq_refl bool true)."
@@ -107,28 +107,6 @@ def needed(given: Hypotheses, goals: Sequence[Goal]) -> Hypotheses:
     return replace(given, definitions=used(given.definitions, [*terms, *given.units, *given.constraints]))
 
 
-def universal(given: Hypotheses, goals: Sequence[Goal], conclusion: str = "", using: str = "") -> tuple[str, str]:
-    """Return statement and proof of the theorem that equations follow from hypotheses.
-
-    Parameters
-    ----------
-    given : Hypotheses
-    goals : sequence of Goal
-    conclusion : str
-        What is concluded, if it is not the conjunction of the equations.
-    using : str
-        What makes the conclusion of the proof of the conjunction.
-    """
-    given = needed(given, goals)
-    stated, introduced = premises(given)
-    conclusion = conclusion or equations(goals)
-    applied = consequence(given, goals, introduced)
-    proof = f"{using} ({applied})" if using else applied
-    lines = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
-    statement = "\n".join([*lines, *stated, f"{conclusion}"])
-    return statement, f"intros {' '.join(introduced.order)}.\nrefine ({proof}).\n{CHECKED}"
-
-
 @dataclass(frozen=True)
 class Introduced:
     """The names of the hypotheses in a proof."""
@@ -140,8 +118,34 @@ class Introduced:
     constraints: tuple[str, ...]
 
 
+Using: TypeAlias = Callable[[Introduced, str], str]
+
+
+def universal(
+    given: Hypotheses, goals: Sequence[Goal], conclusion: str = "", using: Using = lambda introduced, proof: proof
+) -> tuple[str, str]:
+    """Return statement and proof of the theorem that equations follow from hypotheses.
+
+    Parameters
+    ----------
+    given : Hypotheses
+    goals : sequence of Goal
+    conclusion : str
+        What is concluded, if it is not the conjunction of the equations.
+    using : callable
+        What makes a proof of the conclusion of the names of the hypotheses and the proof of the conjunction.
+    """
+    given = needed(given, goals)
+    stated, introduced = premises(given)
+    conclusion = conclusion or equations(goals)
+    proof = using(introduced, consequence(given, goals, introduced))
+    lines = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
+    statement = "\n".join([*lines, *stated, f"{conclusion}"])
+    return statement, f"intros {' '.join(introduced.order)}.\nrefine ({proof}).\n{CHECKED}"
+
+
 def premises(given: Hypotheses) -> tuple[list[str], Introduced]:
-    """Return the lines of the premises, and the names that a proof introduces for all that stands before the conclusion."""
+    """Return the lines of the premises, and the names that a proof introduces."""
     taken = {*given.variables, *given.definitions}
 
     def called(prefix: str, count: int) -> tuple[str, ...]:
@@ -172,7 +176,8 @@ def consequence(given: Hypotheses, goals: Sequence[Goal], introduced: Introduced
     variables, definitions = (listed([identifier(n) for n in part]) for part in (given.variables, given.definitions))
     return (
         f"follows {variables} {definitions}\n {split.trees(given.divisors)}\n"
-        f" {split.trees([*given.definitions.values()])}\n {split.trees(given.units)}\n {split.trees(given.constraints)}\n"
+        f" {split.trees([*given.definitions.values()])}\n"
+        f" {split.trees(given.units)}\n {split.trees(given.constraints)}\n"
         f" {certificates}\n _ {conjoined(introduced.divisors)} {conjoined(introduced.definitions)}"
         f" {conjoined(introduced.units)} {conjoined(introduced.constraints)}"
     )

@@ -20,8 +20,8 @@ from algebroproj_sym.exporting.theorems import (
     consequence,
     needed,
     premises,
-    splitting,
     spelled,
+    splitting,
 )
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.polynomial import BITS, Polynomial
@@ -64,7 +64,9 @@ def both_ways(
             f"{formula(derived)} = 0 <-> {formula(meant)} = 0",
         ]
     )
-    proof = f"intros {' '.join(introduced.order)}.\nrefine (conj (fun zero => {steps[0]})\n (fun zero => {steps[1]})).\n"
+    proof = (
+        f"intros {' '.join(introduced.order)}.\nrefine (conj (fun zero => {steps[0]})\n (fun zero => {steps[1]})).\n"
+    )
     return statement, f"{proof}{CHECKED}"
 
 
@@ -91,7 +93,9 @@ def _printed(split: Splitting, printed: Sequence[Term], certificate: Mapping[str
 
 
 def _cleared(value: Element) -> Polynomial:
-    return value.numerator * value.field.powers({i: exponent for i, exponent in value.exponents.items() if exponent > 0})
+    return value.numerator * value.field.powers(
+        {i: exponent for i, exponent in value.exponents.items() if exponent > 0}
+    )
 
 
 def _polynomial(split: Splitting, text: str) -> Polynomial:
@@ -112,7 +116,11 @@ def _divided(split: Splitting, given: Hypotheses, above: Factored, below: Factor
     for place, exponent in below.value.exponents.items():
         exponents[place] = exponents.get(place, 0) - min(exponent, 0)
     content = above.content**count / below.content
-    factors = [power(_read(f), count * n - below.factors.get(f, 0)) for f, n in above.factors.items() if count * n > below.factors.get(f, 0)]
+    factors = [
+        power(_read(f), count * n - below.factors.get(f, 0))
+        for f, n in above.factors.items()
+        if count * n > below.factors.get(f, 0)
+    ]
     for f, n in below.factors.items():
         if f not in above.factors:
             place, rest, scale = _excluded(split, given, _polynomial(split, f))

@@ -719,3 +719,62 @@ Proof.
   - rewrite all_map in *. apply Forall_forall. intros q I. rewrite Forall_forall in H. specialize (H q I).
     apply Rmult_eq_reg_r with d; [|assumption]. rewrite H. field. assumption.
 Qed.
+
+(** * Limits *)
+
+Fixpoint entire (e : expr) : bool :=
+  match e with
+  | Int _ | Var _ => true
+  | Opp a | Pow a _ => entire a
+  | Add a b | Sub a b | Mul a b => entire a && entire b
+  | Div _ _ _ _ => false
+  end.
+
+Lemma same_continuous (f g : R -> R) t : (forall u, f u = g u) -> continuity_pt f t -> continuity_pt g t.
+Proof. intros E C e He. destruct (C e He) as (a & Ha & H). exists a. split; auto. intros u Hu. rewrite <- !E; auto. Qed.
+
+Lemma entire_continuous xs e t : entire e = true -> continuity_pt (fun t => eval (xs ++ [t]) e) t.
+Proof.
+  induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intro H;
+    try discriminate; try (apply andb_prop in H as [H1 H2]).
+  - apply continuity_pt_const. now intros ? ?.
+  - destruct (Nat.lt_trichotomy k (length xs)) as [L|[->|L]].
+    + apply (same_continuous (fun _ => List.nth k xs 0)); [|apply continuity_pt_const; now intros ? ?].
+      intro u. now rewrite app_nth1.
+    + apply (same_continuous id); [|apply derivable_continuous_pt, derivable_pt_id].
+      intro u. now rewrite app_nth2, Nat.sub_diag by lia.
+    + apply (same_continuous (fun _ => 0)); [|apply continuity_pt_const; now intros ? ?].
+      intro u. symmetry. apply List.nth_overflow. rewrite app_length. simpl. lia.
+  - now apply continuity_pt_opp, IH.
+  - apply continuity_pt_plus; auto.
+  - apply continuity_pt_minus; auto.
+  - apply continuity_pt_mult; auto.
+  - induction n as [|n IHn]; simpl; [apply continuity_pt_const; now intros ? ?|].
+    apply continuity_pt_mult; [now apply IH|exact IHn].
+Qed.
+
+(** A quotient n/d of polynomials is the limit of f at 0, where f d = n. *)
+Lemma limit_of_quotient (xs : list R) (n d : expr) (f : R -> R) (domain : R -> Prop) (l : R) :
+  entire n && entire d = true -> (forall t, domain t -> t <> 0) ->
+  (forall t, domain t -> f t * eval (xs ++ [t]) d = eval (xs ++ [t]) n) ->
+  eval (xs ++ [0]) n = l * eval (xs ++ [0]) d /\ 1 / eval (xs ++ [0]) d * eval (xs ++ [0]) d = 1 ->
+  limit1_in f domain l 0.
+Proof.
+  intros E Z F [L D]. apply andb_prop in E as [En Ed].
+  assert (eval (xs ++ [0]) d <> 0) as D0 by (intro C; rewrite C, Rmult_0_r in D; lra).
+  pose proof (entire_continuous xs d 0 Ed) as Cd.
+  assert (continuity_pt (fun t => eval (xs ++ [t]) n / eval (xs ++ [t]) d) 0) as Cq.
+  { apply continuity_pt_div; [now apply entire_continuous|assumption|assumption]. }
+  destruct (continuous_neq_0 _ 0 Cd D0) as [eps Heps].
+  intros e He. destruct (Cq e He) as (a & Ha & H). exists (Rmin a eps). split.
+  { apply Rmin_Rgt_r. split; [assumption|apply cond_pos]. }
+  assert (forall t : R, domain t -> Rabs (t - 0) < Rmin a eps -> Rabs (f t - l) < e) as G.
+  { intros t Dt Nt.
+    assert (Rabs (t - 0) < eps) as N1 by (eapply Rlt_le_trans; [exact Nt|apply Rmin_r]).
+    assert (Rabs (t - 0) < a) as N2 by (eapply Rlt_le_trans; [exact Nt|apply Rmin_l]).
+    rewrite Rminus_0_r in N1. specialize (Heps t N1). rewrite Rplus_0_l in Heps.
+    replace (f t) with (eval (xs ++ [t]) n / eval (xs ++ [t]) d) by (rewrite <- (F t Dt); field; assumption).
+    replace l with (eval (xs ++ [0]) n / eval (xs ++ [0]) d) by (rewrite L; field; assumption).
+    apply (H t). split; [|exact N2]. split; [exact I|]. intro C. now apply (Z t). }
+  intros t [Dt Nt]. exact (G t Dt Nt).
+Qed.

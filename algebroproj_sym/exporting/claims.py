@@ -14,12 +14,14 @@ from typing import Any, TypeAlias
 from algebroproj_sym.exporting import points
 from algebroproj_sym.exporting.divisions import evaluated, vector
 from algebroproj_sym.exporting.gallina import formula, listed
+from algebroproj_sym.exporting.limits import limits
 from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero, inverse
 from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import (
     Term,
     Written,
     free,
+    inlined,
     integer,
     name,
     negative,
@@ -230,6 +232,18 @@ def _independent(statement: Statement, certificate: Certificate, vectors: Sequen
     return points.at_point(point, {}, [*divisors_nonzero([t for row in minor for t in row], {}), literal])
 
 
+def limit(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show that expressions have limits."""
+    printed, derived = written(statement, form), written(statement, "derived")
+    variable = statement.setting["variable"]
+    given = _hypotheses(statement, statement.record["hypotheses"], printed)
+    given = replace(given, variables=tuple(v for v in given.variables if v != variable))
+    divisors = [*map(read, certificate["divisors"])]
+    return {
+        "holds": limits(given, variable, divisors, inlined(derived.entries, derived.definitions), printed.entries)
+    }
+
+
 def numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show that a number is within the tolerance of the exact one, or of the one from unrounded input."""
     exact = written(statement, "derived")
@@ -321,6 +335,7 @@ PROOFS: Mapping[str, Export] = {
     "structure": structure,
     "vanishing": vanishing,
     "rank": rank,
+    "limit": limit,
     "numeric": numeric,
 }
 REFUTATIONS: Mapping[str, Export] = {
@@ -356,15 +371,19 @@ def theorems(record: Mapping[str, Any]) -> Proved:
         raise NotExportable(REASONS[kind])
     if verdict == "open" or certificate is None:
         raise NotExportable("an open claim shows nothing")
-    if kind not in PROOFS:
-        raise NotExportable(f"claims of kind {kind} are not translated")
     statement = Statement(record)
-    if verdict == "proved":
-        return PROOFS[kind](statement, "printed", certificate)
-    found = dict[str, tuple[str, str]]()
-    if verdict in ("misprint", "illegible"):
-        found |= PROOFS[kind](statement, "corrected", certificate)
+    found = Proved()
+    if verdict != "false":
+        found |= _translated(PROOFS, kind)(statement, "printed" if verdict == "proved" else "corrected", certificate)
     if verdict in ("misprint", "false"):
         refutation = certificate["refutation"] if verdict == "misprint" else certificate
-        found |= REFUTATIONS[kind](statement, "printed", refutation)
+        found |= _translated(REFUTATIONS, kind)(statement, "printed", refutation)
+    if not found:
+        raise NotExportable("the matrix has too few rows or columns, which can be seen without a theorem")
     return found
+
+
+def _translated(exports: Mapping[str, Export], kind: str) -> Export:
+    if kind not in exports:
+        raise NotExportable(f"no translation of this verdict for claims of kind {kind}")
+    return exports[kind]

@@ -8,8 +8,9 @@ from functools import reduce
 from typing import NamedTuple
 
 from algebroproj_sym.exporting.refusal import NotExportable
-from algebroproj_sym.exporting.terms import Term
+from algebroproj_sym.exporting.terms import Term, integer, name, power, product, total
 from algebroproj_sym.replaying.field import Element, Field
+from algebroproj_sym.replaying.polynomial import BITS, Polynomial
 
 
 class Split(NamedTuple):
@@ -60,3 +61,14 @@ def field_over(variables: Sequence[str], divisors: Sequence[Term]) -> Field:
     known = {variable: field.symbol(variable) for variable in variables}
     field.list([evaluated(divisor, field, known, {}) for divisor in divisors])
     return field
+
+
+def expanded(polynomial: Polynomial, places: Mapping[str, int]) -> Term:
+    """Return a polynomial as a sum of products of powers."""
+    mask = (1 << BITS) - 1
+    terms = []
+    for monomial, coefficient in polynomial.terms.items():
+        raised = {variable: monomial >> (BITS * place) & mask for variable, place in places.items()}
+        powers = [power(name(variable), exponent) for variable, exponent in raised.items() if exponent]
+        terms.append(product([*([] if coefficient == 1 and powers else [integer(coefficient)]), *powers]))
+    return total(terms)

@@ -192,3 +192,24 @@ def used(definitions: Mapping[str, Term], terms: Iterable[Term]) -> Definitions:
         if called in needed:
             needed |= names([definitions[called]])
     return {called: value for called, value in definitions.items() if called in needed}
+
+
+def inlined(terms: Sequence[Term], definitions: Mapping[str, Term]) -> list[Term]:
+    """Return terms with all definitions written out.
+
+    Examples
+    --------
+    >>> [x] = inlined([name("a")], {"b": name("x"), "a": negative(name("b"))})
+    >>> x.parts[0].value
+    'x'
+    """
+    known = Definitions()
+    for called, value in definitions.items():
+        known[called] = _substituted(value, known)
+    return [_substituted(term, known) for term in terms]
+
+
+def _substituted(term: Term, known: Mapping[str, Term]) -> Term:
+    if term.kind == "name":
+        return known.get(str(term.value), term)
+    return Term(term.kind, tuple(_substituted(part, known) for part in term.parts), term.value)

@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import reduce
 from typing import Any
 
-from algebroproj_sym.exporting.divisions import evaluated, vector
+from algebroproj_sym.exporting.divisions import evaluated, expanded, vector
 from algebroproj_sym.exporting.gallina import formula
 from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import Term, integer, name, number, power, product, term, total
@@ -24,7 +24,7 @@ from algebroproj_sym.exporting.theorems import (
     splitting,
 )
 from algebroproj_sym.replaying.field import Element
-from algebroproj_sym.replaying.polynomial import BITS, Polynomial
+from algebroproj_sym.replaying.polynomial import Polynomial
 from algebroproj_sym.replaying.text import number as rational_number
 from algebroproj_sym.replaying.text import parse
 
@@ -140,16 +140,5 @@ def _excluded(split: Splitting, given: Hypotheses, factor: Polynomial) -> tuple[
         value = evaluated(unit, split.field, split.known, {})
         rest = value.numerator.quotient(factor)
         if rest is not None:
-            return place, _term(rest, split.field.places), Fraction(1, value.denominator)
+            return place, expanded(rest, split.field.places), Fraction(1, value.denominator)
     raise NotExportable("a factor is excluded by no single divisor or hypothesis")
-
-
-def _term(polynomial: Polynomial, places: Mapping[str, int]) -> Term:
-    """Return a polynomial as a term."""
-    mask = (1 << BITS) - 1
-    terms = []
-    for monomial, coefficient in polynomial.terms.items():
-        raised = {variable: monomial >> (BITS * place) & mask for variable, place in places.items()}
-        powers = [power(name(variable), exponent) for variable, exponent in raised.items() if exponent]
-        terms.append(product([integer(coefficient), *powers]))
-    return total(terms)

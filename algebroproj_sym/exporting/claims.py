@@ -31,7 +31,7 @@ from algebroproj_sym.exporting.terms import (
     total,
     written,
 )
-from algebroproj_sym.exporting.theorems import Goal, Hypotheses, equations, splitting, universal
+from algebroproj_sym.exporting.theorems import Goal, Hypotheses, equations, splitting, universal, with_divisors
 from algebroproj_sym.exporting.vanishing import both_ways
 from algebroproj_sym.replaying.evaluation import at_point, evaluate
 from algebroproj_sym.replaying.statement import Point, Statement
@@ -211,6 +211,7 @@ def _kernel(statement: Statement, certificate: Certificate) -> Proved:
     vectors = [tuple(map(term, parse(text).entries)) for text in certificate["kernel"]]
     given = _hypotheses(statement, statement.record["hypotheses"], derived)
     goals = [Goal(_dot(row, vector), integer(0)) for row in _rows(statement, derived.entries) for vector in vectors]
+    given = with_divisors(given, [goal.left for goal in goals])
     return {"kernel": universal(given, goals), "independent": _independent(statement, certificate, vectors)}
 
 
@@ -239,9 +240,7 @@ def limit(statement: Statement, form: str, certificate: Certificate) -> Proved:
     given = _hypotheses(statement, statement.record["hypotheses"], printed)
     given = replace(given, variables=tuple(v for v in given.variables if v != variable))
     divisors = [*map(read, certificate["divisors"])]
-    return {
-        "holds": limits(given, variable, divisors, inlined(derived.entries, derived.definitions), printed.entries)
-    }
+    return {"holds": limits(given, variable, divisors, inlined(derived.entries, derived.definitions), printed.entries)}
 
 
 def numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:

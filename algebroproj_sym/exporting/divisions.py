@@ -23,8 +23,8 @@ class Split(NamedTuple):
 Splits = dict[Term, Split]
 
 
-def evaluated(term: Term, field: Field, known: Mapping[str, Element], splits: Splits) -> Element:
-    """Return the value of a term, noting how each divisor splits."""
+def evaluated(term: Term, field: Field, known: Mapping[str, Element], splits: Splits | None = None) -> Element:
+    """Return the value of a term, noting how each divisor splits, if that is asked for."""
     if term.kind == "int":
         return field.number(Fraction(term.value))
     if term.kind == "name":
@@ -35,7 +35,8 @@ def evaluated(term: Term, field: Field, known: Mapping[str, Element], splits: Sp
     if term.kind == "^":
         return first ** int(term.value)
     if term.kind == "/":
-        splits[term] = split(others[0], field)
+        if splits is not None:
+            splits[term] = split(others[0], field)
         return first / others[0]
     return reduce(Element.__add__ if term.kind == "+" else Element.__mul__, others, first)
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from algebroproj_sym.exporting.divisions import evaluated, expanded
 from algebroproj_sym.exporting.gallina import conjoined, formula, identifier, listed
 from algebroproj_sym.exporting.refusal import NotExportable
-from algebroproj_sym.exporting.terms import Definitions, Term, free, integer, name, product, quotient
+from algebroproj_sym.exporting.terms import Definitions, Term, integer, product, quotient
 from algebroproj_sym.exporting.theorems import (
     CHECKED,
     Goal,
@@ -20,7 +20,7 @@ from algebroproj_sym.exporting.theorems import (
     splitting,
 )
 from algebroproj_sym.replaying.field import Element
-from algebroproj_sym.replaying.polynomial import Polynomial, product as multiplied, variables
+from algebroproj_sym.replaying.polynomial import Polynomial, variables
 
 
 def limits(
@@ -82,7 +82,6 @@ def _proof(
         goals,
         replace(introduced, definitions=("at_zero", *introduced.definitions)),
     )
-    places = {called: place for place, called in enumerate(near.variables)}
     trees = " ".join(f"({split.tree(side)})" for side in (above, below))
     return (
         f"(limit_of_quotient {listed([*map(identifier, given.variables)])} {trees} {function} {domain} "
@@ -109,7 +108,7 @@ def _quotient(value: Element, variable: str) -> tuple[Term, Term]:
     common = min(below.parts(place))
     if min(above.parts(place)) < common:
         raise NotExportable("an entry has no limit")
-    return tuple(expanded(_lowered(side, place, common), places) for side in (above, below))
+    return expanded(_lowered(above, place, common), places), expanded(_lowered(below, place, common), places)
 
 
 def _lowered(polynomial: Polynomial, place: int, count: int) -> Polynomial:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
-from algebroproj_sym.exporting.divisions import Splits, evaluated, field_over
+from algebroproj_sym.exporting.divisions import Splits, evaluated, expanded, field_over
 from algebroproj_sym.exporting.gallina import conjoined, exponent_list, formula, identifier, listed, tree
 from algebroproj_sym.exporting.terms import Term, free, used
 from algebroproj_sym.replaying.field import Element, Field
@@ -99,6 +99,18 @@ def splitting(given: Hypotheses) -> Splitting:
         known[called] = evaluated(value, field, known, splits)
     places = {called: place for place, called in enumerate((*given.variables, *given.definitions))}
     return Splitting(places, splits, field, known)
+
+
+def with_divisors(given: Hypotheses, terms: Sequence[Term]) -> Hypotheses:
+    """Return the hypotheses, and that nothing else vanishes that terms divide by."""
+    field = field_over(given.variables, given.divisors)
+    known = {variable: field.symbol(variable) for variable in given.variables}
+    for called, value in used(given.definitions, terms).items():
+        known[called] = evaluated(value, field, known)
+    for term in terms:
+        evaluated(term, field, known)
+    others = [expanded(factor, field.places) for factor in field.factors[field.listed :]]
+    return replace(given, divisors=(*given.divisors, *others))
 
 
 def needed(given: Hypotheses, goals: Sequence[Goal]) -> Hypotheses:

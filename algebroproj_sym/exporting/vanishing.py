@@ -11,7 +11,7 @@ from typing import Any
 from algebroproj_sym.exporting.divisions import evaluated, expanded, vector
 from algebroproj_sym.exporting.gallina import formula
 from algebroproj_sym.exporting.refusal import NotExportable
-from algebroproj_sym.exporting.terms import Term, integer, name, number, power, product, term, total
+from algebroproj_sym.exporting.terms import Term, integer, number, power, product, term
 from algebroproj_sym.exporting.theorems import (
     CHECKED,
     Goal,

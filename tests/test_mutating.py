@@ -124,11 +124,8 @@ def test_changes_of_real_claims_are_refuted():
 
 def test_sources_are_changed_in_single_places():
     lines = [mutant.line for mutant in source_mutants(projection.camera_matrix)]
-    assert "out[..., 0, 1] = mu1 + 1" in lines
-    assert "out[..., 0, 1] = 1 - mu1" in lines
-    assert "out[..., 0, 1] = mu2 - 1" in lines
-    assert "out[..., 0, 1] = mu1 - 0" in lines
-    assert not any(line.startswith(("mu, u3, out = arguments", "return")) for line in lines)
+    assert {"mu1 + 1", "1 - mu1", "mu2 - 1", "mu1 - 0"} <= {*lines}
+    assert not any("evaluate" in line or "return" in line for line in lines)
 
 
 def test_a_changed_function_computes_something_else():
@@ -146,12 +143,12 @@ def test_changes_of_a_generated_function_are_noticed_twice(name):
     assert sum(fate.by_proof for fate in found.fates) >= 0.8 * len(found.fates)
 
 
-def test_a_constant_entry_that_is_not_set_is_noticed_by_numbers():
+def test_a_changed_constant_entry_is_noticed_twice():
     (kernel,) = kernels(["optics.lens_matrix"])
     found = mutate_kernel(lower(kernel), load_package(), size=2)
-    moved = [fate for fate in found.fates if fate.change == "number" and fate.line.endswith("= 0")]
-    assert moved
-    assert all(fate.by_numbers for fate in moved)
+    constants = [fate for fate in found.fates if fate.change == "number"]
+    assert len(constants) == 12
+    assert all(fate.by_numbers and fate.by_proof for fate in constants)
 
 
 def test_the_function_as_it_is_is_noticed_by_neither(monkeypatch):

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating import Program, Step, run
-from algebroproj_sym.generating.numpy_source import LINE, assignments
+from algebroproj_sym.generating.numpy_source import LINE, packed, statements
 
 INPUTS = ("x", "y", "z")
 
@@ -32,13 +32,21 @@ def programs(draw):
 
 
 def printed(program):
-    return assignments(program, [f"result{place}" for place in range(len(program.outputs))])
+    """Return the statements as a tree: assignments, and a tuple that is returned."""
+    text = "\n    ".join(["def body():", *statements(program)])
+    (function,) = ast.parse(text).body
+    return function.body
+
+
+def lines_of(program):
+    *assigned, returned = printed(program)
+    return [*map(ast.unparse, assigned), *map(ast.unparse, returned.value.elts)]
 
 
 def executed(program, inputs):
-    namespace = dict(inputs)
-    exec("\n".join(printed(program)), namespace)
-    return [namespace[f"result{place}"] for place in range(len(program.outputs))]
+    namespace = {}
+    exec("\n    ".join([f"def body({', '.join(inputs)}):", *statements(program)]), namespace)
+    return list(namespace["body"](*inputs.values()))
 
 
 def bits(value):
@@ -58,7 +66,7 @@ def test_the_printed_statements_give_the_bits_of_the_program(program, values):
 
 @given(programs())
 def test_every_operation_is_printed_once(program):
-    tree = ast.parse("\n".join(printed(program)))
+    tree = ast.Module(printed(program), [])
     names = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
     found = Counter()
     for node in ast.walk(tree):
@@ -73,23 +81,26 @@ def test_every_operation_is_printed_once(program):
 @given(programs())
 def test_every_name_is_assigned_once_and_before_its_use(program):
     known = set(INPUTS)
-    for statement in ast.parse("\n".join(printed(program))).body:
+    *assigned, returned = printed(program)
+    assert isinstance(returned, ast.Return)
+    for statement in assigned:
         assert isinstance(statement, ast.Assign)
         (target,) = statement.targets
         assert {node.id for node in ast.walk(statement.value) if isinstance(node, ast.Name)} <= known
         assert target.id not in known
         known.add(target.id)
+    assert {node.id for node in ast.walk(returned.value) if isinstance(node, ast.Name)} <= known
 
 
 @given(programs())
 def test_abbreviations_are_printed_under_their_names(program):
-    assigned = {line.partition(" = ")[0] for line in printed(program)}
+    assigned = {line.partition(" = ")[0] for line in statements(program)}
     assert {step.name for step in program.steps if step.name.startswith("w")} <= assigned
 
 
 @given(programs())
 def test_what_is_used_twice_has_a_line_of_its_own(program):
-    assigned = {line.partition(" = ")[0] for line in printed(program)}
+    assigned = {line.partition(" = ")[0] for line in statements(program)}
     uses = Counter(operand for step in program.steps for operand in step.operands) + Counter(program.outputs)
     assert {step.name for step in program.steps if uses[step.name] > 1} <= assigned
 
@@ -99,7 +110,7 @@ def nested(*operators):
     first, second = operators
     left = Program(INPUTS, (Step("t0", first, ("x", "y")), Step("t1", second, ("t0", "z"))), ("t1",))
     right = Program(INPUTS, (Step("t0", second, ("y", "z")), Step("t1", first, ("x", "t0"))), ("t1",))
-    return printed(left) + printed(right)
+    return lines_of(left) + lines_of(right)
 
 
 @pytest.mark.parametrize(
@@ -117,7 +128,7 @@ def nested(*operators):
     ],
 )
 def test_parentheses_stand_where_they_are_needed_and_nowhere_else(operators, left, right):
-    assert nested(*operators) == [f"result0 = {left}", f"result0 = {right}"]
+    assert nested(*operators) == [left, right]
 
 
 def test_signs_are_told_from_differences():
@@ -127,27 +138,31 @@ def test_signs_are_told_from_differences():
         Step("t2", "neg", ("t1",)),
         Step("t3", "*", (-2, "t2")),
     )
-    assert printed(Program(INPUTS, steps, ("t3", -1))) == ["result0 = -2 * -(y - -x)", "result1 = -1"]
+    assert lines_of(Program(INPUTS, steps, ("t3", -1))) == ["-2 * -(y - -x)", "-1"]
 
 
-def test_outputs_are_assigned_to_the_given_targets_in_order():
+def test_outputs_are_returned_in_order():
     program = Program(("x",), (Step("t0", "*", ("x", "x")),), ("t0", 0, "x", "t0"))
-    targets = ["out[..., 0]", "out[..., 1]", "out[..., 2]", "out[..., 3]"]
-    lines = assignments(program, targets)
-    assert lines[-4:] == [f"{target} = {value}" for target, value in zip(targets, ("t0", 0, "x", "t0"), strict=True)]
-    assert lines[:-4] == ["t0 = x * x"]
+    assert statements(program) == ["t0 = x * x", "return t0, 0, x, t0"]
 
 
-def test_targets_and_outputs_are_as_many():
-    with pytest.raises(ValueError, match="zip"):
-        assignments(Program(("x",), (), ("x",)), ["a", "b"])
+def test_the_splitting_constant_comes_from_the_first_input():
+    program = Program(("x", "y"), (Step("t0", "*", ("splitter", "x")),), ("t0",))
+    assert statements(program) == ["splitter = splitter_of(x)", "return (splitter * x,)"]
+
+
+@given(st.lists(st.text("abc()", min_size=1, max_size=LINE)))
+def test_packed_lines_hold_all_items_in_order_and_stay_readable(items):
+    lines = packed(items)
+    assert " ".join(lines) == " ".join(f"{item}," for item in items)
+    assert max(map(len, lines), default=0) <= LINE + 1
 
 
 def test_lines_stay_readable():
     steps = [Step("t0", "+", ("x", "y"))]
     steps += [Step(f"t{k}", "+-*"[k % 3], (f"t{k - 1}", "z")) for k in range(1, 200)]
     program = Program(INPUTS, tuple(steps), ("t199",))
-    assert max(map(len, printed(program))) <= 2 * LINE
+    assert max(map(len, statements(program))) <= 2 * LINE
     inputs = {"x": np.float64(1.1), "y": np.float64(0.3), "z": np.float64(-0.7)}
     assert list(map(bits, executed(program, inputs))) == list(map(bits, run(program, inputs)))
 

@@ -1,6 +1,7 @@
 """The generated package is the same text wherever it is rendered, and its folder holds that text and nothing stale."""
 
 import ast
+import sys
 from itertools import pairwise
 
 import pytest
@@ -12,7 +13,7 @@ from algebroproj_sym.expressions import over, vector
 from algebroproj_sym.generating import PACKAGE, drift, lower, render, write
 from algebroproj_sym.generating.package import LONGEST_FACTOR
 
-SHARED = {"__init__.py", "_arguments.py", "_primitives.py", "drivers.py", "py.typed"}
+SHARED = {"__init__.py", "_evaluation.py", "_namespace.py", "_primitives.py", "drivers.py", "py.typed"}
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
 
 
@@ -41,7 +42,8 @@ def kernel(name):
 
 
 def functions_of(text):
-    return [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
+    """Return the public functions; each has a private body, and a signature."""
+    return [n for n in ast.parse(text).body if isinstance(n, ast.FunctionDef) and not n.name.startswith("_")]
 
 
 def names_in(folder):
@@ -61,7 +63,9 @@ def test_every_kernel_is_a_function_in_the_order_of_its_declaration(rendered):
 def test_every_function_is_exported(rendered):
     for name, text in rendered.items():
         if name not in SHARED:
-            (exported,) = [n.value for n in ast.parse(text).body if isinstance(n, ast.Assign)]
+            assigned = {n.targets[0].id: n.value for n in ast.parse(text).body if isinstance(n, ast.Assign)}
+            exported = assigned.pop("__all__")
+            assert {*assigned} == {f"_{function.name.upper()}_SIGNATURE" for function in functions_of(text)}
             hand_written = [driver.name for driver in drivers() if f"{driver.module}.py" == name]
             assert ast.literal_eval(exported) == [function.name for function in functions_of(text)] + hand_written
 
@@ -78,11 +82,13 @@ def test_every_module_imports_numpy_and_its_own_package_only(rendered):
     for name, text in rendered.items():
         for node in ast.walk(ast.parse(text)):
             if isinstance(node, ast.Import):
-                assert {alias.name.partition(".")[0] for alias in node.names} <= {"numpy"}, name
+                assert {alias.name.partition(".")[0] for alias in node.names} <= {"numpy", *sys.stdlib_module_names}, (
+                    name
+                )
             elif isinstance(node, ast.ImportFrom):
                 own = node.level == 1 and (node.module is None or f"{node.module}.py" in rendered)
                 assert own or node.level == 0, name
-                assert own or node.module.partition(".")[0] in {"numpy", "typing", "collections", "__future__"}, name
+                assert own or node.module.partition(".")[0] in {"numpy", *sys.stdlib_module_names}, name
 
 
 def test_every_imported_name_of_the_own_package_exists(rendered):
@@ -180,7 +186,7 @@ def test_drift_of_a_folder_that_does_not_exist_is_everything(files, tmp_path):
     assert drift(files, tmp_path / "nowhere") == sorted(files)
 
 
-@pytest.mark.parametrize("name", ["first.py", "__init__.py", "_arguments.py", "py.typed"])
+@pytest.mark.parametrize("name", ["first.py", "__init__.py", "_evaluation.py", "py.typed"])
 def test_drift_finds_a_changed_and_a_missing_file(files, tmp_path, name):
     write(files, tmp_path)
     (tmp_path / name).write_text(files[name] + "\n")

@@ -84,6 +84,9 @@ class Kernel:
         Decimal values of the arguments for the example of its docstring.
     describe : mapping of str to str
         What each argument is, with its unit.
+    throughout : bool
+        Whether all its operations have twice the digits, and not only those that sums which may cancel rest on: for
+        long products, where the roundings add up.
     normwise : bool
         Whether errors are measured against the largest entry of an argument or result, as for points in one unit that
         make up a linear system, instead of entry by entry.
@@ -102,6 +105,7 @@ class Kernel:
     describe: Mapping[str, str]
     stages: tuple[Stage, ...] = ()
     normwise: bool = False
+    throughout: bool = False
 
     @property
     def qualified_name(self) -> str:
@@ -145,6 +149,7 @@ class KernelParts(TypedDict):
     where: NotRequired[Mapping[sympy.Symbol, Any]]
     through: NotRequired[Sequence[Stage]]
     normwise: NotRequired[bool]
+    throughout: NotRequired[bool]
 
 
 def declared_kernel(
@@ -174,6 +179,7 @@ def declared_kernel(
         describe=parts["describe"],
         stages=tuple(parts.get("through", ())),
         normwise=parts.get("normwise", False),
+        throughout=parts.get("throughout", False),
     )
     _require_complete(kernel, label)
     return kernel

@@ -16,6 +16,7 @@ import sympy
 
 from algebroproj_sym.declaring import Kernel, Stage
 from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate
+from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.graph import Graph, Node, Signed
 from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
 from algebroproj_sym.generating.sharing import share_pairs
@@ -35,7 +36,9 @@ class Lowered:
     kernel : Kernel
         What was lowered.
     program : Program
-        The program, proved equal to ``kernel.derived``.
+        The program that is shipped, with twice the digits where they are needed.
+    plain : Program
+        The same without changes of digits, proved equal to ``kernel.derived``.
     hypotheses : tuple of sympy.Expr
         The irreducible factors that must not vanish.
     guarded : tuple of sympy.Expr
@@ -44,6 +47,7 @@ class Lowered:
 
     kernel: Kernel
     program: Program
+    plain: Program
     hypotheses: tuple[Scalar, ...]
     guarded: tuple[Scalar, ...]
 
@@ -95,7 +99,8 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
             raise LoweringError(
                 f"kernel {kernel.qualified_name}: entry {place} of its form differs from the derivation"
             )
-    return Lowered(kernel, program, divisors_of(kernel, program, engine), guarded)
+    hypotheses = divisors_of(kernel, program, engine)
+    return Lowered(kernel, compensated(program, kernel.throughout), program, hypotheses, guarded)
 
 
 def computed_values(program: Program, field: RationalFunctionField) -> tuple[Any, ...]:

@@ -1,4 +1,4 @@
-"""Printing a program as the body of a NumPy function.
+"""Printing a program as the body of a function of numbers or arrays.
 
 A step that is used once is written into the expression that uses it, with the parentheses that keep the order of
 the operations, as long as the line stays readable.
@@ -17,7 +17,7 @@ LINE = 100
 
 _TEMPORARY = re.compile(r"t\d+")
 
-_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3}
+_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3, "wide": 4, "rounded": 4}
 _ATOM = 4
 
 
@@ -27,30 +27,18 @@ class _Text:
     precedence: int
 
 
-def assignments(program: Program, targets: Sequence[str]) -> list[str]:
-    """Return the statements of a program.
-
-    Parameters
-    ----------
-    program : Program
-        What to print.
-    targets : sequence of str
-        What each output is assigned to.
-
-    Returns
-    -------
-    list of str
-        The lines of the statements.
+def statements(program: Program) -> list[str]:
+    r"""Return the statements of the body of a function that returns the outputs of a program.
 
     Examples
     --------
-    >>> program = Program(("x", "y"), (Step("t0", "-", ("x", "y")), Step("t1", "/", (1, "t0"))), ("t1",))
-    >>> assignments(program, ["out[...]"])
-    ['out[...] = 1 / (x - y)']
+    >>> program = Program(("x", "y"), (Step("t0", "-", ("x", "y")), Step("t1", "/", (1, "t0"))), ("t1", 0))
+    >>> print("\n".join(statements(program)))
+    return 1 / (x - y), 0
     """
     uses = program.uses()
     written: dict[Operand, _Text] = {}
-    lines = []
+    lines: list[str] = []
     for step in program.steps:
         if isinstance(step, Call):
             lines += _call(step, written)
@@ -61,9 +49,32 @@ def assignments(program: Program, targets: Sequence[str]) -> list[str]:
             written[step.name] = text
         else:
             lines.append(f"{step.name} = {text.text}")
-    return lines + [
-        f"{target} = {_operand(output, written).text}" for target, output in zip(targets, program.outputs, strict=True)
-    ]
+    return lines + _returned([_operand(output, written).text for output in program.outputs])
+
+
+def _returned(outputs: Sequence[str]) -> list[str]:
+    """Return the statement that returns a tuple."""
+    first, *rest = packed(outputs)
+    if rest:
+        return ["return (", *(f"    {line}" for line in (first, *rest)), ")"]
+    return [f"return ({first})"] if len(outputs) == 1 else [f"return {first.removesuffix(',')}"]
+
+
+def packed(items: Sequence[str]) -> list[str]:
+    """Return lines with as many of the items as fit, each with its comma.
+
+    Examples
+    --------
+    >>> packed(["a", "b"])
+    ['a, b,']
+    """
+    lines: list[str] = []
+    for item in items:
+        if lines and len(lines[-1]) + len(item) < LINE:
+            lines[-1] += f" {item},"
+        else:
+            lines.append(f"{item},")
+    return lines
 
 
 def _call(call: Call, written: dict[Operand, _Text]) -> list[str]:
@@ -87,6 +98,8 @@ def _operand(operand: Operand, written: dict[Operand, _Text]) -> _Text:
 def _operation(step: Step, written: dict[Operand, _Text]) -> _Text:
     precedence = _PRECEDENCE[step.operator]
     operands = [_operand(operand, written) for operand in step.operands]
+    if step.operator in ("wide", "rounded"):
+        return _Text(f"{step.operator}({operands[0].text})", _ATOM)
     if step.operator == "neg":
         return _Text(f"-{_parenthesised(operands[0], precedence + 1)}", precedence)
     left, right = _parenthesised(operands[0], precedence), _parenthesised(operands[1], precedence + 1)

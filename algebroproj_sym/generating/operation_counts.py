@@ -21,7 +21,7 @@ class OperationCounts:
     sympy_cse : int
         The same after `sympy.cse`.
     program : int
-        The generated program, guards included.
+        The program, guards included, changes of digits not counted.
     """
 
     derived: int
@@ -37,7 +37,7 @@ def operation_counts(lowered: Lowered) -> OperationCounts:
     return OperationCounts(
         derived=sum(map(operations, expressions)),
         sympy_cse=sum(operations(value) for _, value in replacements) + sum(map(operations, reduced)),
-        program=sum(lowered.program.operations().values()),
+        program=sum(lowered.plain.operations().values()),
     )
 
 

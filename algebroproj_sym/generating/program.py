@@ -14,16 +14,25 @@ from operator import add, mul, neg, sub, truediv
 from typing import Any, Literal, TypeAlias
 
 from algebroproj_sym.declaring import Primitive
+from algebroproj_sym.generating.runtime._double_double import rounded, wide
 
-Operator = Literal["+", "-", "*", "/", "neg"]
+Operator = Literal["+", "-", "*", "/", "neg", "wide", "rounded"]
 Operand: TypeAlias = "str | int"
 
-_MEANING: dict[Operator, Callable[..., Any]] = {"+": add, "-": sub, "*": mul, "/": truediv, "neg": neg}
+_MEANING: dict[Operator, Callable[..., Any]] = {
+    "+": add,
+    "-": sub,
+    "*": mul,
+    "/": truediv,
+    "neg": neg,
+    "wide": wide,
+    "rounded": rounded,
+}
 
 
 @dataclass(frozen=True)
 class Step:
-    """One operation: ``name = left operator right``, or ``name = -left``."""
+    """One operation: ``name = left operator right``, ``name = -left``, or a change of the number of digits."""
 
     name: str
     operator: Operator

@@ -7,6 +7,7 @@ import copy
 import inspect
 import textwrap
 from collections.abc import Callable, Iterator
+from types import FunctionType
 from typing import Any, NamedTuple
 
 _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
@@ -26,57 +27,65 @@ class SourceMutant(NamedTuple):
 
 
 def source_mutants(function: Callable[..., Any]) -> list[SourceMutant]:
-    """Return a function with each single change of its source: operator, operands, index, dropped term, number.
+    """Return a function with each single change of its body: operator, operands, index, dropped term, number.
 
-    The first statement, which brings the arguments into shape, and the last, which returns, stay as they are.
+    The body of a generated function is the private one of the same name, which it evaluates.
 
     Examples
     --------
     >>> from algebroproj import optics
     >>> [mutant.line for mutant in source_mutants(optics.scale)][:2]
-    ['out[...] = f * (f + x3)', 'out[...] = (f + x3) / f']
+    ['f * (f + x3)', '(f + x3) / f']
     """
-    tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
+    body = function.__globals__[f"_{function.__name__}"]
+    tree = ast.parse(textwrap.dedent(inspect.getsource(body)))
     found, seen = [], {ast.unparse(tree)}
-    for change, number, statement in _changed(_definition(tree)):
+    for change, number, part in _changed(tree):
         mutated = copy.deepcopy(tree)
-        _definition(mutated).body[number] = statement
+        holder, place = _parts(mutated)[number]
+        holder[place] = part
         text = ast.unparse(ast.fix_missing_locations(mutated))
         if text not in seen:
             seen.add(text)
-            found.append(SourceMutant(change, ast.unparse(statement), _compiled(text, function)))
+            found.append(SourceMutant(change, ast.unparse(part), _compiled(text, function)))
     return found
 
 
-def _definition(tree: ast.Module) -> ast.FunctionDef:
+def _parts(tree: ast.Module) -> list[tuple[list[Any], int]]:
+    """Return where the parts of a body are that are changed one by one: its statements, and the values it returns."""
     definition = tree.body[0]
     assert isinstance(definition, ast.FunctionDef)
-    return definition
+    last = definition.body[-1]
+    assert isinstance(last, ast.Return)
+    assert isinstance(last.value, ast.Tuple)
+    statements = [(definition.body, place) for place in range(len(definition.body) - 1)]
+    return statements + [(last.value.elts, place) for place in range(len(last.value.elts))]
 
 
 def _compiled(text: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return the function with another body."""
+    assert isinstance(function, FunctionType)
     names = dict(function.__globals__)
     exec(compile(text, f"<mutant of {function.__name__}>", "exec"), names)
-    made: Callable[..., Any] = names[function.__name__]
-    return made
+    mutant = FunctionType(function.__code__, names, function.__name__)
+    mutant.__kwdefaults__ = function.__kwdefaults__
+    return mutant
 
 
-def _changed(definition: ast.FunctionDef) -> Iterator[tuple[str, int, ast.stmt]]:
-    """Yield what is changed, the number of the statement, and the changed statement."""
-    start = 2 if ast.get_docstring(definition) is not None else 1
-    body = definition.body
-    names = sorted({node.id for node in ast.walk(definition) if isinstance(node, ast.Name)})
-    for number in range(start, len(body) - 1):
-        count = sum(1 for _ in ast.walk(body[number]))
-        for place in range(count):
-            for change, edit in _edits(_node_at(body[number], place), names):
-                statement = copy.deepcopy(body[number])
-                edit(_node_at(statement, place))
-                yield change, number, statement
+def _changed(tree: ast.Module) -> Iterator[tuple[str, int, ast.AST]]:
+    """Yield what is changed, the number of the part, and the changed part."""
+    names = sorted({node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)})
+    names += sorted({node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} - {*names})
+    for number, (holder, at) in enumerate(_parts(tree)):
+        for place in range(sum(1 for _ in ast.walk(holder[at]))):
+            for change, edit in _edits(_node_at(holder[at], place), names):
+                part = copy.deepcopy(holder[at])
+                edit(_node_at(part, place))
+                yield change, number, part
 
 
-def _node_at(statement: ast.stmt, place: int) -> ast.AST:
-    for at, node in enumerate(ast.walk(statement)):
+def _node_at(part: ast.AST, place: int) -> ast.AST:
+    for at, node in enumerate(ast.walk(part)):
         if at == place:
             return node
     raise IndexError(place)

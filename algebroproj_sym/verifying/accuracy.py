@@ -1,8 +1,11 @@
 """How accurate the generated functions are: errors in ULP, and against the condition number of the input.
 
-Write u for the unit roundoff and f for an entry of the exact result.  Rounding the input alone changes f by up to
-u * sum |x_i df/dx_i|, rounding the result by u * |f|: an error of a few times the larger of the two is all that can
-be asked for.  That ratio must stay below `BOUND`; the error in ULP shows what cancellation costs.
+The input is taken for exact, and the error of an entry f of the result is counted in units in its last place:
+`MEDIAN_ULP` in the median and `MAX_ULP` at most are asked for, near singularities as well.
+
+A linear system is solved to a small backward error, which is another demand.  Write u for the unit roundoff.  Rounding
+the input alone changes f by up to u * sum |x_i df/dx_i|, rounding the result by u * |f|: the error must stay below
+`BOUND` times the larger of the two.
 
 An input so close to a singularity that rounding it once more could put it there may give an infinity or a NaN: no digit
 of f is determined by the rounded input.  Such entries are counted, and do not enter the figures.
@@ -19,13 +22,16 @@ from types import ModuleType
 import mpmath
 import numpy as np
 
+from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.verifying.oracle import Truth, oracle
 from algebroproj_sym.verifying.samples import Sample, stratified
-from algebroproj_sym.verifying.shipped import Function, call, function_of, unset_entries_show
+from algebroproj_sym.verifying.shipped import Function, call, function_of
 
 UNIT_ROUNDOFF = 2.0**-53
 BOUND = 16.0
+MEDIAN_ULP = 0.6
+MAX_ULP = 4.0
 
 
 @dataclass(frozen=True)
@@ -38,8 +44,9 @@ class Stratum:
         Which inputs.
     samples : int
         How many.
-    median_ulp, max_ulp : float
-        Errors of the entries that depend on the input, in units in the last place of the exact result.
+    median_ulp, thousandth_ulp, max_ulp : float
+        Errors of the entries that depend on the input, in units in the last place of the exact result: the median,
+        what one in a thousand exceeds, and the largest.
     undetermined : int
         Entries that are not finite, and of which rounding the input alone could change every digit.
     max_ratio : float
@@ -49,6 +56,7 @@ class Stratum:
     name: str
     samples: int
     median_ulp: float
+    thousandth_ulp: float
     max_ulp: float
     max_ratio: float
     undetermined: int
@@ -56,16 +64,30 @@ class Stratum:
 
 @dataclass(frozen=True)
 class Accuracy:
-    """The errors of a function: over all samples, and stratum by stratum."""
+    """The errors of a function: over all samples, and stratum by stratum.
+
+    Attributes
+    ----------
+    function : str
+        Its module and name.
+    overall : Stratum
+        All samples.
+    strata : tuple of Stratum
+        One by one.
+    backward : bool
+        Whether it solves a linear system, of which a small backward error is asked.
+    """
 
     function: str
     overall: Stratum
     strata: tuple[Stratum, ...]
+    backward: bool = False
 
     @property
     def within_bound(self) -> bool:
-        """Whether the ratio of error to condition stays below the bound everywhere."""
-        return self.overall.max_ratio <= BOUND
+        """Whether the errors are as small as they must be."""
+        few_ulps = self.overall.median_ulp <= MEDIAN_ULP and self.overall.max_ulp <= MAX_ULP
+        return self.overall.max_ratio <= BOUND and (self.backward or few_ulps)
 
 
 @dataclass(frozen=True)
@@ -111,7 +133,7 @@ def measured(
     kernel = lowered.kernel
     exact = truths(lowered, samples) if known is None else known
     batch = {symbol.name: np.array([sample.values[symbol.name] for sample in samples]) for symbol in kernel.symbols}
-    with np.errstate(all="ignore"), unset_entries_show(function, len(kernel.results)):
+    with np.errstate(all="ignore"):
         computed = call(function, kernel, batch)
     varying = [isinstance(output, str) for output in lowered.program.outputs]
     errors = [
@@ -120,7 +142,8 @@ def measured(
     ]
     names = dict.fromkeys(error.stratum for error in errors)
     strata = tuple(_summary(name, [error for error in errors if error.stratum == name]) for name in names)
-    return Accuracy(kernel.qualified_name, _summary("all", errors), strata)
+    backward = any(stage.primitive in LINEAR for stage in kernel.stages)
+    return Accuracy(kernel.qualified_name, _summary("all", errors), strata, backward)
 
 
 def _errors(stratum: str, computed: Sequence[float], truth: Truth, varying: Sequence[bool]) -> _Errors:
@@ -144,11 +167,12 @@ def _quotient(error: object, scale: object) -> float:
 
 
 def _summary(name: str, errors: Sequence[_Errors]) -> Stratum:
-    ulps = [ulp for error in errors for ulp in error.ulps]
+    ulps = sorted(ulp for error in errors for ulp in error.ulps)
     return Stratum(
         name=name,
         samples=len(errors),
         median_ulp=median(ulps) if ulps else 0.0,
+        thousandth_ulp=ulps[-1 - len(ulps) // 1000] if ulps else 0.0,
         max_ulp=max(ulps, default=0.0),
         max_ratio=max((error.ratio for error in errors), default=0.0),
         undetermined=sum(error.undetermined for error in errors),
@@ -166,6 +190,7 @@ def _stratum_record(stratum: Stratum) -> Mapping[str, object]:
         "name": stratum.name,
         "samples": stratum.samples,
         "median_ulp": _rounded(stratum.median_ulp),
+        "thousandth_ulp": _rounded(stratum.thousandth_ulp),
         "max_ulp": _rounded(stratum.max_ulp),
         "max_ratio": _rounded(stratum.max_ratio),
         "undetermined": stratum.undetermined,

@@ -90,8 +90,18 @@ class _Calls:
             raise _OtherCallError
         self.given += [self._element(entry) for row in rows for entry in row]
         variables = [np.array(self.field.variables[symbol], dtype=object) for symbol in stage.results]
+        doubled = next((type(entry) for row in rows for entry in row if hasattr(entry, "hi")), None)
+        if doubled is not None and primitive not in LINEAR:
+            variables = list(map(doubled, variables))
         return variables[0] if len(variables) == 1 and primitive not in LINEAR else tuple(variables)
 
-    def _element(self, entry: Any) -> RationalFunction:
+    def _element(self, operand: Any) -> RationalFunction:
+        """Return an operand as an element; one of twice the digits is the sum of its two parts."""
+        if not hasattr(operand, "hi"):
+            return self._single(operand)
+        rest = self.field.lift(Fraction(0)) if operand.lo is None else self._single(operand.lo)
+        return self._single(operand.hi) + rest
+
+    def _single(self, entry: Any) -> RationalFunction:
         value = entry.item() if isinstance(entry, np.ndarray) else entry
         return value if isinstance(value, RationalFunction) else self.field.lift(Fraction(value))

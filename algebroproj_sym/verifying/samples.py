@@ -1,9 +1,9 @@
-"""Stratified samples: ordinary input, badly scaled input, and input near each factor that must not vanish."""
+"""Stratified samples: ordinary, badly scaled, near each factor that must not vanish, and near several of them."""
 
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import islice
@@ -15,6 +15,7 @@ from algebroproj_sym.generating import Lowered
 from algebroproj_sym.proving import seed_of
 
 DISTANCES = tuple(range(1, 15))
+SEVERAL = "near several factors"
 
 
 @dataclass(frozen=True)
@@ -33,7 +34,7 @@ def stratified(lowered: Lowered, size: int, seed: int = 0) -> tuple[Sample, ...]
     lowered : Lowered
         The kernel, with the factors that must not vanish.
     size : int
-        How many samples in the ordinary and in the badly scaled stratum, and about each factor.
+        How many samples in each stratum.
     seed : int
         Varies the draw.
 
@@ -47,6 +48,7 @@ def stratified(lowered: Lowered, size: int, seed: int = 0) -> tuple[Sample, ...]
     samples += [Sample("badly scaled", _badly_scaled(symbols, generator)) for _ in range(size)]
     for factor in lowered.input_hypotheses:
         samples += islice(_near(factor, f"near {factor}", symbols, generator), size)
+    samples += islice(_near_several(lowered.input_hypotheses, symbols, generator), size)
     for determinant in lowered.determinants:
         samples += islice(_near(determinant, "near a singular system", symbols, generator), size)
     return tuple(samples)
@@ -93,11 +95,36 @@ def _near(factor: Scalar, stratum: str, symbols: Sequence[sympy.Symbol], generat
                 yield Sample(stratum, {symbol.name: float(value) for symbol, value in moved.items()})
 
 
+def _near_several(
+    factors: Sequence[Scalar], symbols: Sequence[sympy.Symbol], generator: random.Random
+) -> Iterator[Sample]:
+    """Yield samples near the zeros of as many factors as single coordinates reach; none if that is less than two."""
+    stuck = 0
+    while len(factors) > 1 and stuck < 20:
+        point = {symbol: Fraction(_ordinary([symbol], generator)[symbol.name]) for symbol in symbols}
+        fixed: set[sympy.Symbol] = set()
+        reached = 0
+        for factor in generator.sample(factors, len(factors)):
+            distance = Fraction(generator.choice((-1, 1)), 10 ** generator.choice(DISTANCES))
+            moved = _moved(factor, point, distance, generator, fixed)
+            if moved is not None:
+                point = moved
+                fixed |= factor.free_symbols
+                reached += 1
+        stuck = 0 if reached > 1 else stuck + 1
+        if reached > 1:
+            yield Sample(SEVERAL, {symbol.name: float(value) for symbol, value in point.items()})
+
+
 def _moved(
-    factor: Scalar, point: dict[sympy.Symbol, Fraction], value: Fraction, generator: random.Random
+    factor: Scalar,
+    point: dict[sympy.Symbol, Fraction],
+    value: Fraction,
+    generator: random.Random,
+    fixed: Collection[sympy.Symbol] = (),
 ) -> dict[sympy.Symbol, Fraction] | None:
-    """Move one coordinate, in which the factor is affine, so that the factor takes a value."""
-    variables = sorted(factor.free_symbols, key=str)
+    """Move one coordinate that is not fixed, and in which the factor is affine, so that the factor takes a value."""
+    variables = sorted(factor.free_symbols.difference(fixed), key=str)
     generator.shuffle(variables)
     for variable in variables:
         try:

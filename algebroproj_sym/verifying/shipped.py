@@ -131,23 +131,3 @@ def replaced(function: Any, replacements: Mapping[str, Any]) -> Iterator[None]:
         yield
     finally:
         names.update(before)
-
-
-@contextmanager
-def unset_entries_show(function: Function, results: int) -> Iterator[None]:
-    """Let entries of the results that a function does not set be NaN, instead of whatever the memory holds."""
-    names = getattr(function, "__globals__", {})
-    if "arguments" not in names:
-        yield
-        return
-    original = names["arguments"]
-
-    def arguments(*given: Any, **named: Any) -> Any:
-        arrays = original(*given, **named)
-        for array in arrays[-results:]:
-            if array.dtype.kind in "fc":
-                array[...] = np.nan
-        return arrays
-
-    with replaced(function, {"arguments": arguments}):
-        yield

@@ -553,6 +553,7 @@ section.kernel(
     where=BARYCENTRIC,
     claims=["1.3.8"],
     example=EXAMPLE_CENTER,
+    throughout=True,
 )
 section.kernel(
     "projection.projection_determinant_from_mu",

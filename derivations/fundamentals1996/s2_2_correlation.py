@@ -789,6 +789,7 @@ section.kernel(
         "mu_right": ("0.75", "0.625", "0.875"),
         "u3_right": ("0.3125", "-0.25"),
     },
+    throughout=True,
 )
 
 # %% [markdown]

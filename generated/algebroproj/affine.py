@@ -9,7 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._double_double import rounded, wide
+from ._evaluation import Signature, evaluate
 
 __all__ = [
     "plane_frame",
@@ -19,7 +20,7 @@ __all__ = [
 ]
 
 
-def plane_frame(g: ArrayLike) -> NDArray[Any]:
+def plane_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix A_v that takes affine image coordinates (1, u) to image coordinates (1, v).
 
     fundamentals1996, section 1.4; proved by (1.4.1#A_v), (1.4/v).
@@ -28,6 +29,8 @@ def plane_frame(g: ArrayLike) -> NDArray[Any]:
     ----------
     g : array_like, shape (..., 3, 2)
         Image points G'0, G'1, G'2, a row each, in any affine coordinates; any unit.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -37,7 +40,9 @@ def plane_frame(g: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -62,23 +67,19 @@ def plane_frame(g: ArrayLike) -> NDArray[Any]:
     >>> plane_frame([[-0.0451870, -0.6343754], [0.0202372, 0.8297962], [0.9728948, -0.4654293]]).round(6).tolist()
     [[1.0, 0.0, 0.0], [-0.045187, 0.065424, 1.018082], [-0.634375, 1.464172, 0.168946]]
     """
-    g, out = arguments("plane_frame", [(3, 3)], g=(g, (3, 2)))
-    g00, g01 = g[..., 0, 0], g[..., 0, 1]
-    g10, g11 = g[..., 1, 0], g[..., 1, 1]
-    g20, g21 = g[..., 2, 0], g[..., 2, 1]
-    out[..., 0, 0] = 1
-    out[..., 0, 1] = 0
-    out[..., 0, 2] = 0
-    out[..., 1, 0] = g00
-    out[..., 1, 1] = g10 - g00
-    out[..., 1, 2] = g20 - g00
-    out[..., 2, 0] = g01
-    out[..., 2, 1] = g11 - g01
-    out[..., 2, 2] = g21 - g01
-    return out[()]
+    return evaluate(_PLANE_FRAME_SIGNATURE, _plane_frame, (g,), out)
 
 
-def plane_coordinates(v: ArrayLike, g: ArrayLike) -> NDArray[Any]:
+def _plane_frame(
+    g00: Any, g01: Any, g10: Any, g11: Any, g20: Any, g21: Any,
+) -> tuple[Any, ...]:
+    return 1, 0, 0, g00, g10 - g00, g20 - g00, g01, g11 - g01, g21 - g01
+
+
+_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),))
+
+
+def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Affine image coordinates u of an image point, referred to three basic points.
 
     fundamentals1996, section 1.4; proved by (1.4/plane-coordinates), (1.4/uncalibrated).
@@ -89,6 +90,8 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike) -> NDArray[Any]:
         Coordinates of an image point, in the system of g; same unit.
     g : array_like, shape (..., 3, 2)
         Image points G'0, G'1, G'2, a row each, in any affine coordinates; any unit.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -98,7 +101,9 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -117,31 +122,33 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``g00*g11 - g00*g21 - g01*g10 +
     g01*g20 + g10*g21 - g11*g20``.
 
-    Operations: 17 (9 -, 6 *, 2 /); the derived expression as written takes 30.
+    Operations: 17 (9 -, 6 *, 2 /); the derived expression as written takes 30.  With the double-double operations for sums that may cancel: 226.
 
     Examples
     --------
     >>> plane_coordinates([0.0313810, -0.2265744], [[-0.0451870, -0.6343754], [0.0202372, 0.8297962], [0.9728948, -0.4654293]]).round(6).tolist()
     [0.271858, 0.057738]
     """
-    v, g, out = arguments("plane_coordinates", [(2,)], v=(v, (2,)), g=(g, (3, 2)))
-    v1, v2 = v[..., 0], v[..., 1]
-    g00, g01 = g[..., 0, 0], g[..., 0, 1]
-    g10, g11 = g[..., 1, 0], g[..., 1, 1]
-    g20, g21 = g[..., 2, 0], g[..., 2, 1]
-    d1 = v1 - g00
-    d2 = v2 - g01
-    c11 = g10 - g00
-    c12 = g11 - g01
-    c21 = g20 - g00
-    c22 = g21 - g01
-    det = c11 * c22 - c12 * c21
-    out[..., 0] = (c22 * d1 - c21 * d2) / det
-    out[..., 1] = (c11 * d2 - c12 * d1) / det
-    return out[()]
+    return evaluate(_PLANE_COORDINATES_SIGNATURE, _plane_coordinates, (v, g), out)
 
 
-def space_frame(g: ArrayLike) -> NDArray[Any]:
+def _plane_coordinates(
+    v1: Any, v2: Any, g00: Any, g01: Any, g10: Any, g11: Any, g20: Any, g21: Any,
+) -> tuple[Any, ...]:
+    d1 = wide(v1) - g00
+    d2 = wide(v2) - g01
+    c11 = wide(g10) - g00
+    c12 = wide(g11) - g01
+    c21 = wide(g20) - g00
+    c22 = wide(g21) - g01
+    det = rounded(c11 * c22 - c12 * c21)
+    return rounded(c22 * d1 - c21 * d2) / det, rounded(c11 * d2 - c12 * d1) / det
+
+
+_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),))
+
+
+def space_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix A_X that takes affine coordinates (1, y) to object coordinates (1, X).
 
     fundamentals1996, section 1.4; proved by (1.4.4), (1.4/A_X).
@@ -150,6 +157,8 @@ def space_frame(g: ArrayLike) -> NDArray[Any]:
     ----------
     g : array_like, shape (..., 4, 3)
         Object points G0, G1, G2, G3, a row each, in any affine coordinates; any unit.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -159,7 +168,9 @@ def space_frame(g: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -191,31 +202,23 @@ def space_frame(g: ArrayLike) -> NDArray[Any]:
     >>> space_frame([[292.50, 202.50, 120.00], [577.50, 2295.00, 91.50], [1537.50, 480.00, 772.50], [435.00, 900.00, 990.00]]).round(6).tolist()
     [[1.0, 0.0, 0.0, 0.0], [292.5, 285.0, 1245.0, 142.5], [202.5, 2092.5, 277.5, 697.5], [120.0, -28.5, 652.5, 870.0]]
     """
-    g, out = arguments("space_frame", [(4, 4)], g=(g, (4, 3)))
-    G00, G01, G02 = g[..., 0, 0], g[..., 0, 1], g[..., 0, 2]
-    G10, G11, G12 = g[..., 1, 0], g[..., 1, 1], g[..., 1, 2]
-    G20, G21, G22 = g[..., 2, 0], g[..., 2, 1], g[..., 2, 2]
-    G30, G31, G32 = g[..., 3, 0], g[..., 3, 1], g[..., 3, 2]
-    out[..., 0, 0] = 1
-    out[..., 0, 1] = 0
-    out[..., 0, 2] = 0
-    out[..., 0, 3] = 0
-    out[..., 1, 0] = G00
-    out[..., 1, 1] = G10 - G00
-    out[..., 1, 2] = G20 - G00
-    out[..., 1, 3] = G30 - G00
-    out[..., 2, 0] = G01
-    out[..., 2, 1] = G11 - G01
-    out[..., 2, 2] = G21 - G01
-    out[..., 2, 3] = G31 - G01
-    out[..., 3, 0] = G02
-    out[..., 3, 1] = G12 - G02
-    out[..., 3, 2] = G22 - G02
-    out[..., 3, 3] = G32 - G02
-    return out[()]
+    return evaluate(_SPACE_FRAME_SIGNATURE, _space_frame, (g,), out)
 
 
-def space_coordinates(x: ArrayLike, g: ArrayLike) -> NDArray[Any]:
+def _space_frame(
+    G00: Any, G01: Any, G02: Any, G10: Any, G11: Any, G12: Any, G20: Any, G21: Any, G22: Any, G30: Any,
+    G31: Any, G32: Any,
+) -> tuple[Any, ...]:
+    return (
+        1, 0, 0, 0, G00, G10 - G00, G20 - G00, G30 - G00, G01, G11 - G01, G21 - G01, G31 - G01, G02,
+        G12 - G02, G22 - G02, G32 - G02,
+    )
+
+
+_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),))
+
+
+def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Affine coordinates y of an object point, referred to four basic points.
 
     fundamentals1996, section 1.4; proved by (1.4.3).
@@ -226,6 +229,8 @@ def space_coordinates(x: ArrayLike, g: ArrayLike) -> NDArray[Any]:
         Coordinates of an object point, in the system of g; same unit.
     g : array_like, shape (..., 4, 3)
         Object points G0, G1, G2, G3, a row each, in any affine coordinates; any unit.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -235,7 +240,9 @@ def space_coordinates(x: ArrayLike, g: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -267,39 +274,43 @@ def space_coordinates(x: ArrayLike, g: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: a factor of a denominator above,
     of 24 terms.
 
-    Operations: 54 (8 +, 18 -, 24 *, 3 /, 1 neg); the derived expression as written takes 177.
+    Operations: 54 (8 +, 18 -, 24 *, 3 /, 1 neg); the derived expression as written takes 177.  With the double-double operations for sums that may cancel: 827.
 
     Examples
     --------
     >>> space_coordinates([660.00, 1537.50, 312.00], [[292.50, 202.50, 120.00], [577.50, 2295.00, 91.50], [1537.50, 480.00, 772.50], [435.00, 900.00, 990.00]]).round(6).tolist()
     [0.575607, 0.148768, 0.12797]
     """
-    x, g, out = arguments("space_coordinates", [(3,)], x=(x, (3,)), g=(g, (4, 3)))
-    X1, X2, X3 = x[..., 0], x[..., 1], x[..., 2]
-    G00, G01, G02 = g[..., 0, 0], g[..., 0, 1], g[..., 0, 2]
-    G10, G11, G12 = g[..., 1, 0], g[..., 1, 1], g[..., 1, 2]
-    G20, G21, G22 = g[..., 2, 0], g[..., 2, 1], g[..., 2, 2]
-    G30, G31, G32 = g[..., 3, 0], g[..., 3, 1], g[..., 3, 2]
-    d1 = X1 - G00
-    d2 = X2 - G01
-    d3 = X3 - G02
-    a11 = G10 - G00
-    a12 = G11 - G01
-    a13 = G12 - G02
-    a21 = G20 - G00
-    a22 = G21 - G01
-    a23 = G22 - G02
-    a31 = G30 - G00
-    a32 = G31 - G01
-    a33 = G32 - G02
+    return evaluate(_SPACE_COORDINATES_SIGNATURE, _space_coordinates, (x, g), out)
+
+
+def _space_coordinates(
+    X1: Any, X2: Any, X3: Any, G00: Any, G01: Any, G02: Any, G10: Any, G11: Any, G12: Any, G20: Any,
+    G21: Any, G22: Any, G30: Any, G31: Any, G32: Any,
+) -> tuple[Any, ...]:
+    d1 = wide(X1) - G00
+    d2 = wide(X2) - G01
+    d3 = wide(X3) - G02
+    a11 = wide(G10) - G00
+    a12 = wide(G11) - G01
+    a13 = wide(G12) - G02
+    a21 = wide(G20) - G00
+    a22 = wide(G21) - G01
+    a23 = wide(G22) - G02
+    a31 = wide(G30) - G00
+    a32 = wide(G31) - G01
+    a33 = wide(G32) - G02
     m1 = a22 * a33 - a23 * a32
     m2 = a23 * a31 - a21 * a33
     m3 = a21 * a32 - a22 * a31
     n1 = a13 * d2 - a12 * d3
     n2 = a11 * d3 - a13 * d1
     n3 = a12 * d1 - a11 * d2
-    det = a11 * m1 + a12 * m2 + a13 * m3
-    out[..., 0] = (d1 * m1 + d2 * m2 + d3 * m3) / det
-    out[..., 1] = -((a31 * n1 + a32 * n2 + a33 * n3) / det)
-    out[..., 2] = (a21 * n1 + a22 * n2 + a23 * n3) / det
-    return out[()]
+    det = rounded(a11 * m1 + a12 * m2 + a13 * m3)
+    return (
+        rounded(d1 * m1 + d2 * m2 + d3 * m3) / det, -(rounded(a31 * n1 + a32 * n2 + a33 * n3) / det),
+        rounded(a21 * n1 + a22 * n2 + a23 * n3) / det,
+    )
+
+
+_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),))

@@ -9,7 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._double_double import rounded, wide
+from ._evaluation import Signature, evaluate
 from ._primitives import cos_sin
 
 __all__ = [
@@ -26,7 +27,7 @@ __all__ = [
 ]
 
 
-def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: ArrayLike, comparator_angles: ArrayLike, comparator_center: ArrayLike) -> NDArray[Any]:
+def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: ArrayLike, comparator_angles: ArrayLike, comparator_center: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Coefficients (A1, ..., A11) of the general collinearity equations from eleven orientation parameters.
 
     okamoto1981, section 1.1; proved by (6), (7).
@@ -43,6 +44,8 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
         Inclinations (alpha, beta) of the picture about the comparator axes yc and xc; radians.
     comparator_center : array_like, shape (..., 2)
         Projection center (xco, yco) in the system of the comparator; unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -52,7 +55,9 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -90,23 +95,25 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xo*c_omega*s_phi - Yo*s_omega +
     Zo*c_omega*c_phi``.
 
-    Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
+    Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.  With the double-double operations for sums that may cancel: 1775.
 
     Examples
     --------
     >>> coefficients([0.125, -0.25, 0.5], [12.5, -7.25, 101.75], 152.25, [0.0625, -0.03125], [110.5, 95.25]).round(6).tolist()
     [1.209967, 0.464926, -1.348803, 125.486795, -0.896492, 1.097123, -1.134805, 134.626657, -0.001239, -0.002537, -0.009857]
     """
-    angles, center, principal_distance, comparator_angles, comparator_center, out = arguments("coefficients", [(11,)], angles=(angles, (3,)), center=(center, (3,)), principal_distance=(principal_distance, ()), comparator_angles=(comparator_angles, (2,)), comparator_center=(comparator_center, (2,)))
-    phi, omega, kappa = angles[..., 0], angles[..., 1], angles[..., 2]
-    Xo, Yo, Zo = center[..., 0], center[..., 1], center[..., 2]
-    alpha, beta_ = comparator_angles[..., 0], comparator_angles[..., 1]
-    xco, yco = comparator_center[..., 0], comparator_center[..., 1]
-    c_phi, s_phi = cos_sin(phi)
-    c_omega, s_omega = cos_sin(omega)
-    c_kappa, s_kappa = cos_sin(kappa)
-    c_alpha, s_alpha = cos_sin(alpha)
-    c_beta_, s_beta_ = cos_sin(beta_)
+    return evaluate(_COEFFICIENTS_SIGNATURE, _coefficients, (angles, center, principal_distance, comparator_angles, comparator_center), out)
+
+
+def _coefficients(
+    phi: Any, omega: Any, kappa: Any, Xo: Any, Yo: Any, Zo: Any, principal_distance: Any, alpha: Any,
+    beta_: Any, xco: Any, yco: Any,
+) -> tuple[Any, ...]:
+    c_phi, s_phi = cos_sin(wide(phi))
+    c_omega, s_omega = cos_sin(wide(omega))
+    c_kappa, s_kappa = cos_sin(wide(kappa))
+    c_alpha, s_alpha = cos_sin(wide(alpha))
+    c_beta_, s_beta_ = cos_sin(wide(beta_))
     t1 = s_omega * s_kappa
     e11 = c_kappa * c_phi + t1 * s_phi
     e12 = c_omega * s_kappa
@@ -115,29 +122,35 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     e21 = t8 * s_phi - c_phi * s_kappa
     e22 = c_kappa * c_omega
     e23 = s_kappa * s_phi + t8 * c_phi
-    e31 = c_omega * s_phi
-    e32 = -s_omega
-    e33 = c_omega * c_phi
+    t15 = c_omega * s_phi
+    e31 = rounded(t15)
+    t16 = -s_omega
+    e32 = rounded(t16)
+    t17 = c_omega * c_phi
+    e33 = rounded(t17)
     r1 = Xo * e11 + Yo * e12 + Zo * e13
     r2 = Xo * e21 + Yo * e22 + Zo * e23
-    r3 = Xo * e31 + Yo * e32 + Zo * e33
+    t18 = Xo * t15 + Yo * t16 + Zo * t17
+    r3 = rounded(t18)
     t35 = s_alpha * c_beta_
     t38 = s_alpha * s_beta_
-    out[..., 0] = (principal_distance * (c_alpha * e11 + t35 * e31 + t38 * e21) - e31 * xco) / r3
-    out[..., 1] = (principal_distance * (c_alpha * e12 + t35 * e32 + t38 * e22) - e32 * xco) / r3
-    out[..., 2] = (principal_distance * (c_alpha * e13 + t35 * e33 + t38 * e23) - e33 * xco) / r3
-    out[..., 3] = xco - principal_distance * (c_alpha * r1 + t35 * r3 + t38 * r2) / r3
-    out[..., 4] = (principal_distance * (c_beta_ * e21 - e31 * s_beta_) - e31 * yco) / r3
-    out[..., 5] = (principal_distance * (c_beta_ * e22 - e32 * s_beta_) - e32 * yco) / r3
-    out[..., 6] = (principal_distance * (c_beta_ * e23 - e33 * s_beta_) - e33 * yco) / r3
-    out[..., 7] = yco - principal_distance * (c_beta_ * r2 - r3 * s_beta_) / r3
-    out[..., 8] = -(e31 / r3)
-    out[..., 9] = -(e32 / r3)
-    out[..., 10] = -(e33 / r3)
-    return out[()]
+    return (
+        rounded(principal_distance * (c_alpha * e11 + t35 * t15 + t38 * e21) - t15 * xco) / r3,
+        rounded(principal_distance * (c_alpha * e12 + t35 * t16 + t38 * e22) - t16 * xco) / r3,
+        rounded(principal_distance * (c_alpha * e13 + t35 * t17 + t38 * e23) - t17 * xco) / r3,
+        rounded(xco - principal_distance * (c_alpha * r1 + t35 * t18 + t38 * r2) / t18),
+        rounded(principal_distance * (c_beta_ * e21 - t15 * s_beta_) - t15 * yco) / r3,
+        rounded(principal_distance * (c_beta_ * e22 - t16 * s_beta_) - t16 * yco) / r3,
+        rounded(principal_distance * (c_beta_ * e23 - t17 * s_beta_) - t17 * yco) / r3,
+        rounded(yco - principal_distance * (c_beta_ * r2 - t18 * s_beta_) / t18), -(e31 / r3), -(e32 / r3),
+        -(e33 / r3),
+    )
 
 
-def project(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
+_COEFFICIENTS_SIGNATURE = Signature("coefficients", (("angles", (3,)), ("center", (3,)), ("principal_distance", ()), ("comparator_angles", (2,)), ("comparator_center", (2,))), ((11,),))
+
+
+def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Measured image point of an object point by the general collinearity equations.
 
     okamoto1981, section 1.1; proved by (7), (1#matrix).
@@ -148,6 +161,8 @@ def project(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
         Coefficients (A1, ..., A11) of the general collinearity equations; their units follow from those of the coordinates of object and image.
     X : array_like, shape (..., 3)
         Object point (X, Y, Z); any unit of length.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -157,7 +172,9 @@ def project(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -168,23 +185,31 @@ def project(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
 
-    Operations: 20 (9 +, 9 *, 2 /); the derived expression as written takes 26.
+    Operations: 20 (9 +, 9 *, 2 /); the derived expression as written takes 26.  With the double-double operations for sums that may cancel: 281.
 
     Examples
     --------
     >>> project([1.25, 0.125, 0.25, 10.5, -0.125, 1.375, 0.0625, 20.25, 0.0025, -0.00125, 0.005], [12.5, -7.25, 31.75]).round(6).tolist()
     [27.651811, 8.926244]
     """
-    A, X, out = arguments("project", [(2,)], A=(A, (11,)), X=(X, (3,)))
-    A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11 = A[..., 0], A[..., 1], A[..., 2], A[..., 3], A[..., 4], A[..., 5], A[..., 6], A[..., 7], A[..., 8], A[..., 9], A[..., 10]
-    X, Y, Z = X[..., 0], X[..., 1], X[..., 2]
-    t11 = 1 + A10 * Y + A11 * Z + A9 * X
-    out[..., 0] = (A4 + A1 * X + A2 * Y + A3 * Z) / t11
-    out[..., 1] = (A8 + A5 * X + A6 * Y + A7 * Z) / t11
-    return out[()]
+    return evaluate(_PROJECT_SIGNATURE, _project, (A, X), out)
 
 
-def project_jacobian_parameters(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
+def _project(
+    A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
+    X: Any, Y: Any, Z: Any,
+) -> tuple[Any, ...]:
+    t11 = rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X)
+    return (
+        rounded(A4 + wide(A1) * X + wide(A2) * Y + wide(A3) * Z) / t11,
+        rounded(A8 + wide(A5) * X + wide(A6) * Y + wide(A7) * Z) / t11,
+    )
+
+
+_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),))
+
+
+def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Derivatives of the measured image point with respect to the coefficients (A1, ..., A11).
 
     okamoto1981, section 1.1; proved by (1#matrix), (7/beyond/by-coefficients).
@@ -195,6 +220,8 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
         Coefficients (A1, ..., A11) of the general collinearity equations; their units follow from those of the coordinates of object and image.
     X : array_like, shape (..., 3)
         Object point (X, Y, Z); any unit of length.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -204,7 +231,9 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -236,49 +265,37 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
 
-    Operations: 42 (9 +, 15 *, 12 /, 6 neg); the derived expression as written takes 146.
+    Operations: 42 (9 +, 15 *, 12 /, 6 neg); the derived expression as written takes 146.  With the double-double operations for sums that may cancel: 303.
 
     Examples
     --------
     >>> project_jacobian_parameters([1.25, 0.125, 0.25, 10.5, -0.125, 1.375, 0.0625, 20.25, 0.0025, -0.00125, 0.005], [12.5, -7.25, 31.75]).round(6).tolist()
     [[10.424811, -6.04639, 26.47902, 0.833985, 0.0, 0.0, 0.0, 0.0, -288.264908, 167.193647, -732.192867], [0.0, 0.0, 0.0, 0.0, 10.424811, -6.04639, 26.47902, 0.833985, -93.054412, 53.971559, -236.358206]]
     """
-    A, X, out = arguments("project_jacobian_parameters", [(2, 11)], A=(A, (11,)), X=(X, (3,)))
-    A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11 = A[..., 0], A[..., 1], A[..., 2], A[..., 3], A[..., 4], A[..., 5], A[..., 6], A[..., 7], A[..., 8], A[..., 9], A[..., 10]
-    X, Y, Z = X[..., 0], X[..., 1], X[..., 2]
-    w = 1 + A10 * Y + A11 * Z + A9 * X
+    return evaluate(_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE, _project_jacobian_parameters, (A, X), out)
+
+
+def _project_jacobian_parameters(
+    A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
+    X: Any, Y: Any, Z: Any,
+) -> tuple[Any, ...]:
+    w = rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X)
     t6 = X / w
     t7 = Y / w
     t8 = Z / w
     t9 = 1 / w
-    t16 = (A4 + A1 * X + A2 * Y + A3 * Z) / w
-    t32 = (A8 + A5 * X + A6 * Y + A7 * Z) / w
-    out[..., 0, 0] = t6
-    out[..., 0, 1] = t7
-    out[..., 0, 2] = t8
-    out[..., 0, 3] = t9
-    out[..., 0, 4] = 0
-    out[..., 0, 5] = 0
-    out[..., 0, 6] = 0
-    out[..., 0, 7] = 0
-    out[..., 0, 8] = -(X * t16 / w)
-    out[..., 0, 9] = -(Y * t16 / w)
-    out[..., 0, 10] = -(Z * t16 / w)
-    out[..., 1, 0] = 0
-    out[..., 1, 1] = 0
-    out[..., 1, 2] = 0
-    out[..., 1, 3] = 0
-    out[..., 1, 4] = t6
-    out[..., 1, 5] = t7
-    out[..., 1, 6] = t8
-    out[..., 1, 7] = t9
-    out[..., 1, 8] = -(X * t32 / w)
-    out[..., 1, 9] = -(Y * t32 / w)
-    out[..., 1, 10] = -(Z * t32 / w)
-    return out[()]
+    t16 = rounded(A4 + wide(A1) * X + wide(A2) * Y + wide(A3) * Z) / w
+    t32 = rounded(A8 + wide(A5) * X + wide(A6) * Y + wide(A7) * Z) / w
+    return (
+        t6, t7, t8, t9, 0, 0, 0, 0, -(X * t16 / w), -(Y * t16 / w), -(Z * t16 / w), 0, 0, 0, 0, t6, t7, t8,
+        t9, -(X * t32 / w), -(Y * t32 / w), -(Z * t32 / w),
+    )
 
 
-def project_jacobian_point(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
+_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),))
+
+
+def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Derivatives of the measured image point with respect to the object point.
 
     okamoto1981, section 1.1; proved by (1#matrix), (7/beyond/by-point).
@@ -289,6 +306,8 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
         Coefficients (A1, ..., A11) of the general collinearity equations; their units follow from those of the coordinates of object and image.
     X : array_like, shape (..., 3)
         Object point (X, Y, Z); any unit of length.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -298,7 +317,9 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -314,34 +335,42 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike) -> NDArray[Any]:
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
 
-    Operations: 67 (9 +, 18 -, 34 *, 6 /); the derived expression as written takes 138.
+    Operations: 67 (9 +, 18 -, 34 *, 6 /); the derived expression as written takes 138.  With the double-double operations for sums that may cancel: 950.
 
     Examples
     --------
     >>> project_jacobian_point([1.25, 0.125, 0.25, 10.5, -0.125, 1.375, 0.0625, 20.25, 0.0025, -0.00125, 0.005], [12.5, -7.25, 31.75]).round(6).tolist()
     [[0.984828, 0.133075, 0.09319], [-0.122859, 1.156035, 0.014902]]
     """
-    A, X, out = arguments("project_jacobian_point", [(2, 3)], A=(A, (11,)), X=(X, (3,)))
-    A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11 = A[..., 0], A[..., 1], A[..., 2], A[..., 3], A[..., 4], A[..., 5], A[..., 6], A[..., 7], A[..., 8], A[..., 9], A[..., 10]
-    X, Y, Z = X[..., 0], X[..., 1], X[..., 2]
-    w = 1 + A10 * Y + A11 * Z + A9 * X
-    t8 = A1 * A10 - A2 * A9
-    t12 = A1 * A11 - A3 * A9
+    return evaluate(_PROJECT_JACOBIAN_POINT_SIGNATURE, _project_jacobian_point, (A, X), out)
+
+
+def _project_jacobian_point(
+    A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
+    X: Any, Y: Any, Z: Any,
+) -> tuple[Any, ...]:
+    w = rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X)
+    t8 = wide(A1) * A10 - wide(A2) * A9
+    t12 = wide(A1) * A11 - wide(A3) * A9
     t18 = w * w
-    t22 = A11 * A2 - A10 * A3
-    t39 = A10 * A5 - A6 * A9
-    t43 = A11 * A5 - A7 * A9
-    t52 = A11 * A6 - A10 * A7
-    out[..., 0, 0] = (Y * t8 + Z * t12 + A1 - A4 * A9) / t18
-    out[..., 0, 1] = (Z * t22 + A2 - X * t8 - A10 * A4) / t18
-    out[..., 0, 2] = (A3 - X * t12 - Y * t22 - A11 * A4) / t18
-    out[..., 1, 0] = (Y * t39 + Z * t43 + A5 - A8 * A9) / t18
-    out[..., 1, 1] = (Z * t52 + A6 - X * t39 - A10 * A8) / t18
-    out[..., 1, 2] = (A7 - X * t43 - Y * t52 - A11 * A8) / t18
-    return out[()]
+    t22 = wide(A11) * A2 - wide(A10) * A3
+    t39 = wide(A10) * A5 - wide(A6) * A9
+    t43 = wide(A11) * A5 - wide(A7) * A9
+    t52 = wide(A11) * A6 - wide(A10) * A7
+    return (
+        rounded(Y * t8 + Z * t12 + A1 - wide(A4) * A9) / t18,
+        rounded(Z * t22 + A2 - X * t8 - wide(A10) * A4) / t18,
+        rounded(A3 - X * t12 - Y * t22 - wide(A11) * A4) / t18,
+        rounded(Y * t39 + Z * t43 + A5 - wide(A8) * A9) / t18,
+        rounded(Z * t52 + A6 - X * t39 - wide(A10) * A8) / t18,
+        rounded(A7 - X * t43 - Y * t52 - wide(A11) * A8) / t18,
+    )
 
 
-def space_map(B: ArrayLike, X: ArrayLike) -> NDArray[Any]:
+_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),))
+
+
+def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Image of a point under the general central projective one-to-one correspondence of two spaces.
 
     okamoto1981, section 1.2; proved by (8#matrix).
@@ -352,6 +381,8 @@ def space_map(B: ArrayLike, X: ArrayLike) -> NDArray[Any]:
         Coefficients (B1, ..., B15); their units follow from those of the coordinates of both spaces.
     X : array_like, shape (..., 3)
         Point (X2, Y2, Z2) of the second space; any unit of length.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -361,7 +392,9 @@ def space_map(B: ArrayLike, X: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -373,24 +406,32 @@ def space_map(B: ArrayLike, X: ArrayLike) -> NDArray[Any]:
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``B13*X2 + B14*Y2 + B15*Z2 + 1``.
 
-    Operations: 27 (12 +, 12 *, 3 /); the derived expression as written takes 39.
+    Operations: 27 (12 +, 12 *, 3 /); the derived expression as written takes 39.  With the double-double operations for sums that may cancel: 371.
 
     Examples
     --------
     >>> space_map([1.25, 0.125, -0.25, 3.5, -0.125, 1.375, 0.0625, -2.25, 0.375, -0.0625, 1.125, 0.75, 0.0125, -0.005, 0.0025], [12.5, -7.25, 31.75]).round(6).tolist()
     [8.083538, -9.275184, 32.714988]
     """
-    B, X, out = arguments("space_map", [(3,)], B=(B, (15,)), X=(X, (3,)))
-    B1, B2, B3, B4, B5, B6, B7, B8, B9, B10, B11, B12, B13, B14, B15 = B[..., 0], B[..., 1], B[..., 2], B[..., 3], B[..., 4], B[..., 5], B[..., 6], B[..., 7], B[..., 8], B[..., 9], B[..., 10], B[..., 11], B[..., 12], B[..., 13], B[..., 14]
-    X2, Y2, Z2 = X[..., 0], X[..., 1], X[..., 2]
-    t11 = 1 + B13 * X2 + B14 * Y2 + B15 * Z2
-    out[..., 0] = (B4 + B1 * X2 + B2 * Y2 + B3 * Z2) / t11
-    out[..., 1] = (B8 + B5 * X2 + B6 * Y2 + B7 * Z2) / t11
-    out[..., 2] = (B12 + B10 * Y2 + B11 * Z2 + B9 * X2) / t11
-    return out[()]
+    return evaluate(_SPACE_MAP_SIGNATURE, _space_map, (B, X), out)
 
 
-def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike) -> NDArray[Any]:
+def _space_map(
+    B1: Any, B2: Any, B3: Any, B4: Any, B5: Any, B6: Any, B7: Any, B8: Any, B9: Any, B10: Any, B11: Any,
+    B12: Any, B13: Any, B14: Any, B15: Any, X2: Any, Y2: Any, Z2: Any,
+) -> tuple[Any, ...]:
+    t11 = rounded(1 + wide(B13) * X2 + wide(B14) * Y2 + wide(B15) * Z2)
+    return (
+        rounded(B4 + wide(B1) * X2 + wide(B2) * Y2 + wide(B3) * Z2) / t11,
+        rounded(B8 + wide(B5) * X2 + wide(B6) * Y2 + wide(B7) * Z2) / t11,
+        rounded(B12 + wide(B10) * Y2 + wide(B11) * Z2 + wide(B9) * X2) / t11,
+    )
+
+
+_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),))
+
+
+def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Determinant of the condition of coplanarity, zero for homologous image points.
 
     okamoto1981, section 2.1; proved by (18#1), (18#2), (18#3), (18#4), (19), (2.1/beyond/moment).
@@ -405,6 +446,8 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
         Left photograph: Measured image point (xc, yc) in the system of the comparator; any unit of length.
     x_right : array_like, shape (..., 2)
         Right photograph: Measured image point (xc, yc) in the system of the comparator; any unit of length.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -414,7 +457,9 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -436,36 +481,47 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
 
     Polynomial: no input is singular.
 
-    Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.
+    Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.  With the double-double operations for sums that may cancel: 2492.
 
     Examples
     --------
     >>> coplanarity_determinant([1.25, 0.125, 0.25, 10.5, -0.125, 1.375, 0.0625, 20.25, 0.0025, -0.00125, 0.005], [1.125, -0.0625, 0.375, -8.5, 0.0625, 1.25, -0.125, 18.75, -0.00375, 0.0025, 0.00625], [26.75, 9.5], [15.25, 5.125]).round(6).tolist()
     0.135525
     """
-    A_left, A_right, x_left, x_right, out = arguments("coplanarity_determinant", [()], A_left=(A_left, (11,)), A_right=(A_right, (11,)), x_left=(x_left, (2,)), x_right=(x_right, (2,)))
-    A1_1, A1_2, A1_3, A1_4, A1_5, A1_6, A1_7, A1_8, A1_9, A1_10, A1_11 = A_left[..., 0], A_left[..., 1], A_left[..., 2], A_left[..., 3], A_left[..., 4], A_left[..., 5], A_left[..., 6], A_left[..., 7], A_left[..., 8], A_left[..., 9], A_left[..., 10]
-    A2_1, A2_2, A2_3, A2_4, A2_5, A2_6, A2_7, A2_8, A2_9, A2_10, A2_11 = A_right[..., 0], A_right[..., 1], A_right[..., 2], A_right[..., 3], A_right[..., 4], A_right[..., 5], A_right[..., 6], A_right[..., 7], A_right[..., 8], A_right[..., 9], A_right[..., 10]
-    xc1, yc1 = x_left[..., 0], x_left[..., 1]
-    xc2, yc2 = x_right[..., 0], x_right[..., 1]
-    ray1_1 = xc1 * (A1_10 * A1_5 - A1_6 * A1_9) + yc1 * (A1_2 * A1_9 - A1_1 * A1_10) + A1_1 * A1_6 - A1_2 * A1_5
-    ray1_2 = xc1 * (A1_11 * A1_5 - A1_7 * A1_9) + yc1 * (A1_3 * A1_9 - A1_1 * A1_11) + A1_1 * A1_7 - A1_3 * A1_5
-    ray1_3 = yc1 * (A1_1 - A1_4 * A1_9) + A1_4 * A1_5 - xc1 * (A1_5 - A1_8 * A1_9) - A1_1 * A1_8
-    ray1_4 = xc1 * (A1_11 * A1_6 - A1_10 * A1_7) + yc1 * (A1_10 * A1_3 - A1_11 * A1_2) + A1_2 * A1_7 - A1_3 * A1_6
-    ray1_5 = yc1 * (A1_2 - A1_10 * A1_4) + A1_4 * A1_6 - xc1 * (A1_6 - A1_10 * A1_8) - A1_2 * A1_8
-    ray1_6 = yc1 * (A1_3 - A1_11 * A1_4) + A1_4 * A1_7 - xc1 * (A1_7 - A1_11 * A1_8) - A1_3 * A1_8
-    ray2_1 = xc2 * (A2_10 * A2_5 - A2_6 * A2_9) + yc2 * (A2_2 * A2_9 - A2_1 * A2_10) + A2_1 * A2_6 - A2_2 * A2_5
-    ray2_2 = xc2 * (A2_11 * A2_5 - A2_7 * A2_9) + yc2 * (A2_3 * A2_9 - A2_1 * A2_11) + A2_1 * A2_7 - A2_3 * A2_5
-    ray2_3 = yc2 * (A2_1 - A2_4 * A2_9) + A2_4 * A2_5 - xc2 * (A2_5 - A2_8 * A2_9) - A2_1 * A2_8
-    ray2_4 = xc2 * (A2_11 * A2_6 - A2_10 * A2_7) + yc2 * (A2_10 * A2_3 - A2_11 * A2_2) + A2_2 * A2_7 - A2_3 * A2_6
-    ray2_5 = yc2 * (A2_2 - A2_10 * A2_4) + A2_4 * A2_6 - xc2 * (A2_6 - A2_10 * A2_8) - A2_2 * A2_8
-    ray2_6 = yc2 * (A2_3 - A2_11 * A2_4) + A2_4 * A2_7 - xc2 * (A2_7 - A2_11 * A2_8) - A2_3 * A2_8
-    t154 = ray1_2 * ray2_5 + ray1_5 * ray2_2 - ray1_1 * ray2_6 - ray1_3 * ray2_4 - ray1_4 * ray2_3 - ray1_6 * ray2_1
-    out[...] = t154
-    return out[()]
+    return evaluate(_COPLANARITY_DETERMINANT_SIGNATURE, _coplanarity_determinant, (A_left, A_right, x_left, x_right), out)
 
 
-def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike) -> NDArray[Any]:
+def _coplanarity_determinant(
+    A1_1: Any, A1_2: Any, A1_3: Any, A1_4: Any, A1_5: Any, A1_6: Any, A1_7: Any, A1_8: Any, A1_9: Any,
+    A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
+    A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
+) -> tuple[Any, ...]:
+    t10 = xc1 * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + yc1 * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10) + wide(A1_1) * A1_6
+    ray1_1 = t10 - wide(A1_2) * A1_5
+    t23 = xc1 * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + yc1 * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11) + wide(A1_1) * A1_7
+    ray1_2 = t23 - wide(A1_3) * A1_5
+    ray1_3 = yc1 * (A1_1 - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - xc1 * (A1_5 - wide(A1_8) * A1_9) - wide(A1_1) * A1_8
+    t47 = xc1 * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + yc1 * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2) + wide(A1_2) * A1_7
+    ray1_4 = t47 - wide(A1_3) * A1_6
+    ray1_5 = yc1 * (A1_2 - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - xc1 * (A1_6 - wide(A1_10) * A1_8) - wide(A1_2) * A1_8
+    ray1_6 = yc1 * (A1_3 - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - xc1 * (A1_7 - wide(A1_11) * A1_8) - wide(A1_3) * A1_8
+    t82 = xc2 * (wide(A2_10) * A2_5 - wide(A2_6) * A2_9) + yc2 * (wide(A2_2) * A2_9 - wide(A2_1) * A2_10) + wide(A2_1) * A2_6
+    ray2_1 = t82 - wide(A2_2) * A2_5
+    t95 = xc2 * (wide(A2_11) * A2_5 - wide(A2_7) * A2_9) + yc2 * (wide(A2_3) * A2_9 - wide(A2_1) * A2_11) + wide(A2_1) * A2_7
+    ray2_2 = t95 - wide(A2_3) * A2_5
+    ray2_3 = yc2 * (A2_1 - wide(A2_4) * A2_9) + wide(A2_4) * A2_5 - xc2 * (A2_5 - wide(A2_8) * A2_9) - wide(A2_1) * A2_8
+    t119 = xc2 * (wide(A2_11) * A2_6 - wide(A2_10) * A2_7) + yc2 * (wide(A2_10) * A2_3 - wide(A2_11) * A2_2) + wide(A2_2) * A2_7
+    ray2_4 = t119 - wide(A2_3) * A2_6
+    ray2_5 = yc2 * (A2_2 - wide(A2_10) * A2_4) + wide(A2_4) * A2_6 - xc2 * (A2_6 - wide(A2_10) * A2_8) - wide(A2_2) * A2_8
+    ray2_6 = yc2 * (A2_3 - wide(A2_11) * A2_4) + wide(A2_4) * A2_7 - xc2 * (A2_7 - wide(A2_11) * A2_8) - wide(A2_3) * A2_8
+    t203 = ray1_2 * ray2_5 + ray1_5 * ray2_2 - ray1_1 * ray2_6 - ray1_3 * ray2_4 - ray1_4 * ray2_3 - ray1_6 * ray2_1
+    return (rounded(t203),)
+
+
+_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),))
+
+
+def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Object point from both coordinates of the left and the first coordinate of the right image point.
 
     okamoto1981, section 2.1; proved by (18#1), (18#2), (18#3), (19#sufficient), (2.1/beyond/rays).
@@ -480,6 +536,8 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
         Left photograph: Measured image point (xc, yc) in the system of the comparator; any unit of length.
     x_right : array_like, shape (..., 2)
         Right photograph: Measured image point (xc, yc) in the system of the comparator; any unit of length.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -489,7 +547,9 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -509,35 +569,42 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     Not finite, with NumPy's floating-point warning, where one of these vanishes: a factor of a denominator above,
     of 36 terms.
 
-    Operations: 120 (17 +, 33 -, 67 *, 3 /); the derived expression as written takes 252.
+    Operations: 120 (17 +, 33 -, 67 *, 3 /); the derived expression as written takes 252.  With the double-double operations for sums that may cancel: 1969.
 
     Examples
     --------
     >>> intersect_three([1.25, 0.125, 0.25, 10.5, -0.125, 1.375, 0.0625, 20.25, 0.0025, -0.00125, 0.005], [1.125, -0.0625, 0.375, -8.5, 0.0625, 1.25, -0.125, 18.75, -0.00375, 0.0025, 0.00625], [26.75, 9.5], [15.25, 5.125]).round(6).tolist()
     [11.225617, -6.925519, 34.97595]
     """
-    A_left, A_right, x_left, x_right, out = arguments("intersect_three", [(3,)], A_left=(A_left, (11,)), A_right=(A_right, (11,)), x_left=(x_left, (2,)), x_right=(x_right, (2,)))
-    A1_1, A1_2, A1_3, A1_4, A1_5, A1_6, A1_7, A1_8, A1_9, A1_10, A1_11 = A_left[..., 0], A_left[..., 1], A_left[..., 2], A_left[..., 3], A_left[..., 4], A_left[..., 5], A_left[..., 6], A_left[..., 7], A_left[..., 8], A_left[..., 9], A_left[..., 10]
-    A2_1, A2_2, A2_3, A2_4, A2_5, A2_6, A2_7, A2_8, A2_9, A2_10, A2_11 = A_right[..., 0], A_right[..., 1], A_right[..., 2], A_right[..., 3], A_right[..., 4], A_right[..., 5], A_right[..., 6], A_right[..., 7], A_right[..., 8], A_right[..., 9], A_right[..., 10]
-    xc1, yc1 = x_left[..., 0], x_left[..., 1]
-    xc2, yc2 = x_right[..., 0], x_right[..., 1]
-    ray1_1 = xc1 * (A1_10 * A1_5 - A1_6 * A1_9) + yc1 * (A1_2 * A1_9 - A1_1 * A1_10) + A1_1 * A1_6 - A1_2 * A1_5
-    ray1_2 = xc1 * (A1_11 * A1_5 - A1_7 * A1_9) + yc1 * (A1_3 * A1_9 - A1_1 * A1_11) + A1_1 * A1_7 - A1_3 * A1_5
-    ray1_3 = yc1 * (A1_1 - A1_4 * A1_9) + A1_4 * A1_5 - xc1 * (A1_5 - A1_8 * A1_9) - A1_1 * A1_8
-    ray1_4 = xc1 * (A1_11 * A1_6 - A1_10 * A1_7) + yc1 * (A1_10 * A1_3 - A1_11 * A1_2) + A1_2 * A1_7 - A1_3 * A1_6
-    ray1_5 = yc1 * (A1_2 - A1_10 * A1_4) + A1_4 * A1_6 - xc1 * (A1_6 - A1_10 * A1_8) - A1_2 * A1_8
-    ray1_6 = yc1 * (A1_3 - A1_11 * A1_4) + A1_4 * A1_7 - xc1 * (A1_7 - A1_11 * A1_8) - A1_3 * A1_8
-    D = xc2 * (A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2) + A2_2 * ray1_2 - A2_1 * ray1_4 - A2_3 * ray1_1
-    t95 = (A2_3 * ray1_5 + A2_4 * ray1_4 - xc2 * (ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6) - A2_2 * ray1_6) / D
-    t107 = (xc2 * (ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6) + A2_1 * ray1_6 - A2_3 * ray1_3 - A2_4 * ray1_2) / D
-    t119 = (A2_2 * ray1_3 + A2_4 * ray1_1 - xc2 * (ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5) - A2_1 * ray1_5) / D
-    out[..., 0] = t95
-    out[..., 1] = t107
-    out[..., 2] = t119
-    return out[()]
+    return evaluate(_INTERSECT_THREE_SIGNATURE, _intersect_three, (A_left, A_right, x_left, x_right), out)
 
 
-def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike) -> NDArray[Any]:
+def _intersect_three(
+    A1_1: Any, A1_2: Any, A1_3: Any, A1_4: Any, A1_5: Any, A1_6: Any, A1_7: Any, A1_8: Any, A1_9: Any,
+    A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
+    A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
+) -> tuple[Any, ...]:
+    t10 = xc1 * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + yc1 * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10) + wide(A1_1) * A1_6
+    ray1_1 = t10 - wide(A1_2) * A1_5
+    t23 = xc1 * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + yc1 * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11) + wide(A1_1) * A1_7
+    ray1_2 = t23 - wide(A1_3) * A1_5
+    ray1_3 = yc1 * (A1_1 - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - xc1 * (A1_5 - wide(A1_8) * A1_9) - wide(A1_1) * A1_8
+    t47 = xc1 * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + yc1 * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2) + wide(A1_2) * A1_7
+    ray1_4 = t47 - wide(A1_3) * A1_6
+    ray1_5 = yc1 * (A1_2 - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - xc1 * (A1_6 - wide(A1_10) * A1_8) - wide(A1_2) * A1_8
+    ray1_6 = yc1 * (A1_3 - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - xc1 * (A1_7 - wide(A1_11) * A1_8) - wide(A1_3) * A1_8
+    t143 = xc2 * (A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2) + A2_2 * ray1_2 - A2_1 * ray1_4 - A2_3 * ray1_1
+    D = rounded(t143)
+    t94 = rounded(A2_3 * ray1_5 + A2_4 * ray1_4 - xc2 * (ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6) - A2_2 * ray1_6)
+    t106 = rounded(xc2 * (ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6) + A2_1 * ray1_6 - A2_3 * ray1_3 - A2_4 * ray1_2)
+    t118 = rounded(A2_2 * ray1_3 + A2_4 * ray1_1 - xc2 * (ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5) - A2_1 * ray1_5)
+    return t94 / D, t106 / D, t118 / D
+
+
+_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
+
+
+def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Object point from four linear equations by least squares with equal weights, which are not those of the images.
 
     okamoto1981, section 2.1; proved by (18#1), (18#2), (18#3), (18#4), (2.1/beyond/normal-equations), (2.1/beyond/exact), (2.1/beyond/rays).
@@ -552,6 +619,8 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
         Left photograph: Measured image point (xc, yc) in the system of the comparator; any unit of length.
     x_right : array_like, shape (..., 2)
         Right photograph: Measured image point (xc, yc) in the system of the comparator; any unit of length.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -561,7 +630,9 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -602,64 +673,79 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``d14**2 + d24**2 + d34**2 +
     d44**2``.
 
-    Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.
+    Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.  With the double-double operations for sums that may cancel: 5274.
 
     Examples
     --------
     >>> intersect([1.25, 0.125, 0.25, 10.5, -0.125, 1.375, 0.0625, 20.25, 0.0025, -0.00125, 0.005], [1.125, -0.0625, 0.375, -8.5, 0.0625, 1.25, -0.125, 18.75, -0.00375, 0.0025, 0.00625], [26.75, 9.5], [15.25, 5.125]).round(6).tolist()
     [10.973558, -7.021451, 36.453401]
     """
-    A_left, A_right, x_left, x_right, out = arguments("intersect", [(3,)], A_left=(A_left, (11,)), A_right=(A_right, (11,)), x_left=(x_left, (2,)), x_right=(x_right, (2,)))
-    A1_1, A1_2, A1_3, A1_4, A1_5, A1_6, A1_7, A1_8, A1_9, A1_10, A1_11 = A_left[..., 0], A_left[..., 1], A_left[..., 2], A_left[..., 3], A_left[..., 4], A_left[..., 5], A_left[..., 6], A_left[..., 7], A_left[..., 8], A_left[..., 9], A_left[..., 10]
-    A2_1, A2_2, A2_3, A2_4, A2_5, A2_6, A2_7, A2_8, A2_9, A2_10, A2_11 = A_right[..., 0], A_right[..., 1], A_right[..., 2], A_right[..., 3], A_right[..., 4], A_right[..., 5], A_right[..., 6], A_right[..., 7], A_right[..., 8], A_right[..., 9], A_right[..., 10]
-    xc1, yc1 = x_left[..., 0], x_left[..., 1]
-    xc2, yc2 = x_right[..., 0], x_right[..., 1]
-    t49 = xc1 * (A1_11 * A1_6 - A1_10 * A1_7) + yc1 * (A1_10 * A1_3 - A1_11 * A1_2) + A1_2 * A1_7 - A1_3 * A1_6
-    t121 = xc2 * (A2_11 * A2_6 - A2_10 * A2_7) + yc2 * (A2_10 * A2_3 - A2_11 * A2_2) + A2_2 * A2_7 - A2_3 * A2_6
-    ray1_1 = xc1 * (A1_10 * A1_5 - A1_6 * A1_9) + yc1 * (A1_2 * A1_9 - A1_1 * A1_10) + A1_1 * A1_6 - A1_2 * A1_5
-    ray1_2 = xc1 * (A1_11 * A1_5 - A1_7 * A1_9) + yc1 * (A1_3 * A1_9 - A1_1 * A1_11) + A1_1 * A1_7 - A1_3 * A1_5
-    ray1_3 = yc1 * (A1_1 - A1_4 * A1_9) + A1_4 * A1_5 - xc1 * (A1_5 - A1_8 * A1_9) - A1_1 * A1_8
-    ray1_4 = t49
-    ray1_5 = yc1 * (A1_2 - A1_10 * A1_4) + A1_4 * A1_6 - xc1 * (A1_6 - A1_10 * A1_8) - A1_2 * A1_8
-    ray1_6 = yc1 * (A1_3 - A1_11 * A1_4) + A1_4 * A1_7 - xc1 * (A1_7 - A1_11 * A1_8) - A1_3 * A1_8
-    ray2_1 = xc2 * (A2_10 * A2_5 - A2_6 * A2_9) + yc2 * (A2_2 * A2_9 - A2_1 * A2_10) + A2_1 * A2_6 - A2_2 * A2_5
-    ray2_2 = xc2 * (A2_11 * A2_5 - A2_7 * A2_9) + yc2 * (A2_3 * A2_9 - A2_1 * A2_11) + A2_1 * A2_7 - A2_3 * A2_5
-    ray2_3 = yc2 * (A2_1 - A2_4 * A2_9) + A2_4 * A2_5 - xc2 * (A2_5 - A2_8 * A2_9) - A2_1 * A2_8
-    ray2_4 = t121
-    ray2_5 = yc2 * (A2_2 - A2_10 * A2_4) + A2_4 * A2_6 - xc2 * (A2_6 - A2_10 * A2_8) - A2_2 * A2_8
-    ray2_6 = yc2 * (A2_3 - A2_11 * A2_4) + A2_4 * A2_7 - xc2 * (A2_7 - A2_11 * A2_8) - A2_3 * A2_8
+    return evaluate(_INTERSECT_SIGNATURE, _intersect, (A_left, A_right, x_left, x_right), out)
+
+
+def _intersect(
+    A1_1: Any, A1_2: Any, A1_3: Any, A1_4: Any, A1_5: Any, A1_6: Any, A1_7: Any, A1_8: Any, A1_9: Any,
+    A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
+    A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
+) -> tuple[Any, ...]:
+    t10 = xc1 * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + yc1 * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10) + wide(A1_1) * A1_6
+    ray1_1 = t10 - wide(A1_2) * A1_5
+    t23 = xc1 * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + yc1 * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11) + wide(A1_1) * A1_7
+    ray1_2 = t23 - wide(A1_3) * A1_5
+    ray1_3 = yc1 * (A1_1 - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - xc1 * (A1_5 - wide(A1_8) * A1_9) - wide(A1_1) * A1_8
+    t47 = xc1 * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + yc1 * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2) + wide(A1_2) * A1_7
+    ray1_4 = t47 - wide(A1_3) * A1_6
+    ray1_5 = yc1 * (A1_2 - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - xc1 * (A1_6 - wide(A1_10) * A1_8) - wide(A1_2) * A1_8
+    ray1_6 = yc1 * (A1_3 - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - xc1 * (A1_7 - wide(A1_11) * A1_8) - wide(A1_3) * A1_8
+    t82 = xc2 * (wide(A2_10) * A2_5 - wide(A2_6) * A2_9) + yc2 * (wide(A2_2) * A2_9 - wide(A2_1) * A2_10) + wide(A2_1) * A2_6
+    ray2_1 = t82 - wide(A2_2) * A2_5
+    t95 = xc2 * (wide(A2_11) * A2_5 - wide(A2_7) * A2_9) + yc2 * (wide(A2_3) * A2_9 - wide(A2_1) * A2_11) + wide(A2_1) * A2_7
+    ray2_2 = t95 - wide(A2_3) * A2_5
+    ray2_3 = yc2 * (A2_1 - wide(A2_4) * A2_9) + wide(A2_4) * A2_5 - xc2 * (A2_5 - wide(A2_8) * A2_9) - wide(A2_1) * A2_8
+    t119 = xc2 * (wide(A2_11) * A2_6 - wide(A2_10) * A2_7) + yc2 * (wide(A2_10) * A2_3 - wide(A2_11) * A2_2) + wide(A2_2) * A2_7
+    ray2_4 = t119 - wide(A2_3) * A2_6
+    ray2_5 = yc2 * (A2_2 - wide(A2_10) * A2_4) + wide(A2_4) * A2_6 - xc2 * (A2_6 - wide(A2_10) * A2_8) - wide(A2_2) * A2_8
+    ray2_6 = yc2 * (A2_3 - wide(A2_11) * A2_4) + wide(A2_4) * A2_7 - xc2 * (A2_7 - wide(A2_11) * A2_8) - wide(A2_3) * A2_8
     t150 = ray2_4 + A1_11 * ray2_5 - A1_10 * ray2_6
-    t158 = ray2_2 + A1_11 * ray2_3 - A1_9 * ray2_6
-    t172 = ray2_1 + A1_10 * ray2_3 - A1_9 * ray2_5
-    t181 = A1_11 * ray2_1 + A1_9 * ray2_4 - A1_10 * ray2_2
-    t223 = ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6
-    t231 = ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6
-    t245 = ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5
-    t254 = A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2
     d11 = A1_7 * ray2_5 + A1_8 * ray2_4 - yc1 * t150 - A1_6 * ray2_6
+    t158 = ray2_2 + A1_11 * ray2_3 - A1_9 * ray2_6
     d12 = yc1 * t158 + A1_5 * ray2_6 - A1_7 * ray2_3 - A1_8 * ray2_2
+    t172 = ray2_1 + A1_10 * ray2_3 - A1_9 * ray2_5
     d13 = A1_6 * ray2_3 + A1_8 * ray2_1 - yc1 * t172 - A1_5 * ray2_5
-    d14 = yc1 * t181 + A1_6 * ray2_2 - A1_5 * ray2_4 - A1_7 * ray2_1
+    t181 = A1_11 * ray2_1 + A1_9 * ray2_4 - A1_10 * ray2_2
+    t353 = yc1 * t181 + A1_6 * ray2_2 - A1_5 * ray2_4 - A1_7 * ray2_1
+    d14 = rounded(t353)
     d21 = A1_3 * ray2_5 + A1_4 * ray2_4 - xc1 * t150 - A1_2 * ray2_6
     d22 = A1_1 * ray2_6 + xc1 * t158 - A1_3 * ray2_3 - A1_4 * ray2_2
     d23 = A1_2 * ray2_3 + A1_4 * ray2_1 - xc1 * t172 - A1_1 * ray2_5
-    d24 = A1_2 * ray2_2 + xc1 * t181 - A1_1 * ray2_4 - A1_3 * ray2_1
+    t354 = A1_2 * ray2_2 + xc1 * t181 - A1_1 * ray2_4 - A1_3 * ray2_1
+    d24 = rounded(t354)
+    t223 = ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6
     d31 = A2_7 * ray1_5 + A2_8 * ray1_4 - yc2 * t223 - A2_6 * ray1_6
+    t231 = ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6
     d32 = yc2 * t231 + A2_5 * ray1_6 - A2_7 * ray1_3 - A2_8 * ray1_2
+    t245 = ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5
     d33 = A2_6 * ray1_3 + A2_8 * ray1_1 - yc2 * t245 - A2_5 * ray1_5
-    d34 = yc2 * t254 + A2_6 * ray1_2 - A2_5 * ray1_4 - A2_7 * ray1_1
+    t254 = A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2
+    t355 = yc2 * t254 + A2_6 * ray1_2 - A2_5 * ray1_4 - A2_7 * ray1_1
+    d34 = rounded(t355)
     d41 = A2_3 * ray1_5 + A2_4 * ray1_4 - xc2 * t223 - A2_2 * ray1_6
     d42 = A2_1 * ray1_6 + xc2 * t231 - A2_3 * ray1_3 - A2_4 * ray1_2
     d43 = A2_2 * ray1_3 + A2_4 * ray1_1 - xc2 * t245 - A2_1 * ray1_5
-    d44 = A2_2 * ray1_2 + xc2 * t254 - A2_1 * ray1_4 - A2_3 * ray1_1
+    t356 = A2_2 * ray1_2 + xc2 * t254 - A2_1 * ray1_4 - A2_3 * ray1_1
+    d44 = rounded(t356)
     t303 = d14 * d14 + d24 * d24 + d34 * d34 + d44 * d44
-    out[..., 0] = (d11 * d14 + d21 * d24 + d31 * d34 + d41 * d44) / t303
-    out[..., 1] = (d12 * d14 + d22 * d24 + d32 * d34 + d42 * d44) / t303
-    out[..., 2] = (d13 * d14 + d23 * d24 + d33 * d34 + d43 * d44) / t303
-    return out[()]
+    return (
+        rounded(d11 * t353 + d21 * t354 + d31 * t355 + d41 * t356) / t303,
+        rounded(d12 * t353 + d22 * t354 + d32 * t355 + d42 * t356) / t303,
+        rounded(d13 * t353 + d23 * t354 + d33 * t355 + d43 * t356) / t303,
+    )
 
 
-def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLike) -> NDArray[Any]:
+_INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
+
+
+def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Model point on the left ray, from reduced transformed picture coordinates.
 
     okamoto1981, section 2.2; proved by (36), (36#directions).
@@ -672,6 +758,8 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
         Right picture point, (x, y, -c) turned into the model system; any unit of length.
     base : array_like, shape (...)
         Model base B, on the axis XM; unit of the model.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -681,7 +769,9 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -693,25 +783,28 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xbar1*Ybar2 - Xbar2*Ybar1``.
 
-    Operations: 10 (1 -, 6 *, 3 /); the derived expression as written takes 18.
+    Operations: 10 (1 -, 6 *, 3 /); the derived expression as written takes 18.  With the double-double operations for sums that may cancel: 63.
 
     Examples
     --------
     >>> model_point([21.5, -33.25, -150.75], [-28.25, -34.5, -153.5], 60.5).round(6).tolist()
     [26.694947, -41.284047, -187.175038]
     """
-    reduced_left, reduced_right, base, out = arguments("model_point", [(3,)], reduced_left=(reduced_left, (3,)), reduced_right=(reduced_right, (3,)), base=(base, ()))
-    Xbar1, Ybar1, Zbar1 = reduced_left[..., 0], reduced_left[..., 1], reduced_left[..., 2]
-    Xbar2, Ybar2, Zbar2 = reduced_right[..., 0], reduced_right[..., 1], reduced_right[..., 2]
+    return evaluate(_MODEL_POINT_SIGNATURE, _model_point, (reduced_left, reduced_right, base), out)
+
+
+def _model_point(
+    Xbar1: Any, Ybar1: Any, Zbar1: Any, Xbar2: Any, Ybar2: Any, Zbar2: Any, base: Any,
+) -> tuple[Any, ...]:
     t0 = Ybar2 * base
-    t4 = Xbar1 * Ybar2 - Xbar2 * Ybar1
-    out[..., 0] = t0 * Xbar1 / t4
-    out[..., 1] = t0 * Ybar1 / t4
-    out[..., 2] = t0 * Zbar1 / t4
-    return out[()]
+    t4 = rounded(wide(Xbar1) * Ybar2 - wide(Xbar2) * Ybar1)
+    return t0 * Xbar1 / t4, t0 * Ybar1 / t4, t0 * Zbar1 / t4
 
 
-def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translation: ArrayLike) -> NDArray[Any]:
+_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),))
+
+
+def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translation: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Object point of a model point: rotation, scale and translation.
 
     okamoto1981, section 2.2; proved by (38).
@@ -726,6 +819,8 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
         Scale m of (38), object over model; dimensionless if both have the same unit.
     translation : array_like, shape (..., 3)
         Object coordinates (Xo, Yo, Zo) of the origin of the model; unit of the object.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -735,7 +830,9 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -750,27 +847,31 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
 
     No input is singular.
 
-    Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.
+    Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.  With the double-double operations for sums that may cancel: 725.
 
     Examples
     --------
     >>> similarity([39.25, -60.5, -275.75], [0.125, -0.0625, 0.75], 1.25, [512.5, -107.25, 348.75]).round(6).tolist()
     [556.545674, -150.627273, -2.126236]
     """
-    X_model, angles, scale, translation, out = arguments("similarity", [(3,)], X_model=(X_model, (3,)), angles=(angles, (3,)), scale=(scale, ()), translation=(translation, (3,)))
-    XM, YM, ZM = X_model[..., 0], X_model[..., 1], X_model[..., 2]
-    Phi, Omega, Kappa = angles[..., 0], angles[..., 1], angles[..., 2]
-    Xo, Yo, Zo = translation[..., 0], translation[..., 1], translation[..., 2]
-    c_Phi, s_Phi = cos_sin(Phi)
-    c_Omega, s_Omega = cos_sin(Omega)
-    c_Kappa, s_Kappa = cos_sin(Kappa)
-    t0 = XM * scale
+    return evaluate(_SIMILARITY_SIGNATURE, _similarity, (X_model, angles, scale, translation), out)
+
+
+def _similarity(
+    XM: Any, YM: Any, ZM: Any, Phi: Any, Omega: Any, Kappa: Any, scale: Any, Xo: Any, Yo: Any, Zo: Any,
+) -> tuple[Any, ...]:
+    c_Phi, s_Phi = cos_sin(wide(Phi))
+    c_Omega, s_Omega = cos_sin(wide(Omega))
+    c_Kappa, s_Kappa = cos_sin(wide(Kappa))
+    t0 = wide(XM) * scale
     t2 = s_Omega * s_Kappa
     t7 = scale * c_Omega
     t8 = ZM * t7
-    t11 = YM * scale
+    t11 = wide(YM) * scale
     t13 = s_Omega * c_Kappa
-    out[..., 0] = Xo + t0 * (c_Kappa * c_Phi + t2 * s_Phi) + t8 * s_Phi - t11 * (c_Phi * s_Kappa - t13 * s_Phi)
-    out[..., 1] = Yo + t7 * XM * s_Kappa + t7 * YM * c_Kappa - ZM * s_Omega * scale
-    out[..., 2] = Zo + t11 * (s_Kappa * s_Phi + t13 * c_Phi) + t8 * c_Phi - t0 * (c_Kappa * s_Phi - t2 * c_Phi)
-    return out[()]
+    t17 = rounded(Xo + t0 * (c_Kappa * c_Phi + t2 * s_Phi) + t8 * s_Phi - t11 * (c_Phi * s_Kappa - t13 * s_Phi))
+    t38 = rounded(Zo + t11 * (s_Kappa * s_Phi + t13 * c_Phi) + t8 * c_Phi - t0 * (c_Kappa * s_Phi - t2 * c_Phi))
+    return t17, rounded(Yo + t7 * XM * s_Kappa + t7 * YM * c_Kappa - ZM * s_Omega * scale), t38
+
+
+_SIMILARITY_SIGNATURE = Signature("similarity", (("X_model", (3,)), ("angles", (3,)), ("scale", ()), ("translation", (3,))), ((3,),))

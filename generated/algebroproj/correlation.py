@@ -9,7 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._double_double import rounded, wide
+from ._evaluation import Signature, evaluate
 from ._primitives import null_vector, solve
 
 __all__ = [
@@ -25,7 +26,7 @@ __all__ = [
 ]
 
 
-def design_row(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
+def design_row(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Coefficients of one equation for the elements (z11, z12, z20, z21, z22) of the matrix of correlation.
 
     fundamentals1996, section 2.2; proved by (2.2.4).
@@ -36,6 +37,8 @@ def design_row(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
         Image point (u1', u2') of the left image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
     u_right : array_like, shape (..., 2)
         Homologous point (u1'', u2'') of the right image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -45,7 +48,9 @@ def design_row(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -66,18 +71,19 @@ def design_row(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     >>> design_row([0.625, 0.125], [0.65, 0.1]).round(6).tolist()
     [-0.24375, 0.0625, 0.025, 0.08125, -0.0875]
     """
-    u_left, u_right, out = arguments("design_row", [(5,)], u_left=(u_left, (2,)), u_right=(u_right, (2,)))
-    up1, up2 = u_left[..., 0], u_left[..., 1]
-    upp1, upp2 = u_right[..., 0], u_right[..., 1]
-    out[..., 0] = upp1 * (up1 - 1)
-    out[..., 1] = up1 * upp2
-    out[..., 2] = up2 - upp2
-    out[..., 3] = up2 * upp1
-    out[..., 4] = upp2 * (up2 - 1)
-    return out[()]
+    return evaluate(_DESIGN_ROW_SIGNATURE, _design_row, (u_left, u_right), out)
 
 
-def rhs(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
+def _design_row(
+    up1: Any, up2: Any, upp1: Any, upp2: Any,
+) -> tuple[Any, ...]:
+    return upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1)
+
+
+_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),))
+
+
+def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Right side of one equation for the elements of the matrix of correlation.
 
     fundamentals1996, section 2.2; proved by (2.2.4).
@@ -88,6 +94,8 @@ def rhs(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
         Image point (u1', u2') of the left image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
     u_right : array_like, shape (..., 2)
         Homologous point (u1'', u2'') of the right image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -97,7 +105,9 @@ def rhs(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -114,14 +124,19 @@ def rhs(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     >>> rhs([0.625, 0.125], [0.65, 0.1]).round(6).tolist()
     0.025
     """
-    u_left, u_right, out = arguments("rhs", [()], u_left=(u_left, (2,)), u_right=(u_right, (2,)))
-    up1, up2 = u_left[..., 0], u_left[..., 1]
-    upp1, upp2 = u_right[..., 0], u_right[..., 1]
-    out[...] = upp1 - up1
-    return out[()]
+    return evaluate(_RHS_SIGNATURE, _rhs, (u_left, u_right), out)
 
 
-def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
+def _rhs(
+    up1: Any, up2: Any, upp1: Any, upp2: Any,
+) -> tuple[Any, ...]:
+    return (upp1 - up1,)
+
+
+_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),))
+
+
+def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Epipolar line h' in the left image of a point of the right image.
 
     fundamentals1996, section 2.2; proved by (2.1/lines), (2.2.5#left).
@@ -132,6 +147,8 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
         Matrix of correlation, up to a common factor; dimensionless.
     u_right : array_like, shape (..., 2)
         Image point (u1'', u2'') of the right image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -141,7 +158,9 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -153,25 +172,31 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
 
     Polynomial: no input is singular.
 
-    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
+    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.  With the double-double operations for sums that may cancel: 176.
 
     Examples
     --------
     >>> epipolar_line_left([[0, -0.975, -0.125], [1, -0.025, 0.075], [0.125, -0.08, 0]], [0.65, 0.1]).round(6).tolist()
     [-0.64625, 0.99125, 0.073]
     """
-    Z, u_right, out = arguments("epipolar_line_left", [(3,)], Z=(Z, (3, 3)), u_right=(u_right, (2,)))
-    z00, z01, z02 = Z[..., 0, 0], Z[..., 0, 1], Z[..., 0, 2]
-    z10, z11, z12 = Z[..., 1, 0], Z[..., 1, 1], Z[..., 1, 2]
-    z20, z21, z22 = Z[..., 2, 0], Z[..., 2, 1], Z[..., 2, 2]
-    upp1, upp2 = u_right[..., 0], u_right[..., 1]
-    out[..., 0] = z00 + upp1 * z01 + upp2 * z02
-    out[..., 1] = z10 + upp1 * z11 + upp2 * z12
-    out[..., 2] = z20 + upp1 * z21 + upp2 * z22
-    return out[()]
+    return evaluate(_EPIPOLAR_LINE_LEFT_SIGNATURE, _epipolar_line_left, (Z, u_right), out)
 
 
-def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike) -> NDArray[Any]:
+def _epipolar_line_left(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any, upp1: Any,
+    upp2: Any,
+) -> tuple[Any, ...]:
+    return (
+        rounded(z00 + wide(upp1) * z01 + wide(upp2) * z02),
+        rounded(z10 + wide(upp1) * z11 + wide(upp2) * z12),
+        rounded(z20 + wide(upp1) * z21 + wide(upp2) * z22),
+    )
+
+
+_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),))
+
+
+def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Epipolar line h'' in the right image of a point of the left image.
 
     fundamentals1996, section 2.2; proved by (2.1/lines), (2.2.5#right).
@@ -182,6 +207,8 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike) -> NDArray[Any]:
         Matrix of correlation, up to a common factor; dimensionless.
     u_left : array_like, shape (..., 2)
         Image point (u1', u2') of the left image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -191,7 +218,9 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -203,25 +232,30 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike) -> NDArray[Any]:
 
     Polynomial: no input is singular.
 
-    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
+    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.  With the double-double operations for sums that may cancel: 176.
 
     Examples
     --------
     >>> epipolar_line_right([[0, -0.975, -0.125], [1, -0.025, 0.075], [0.125, -0.08, 0]], [0.625, 0.125]).round(6).tolist()
     [0.640625, -1.000625, -0.078125]
     """
-    Z, u_left, out = arguments("epipolar_line_right", [(3,)], Z=(Z, (3, 3)), u_left=(u_left, (2,)))
-    z00, z01, z02 = Z[..., 0, 0], Z[..., 0, 1], Z[..., 0, 2]
-    z10, z11, z12 = Z[..., 1, 0], Z[..., 1, 1], Z[..., 1, 2]
-    z20, z21, z22 = Z[..., 2, 0], Z[..., 2, 1], Z[..., 2, 2]
-    up1, up2 = u_left[..., 0], u_left[..., 1]
-    out[..., 0] = z00 + up1 * z10 + up2 * z20
-    out[..., 1] = z01 + up1 * z11 + up2 * z21
-    out[..., 2] = z02 + up1 * z12 + up2 * z22
-    return out[()]
+    return evaluate(_EPIPOLAR_LINE_RIGHT_SIGNATURE, _epipolar_line_right, (Z, u_left), out)
 
 
-def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike) -> NDArray[Any]:
+def _epipolar_line_right(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any, up1: Any,
+    up2: Any,
+) -> tuple[Any, ...]:
+    return (
+        rounded(z00 + wide(up1) * z10 + wide(up2) * z20), rounded(z01 + wide(up1) * z11 + wide(up2) * z21),
+        rounded(z02 + wide(up1) * z12 + wide(up2) * z22),
+    )
+
+
+_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),))
+
+
+def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of correlation C from the projective parameters of both images.
 
     fundamentals1996, section 2.2; proved by (2.1.4), (2.1.4#components), (2.2.3#cameras), (2.2/beyond/cameras).
@@ -236,6 +270,8 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
         Right image: Projective parameters (mu1, mu2, mu3) for mu0 = 1; dimensionless.
     u3_right : array_like, shape (..., 2)
         Right image: Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -245,7 +281,9 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -270,43 +308,46 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     ``mupp1*mupp2*mupp3*upp31 + mupp1*mupp2*mupp3*upp32 - mupp1*mupp2*mupp3 + mupp1*mupp2 - mupp1*mupp3*upp32 -
     mupp2*mupp3*upp31``.
 
-    Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.
+    Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.  With the double-double operations for sums that may cancel: 877.
 
     Examples
     --------
     >>> correlation_from_cameras([0.625, 0.75, 0.5], [0.25, 0.125], [0.75, 0.625, 0.875], [0.3125, -0.25]).round(6).tolist()
     [[0.0, 8.658493, 3.946275], [-10.390192, 1.731699, -13.037692], [-3.288562, 8.158965, -0.657712]]
     """
-    mu_left, u3_left, mu_right, u3_right, out = arguments("correlation_from_cameras", [(3, 3)], mu_left=(mu_left, (3,)), u3_left=(u3_left, (2,)), mu_right=(mu_right, (3,)), u3_right=(u3_right, (2,)))
-    mup1, mup2, mup3 = mu_left[..., 0], mu_left[..., 1], mu_left[..., 2]
-    up31, up32 = u3_left[..., 0], u3_left[..., 1]
-    mupp1, mupp2, mupp3 = mu_right[..., 0], mu_right[..., 1], mu_right[..., 2]
-    upp31, upp32 = u3_right[..., 0], u3_right[..., 1]
-    t0 = mup3 * mupp1
-    t2 = mup1 * mupp3
-    q1 = t0 * up31 - t2 * upp31
-    t5 = mup3 * mupp2
-    t7 = mup2 * mupp3
-    q2 = t5 * up32 - t7 * upp32
-    deltap = mup1 * mup2 * (mup3 - 1) - mup3 * (mup1 * up32 * (mup2 - 1) + mup2 * up31 * (mup1 - 1))
-    deltapp = mupp1 * mupp2 * (mupp3 - 1) - mupp3 * (mupp1 * upp32 * (mupp2 - 1) + mupp2 * upp31 * (mupp1 - 1))
+    return evaluate(_CORRELATION_FROM_CAMERAS_SIGNATURE, _correlation_from_cameras, (mu_left, u3_left, mu_right, u3_right), out)
+
+
+def _correlation_from_cameras(
+    mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any, mupp1: Any, mupp2: Any, mupp3: Any,
+    upp31: Any, upp32: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(mup3) * mupp1
+    t2 = wide(mup1) * mupp3
+    q1 = rounded(t0 * up31 - t2 * upp31)
+    t5 = wide(mup3) * mupp2
+    t7 = wide(mup2) * mupp3
+    q2 = rounded(t5 * up32 - t7 * upp32)
+    t79 = wide(mup1) * mup2 * (wide(mup3) - 1) - mup3 * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
+    deltap = rounded(t79)
+    t86 = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - mupp3 * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
+    deltapp = rounded(t86)
     t35 = deltap * deltapp
-    t47 = mup3 - mupp3
-    t50 = mup1 - mupp1
-    t54 = mup2 - mupp2
-    out[..., 0, 0] = 0
-    out[..., 0, 1] = mup1 * q2 / t35
-    out[..., 0, 2] = -(mup2 * q1 / t35)
-    out[..., 1, 0] = -(mupp1 * q2 / t35)
-    out[..., 1, 1] = q2 * (mupp1 - mup1) / t35
-    out[..., 1, 2] = (mup2 * mupp1 * t47 - t7 * upp31 * t50 - t0 * up32 * t54) / t35
-    out[..., 2, 0] = mupp2 * q1 / t35
-    out[..., 2, 1] = (t2 * upp32 * t54 + t5 * up31 * t50 - mup1 * mupp2 * t47) / t35
-    out[..., 2, 2] = q1 * t54 / t35
-    return out[()]
+    t47 = wide(mup3) - mupp3
+    t50 = wide(mup1) - mupp1
+    t90 = wide(mup2) - mupp2
+    return (
+        0, mup1 * q2 / t35, -(mup2 * q1 / t35), -(mupp1 * q2 / t35), q2 * (mupp1 - mup1) / t35,
+        rounded(wide(mup2) * mupp1 * t47 - t7 * upp31 * t50 - t0 * up32 * t90) / t35, mupp2 * q1 / t35,
+        rounded(t2 * upp32 * t90 + t5 * up31 * t50 - wide(mup1) * mupp2 * t47) / t35,
+        q1 * rounded(t90) / t35,
+    )
 
 
-def system(u_left: ArrayLike, u_right: ArrayLike) -> tuple[NDArray[Any], ...]:
+_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),))
+
+
+def system(u_left: ArrayLike, u_right: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
     """Matrix and right side of the five equations for the elements (z11, z12, z20, z21, z22).
 
     fundamentals1996, section 2.2; proved by (2.2.4).
@@ -317,6 +358,8 @@ def system(u_left: ArrayLike, u_right: ArrayLike) -> tuple[NDArray[Any], ...]:
         Five image points (u1', u2') of the left image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
     u_right : array_like, shape (..., 5, 2)
         Homologous points (u1'', u2'') of the right image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
+    out : tuple of ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -328,7 +371,9 @@ def system(u_left: ArrayLike, u_right: ArrayLike) -> tuple[NDArray[Any], ...]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -374,51 +419,27 @@ def system(u_left: ArrayLike, u_right: ArrayLike) -> tuple[NDArray[Any], ...]:
     >>> [result.round(6).tolist() for result in system([[0.2718578, 0.0577379], [0.6355182, 0.1372296], [0.3708332, 0.6469605], [0.6721215, 0.8655064], [0.9987487, 0.8349783]], [[0.3094497, -0.2327183], [0.6442013, 0.1043779], [0.3638478, 0.7763496], [0.6670692, 1.0009998], [1.0056120, 0.6733497]])]
     [[[-0.225323, -0.063266, 0.290456, 0.017867, 0.219282], [-0.2348, 0.066334, 0.032852, 0.088403, -0.090054], [-0.228921, 0.287896, -0.129389, 0.235395, -0.274082], [-0.218718, 0.672793, -0.135493, 0.577353, -0.134628], [-0.001258, 0.672507, 0.161629, 0.839664, -0.111117]], [0.037592, 0.008683, -0.006985, -0.005052, 0.006863]]
     """
-    u_left, u_right, matrix, right_side = arguments("system", [(5, 5), (5,)], u_left=(u_left, (5, 2)), u_right=(u_right, (5, 2)))
-    up31, up32 = u_left[..., 0, 0], u_left[..., 0, 1]
-    up41, up42 = u_left[..., 1, 0], u_left[..., 1, 1]
-    up51, up52 = u_left[..., 2, 0], u_left[..., 2, 1]
-    up61, up62 = u_left[..., 3, 0], u_left[..., 3, 1]
-    up71, up72 = u_left[..., 4, 0], u_left[..., 4, 1]
-    upp31, upp32 = u_right[..., 0, 0], u_right[..., 0, 1]
-    upp41, upp42 = u_right[..., 1, 0], u_right[..., 1, 1]
-    upp51, upp52 = u_right[..., 2, 0], u_right[..., 2, 1]
-    upp61, upp62 = u_right[..., 3, 0], u_right[..., 3, 1]
-    upp71, upp72 = u_right[..., 4, 0], u_right[..., 4, 1]
-    matrix[..., 0, 0] = upp31 * (up31 - 1)
-    matrix[..., 0, 1] = up31 * upp32
-    matrix[..., 0, 2] = up32 - upp32
-    matrix[..., 0, 3] = up32 * upp31
-    matrix[..., 0, 4] = upp32 * (up32 - 1)
-    matrix[..., 1, 0] = upp41 * (up41 - 1)
-    matrix[..., 1, 1] = up41 * upp42
-    matrix[..., 1, 2] = up42 - upp42
-    matrix[..., 1, 3] = up42 * upp41
-    matrix[..., 1, 4] = upp42 * (up42 - 1)
-    matrix[..., 2, 0] = upp51 * (up51 - 1)
-    matrix[..., 2, 1] = up51 * upp52
-    matrix[..., 2, 2] = up52 - upp52
-    matrix[..., 2, 3] = up52 * upp51
-    matrix[..., 2, 4] = upp52 * (up52 - 1)
-    matrix[..., 3, 0] = upp61 * (up61 - 1)
-    matrix[..., 3, 1] = up61 * upp62
-    matrix[..., 3, 2] = up62 - upp62
-    matrix[..., 3, 3] = up62 * upp61
-    matrix[..., 3, 4] = upp62 * (up62 - 1)
-    matrix[..., 4, 0] = upp71 * (up71 - 1)
-    matrix[..., 4, 1] = up71 * upp72
-    matrix[..., 4, 2] = up72 - upp72
-    matrix[..., 4, 3] = up72 * upp71
-    matrix[..., 4, 4] = upp72 * (up72 - 1)
-    right_side[..., 0] = upp31 - up31
-    right_side[..., 1] = upp41 - up41
-    right_side[..., 2] = upp51 - up51
-    right_side[..., 3] = upp61 - up61
-    right_side[..., 4] = upp71 - up71
-    return matrix[()], right_side[()]
+    return evaluate(_SYSTEM_SIGNATURE, _system, (u_left, u_right), out)
 
 
-def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
+def _system(
+    up31: Any, up32: Any, up41: Any, up42: Any, up51: Any, up52: Any, up61: Any, up62: Any, up71: Any,
+    up72: Any, upp31: Any, upp32: Any, upp41: Any, upp42: Any, upp51: Any, upp52: Any, upp61: Any,
+    upp62: Any, upp71: Any, upp72: Any,
+) -> tuple[Any, ...]:
+    return (
+        upp31 * (up31 - 1), up31 * upp32, up32 - upp32, up32 * upp31, upp32 * (up32 - 1), upp41 * (up41 - 1),
+        up41 * upp42, up42 - upp42, up42 * upp41, upp42 * (up42 - 1), upp51 * (up51 - 1), up51 * upp52,
+        up52 - upp52, up52 * upp51, upp52 * (up52 - 1), upp61 * (up61 - 1), up61 * upp62, up62 - upp62,
+        up62 * upp61, upp62 * (up62 - 1), upp71 * (up71 - 1), up71 * upp72, up72 - upp72, up72 * upp71,
+        upp72 * (up72 - 1), upp31 - up31, upp41 - up41, upp51 - up51, upp61 - up61, upp71 - up71,
+    )
+
+
+_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)))
+
+
+def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of correlation Z, with z10 = 1, from five points beside the three basic points.
 
     fundamentals1996, section 2.2; proved by (2.2.2), (2.2.3), (2.2.4).
@@ -429,6 +450,8 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
         Five image points (u1', u2') of the left image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
     u_right : array_like, shape (..., 5, 2)
         Homologous points (u1'', u2'') of the right image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -438,7 +461,9 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -463,44 +488,35 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and it is
     arbitrarily large.
 
-    Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.
+    Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.  With the double-double operations for sums that may cancel: 485.
 
     Examples
     --------
     >>> correlation_matrix([[0.2718578, 0.0577379], [0.6355182, 0.1372296], [0.3708332, 0.6469605], [0.6721215, 0.8655064], [0.9987487, 0.8349783]], [[0.3094497, -0.2327183], [0.6442013, 0.1043779], [0.3638478, 0.7763496], [0.6670692, 1.0009998], [1.0056120, 0.6733497]]).round(6).tolist()
     [[0.0, -0.973401, -0.13114], [1.0, -0.026599, 0.07973], [0.131123, -0.080962, 1.7e-05]]
     """
-    u_left, u_right, out = arguments("correlation_matrix", [(3, 3)], u_left=(u_left, (5, 2)), u_right=(u_right, (5, 2)))
-    up31, up32 = u_left[..., 0, 0], u_left[..., 0, 1]
-    up41, up42 = u_left[..., 1, 0], u_left[..., 1, 1]
-    up51, up52 = u_left[..., 2, 0], u_left[..., 2, 1]
-    up61, up62 = u_left[..., 3, 0], u_left[..., 3, 1]
-    up71, up72 = u_left[..., 4, 0], u_left[..., 4, 1]
-    upp31, upp32 = u_right[..., 0, 0], u_right[..., 0, 1]
-    upp41, upp42 = u_right[..., 1, 0], u_right[..., 1, 1]
-    upp51, upp52 = u_right[..., 2, 0], u_right[..., 2, 1]
-    upp61, upp62 = u_right[..., 3, 0], u_right[..., 3, 1]
-    upp71, upp72 = u_right[..., 4, 0], u_right[..., 4, 1]
+    return evaluate(_CORRELATION_MATRIX_SIGNATURE, _correlation_matrix, (u_left, u_right), out)
+
+
+def _correlation_matrix(
+    up31: Any, up32: Any, up41: Any, up42: Any, up51: Any, up52: Any, up61: Any, up62: Any, up71: Any,
+    up72: Any, upp31: Any, upp32: Any, upp41: Any, upp42: Any, upp51: Any, upp52: Any, upp61: Any,
+    upp62: Any, upp71: Any, upp72: Any,
+) -> tuple[Any, ...]:
     z11, z12, z20, z21, z22 = solve(
-        [upp31 * (up31 - 1), up31 * upp32, up32 - upp32, up32 * upp31, upp32 * (up32 - 1), upp31 - up31],
-        [upp41 * (up41 - 1), up41 * upp42, up42 - upp42, up42 * upp41, upp42 * (up42 - 1), upp41 - up41],
-        [upp51 * (up51 - 1), up51 * upp52, up52 - upp52, up52 * upp51, upp52 * (up52 - 1), upp51 - up51],
-        [upp61 * (up61 - 1), up61 * upp62, up62 - upp62, up62 * upp61, upp62 * (up62 - 1), upp61 - up61],
-        [upp71 * (up71 - 1), up71 * upp72, up72 - upp72, up72 * upp71, upp72 * (up72 - 1), upp71 - up71],
+        [upp31 * (wide(up31) - 1), wide(up31) * upp32, wide(up32) - upp32, wide(up32) * upp31, upp32 * (wide(up32) - 1), wide(upp31) - up31],
+        [upp41 * (wide(up41) - 1), wide(up41) * upp42, wide(up42) - upp42, wide(up42) * upp41, upp42 * (wide(up42) - 1), wide(upp41) - up41],
+        [upp51 * (wide(up51) - 1), wide(up51) * upp52, wide(up52) - upp52, wide(up52) * upp51, upp52 * (wide(up52) - 1), wide(upp51) - up51],
+        [upp61 * (wide(up61) - 1), wide(up61) * upp62, wide(up62) - upp62, wide(up62) * upp61, upp62 * (wide(up62) - 1), wide(upp61) - up61],
+        [upp71 * (wide(up71) - 1), wide(up71) * upp72, wide(up72) - upp72, wide(up72) * upp71, upp72 * (wide(up72) - 1), wide(upp71) - up71],
     )
-    out[..., 0, 0] = 0
-    out[..., 0, 1] = -(z11 + 1)
-    out[..., 0, 2] = -(z20 + z22)
-    out[..., 1, 0] = 1
-    out[..., 1, 1] = z11
-    out[..., 1, 2] = z12
-    out[..., 2, 0] = z20
-    out[..., 2, 1] = z21
-    out[..., 2, 2] = z22
-    return out[()]
+    return 0, -(z11 + 1), -(z20 + z22), 1, z11, z12, z20, z21, z22
 
 
-def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike) -> NDArray[Any]:
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("u_left", (5, 2)), ("u_right", (5, 2))), ((3, 3),), block=1024)
+
+
+def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of correlation, from eight homologous points in any image coordinates, scaled to its largest element.
 
     fundamentals1996, section 2.2; proved by (2.2.1), (2.2/row), (2.2/C-bar), (2.2/eight-points).
@@ -511,6 +527,8 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike) -> NDArray
         Eight image points (v1', v2') of the left image, in any affine coordinates of it, in any unit; coordinates of the order of 1 keep the system well conditioned.
     v_right : array_like, shape (..., 8, 2)
         Homologous points (v1'', v2'') of the right image, in any affine coordinates of it.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -520,7 +538,9 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike) -> NDArray
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -548,53 +568,39 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike) -> NDArray
     Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and it is
     arbitrarily large.
 
-    Operations: 33 (32 *, 1 null_vector); the derived expression as written takes 32.
+    Operations: 33 (32 *, 1 null_vector); the derived expression as written takes 32.  With the double-double operations for sums that may cancel: 417.
 
     Examples
     --------
     >>> general_correlation_matrix([[0, 0], [1, 0], [0, 1], [0.2718578, 0.0577379], [0.6355182, 0.1372296], [0.3708332, 0.6469605], [0.6721215, 0.8655064], [0.9987487, 0.8349783]], [[0, 0], [1, 0], [0, 1], [0.3094497, -0.2327183], [0.6442013, 0.1043779], [0.3638478, 0.7763496], [0.6670692, 1.0009998], [1.0056120, 0.6733497]]).round(6).tolist()
-    [[-0.0, -0.973401, -0.13114], [1.0, -0.026599, 0.07973], [0.131123, -0.080962, 1.7e-05]]
+    [[0.0, -0.973401, -0.13114], [1.0, -0.026599, 0.07973], [0.131123, -0.080962, 1.7e-05]]
     """
-    v_left, v_right, out = arguments("general_correlation_matrix", [(3, 3)], v_left=(v_left, (8, 2)), v_right=(v_right, (8, 2)))
-    vp01, vp02 = v_left[..., 0, 0], v_left[..., 0, 1]
-    vp11, vp12 = v_left[..., 1, 0], v_left[..., 1, 1]
-    vp21, vp22 = v_left[..., 2, 0], v_left[..., 2, 1]
-    vp31, vp32 = v_left[..., 3, 0], v_left[..., 3, 1]
-    vp41, vp42 = v_left[..., 4, 0], v_left[..., 4, 1]
-    vp51, vp52 = v_left[..., 5, 0], v_left[..., 5, 1]
-    vp61, vp62 = v_left[..., 6, 0], v_left[..., 6, 1]
-    vp71, vp72 = v_left[..., 7, 0], v_left[..., 7, 1]
-    vpp01, vpp02 = v_right[..., 0, 0], v_right[..., 0, 1]
-    vpp11, vpp12 = v_right[..., 1, 0], v_right[..., 1, 1]
-    vpp21, vpp22 = v_right[..., 2, 0], v_right[..., 2, 1]
-    vpp31, vpp32 = v_right[..., 3, 0], v_right[..., 3, 1]
-    vpp41, vpp42 = v_right[..., 4, 0], v_right[..., 4, 1]
-    vpp51, vpp52 = v_right[..., 5, 0], v_right[..., 5, 1]
-    vpp61, vpp62 = v_right[..., 6, 0], v_right[..., 6, 1]
-    vpp71, vpp72 = v_right[..., 7, 0], v_right[..., 7, 1]
+    return evaluate(_GENERAL_CORRELATION_MATRIX_SIGNATURE, _general_correlation_matrix, (v_left, v_right), out)
+
+
+def _general_correlation_matrix(
+    vp01: Any, vp02: Any, vp11: Any, vp12: Any, vp21: Any, vp22: Any, vp31: Any, vp32: Any, vp41: Any,
+    vp42: Any, vp51: Any, vp52: Any, vp61: Any, vp62: Any, vp71: Any, vp72: Any, vpp01: Any, vpp02: Any,
+    vpp11: Any, vpp12: Any, vpp21: Any, vpp22: Any, vpp31: Any, vpp32: Any, vpp41: Any, vpp42: Any,
+    vpp51: Any, vpp52: Any, vpp61: Any, vpp62: Any, vpp71: Any, vpp72: Any,
+) -> tuple[Any, ...]:
     c00, c01, c02, c10, c11, c12, c20, c21, c22 = null_vector(
-        [1, vpp01, vpp02, vp01, vp01 * vpp01, vp01 * vpp02, vp02, vp02 * vpp01, vp02 * vpp02],
-        [1, vpp11, vpp12, vp11, vp11 * vpp11, vp11 * vpp12, vp12, vp12 * vpp11, vp12 * vpp12],
-        [1, vpp21, vpp22, vp21, vp21 * vpp21, vp21 * vpp22, vp22, vp22 * vpp21, vp22 * vpp22],
-        [1, vpp31, vpp32, vp31, vp31 * vpp31, vp31 * vpp32, vp32, vp32 * vpp31, vp32 * vpp32],
-        [1, vpp41, vpp42, vp41, vp41 * vpp41, vp41 * vpp42, vp42, vp42 * vpp41, vp42 * vpp42],
-        [1, vpp51, vpp52, vp51, vp51 * vpp51, vp51 * vpp52, vp52, vp52 * vpp51, vp52 * vpp52],
-        [1, vpp61, vpp62, vp61, vp61 * vpp61, vp61 * vpp62, vp62, vp62 * vpp61, vp62 * vpp62],
-        [1, vpp71, vpp72, vp71, vp71 * vpp71, vp71 * vpp72, vp72, vp72 * vpp71, vp72 * vpp72],
+        [1, vpp01, vpp02, vp01, wide(vp01) * vpp01, wide(vp01) * vpp02, vp02, wide(vp02) * vpp01, wide(vp02) * vpp02],
+        [1, vpp11, vpp12, vp11, wide(vp11) * vpp11, wide(vp11) * vpp12, vp12, wide(vp12) * vpp11, wide(vp12) * vpp12],
+        [1, vpp21, vpp22, vp21, wide(vp21) * vpp21, wide(vp21) * vpp22, vp22, wide(vp22) * vpp21, wide(vp22) * vpp22],
+        [1, vpp31, vpp32, vp31, wide(vp31) * vpp31, wide(vp31) * vpp32, vp32, wide(vp32) * vpp31, wide(vp32) * vpp32],
+        [1, vpp41, vpp42, vp41, wide(vp41) * vpp41, wide(vp41) * vpp42, vp42, wide(vp42) * vpp41, wide(vp42) * vpp42],
+        [1, vpp51, vpp52, vp51, wide(vp51) * vpp51, wide(vp51) * vpp52, vp52, wide(vp52) * vpp51, wide(vp52) * vpp52],
+        [1, vpp61, vpp62, vp61, wide(vp61) * vpp61, wide(vp61) * vpp62, vp62, wide(vp62) * vpp61, wide(vp62) * vpp62],
+        [1, vpp71, vpp72, vp71, wide(vp71) * vpp71, wide(vp71) * vpp72, vp72, wide(vp72) * vpp71, wide(vp72) * vpp72],
     )
-    out[..., 0, 0] = c00
-    out[..., 0, 1] = c01
-    out[..., 0, 2] = c02
-    out[..., 1, 0] = c10
-    out[..., 1, 1] = c11
-    out[..., 1, 2] = c12
-    out[..., 2, 0] = c20
-    out[..., 2, 1] = c21
-    out[..., 2, 2] = c22
-    return out[()]
+    return c00, c01, c02, c10, c11, c12, c20, c21, c22
 
 
-def epipoles(Z: ArrayLike) -> tuple[NDArray[Any], ...]:
+_GENERAL_CORRELATION_MATRIX_SIGNATURE = Signature("general_correlation_matrix", (("v_left", (8, 2)), ("v_right", (8, 2))), ((3, 3),), block=1024)
+
+
+def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
     """Epipoles (u01', u02') and (u01'', u02'') of the left and of the right image.
 
     fundamentals1996, section 2.2; proved by (2.2.6), (2.2.7), (2.2/D).
@@ -603,6 +609,8 @@ def epipoles(Z: ArrayLike) -> tuple[NDArray[Any], ...]:
     ----------
     Z : array_like, shape (..., 3, 3)
         Matrix of correlation, up to a common factor; dimensionless.
+    out : tuple of ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -614,7 +622,9 @@ def epipoles(Z: ArrayLike) -> tuple[NDArray[Any], ...]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -628,20 +638,24 @@ def epipoles(Z: ArrayLike) -> tuple[NDArray[Any], ...]:
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``.
 
-    Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.
+    Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.  With the double-double operations for sums that may cancel: 236.
 
     Examples
     --------
     >>> [result.round(6).tolist() for result in epipoles([[0, -0.975, -0.125], [1, -0.025, 0.075], [0.125, -0.08, 0]])]
     [[1.666667, -12.708333], [1.5625, -12.8125]]
     """
-    Z, left, right = arguments("epipoles", [(2,), (2,)], Z=(Z, (3, 3)))
-    z00, z01, z02 = Z[..., 0, 0], Z[..., 0, 1], Z[..., 0, 2]
-    z10, z11, z12 = Z[..., 1, 0], Z[..., 1, 1], Z[..., 1, 2]
-    z20, z21, z22 = Z[..., 2, 0], Z[..., 2, 1], Z[..., 2, 2]
-    D = z11 * z22 - z12 * z21
-    left[..., 0] = (z02 * z21 - z01 * z22) / D
-    left[..., 1] = (z01 * z12 - z02 * z11) / D
-    right[..., 0] = (z12 * z20 - z10 * z22) / D
-    right[..., 1] = (z10 * z21 - z11 * z20) / D
-    return left[()], right[()]
+    return evaluate(_EPIPOLES_SIGNATURE, _epipoles, (Z,), out)
+
+
+def _epipoles(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
+) -> tuple[Any, ...]:
+    D = rounded(wide(z11) * z22 - wide(z12) * z21)
+    return (
+        rounded(wide(z02) * z21 - wide(z01) * z22) / D, rounded(wide(z01) * z12 - wide(z02) * z11) / D,
+        rounded(wide(z12) * z20 - wide(z10) * z22) / D, rounded(wide(z10) * z21 - wide(z11) * z20) / D,
+    )
+
+
+_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)))

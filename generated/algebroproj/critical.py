@@ -9,7 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._double_double import rounded, wide
+from ._evaluation import Signature, evaluate
 
 __all__ = [
     "determinant",
@@ -20,7 +21,7 @@ __all__ = [
 ]
 
 
-def determinant(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
+def determinant(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Determinant of the five equations for the matrix of correlation.
 
     fundamentals1996, section 2.3; proved by (2.3/A7), (2.3/A5).
@@ -31,6 +32,8 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
         Left image: five points (u1, u2) in affine coordinates, referred to the images of G0, G1, G2; dimensionless.
     u_right : array_like, shape (..., 5, 2)
         Right image: five points (u1, u2) in affine coordinates, referred to the images of G0, G1, G2; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -40,7 +43,9 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -50,71 +55,70 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike) -> NDArray[Any]:
 
     Polynomial: no input is singular.
 
-    Operations: 159 (13 +, 51 -, 95 *); the derived expression as written takes 3184.
+    Operations: 159 (13 +, 51 -, 95 *); the derived expression as written takes 3184.  With the double-double operations for sums that may cancel: 2897.
 
     Examples
     --------
     >>> determinant([[0.25, 0.125], [0.625, 0.75], [-0.5, 0.875], [1.25, -0.375], [0.75, 1.5]], [[0.3125, -0.25], [0.5, 0.875], [-0.625, 0.75], [1.125, -0.25], [0.875, 1.25]]).round(6).tolist()
     0.061809
     """
-    u_left, u_right, out = arguments("determinant", [()], u_left=(u_left, (5, 2)), u_right=(u_right, (5, 2)))
-    up31, up32 = u_left[..., 0, 0], u_left[..., 0, 1]
-    up41, up42 = u_left[..., 1, 0], u_left[..., 1, 1]
-    up51, up52 = u_left[..., 2, 0], u_left[..., 2, 1]
-    up61, up62 = u_left[..., 3, 0], u_left[..., 3, 1]
-    up71, up72 = u_left[..., 4, 0], u_left[..., 4, 1]
-    upp31, upp32 = u_right[..., 0, 0], u_right[..., 0, 1]
-    upp41, upp42 = u_right[..., 1, 0], u_right[..., 1, 1]
-    upp51, upp52 = u_right[..., 2, 0], u_right[..., 2, 1]
-    upp61, upp62 = u_right[..., 3, 0], u_right[..., 3, 1]
-    upp71, upp72 = u_right[..., 4, 0], u_right[..., 4, 1]
-    t1 = up42 * upp41
-    t3 = upp51 * (up51 - 1)
-    t5 = upp72 * (up72 - 1)
-    t6 = up61 * upp62
-    t9 = upp62 * (up62 - 1)
-    t10 = up71 * upp72
+    return evaluate(_DETERMINANT_SIGNATURE, _determinant, (u_left, u_right), out)
+
+
+def _determinant(
+    up31: Any, up32: Any, up41: Any, up42: Any, up51: Any, up52: Any, up61: Any, up62: Any, up71: Any,
+    up72: Any, upp31: Any, upp32: Any, upp41: Any, upp42: Any, upp51: Any, upp52: Any, upp61: Any,
+    upp62: Any, upp71: Any, upp72: Any,
+) -> tuple[Any, ...]:
+    t1 = wide(up42) * upp41
+    t3 = upp51 * (wide(up51) - 1)
+    t5 = upp72 * (wide(up72) - 1)
+    t6 = wide(up61) * upp62
+    t9 = upp62 * (wide(up62) - 1)
+    t10 = wide(up71) * upp72
     t12 = t5 * t6 - t9 * t10
-    t15 = upp52 * (up52 - 1)
-    t17 = upp61 * (up61 - 1)
-    t20 = upp71 * (up71 - 1)
+    t15 = upp52 * (wide(up52) - 1)
+    t17 = upp61 * (wide(up61) - 1)
+    t20 = upp71 * (wide(up71) - 1)
     t22 = t17 * t10 - t20 * t6
-    t25 = up51 * upp52
+    t25 = wide(up51) * upp52
     t28 = t17 * t5 - t20 * t9
     t30 = t3 * t12 + t15 * t22 - t25 * t28
-    t33 = upp41 * (up41 - 1)
-    t34 = up62 * upp61
-    t36 = up72 * upp71
+    t33 = upp41 * (wide(up41) - 1)
+    t34 = wide(up62) * upp61
+    t36 = wide(up72) * upp71
     t38 = t34 * t5 - t36 * t9
     t42 = t36 * t6 - t34 * t10
-    t45 = up52 * upp51
+    t45 = wide(up52) * upp51
     t47 = t25 * t38 + t15 * t42 - t45 * t12
-    t50 = up41 * upp42
+    t50 = wide(up41) * upp42
     t53 = t36 * t17 - t34 * t20
     t58 = t15 * t53 + t3 * t38 - t45 * t28
-    t62 = upp42 * (up42 - 1)
+    t62 = upp42 * (wide(up42) - 1)
     t67 = t45 * t22 + t3 * t42 - t25 * t53
-    t73 = up42 - upp42
-    t75 = up52 - upp52
-    t77 = up72 - upp72
-    t79 = up62 - upp62
+    t73 = wide(up42) - upp42
+    t75 = wide(up52) - upp52
+    t77 = wide(up72) - upp72
+    t79 = wide(up62) - upp62
     t81 = t17 * t77 - t20 * t79
     t86 = t36 * t79 - t34 * t77
     t88 = t75 * t53 - t45 * t81 - t3 * t86
     t94 = t6 * t77 - t10 * t79
     t98 = t75 * t42 - t45 * t94 - t25 * t86
     t105 = t75 * t22 + t3 * t94 - t25 * t81
-    t109 = (up32 - upp32) * (t1 * t30 + t33 * t47 - t50 * t58 - t62 * t67) + upp32 * (up32 - 1) * (t73 * t67 + t50 * t88 - t33 * t98 - t1 * t105)
+    t109 = (wide(up32) - upp32) * (t1 * t30 + t33 * t47 - t50 * t58 - t62 * t67) + upp32 * (wide(up32) - 1) * (t73 * t67 + t50 * t88 - t33 * t98 - t1 * t105)
     t114 = t5 * t79 - t9 * t77
     t118 = t75 * t28 - t3 * t114 - t15 * t81
     t126 = t75 * t38 + t15 * t86 - t45 * t114
     t139 = t75 * t12 - t25 * t114 - t15 * t94
-    t148 = t109 + up31 * upp32 * (t1 * t118 + t73 * t58 - t33 * t126 - t62 * t88) - upp31 * (up31 - 1) * (t1 * t139 + t73 * t47 - t50 * t126 - t62 * t98)
-    out[...] = t148 - up32 * upp31 * (t73 * t30 + t50 * t118 - t33 * t139 - t62 * t105)
-    return out[()]
+    t148 = t109 + wide(up31) * upp32 * (t1 * t118 + t73 * t58 - t33 * t126 - t62 * t88) - upp31 * (wide(up31) - 1) * (t1 * t139 + t73 * t47 - t50 * t126 - t62 * t98)
+    return (rounded(t148 - wide(up32) * upp31 * (t73 * t30 + t50 * t118 - t33 * t139 - t62 * t105)),)
 
 
-def algebraic_distance(Q: ArrayLike, y: ArrayLike) -> NDArray[Any]:
+_DETERMINANT_SIGNATURE = Signature("determinant", (("u_left", (5, 2)), ("u_right", (5, 2))), ((),))
+
+
+def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Value of the quadratic form of a quadric at a point; zero on the quadric.
 
     fundamentals1996, section 2.3; proved by (2.3/Q).
@@ -125,6 +129,8 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike) -> NDArray[Any]:
         Quadric in homogeneous coordinates (1, y1, y2, y3), as critical.quadric gives it; all entries are used.
     y : array_like, shape (..., 3)
         Point (y1, y2, y3) in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -134,7 +140,9 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -144,25 +152,29 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike) -> NDArray[Any]:
 
     Polynomial: no input is singular.
 
-    Operations: 30 (15 +, 15 *); the derived expression as written takes 30.
+    Operations: 30 (15 +, 15 *); the derived expression as written takes 30.  With the double-double operations for sums that may cancel: 482.
 
     Examples
     --------
     >>> algebraic_distance([[0, -1, -1, -1], [-1, 2, 0, 0], [-1, 0, 2, 0], [-1, 0, 0, 2]], [0.625, 0.75, 0.25]).round(6).tolist()
     -1.21875
     """
-    Q, y, out = arguments("algebraic_distance", [()], Q=(Q, (4, 4)), y=(y, (3,)))
-    q00, q01, q02, q03 = Q[..., 0, 0], Q[..., 0, 1], Q[..., 0, 2], Q[..., 0, 3]
-    q10, q11, q12, q13 = Q[..., 1, 0], Q[..., 1, 1], Q[..., 1, 2], Q[..., 1, 3]
-    q20, q21, q22, q23 = Q[..., 2, 0], Q[..., 2, 1], Q[..., 2, 2], Q[..., 2, 3]
-    q30, q31, q32, q33 = Q[..., 3, 0], Q[..., 3, 1], Q[..., 3, 2], Q[..., 3, 3]
-    y1, y2, y3 = y[..., 0], y[..., 1], y[..., 2]
-    t21 = q00 + q01 * y1 + q02 * y2 + q03 * y3 + y1 * (q10 + q11 * y1 + q12 * y2 + q13 * y3) + y2 * (q20 + q21 * y1 + q22 * y2 + q23 * y3)
-    out[...] = t21 + y3 * (q30 + q31 * y1 + q32 * y2 + q33 * y3)
-    return out[()]
+    return evaluate(_ALGEBRAIC_DISTANCE_SIGNATURE, _algebraic_distance, (Q, y), out)
 
 
-def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, y: ArrayLike) -> NDArray[Any]:
+def _algebraic_distance(
+    q00: Any, q01: Any, q02: Any, q03: Any, q10: Any, q11: Any, q12: Any, q13: Any, q20: Any, q21: Any,
+    q22: Any, q23: Any, q30: Any, q31: Any, q32: Any, q33: Any, y1: Any, y2: Any, y3: Any,
+) -> tuple[Any, ...]:
+    t13 = q00 + wide(q01) * y1 + wide(q02) * y2 + wide(q03) * y3 + y1 * (q10 + wide(q11) * y1 + wide(q12) * y2 + wide(q13) * y3)
+    t42 = t13 + y2 * (q20 + wide(q21) * y1 + wide(q22) * y2 + wide(q23) * y3) + y3 * (q30 + wide(q31) * y1 + wide(q32) * y2 + wide(q33) * y3)
+    return (rounded(t42),)
+
+
+_ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), ("y", (3,))), ((),))
+
+
+def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Quadric of the points that make the five equations singular, beside four given points.
 
     fundamentals1996, section 2.3; proved by (2.3.3), (2.3/X), (2.3/Q), (2.3/beyond/theorem).
@@ -179,6 +191,8 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
         Right image: Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
     y : array_like, shape (..., 4, 3)
         Four points (y1, y2, y3) in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -188,7 +202,9 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -214,78 +230,81 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
 
     Polynomial: no input is singular.
 
-    Operations: 854 (126 +, 213 -, 498 *, 6 /, 11 neg); the derived expression as written takes 99702.
+    Operations: 854 (126 +, 213 -, 498 *, 6 /, 11 neg); the derived expression as written takes 99702.  With the double-double operations for sums that may cancel: 15556.
 
     Examples
     --------
     >>> quadric([0.625, 0.75, 0.5], [0.25, 0.125], [0.75, 0.625, 0.875], [0.3125, -0.25], [[0.625, 0.75, 0.25], [-0.5, 0.875, 0.125], [1.25, -0.375, -0.25], [0.75, 1.5, 0.375]]).round(6).tolist()
     [[0.0, 0.000151, -8.3e-05, 9.3e-05], [0.000151, -0.000302, -0.000273, 0.00037], [-8.3e-05, -0.000273, 0.000166, 0.000122], [9.3e-05, 0.00037, 0.000122, 0.000132]]
     """
-    mu_left, u3_left, mu_right, u3_right, y, out = arguments("quadric", [(4, 4)], mu_left=(mu_left, (3,)), u3_left=(u3_left, (2,)), mu_right=(mu_right, (3,)), u3_right=(u3_right, (2,)), y=(y, (4, 3)))
-    mup1, mup2, mup3 = mu_left[..., 0], mu_left[..., 1], mu_left[..., 2]
-    up31, up32 = u3_left[..., 0], u3_left[..., 1]
-    mupp1, mupp2, mupp3 = mu_right[..., 0], mu_right[..., 1], mu_right[..., 2]
-    upp31, upp32 = u3_right[..., 0], u3_right[..., 1]
-    y31, y32, y33 = y[..., 0, 0], y[..., 0, 1], y[..., 0, 2]
-    y41, y42, y43 = y[..., 1, 0], y[..., 1, 1], y[..., 1, 2]
-    y51, y52, y53 = y[..., 2, 0], y[..., 2, 1], y[..., 2, 2]
-    y61, y62, y63 = y[..., 3, 0], y[..., 3, 1], y[..., 3, 2]
-    b3 = 1 - y31 - y32 - y33
+    return evaluate(_QUADRIC_SIGNATURE, _quadric, (mu_left, u3_left, mu_right, u3_right, y), out)
+
+
+def _quadric(
+    mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any, mupp1: Any, mupp2: Any, mupp3: Any,
+    upp31: Any, upp32: Any, y31: Any, y32: Any, y33: Any, y41: Any, y42: Any, y43: Any, y51: Any,
+    y52: Any, y53: Any, y61: Any, y62: Any, y63: Any,
+) -> tuple[Any, ...]:
+    b3 = 1 - wide(y31) - y32 - y33
     f3_01 = b3 * y31
     f3_02 = b3 * y32
     f3_03 = b3 * y33
-    f3_12 = y31 * y32
-    f3_13 = y31 * y33
-    f3_23 = y32 * y33
-    f3_33 = y33 * y33
-    b4 = 1 - y41 - y42 - y43
+    f3_12 = wide(y31) * y32
+    f3_13 = wide(y31) * y33
+    f3_23 = wide(y32) * y33
+    t6 = wide(y33)
+    f3_33 = t6 * t6
+    b4 = 1 - wide(y41) - y42 - y43
     f4_01 = b4 * y41
     f4_02 = b4 * y42
     f4_03 = b4 * y43
-    f4_12 = y41 * y42
-    f4_13 = y41 * y43
-    f4_23 = y42 * y43
-    f4_33 = y43 * y43
-    b5 = 1 - y51 - y52 - y53
+    f4_12 = wide(y41) * y42
+    f4_13 = wide(y41) * y43
+    f4_23 = wide(y42) * y43
+    t13 = wide(y43)
+    f4_33 = t13 * t13
+    b5 = 1 - wide(y51) - y52 - y53
     f5_01 = b5 * y51
     f5_02 = b5 * y52
     f5_03 = b5 * y53
-    f5_12 = y51 * y52
-    f5_13 = y51 * y53
-    f5_23 = y52 * y53
-    f5_33 = y53 * y53
-    b6 = 1 - y61 - y62 - y63
+    f5_12 = wide(y51) * y52
+    f5_13 = wide(y51) * y53
+    f5_23 = wide(y52) * y53
+    t18 = wide(y53)
+    f5_33 = t18 * t18
+    b6 = 1 - wide(y61) - y62 - y63
     f6_01 = b6 * y61
     f6_02 = b6 * y62
     f6_03 = b6 * y63
-    f6_12 = y61 * y62
-    f6_13 = y61 * y63
-    f6_23 = y62 * y63
-    f6_33 = y63 * y63
-    up30 = 1 - up31 - up32
-    t42 = mup3 * up31
-    t43 = mup2 * mup3
+    f6_12 = wide(y61) * y62
+    f6_13 = wide(y61) * y63
+    f6_23 = wide(y62) * y63
+    t25 = wide(y63)
+    f6_33 = t25 * t25
+    up30 = 1 - wide(up31) - up32
+    t42 = wide(mup3) * up31
+    t43 = wide(mup2) * mup3
     t44 = up30 * t43
     fp_01 = t42 * t44
-    t46 = mup3 * up32
+    t46 = wide(mup3) * up32
     fp_02 = mup1 * t46 * up30 * mup3
     fp_03 = -(t44 * mup1)
     fp_12 = t42 * t46
     fp_13 = -(t43 * up31)
     fp_23 = -(t46 * mup1)
-    fp_33 = mup1 * mup2
-    upp30 = 1 - upp31 - upp32
-    t60 = mupp3 * upp31
-    t61 = mupp2 * mupp3
+    fp_33 = wide(mup1) * mup2
+    upp30 = 1 - wide(upp31) - upp32
+    t60 = wide(mupp3) * upp31
+    t61 = wide(mupp2) * mupp3
     t62 = upp30 * t61
     fpp_01 = t60 * t62
-    t64 = mupp3 * upp32
+    t64 = wide(mupp3) * upp32
     fpp_02 = mupp1 * t64 * upp30 * mupp3
     fpp_03 = -(t62 * mupp1)
     fpp_12 = t60 * t64
     fpp_13 = -(t61 * upp31)
     fpp_23 = -(t64 * mupp1)
-    fpp_33 = mupp1 * mupp2
+    fpp_33 = wide(mupp1) * mupp2
     m01 = fp_01 * fpp_02 - fp_02 * fpp_01
     m02 = fp_01 * fpp_03 - fp_03 * fpp_01
     m03 = fp_01 * fpp_12 - fp_12 * fpp_01
@@ -406,9 +425,12 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     m023456 = f3_01 * m23456 + f3_12 * m02456 + f3_23 * m02346 - f3_03 * m03456 - f3_13 * m02356 - f3_33 * m02345
     m123456 = f3_02 * m23456 + f3_12 * m12456 + f3_23 * m12346 - f3_03 * m13456 - f3_13 * m12356 - f3_33 * m12345
     c10 = mupp1 * (t64 * mup2 - t46 * mupp2)
-    r01 = c10 * m123456
-    r02 = -(c10 * m023456)
-    r03 = c10 * m013456
+    t38 = c10 * m123456
+    r01 = rounded(t38)
+    t39 = -(c10 * m023456)
+    r02 = rounded(t39)
+    t41 = c10 * m013456
+    r03 = rounded(t41)
     r12 = -(c10 * m012456)
     r13 = c10 * m012356
     r23 = -(c10 * m012346)
@@ -416,29 +438,19 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     t839 = r01 / 2
     t840 = r02 / 2
     t841 = r03 / 2
-    t845 = (r12 - r01 - r02) / 2
-    t848 = (r13 - r01 - r03) / 2
-    t852 = (r23 - r02 - r03) / 2
-    out[..., 0, 0] = 0
-    out[..., 0, 1] = t839
-    out[..., 0, 2] = t840
-    out[..., 0, 3] = t841
-    out[..., 1, 0] = t839
-    out[..., 1, 1] = -r01
-    out[..., 1, 2] = t845
-    out[..., 1, 3] = t848
-    out[..., 2, 0] = t840
-    out[..., 2, 1] = t845
-    out[..., 2, 2] = -r02
-    out[..., 2, 3] = t852
-    out[..., 3, 0] = t841
-    out[..., 3, 1] = t848
-    out[..., 3, 2] = t852
-    out[..., 3, 3] = r33 - r03
-    return out[()]
+    t845 = rounded(r12 - t38 - t39) / 2
+    t848 = rounded(r13 - t38 - t41) / 2
+    t852 = rounded(r23 - t39 - t41) / 2
+    return (
+        0, t839, t840, t841, t839, -r01, t845, t848, t840, t845, -r02, t852, t841, t848, t852,
+        rounded(r33 - t41),
+    )
 
 
-def invariants(Q: ArrayLike) -> tuple[NDArray[Any], ...]:
+_QUADRIC_SIGNATURE = Signature("quadric", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,)), ("y", (4, 3))), ((4, 4),))
+
+
+def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
     """Coefficients of the characteristic polynomials of a quadric and of its block at infinity, below the leading one.
 
     fundamentals1996, section 2.3; proved by (2.3/beyond/invariants#whole), (2.3/beyond/invariants#at-infinity), (2.3/beyond/invariants#affine).
@@ -447,6 +459,8 @@ def invariants(Q: ArrayLike) -> tuple[NDArray[Any], ...]:
     ----------
     Q : array_like, shape (..., 4, 4)
         Symmetric matrix of a quadric in homogeneous coordinates (1, y1, y2, y3); the upper triangle is used.
+    out : tuple of ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -458,7 +472,9 @@ def invariants(Q: ArrayLike) -> tuple[NDArray[Any], ...]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -474,41 +490,50 @@ def invariants(Q: ArrayLike) -> tuple[NDArray[Any], ...]:
 
     Polynomial: no input is singular.
 
-    Operations: 104 (19 +, 27 -, 55 *, 3 neg); the derived expression as written takes 191.
+    Operations: 104 (19 +, 27 -, 55 *, 3 neg); the derived expression as written takes 191.  With the double-double operations for sums that may cancel: 1647.
 
     Examples
     --------
     >>> [result.round(6).tolist() for result in invariants([[0, -1, -1, -1], [-1, 2, 0, 0], [-1, 0, 2, 0], [-1, 0, 0, 2]])]
     [[-6.0, 9.0, 4.0, -12.0], [-6.0, 12.0, -8.0]]
     """
-    Q, whole, at_infinity = arguments("invariants", [(4,), (3,)], Q=(Q, (4, 4)))
-    q00, q01, q02, q03 = Q[..., 0, 0], Q[..., 0, 1], Q[..., 0, 2], Q[..., 0, 3]
-    q10, q11, q12, q13 = Q[..., 1, 0], Q[..., 1, 1], Q[..., 1, 2], Q[..., 1, 3]
-    q20, q21, q22, q23 = Q[..., 2, 0], Q[..., 2, 1], Q[..., 2, 2], Q[..., 2, 3]
-    q30, q31, q32, q33 = Q[..., 3, 0], Q[..., 3, 1], Q[..., 3, 2], Q[..., 3, 3]
-    t0 = q11 + q22
-    t11 = q12 * q12 - q11 * q22
-    t14 = q13 * q13 - q11 * q33
-    t17 = q23 * q23 - q22 * q33
+    return evaluate(_INVARIANTS_SIGNATURE, _invariants, (Q,), out)
+
+
+def _invariants(
+    q00: Any, q01: Any, q02: Any, q03: Any, q10: Any, q11: Any, q12: Any, q13: Any, q20: Any, q21: Any,
+    q22: Any, q23: Any, q30: Any, q31: Any, q32: Any, q33: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(q11) + q22
+    t109 = wide(q12)
+    t11 = t109 * t109 - wide(q11) * q22
+    t111 = wide(q13)
+    t14 = t111 * t111 - wide(q11) * q33
+    t113 = wide(q23)
+    t17 = t113 * t113 - wide(q22) * q33
     t18 = t14 + t17
-    t38 = q02 * q33 - q03 * q23
-    t46 = q01 * (q01 * q22 - q02 * q12) + q01 * (q01 * q33 - q03 * q13) + q02 * t38 + q00 * t11 + q00 * t14 + q00 * t17
-    t49 = q12 * q23 - q13 * q22
+    t115 = wide(q01)
+    t116 = wide(q02)
+    t117 = wide(q03)
+    t118 = wide(q00) * q11 + wide(q00) * q22 + wide(q00) * q33 - (t11 + t18) - t115 * t115 - t116 * t116 - t117 * t117
+    t38 = wide(q02) * q33 - wide(q03) * q23
+    t42 = q01 * (wide(q01) * q22 - wide(q02) * q12) + q01 * (wide(q01) * q33 - wide(q03) * q13) + q02 * t38 + q00 * t11
+    t49 = wide(q12) * q23 - wide(q13) * q22
     t50 = q13 * t49
-    t53 = q12 * q33 - q13 * q23
+    t53 = wide(q12) * q33 - wide(q13) * q23
     t56 = q12 * t53 + q11 * t17
-    t71 = q02 * q23 - q03 * q22
-    t76 = q02 * q13 - q03 * q12
-    t90 = t56 - t50
-    t99 = q02 * (q13 * t76 + q01 * t53 - q11 * t38) + q01 * (q01 * t17 + q12 * t38 - q13 * t71) - q00 * t90 - q03 * (q01 * t49 + q12 * t76 - q11 * t71)
-    whole[..., 0] = -(q33 + t0 + q00)
-    whole[..., 1] = q00 * q11 + q00 * q22 + q00 * q33 - (t11 + t18) - q01 * q01 - q02 * q02 - q03 * q03
-    whole[..., 2] = t46 - (t50 - t56) - q02 * (q01 * q12 - q02 * q11) - q03 * (q01 * q13 - q03 * q11) - q03 * t71
-    whole[..., 3] = t99
-    at_infinity[..., 0] = -(t0 + q33)
-    at_infinity[..., 1] = -(t18 + t11)
-    at_infinity[..., 2] = t90
-    return whole[()], at_infinity[()]
+    t68 = t42 + q00 * t14 + q00 * t17 - (t50 - t56) - q02 * (wide(q01) * q12 - wide(q02) * q11) - q03 * (wide(q01) * q13 - wide(q03) * q11)
+    t71 = wide(q02) * q23 - wide(q03) * q22
+    t76 = wide(q02) * q13 - wide(q03) * q12
+    t138 = t56 - t50
+    t139 = q02 * (q13 * t76 + q01 * t53 - q11 * t38) + q01 * (q01 * t17 + q12 * t38 - q13 * t71) - q00 * t138 - q03 * (q01 * t49 + q12 * t76 - q11 * t71)
+    return (
+        -rounded(q33 + t0 + q00), rounded(t118), rounded(t68 - q03 * t71), rounded(t139), -rounded(t0 + q33),
+        -rounded(t18 + t11), rounded(t138),
+    )
+
+
+_INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)))
 
 # These call functions of this module, and are imported after them.
 from .drivers import classify  # noqa: E402

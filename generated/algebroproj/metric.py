@@ -9,7 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._double_double import rounded, wide
+from ._evaluation import Signature, evaluate
 from ._primitives import arctan2, cos_sin
 
 __all__ = [
@@ -29,7 +30,7 @@ __all__ = [
 ]
 
 
-def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike) -> NDArray[Any]:
+def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Model point from homologous points of the normal case, with the left center as origin and the base as unit.
 
     normalcase1992, section 1.3; proved by (1.3.1#left), (1.3.2), (1.3.3).
@@ -42,6 +43,8 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike) -> NDArray[
         Right image point (x'', y'') of the normal case, in the unit of c; y'' = y' is not used.
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -51,7 +54,9 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike) -> NDArray[
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -70,17 +75,20 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike) -> NDArray[
     >>> reconstruct([12.5, -3.25], [-7.5, -3.25], 50).round(6).tolist()
     [0.625, -0.1625, -2.5]
     """
-    x_left, x_right, c, out = arguments("reconstruct", [(3,)], x_left=(x_left, (2,)), x_right=(x_right, (2,)), c=(c, ()))
-    xp, yp = x_left[..., 0], x_left[..., 1]
-    xpp, ypp = x_right[..., 0], x_right[..., 1]
+    return evaluate(_RECONSTRUCT_SIGNATURE, _reconstruct, (x_left, x_right, c), out)
+
+
+def _reconstruct(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any,
+) -> tuple[Any, ...]:
     t1 = 1 / (xp - xpp)
-    out[..., 0] = xp * t1
-    out[..., 1] = yp * t1
-    out[..., 2] = -(c * t1)
-    return out[()]
+    return xp * t1, yp * t1, -(c * t1)
 
 
-def rotation_left(phi: ArrayLike, kappa: ArrayLike) -> NDArray[Any]:
+_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),))
+
+
+def rotation_left(phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of orientation R' of the left image from tip and swing.
 
     normalcase1992, section 2.1; proved by (2.1.2), (2.1/orthogonal#left).
@@ -91,6 +99,8 @@ def rotation_left(phi: ArrayLike, kappa: ArrayLike) -> NDArray[Any]:
         Tip, in radians.
     kappa : array_like, shape (...)
         Swing, in radians.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -100,7 +110,9 @@ def rotation_left(phi: ArrayLike, kappa: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -127,22 +139,24 @@ def rotation_left(phi: ArrayLike, kappa: ArrayLike) -> NDArray[Any]:
     >>> rotation_left(-0.26, -0.0075).round(6).tolist()
     [[0.966363, 0.007248, -0.257081], [-0.0075, 0.999972, 0.0], [0.257073, 0.001928, 0.96639]]
     """
-    phi, kappa, out = arguments("rotation_left", [(3, 3)], phi=(phi, ()), kappa=(kappa, ()))
+    return evaluate(_ROTATION_LEFT_SIGNATURE, _rotation_left, (phi, kappa), out)
+
+
+def _rotation_left(
+    phi: Any, kappa: Any,
+) -> tuple[Any, ...]:
     c_phi, s_phi = cos_sin(phi)
     c_kappa, s_kappa = cos_sin(kappa)
-    out[..., 0, 0] = c_kappa * c_phi
-    out[..., 0, 1] = -(c_phi * s_kappa)
-    out[..., 0, 2] = s_phi
-    out[..., 1, 0] = s_kappa
-    out[..., 1, 1] = c_kappa
-    out[..., 1, 2] = 0
-    out[..., 2, 0] = -(c_kappa * s_phi)
-    out[..., 2, 1] = s_kappa * s_phi
-    out[..., 2, 2] = c_phi
-    return out[()]
+    return (
+        c_kappa * c_phi, -(c_phi * s_kappa), s_phi, s_kappa, c_kappa, 0, -(c_kappa * s_phi), s_kappa * s_phi,
+        c_phi,
+    )
 
 
-def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike) -> NDArray[Any]:
+_ROTATION_LEFT_SIGNATURE = Signature("rotation_left", (("phi", ()), ("kappa", ())), ((3, 3),))
+
+
+def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of orientation R'' of the right image from tilt, tip and swing.
 
     normalcase1992, section 2.1; proved by (2.1.1), (2.1/orthogonal#right).
@@ -155,6 +169,8 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike) -> NDArra
         Tip, in radians.
     kappa : array_like, shape (...)
         Swing, in radians.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -164,7 +180,9 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike) -> NDArra
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -185,31 +203,40 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike) -> NDArra
 
     No input is singular.
 
-    Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.
+    Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.  With the double-double operations for sums that may cancel: 305.
 
     Examples
     --------
     >>> rotation_right(-0.0135, 0.28, -0.003).round(6).tolist()
     [[0.961051, 0.002883, 0.276356], [-0.00673, 0.999893, 0.012974], [-0.276289, -0.014329, 0.960968]]
     """
-    omega, phi, kappa, out = arguments("rotation_right", [(3, 3)], omega=(omega, ()), phi=(phi, ()), kappa=(kappa, ()))
-    c_omega, s_omega = cos_sin(omega)
-    c_phi, s_phi = cos_sin(phi)
-    c_kappa, s_kappa = cos_sin(kappa)
-    t3 = c_omega * s_kappa
-    out[..., 0, 0] = c_kappa * c_phi
-    out[..., 0, 1] = -(c_phi * s_kappa)
-    out[..., 0, 2] = s_phi
-    out[..., 1, 0] = t3 + s_omega * c_kappa * s_phi
-    out[..., 1, 1] = c_kappa * c_omega - s_omega * s_kappa * s_phi
-    out[..., 1, 2] = -(c_phi * s_omega)
-    out[..., 2, 0] = s_kappa * s_omega - c_omega * c_kappa * s_phi
-    out[..., 2, 1] = c_kappa * s_omega + t3 * s_phi
-    out[..., 2, 2] = c_omega * c_phi
-    return out[()]
+    return evaluate(_ROTATION_RIGHT_SIGNATURE, _rotation_right, (omega, phi, kappa), out)
 
 
-def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike) -> NDArray[Any]:
+def _rotation_right(
+    omega: Any, phi: Any, kappa: Any,
+) -> tuple[Any, ...]:
+    t21, t22 = cos_sin(wide(omega))
+    c_omega = rounded(t21)
+    s_omega = rounded(t22)
+    t24, t25 = cos_sin(wide(phi))
+    c_phi = rounded(t24)
+    s_phi = rounded(t25)
+    t27, t28 = cos_sin(wide(kappa))
+    c_kappa = rounded(t27)
+    s_kappa = rounded(t28)
+    t3 = t21 * t28
+    return (
+        c_kappa * c_phi, -(c_phi * s_kappa), s_phi, rounded(t3 + t22 * t27 * t25),
+        rounded(t27 * t21 - t22 * t28 * t25), -(c_phi * s_omega), rounded(t28 * t22 - t21 * t27 * t25),
+        rounded(t27 * t22 + t3 * t25), c_omega * c_phi,
+    )
+
+
+_ROTATION_RIGHT_SIGNATURE = Signature("rotation_right", (("omega", ()), ("phi", ()), ("kappa", ())), ((3, 3),))
+
+
+def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of correlation C = R'^T B R'' of two oriented images.
 
     normalcase1992, section 2.1; proved by (1.2/B), (1.2.3), (1.2.4).
@@ -222,6 +249,8 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike) -> N
         Matrix of orientation R'' of the right image, a rotation; dimensionless.
     b : array_like, shape (..., 3)
         Base b = X0'' - X0' in the model system, any unit, which is that of C.  (1, 0, 0) for the rotational relative orientation.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -231,7 +260,9 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike) -> N
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -249,43 +280,43 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike) -> N
 
     Polynomial: no input is singular.
 
-    Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.
+    Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.  With the double-double operations for sums that may cancel: 1218.
 
     Examples
     --------
     >>> correlation_matrix([[0.96, 0, -0.28], [0, 1, 0], [0.28, 0, 0.96]], [[0.8, 0, 0.6], [0, 1, 0], [-0.6, 0, 0.8]], [1, 0, 0]).round(6).tolist()
     [[0.0, 0.28, 0.0], [0.6, 0.0, -0.8], [0.0, 0.96, 0.0]]
     """
-    R_left, R_right, b, out = arguments("correlation_matrix", [(3, 3)], R_left=(R_left, (3, 3)), R_right=(R_right, (3, 3)), b=(b, (3,)))
-    i1p, j1p, k1p = R_left[..., 0, 0], R_left[..., 0, 1], R_left[..., 0, 2]
-    i2p, j2p, k2p = R_left[..., 1, 0], R_left[..., 1, 1], R_left[..., 1, 2]
-    i3p, j3p, k3p = R_left[..., 2, 0], R_left[..., 2, 1], R_left[..., 2, 2]
-    i1pp, j1pp, k1pp = R_right[..., 0, 0], R_right[..., 0, 1], R_right[..., 0, 2]
-    i2pp, j2pp, k2pp = R_right[..., 1, 0], R_right[..., 1, 1], R_right[..., 1, 2]
-    i3pp, j3pp, k3pp = R_right[..., 2, 0], R_right[..., 2, 1], R_right[..., 2, 2]
-    b1, b2, b3 = b[..., 0], b[..., 1], b[..., 2]
-    t2 = b3 * i2p - b2 * i3p
-    t6 = b1 * i3p - b3 * i1p
-    t11 = b2 * i1p - b1 * i2p
-    t26 = b3 * j2p - b2 * j3p
-    t30 = b1 * j3p - b3 * j1p
-    t35 = b2 * j1p - b1 * j2p
-    t50 = b3 * k2p - b2 * k3p
-    t54 = b1 * k3p - b3 * k1p
-    t59 = b2 * k1p - b1 * k2p
-    out[..., 0, 0] = i1pp * t2 + i2pp * t6 + i3pp * t11
-    out[..., 0, 1] = j1pp * t2 + j2pp * t6 + j3pp * t11
-    out[..., 0, 2] = k1pp * t2 + k2pp * t6 + k3pp * t11
-    out[..., 1, 0] = i1pp * t26 + i2pp * t30 + i3pp * t35
-    out[..., 1, 1] = j1pp * t26 + j2pp * t30 + j3pp * t35
-    out[..., 1, 2] = k1pp * t26 + k2pp * t30 + k3pp * t35
-    out[..., 2, 0] = i1pp * t50 + i2pp * t54 + i3pp * t59
-    out[..., 2, 1] = j1pp * t50 + j2pp * t54 + j3pp * t59
-    out[..., 2, 2] = k1pp * t50 + k2pp * t54 + k3pp * t59
-    return out[()]
+    return evaluate(_CORRELATION_MATRIX_SIGNATURE, _correlation_matrix, (R_left, R_right, b), out)
 
 
-def rotations_from_correlation(C: ArrayLike, c: ArrayLike) -> tuple[NDArray[Any], ...]:
+def _correlation_matrix(
+    i1p: Any, j1p: Any, k1p: Any, i2p: Any, j2p: Any, k2p: Any, i3p: Any, j3p: Any, k3p: Any, i1pp: Any,
+    j1pp: Any, k1pp: Any, i2pp: Any, j2pp: Any, k2pp: Any, i3pp: Any, j3pp: Any, k3pp: Any, b1: Any,
+    b2: Any, b3: Any,
+) -> tuple[Any, ...]:
+    t2 = wide(b3) * i2p - wide(b2) * i3p
+    t6 = wide(b1) * i3p - wide(b3) * i1p
+    t11 = wide(b2) * i1p - wide(b1) * i2p
+    t26 = wide(b3) * j2p - wide(b2) * j3p
+    t30 = wide(b1) * j3p - wide(b3) * j1p
+    t35 = wide(b2) * j1p - wide(b1) * j2p
+    t50 = wide(b3) * k2p - wide(b2) * k3p
+    t54 = wide(b1) * k3p - wide(b3) * k1p
+    t59 = wide(b2) * k1p - wide(b1) * k2p
+    return (
+        rounded(i1pp * t2 + i2pp * t6 + i3pp * t11), rounded(j1pp * t2 + j2pp * t6 + j3pp * t11),
+        rounded(k1pp * t2 + k2pp * t6 + k3pp * t11), rounded(i1pp * t26 + i2pp * t30 + i3pp * t35),
+        rounded(j1pp * t26 + j2pp * t30 + j3pp * t35), rounded(k1pp * t26 + k2pp * t30 + k3pp * t35),
+        rounded(i1pp * t50 + i2pp * t54 + i3pp * t59), rounded(j1pp * t50 + j2pp * t54 + j3pp * t59),
+        rounded(k1pp * t50 + k2pp * t54 + k3pp * t59),
+    )
+
+
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),))
+
+
+def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]:
     """Tip and swing of the left image, tilt, tip and swing of the right image from the matrix of correlation.
 
     normalcase1992, section 2.2; proved by (1.2/beyond/adjugate), (1.2/beyond/cofactors), (2.2/base#left), (2.2/base#right), (2.2/beyond/epipoles), (2.2/beyond/tilt), (2.2/beyond/opposite), (2.2/beyond/half-turn).
@@ -296,6 +327,8 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike) -> tuple[NDArray[Any]
         Matrix of correlation R'^T B R'' of image vectors (x, y, -c), up to any factor.
     c : array_like, shape (...)
         Principal distance c of the image vectors to which C refers, in their unit; as C refers to whole vectors, the angles do not depend on it.
+    out : tuple of ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -313,7 +346,9 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike) -> tuple[NDArray[Any]
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -350,50 +385,53 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike) -> tuple[NDArray[Any]
 
     No input is singular.
 
-    Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.
+    Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.  With the double-double operations for sums that may cancel: 1298.
 
     Examples
     --------
     >>> [result.round(6).tolist() for result in rotations_from_correlation([[-0.004, 0.266, 0.011], [0.285, 0.017, -0.995], [-0.007, 1, 0.013]], 51.18)]
     [-0.260093, -0.007572, -0.01352, 0.279013, -0.00327]
     """
-    C, c, phi_left, kappa_left, omega_right, phi_right, kappa_right = arguments("rotations_from_correlation", [(), (), (), (), ()], C=(C, (3, 3)), c=(c, ()))
-    c11, c12, c13 = C[..., 0, 0], C[..., 0, 1], C[..., 0, 2]
-    c21, c22, c23 = C[..., 1, 0], C[..., 1, 1], C[..., 1, 2]
-    c31, c32, c33 = C[..., 2, 0], C[..., 2, 1], C[..., 2, 2]
-    a11 = c22 * c33 - c23 * c32
-    a12 = c13 * c32 - c12 * c33
-    a13 = c12 * c23 - c13 * c22
-    a21 = c23 * c31 - c21 * c33
-    a22 = c11 * c33 - c13 * c31
-    a23 = c13 * c21 - c11 * c23
-    a31 = c21 * c32 - c22 * c31
-    a32 = c12 * c31 - c11 * c32
-    a33 = c11 * c22 - c12 * c21
+    return evaluate(_ROTATIONS_FROM_CORRELATION_SIGNATURE, _rotations_from_correlation, (C, c), out)
+
+
+def _rotations_from_correlation(
+    c11: Any, c12: Any, c13: Any, c21: Any, c22: Any, c23: Any, c31: Any, c32: Any, c33: Any, c: Any,
+) -> tuple[Any, ...]:
+    a11 = wide(c22) * c33 - wide(c23) * c32
+    a12 = wide(c13) * c32 - wide(c12) * c33
+    a13 = wide(c12) * c23 - wide(c13) * c22
+    a21 = wide(c23) * c31 - wide(c21) * c33
+    a22 = wide(c11) * c33 - wide(c13) * c31
+    a23 = wide(c13) * c21 - wide(c11) * c23
+    a31 = wide(c21) * c32 - wide(c22) * c31
+    a32 = wide(c12) * c31 - wide(c11) * c32
+    a33 = wide(c11) * c22 - wide(c12) * c21
     u1p = a11 * a11 + a21 * a21 + a31 * a31
     u2p = a11 * a12 + a21 * a22 + a31 * a32
     u3p = a11 * a13 + a21 * a23 + a31 * a33
     u1pp = a11 * u1p + a12 * u2p + a13 * u3p
     u2pp = a21 * u1p + a22 * u2p + a23 * u3p
-    u3pp = a31 * u1p + a32 * u2p + a33 * u3p
-    kappap = arctan2(-u2p, u1p)
-    c_kappap, s_kappap = cos_sin(kappap)
-    phip = arctan2(u3p, c_kappap * u1p - s_kappap * u2p)
-    c_phip, s_phip = cos_sin(phip)
-    kappapp = arctan2(-u2pp, u1pp)
-    c_kappapp, s_kappapp = cos_sin(kappapp)
-    phipp = arctan2(u3pp, c_kappapp * u1pp - s_kappapp * u2pp)
-    t67 = c13 * s_kappap + c23 * c_kappap
-    omegapp = arctan2(t67 * (c33 * c_phip + c23 * s_kappap * s_phip - c13 * c_kappap * s_phip), t67 * t67)
-    phi_left[...] = phip
-    kappa_left[...] = kappap
-    omega_right[...] = omegapp
-    phi_right[...] = phipp
-    kappa_right[...] = kappapp
-    return phi_left[()], kappa_left[()], omega_right[()], phi_right[()], kappa_right[()]
+    u3pp = rounded(a31 * u1p + a32 * u2p + a33 * u3p)
+    t81 = arctan2(-u2p, u1p)
+    kappap = rounded(t81)
+    c_kappap, s_kappap = cos_sin(t81)
+    t82 = arctan2(u3p, c_kappap * u1p - s_kappap * u2p)
+    phip = rounded(t82)
+    c_phip, s_phip = cos_sin(t82)
+    t83 = arctan2(-u2pp, u1pp)
+    kappapp = rounded(t83)
+    c_kappapp, s_kappapp = cos_sin(t83)
+    phipp = arctan2(u3pp, rounded(c_kappapp * u1pp - s_kappapp * u2pp))
+    t67 = rounded(c13 * s_kappap + c23 * c_kappap)
+    omegapp = arctan2(t67 * rounded(c33 * c_phip + c23 * s_kappap * s_phip - c13 * c_kappap * s_phip), t67 * t67)
+    return phip, kappap, omegapp, phipp, kappapp
 
 
-def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_right: ArrayLike, c: ArrayLike) -> NDArray[Any]:
+_ROTATIONS_FROM_CORRELATION_SIGNATURE = Signature("rotations_from_correlation", (("C", (3, 3)), ("c", ())), ((), (), (), (), ()))
+
+
+def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_right: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Coefficients of the small rotations (dphi', dkappa', dOmega'', dphi'', dkappa'') in the equation of coplanarity.
 
     normalcase1992, section 2.3; proved by (2.3/linear#dphi'), (2.3/linear#dkappa'), (2.3/linear#dOmega''), (2.3/linear#dphi''), (2.3/linear#dkappa''), (2.3/beyond/finite).
@@ -410,6 +448,8 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
         Matrix of orientation R'' of the right image, a rotation; dimensionless.
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.  The coefficients, for rotations in radians, have the square of this unit.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -419,7 +459,9 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -439,37 +481,38 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
 
     Polynomial: no input is singular.
 
-    Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.
+    Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.  With the double-double operations for sums that may cancel: 580.
 
     Examples
     --------
     >>> coplanarity_row([-10.62, 1.694], [-1.851, 2.316], [[0.96, 0, -0.28], [0, 1, 0], [0.28, 0, 0.96]], [[0.96, 0, 0.28], [0, 1, 0], [-0.28, 0, 0.96]], 51.18).round(6).tolist()
     [9.577123, -201.030763, 2537.050929, 27.285868, -839.296543]
     """
-    x_left, x_right, R_left, R_right, c, out = arguments("coplanarity_row", [(5,)], x_left=(x_left, (2,)), x_right=(x_right, (2,)), R_left=(R_left, (3, 3)), R_right=(R_right, (3, 3)), c=(c, ()))
-    xp, yp = x_left[..., 0], x_left[..., 1]
-    xpp, ypp = x_right[..., 0], x_right[..., 1]
-    i1p, j1p, k1p = R_left[..., 0, 0], R_left[..., 0, 1], R_left[..., 0, 2]
-    i2p, j2p, k2p = R_left[..., 1, 0], R_left[..., 1, 1], R_left[..., 1, 2]
-    i3p, j3p, k3p = R_left[..., 2, 0], R_left[..., 2, 1], R_left[..., 2, 2]
-    i1pp, j1pp, k1pp = R_right[..., 0, 0], R_right[..., 0, 1], R_right[..., 0, 2]
-    i2pp, j2pp, k2pp = R_right[..., 1, 0], R_right[..., 1, 1], R_right[..., 1, 2]
-    i3pp, j3pp, k3pp = R_right[..., 2, 0], R_right[..., 2, 1], R_right[..., 2, 2]
-    p1p = i1p * xp + j1p * yp - c * k1p
-    p2p = i2p * xp + j2p * yp - c * k2p
-    p3p = i3p * xp + j3p * yp - c * k3p
-    p1pp = i1pp * xpp + j1pp * ypp - c * k1pp
-    p2pp = i2pp * xpp + j2pp * ypp - c * k2pp
-    p3pp = i3pp * xpp + j3pp * ypp - c * k3pp
-    out[..., 0] = p1p * p2pp
-    out[..., 1] = p1p * p3pp
-    out[..., 2] = p2p * p2pp + p3p * p3pp
-    out[..., 3] = -(p1pp * p2p)
-    out[..., 4] = -(p1pp * p3p)
-    return out[()]
+    return evaluate(_COPLANARITY_ROW_SIGNATURE, _coplanarity_row, (x_left, x_right, R_left, R_right, c), out)
 
 
-def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
+def _coplanarity_row(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, i1p: Any, j1p: Any, k1p: Any, i2p: Any, j2p: Any, k2p: Any,
+    i3p: Any, j3p: Any, k3p: Any, i1pp: Any, j1pp: Any, k1pp: Any, i2pp: Any, j2pp: Any, k2pp: Any,
+    i3pp: Any, j3pp: Any, k3pp: Any, c: Any,
+) -> tuple[Any, ...]:
+    p1p = rounded(wide(i1p) * xp + wide(j1p) * yp - wide(c) * k1p)
+    t40 = wide(i2p) * xp + wide(j2p) * yp - wide(c) * k2p
+    p2p = rounded(t40)
+    t44 = wide(i3p) * xp + wide(j3p) * yp - wide(c) * k3p
+    p3p = rounded(t44)
+    p1pp = rounded(wide(i1pp) * xpp + wide(j1pp) * ypp - wide(c) * k1pp)
+    t52 = wide(i2pp) * xpp + wide(j2pp) * ypp - wide(c) * k2pp
+    p2pp = rounded(t52)
+    t56 = wide(i3pp) * xpp + wide(j3pp) * ypp - wide(c) * k3pp
+    p3pp = rounded(t56)
+    return p1p * p2pp, p1p * p3pp, rounded(t40 * t52 + t44 * t56), -(p1pp * p2p), -(p1pp * p3p)
+
+
+_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),))
+
+
+def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Normal case coordinates of an image point.
 
     normalcase1992, section 3.1; proved by (1.1.4), (1.1.5#x), (1.1.5#y).
@@ -482,6 +525,8 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
         Image point (x, y), centered at the principal point, in the unit of c.
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -491,7 +536,9 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -502,25 +549,31 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
 
-    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
+    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.  With the double-double operations for sums that may cancel: 263.
 
     Examples
     --------
     >>> to_normal([[0.96, 0, -0.28], [0, 1, 0], [0.28, 0, 0.96]], [-10.62, 1.694], 51.18).round(6).tolist()
     [4.06168, 1.663882]
     """
-    R, x, c, out = arguments("to_normal", [(2,)], R=(R, (3, 3)), x=(x, (2,)), c=(c, ()))
-    i1, j1, k1 = R[..., 0, 0], R[..., 0, 1], R[..., 0, 2]
-    i2, j2, k2 = R[..., 1, 0], R[..., 1, 1], R[..., 1, 2]
-    i3, j3, k3 = R[..., 2, 0], R[..., 2, 1], R[..., 2, 2]
-    x, y = x[..., 0], x[..., 1]
-    t9 = i3 * x + j3 * y - c * k3
-    out[..., 0] = c * ((c * k1 - i1 * x - j1 * y) / t9)
-    out[..., 1] = c * ((c * k2 - i2 * x - j2 * y) / t9)
-    return out[()]
+    return evaluate(_TO_NORMAL_SIGNATURE, _to_normal, (R, x, c), out)
 
 
-def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
+def _to_normal(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    t9 = rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3)
+    return (
+        c * (rounded(wide(c) * k1 - wide(i1) * x - wide(j1) * y) / t9),
+        c * (rounded(wide(c) * k2 - wide(i2) * x - wide(j2) * y) / t9),
+    )
+
+
+_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),))
+
+
+def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Image point of a point of the normal case.
 
     normalcase1992, section 3.1; proved by (3.1/inverse), (3.1.1).
@@ -533,6 +586,8 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
         Image point (xN, yN) of the normal case, in the unit of c.
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -542,7 +597,9 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -553,25 +610,31 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``.
 
-    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
+    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.  With the double-double operations for sums that may cancel: 263.
 
     Examples
     --------
     >>> from_normal([[0.96, 0, -0.28], [0, 1, 0], [0.28, 0, 0.96]], [-25.3, 1.75], 51.18).round(6).tolist()
     [-47.004664, 2.130025]
     """
-    R, x, c, out = arguments("from_normal", [(2,)], R=(R, (3, 3)), x=(x, (2,)), c=(c, ()))
-    i1, j1, k1 = R[..., 0, 0], R[..., 0, 1], R[..., 0, 2]
-    i2, j2, k2 = R[..., 1, 0], R[..., 1, 1], R[..., 1, 2]
-    i3, j3, k3 = R[..., 2, 0], R[..., 2, 1], R[..., 2, 2]
-    x, y = x[..., 0], x[..., 1]
-    t9 = k1 * x + k2 * y - c * k3
-    out[..., 0] = c * ((c * i3 - i1 * x - i2 * y) / t9)
-    out[..., 1] = c * ((c * j3 - j1 * x - j2 * y) / t9)
-    return out[()]
+    return evaluate(_FROM_NORMAL_SIGNATURE, _from_normal, (R, x, c), out)
 
 
-def jacobian_angles(x_n: ArrayLike, c: ArrayLike) -> NDArray[Any]:
+def _from_normal(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    t9 = rounded(wide(k1) * x + wide(k2) * y - wide(c) * k3)
+    return (
+        c * (rounded(wide(c) * i3 - wide(i1) * x - wide(i2) * y) / t9),
+        c * (rounded(wide(c) * j3 - wide(j1) * x - wide(j2) * y) / t9),
+    )
+
+
+_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),))
+
+
+def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Derivatives of normal case coordinates with respect to small rotations (dOmega, dphi, dkappa).
 
     normalcase1992, section 3.2; proved by (3.2/beyond/B_a), (3.2.1).
@@ -582,6 +645,8 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike) -> NDArray[Any]:
         Image point (xN, yN) of the normal case, in the unit of c.
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.  The derivatives have this unit per radian.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -591,7 +656,9 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -606,26 +673,29 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike) -> NDArray[Any]:
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``c``.
 
-    Operations: 11 (2 +, 3 *, 3 /, 3 neg); the derived expression as written takes 10.
+    Operations: 11 (2 +, 3 *, 3 /, 3 neg); the derived expression as written takes 10.  With the double-double operations for sums that may cancel: 135.
 
     Examples
     --------
     >>> jacobian_angles([5.5, -12.25], 51.18).round(6).tolist()
     [[-1.316432, -51.771051, 12.25], [54.112054, 1.316432, 5.5]]
     """
-    x_n, c, out = arguments("jacobian_angles", [(2, 3)], x_n=(x_n, (2,)), c=(c, ()))
-    xN, yN = x_n[..., 0], x_n[..., 1]
+    return evaluate(_JACOBIAN_ANGLES_SIGNATURE, _jacobian_angles, (x_n, c), out)
+
+
+def _jacobian_angles(
+    xN: Any, yN: Any, c: Any,
+) -> tuple[Any, ...]:
     t1 = xN * yN / c
-    out[..., 0, 0] = t1
-    out[..., 0, 1] = -(c + xN * xN / c)
-    out[..., 0, 2] = -yN
-    out[..., 1, 0] = c + yN * yN / c
-    out[..., 1, 1] = -t1
-    out[..., 1, 2] = xN
-    return out[()]
+    t11 = wide(xN)
+    t13 = wide(yN)
+    return t1, -rounded(c + t11 * t11 / c), -yN, rounded(c + t13 * t13 / c), -t1, xN
 
 
-def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
+_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),))
+
+
+def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Derivatives of normal case coordinates with respect to the image coordinates.
 
     normalcase1992, section 3.2; proved by (3.2.1#B_x), (3.2.1).
@@ -638,6 +708,8 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
         Image point (x, y), centered at the principal point, in the unit of c.
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -647,7 +719,9 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -663,32 +737,38 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike) -> NDArray[Any]:
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
 
-    Operations: 56 (5 +, 11 -, 34 *, 6 /); the derived expression as written takes 84.
+    Operations: 56 (5 +, 11 -, 34 *, 6 /); the derived expression as written takes 84.  With the double-double operations for sums that may cancel: 726.
 
     Examples
     --------
     >>> jacobian_image([[0.96, 0, -0.28], [0, 1, 0], [0.28, 0, 0.96]], [-10.62, 1.694], 51.18).round(6).tolist()
     [[0.964758, 0.0], [0.008941, 0.982221]]
     """
-    R, x, c, out = arguments("jacobian_image", [(2, 2)], R=(R, (3, 3)), x=(x, (2,)), c=(c, ()))
-    i1, j1, k1 = R[..., 0, 0], R[..., 0, 1], R[..., 0, 2]
-    i2, j2, k2 = R[..., 1, 0], R[..., 1, 1], R[..., 1, 2]
-    i3, j3, k3 = R[..., 2, 0], R[..., 2, 1], R[..., 2, 2]
-    x, y = x[..., 0], x[..., 1]
-    depth = i3 * x + j3 * y - c * k3
-    slope_x = (i1 * x + j1 * y - c * k1) / depth
-    slope_y = (i2 * x + j2 * y - c * k2) / depth
-    t23 = i1 * j3 - i3 * j1
+    return evaluate(_JACOBIAN_IMAGE_SIGNATURE, _jacobian_image, (R, x, c), out)
+
+
+def _jacobian_image(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    depth = rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3)
+    slope_x = rounded(wide(i1) * x + wide(j1) * y - wide(c) * k1) / depth
+    slope_y = rounded(wide(i2) * x + wide(j2) * y - wide(c) * k2) / depth
+    t23 = wide(i1) * j3 - wide(i3) * j1
     t27 = depth * depth
-    t43 = i2 * j3 - i3 * j2
-    out[..., 0, 0] = c * (c * (i1 * k3 - i3 * k1) - y * t23) / t27
-    out[..., 0, 1] = c * (c * (j1 * k3 - j3 * k1) + x * t23) / t27
-    out[..., 1, 0] = c * (c * (i2 * k3 - i3 * k2) - y * t43) / t27
-    out[..., 1, 1] = c * (c * (j2 * k3 - j3 * k2) + x * t43) / t27
-    return out[()]
+    t43 = wide(i2) * j3 - wide(i3) * j2
+    return (
+        c * rounded(c * (wide(i1) * k3 - wide(i3) * k1) - y * t23) / t27,
+        c * rounded(c * (wide(j1) * k3 - wide(j3) * k1) + x * t23) / t27,
+        c * rounded(c * (wide(i2) * k3 - wide(i3) * k2) - y * t43) / t27,
+        c * rounded(c * (wide(j2) * k3 - wide(j3) * k2) + x * t43) / t27,
+    )
 
 
-def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, variance: ArrayLike) -> NDArray[Any]:
+_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),))
+
+
+def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, variance: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Dispersion of normal case coordinates from those of the rotations and of the image coordinates.
 
     normalcase1992, section 3.2; proved by (3.2.2), (3.2.1), (3.2/beyond/B_a).
@@ -705,6 +785,8 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
         Dispersion of the rotations (dOmega, dphi, dkappa), in radians squared; symmetric.
     variance : array_like, shape (...)
         Variance of an image coordinate, in the square of the unit of c.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -714,7 +796,9 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -740,24 +824,24 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
 
-    Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.
+    Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.  With the double-double operations for sums that may cancel: 2487.
 
     Examples
     --------
     >>> normal_covariance([[0.96, 0, -0.28], [0, 1, 0], [0.28, 0, 0.96]], [-10.62, 1.694], 51.18, [[0.00004, 0.00001, 0], [0.00001, 0.00006, 0.00002], [0, 0.00002, 0.00003]], 0.000004).round(6).tolist()
     [[0.162529, -0.03009], [-0.03009, 0.10534]]
     """
-    R, x, c, S_a, variance, out = arguments("normal_covariance", [(2, 2)], R=(R, (3, 3)), x=(x, (2,)), c=(c, ()), S_a=(S_a, (3, 3)), variance=(variance, ()))
-    i1, j1, k1 = R[..., 0, 0], R[..., 0, 1], R[..., 0, 2]
-    i2, j2, k2 = R[..., 1, 0], R[..., 1, 1], R[..., 1, 2]
-    i3, j3, k3 = R[..., 2, 0], R[..., 2, 1], R[..., 2, 2]
-    x, y = x[..., 0], x[..., 1]
-    s11, s12, s13 = S_a[..., 0, 0], S_a[..., 0, 1], S_a[..., 0, 2]
-    s21, s22, s23 = S_a[..., 1, 0], S_a[..., 1, 1], S_a[..., 1, 2]
-    s31, s32, s33 = S_a[..., 2, 0], S_a[..., 2, 1], S_a[..., 2, 2]
-    depth = i3 * x + j3 * y - c * k3
-    slope_x = (i1 * x + j1 * y - c * k1) / depth
-    slope_y = (i2 * x + j2 * y - c * k2) / depth
+    return evaluate(_NORMAL_COVARIANCE_SIGNATURE, _normal_covariance, (R, x, c, S_a, variance), out)
+
+
+def _normal_covariance(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any, s11: Any, s12: Any, s13: Any, s21: Any, s22: Any, s23: Any, s31: Any, s32: Any, s33: Any,
+    variance: Any,
+) -> tuple[Any, ...]:
+    depth = wide(i3) * x + wide(j3) * y - wide(c) * k3
+    slope_x = (wide(i1) * x + wide(j1) * y - wide(c) * k1) / depth
+    slope_y = (wide(i2) * x + wide(j2) * y - wide(c) * k2) / depth
     t17 = c * slope_x
     Ba11 = t17 * slope_y
     Ba12 = -(c * (1 + slope_x * slope_x))
@@ -765,13 +849,13 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     Ba21 = c * (1 + slope_y * slope_y)
     Ba22 = -Ba11
     Ba23 = -t17
-    t35 = i1 * j3 - i3 * j1
+    t35 = wide(i1) * j3 - wide(i3) * j1
     t39 = depth * depth
-    Bx11 = c * (c * (i1 * k3 - i3 * k1) - y * t35) / t39
-    Bx12 = c * (c * (j1 * k3 - j3 * k1) + x * t35) / t39
-    t55 = i2 * j3 - i3 * j2
-    Bx21 = c * (c * (i2 * k3 - i3 * k2) - y * t55) / t39
-    Bx22 = c * (c * (j2 * k3 - j3 * k2) + x * t55) / t39
+    Bx11 = c * (c * (wide(i1) * k3 - wide(i3) * k1) - y * t35) / t39
+    Bx12 = c * (c * (wide(j1) * k3 - wide(j3) * k1) + x * t35) / t39
+    t55 = wide(i2) * j3 - wide(i3) * j2
+    Bx21 = c * (c * (wide(i2) * k3 - wide(i3) * k2) - y * t55) / t39
+    Bx22 = c * (c * (wide(j2) * k3 - wide(j3) * k2) + x * t55) / t39
     t72 = Ba11 * s11 + Ba12 * s21 + Ba13 * s31
     t78 = Ba11 * s12 + Ba12 * s22 + Ba13 * s32
     t85 = Ba11 * s13 + Ba12 * s23 + Ba13 * s33
@@ -781,14 +865,18 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     t107 = Ba21 * s11 + Ba22 * s21 + Ba23 * s31
     t114 = Ba21 * s12 + Ba22 * s22 + Ba23 * s32
     t121 = Ba21 * s13 + Ba22 * s23 + Ba23 * s33
-    out[..., 0, 0] = Ba11 * t72 + Ba12 * t78 + Ba13 * t85 + t88 * Bx11 + t91 * Bx12
-    out[..., 0, 1] = t96 + Ba21 * t72 + Ba22 * t78 + Ba23 * t85
-    out[..., 1, 0] = t96 + Ba11 * t107 + Ba12 * t114 + Ba13 * t121
-    out[..., 1, 1] = Ba21 * t107 + Ba22 * t114 + Ba23 * t121 + variance * Bx21 * Bx21 + variance * Bx22 * Bx22
-    return out[()]
+    return (
+        rounded(Ba11 * t72 + Ba12 * t78 + Ba13 * t85 + t88 * Bx11 + t91 * Bx12),
+        rounded(t96 + Ba21 * t72 + Ba22 * t78 + Ba23 * t85),
+        rounded(t96 + Ba11 * t107 + Ba12 * t114 + Ba13 * t121),
+        rounded(Ba21 * t107 + Ba22 * t114 + Ba23 * t121 + variance * Bx21 * Bx21 + variance * Bx22 * Bx22),
+    )
 
 
-def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left: ArrayLike, S_right: ArrayLike, S_mixed: ArrayLike) -> NDArray[Any]:
+_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),))
+
+
+def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left: ArrayLike, S_right: ArrayLike, S_mixed: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Dispersion of a model point from those of its homologous points of the normal case.
 
     normalcase1992, section 3.3; proved by (3.3/S_M), (3.3.1), (3.3.2).
@@ -807,6 +895,8 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
         Dispersion of (x'', y''), in the square of the unit of c; its variance of x'' alone is used.
     S_mixed : array_like, shape (..., 2, 2)
         Covariances of (x', y'), rows, with (x'', y''), columns, in the square of the unit of c; those with x'' alone are used.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -816,7 +906,9 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -835,42 +927,43 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``.
 
-    Operations: 78 (9 +, 16 -, 43 *, 9 /, 1 neg); the derived expression as written takes 330.
+    Operations: 78 (9 +, 16 -, 43 *, 9 /, 1 neg); the derived expression as written takes 330.  With the double-double operations for sums that may cancel: 1100.
 
     Examples
     --------
     >>> model_covariance([12.5, -3.25], [-7.5, -3.25], 50, [[0.00004, 0.00001], [0.00001, 0.00003]], [[0.00005, 0.00001], [0.00001, 0.00003]], [[0.00001, 0], [0, 0.00001]]).round(6).tolist()
     [[0.0, 0.0, -0.0], [0.0, 0.0, 0.0], [-0.0, 0.0, 1e-06]]
     """
-    x_left, x_right, c, S_left, S_right, S_mixed, out = arguments("model_covariance", [(3, 3)], x_left=(x_left, (2,)), x_right=(x_right, (2,)), c=(c, ()), S_left=(S_left, (2, 2)), S_right=(S_right, (2, 2)), S_mixed=(S_mixed, (2, 2)))
-    xp, yp = x_left[..., 0], x_left[..., 1]
-    xpp, ypp = x_right[..., 0], x_right[..., 1]
-    sl00, sl01 = S_left[..., 0, 0], S_left[..., 0, 1]
-    sl10, sl11 = S_left[..., 1, 0], S_left[..., 1, 1]
-    sr00, sr01 = S_right[..., 0, 0], S_right[..., 0, 1]
-    sr10, sr11 = S_right[..., 1, 0], S_right[..., 1, 1]
-    sm00, sm01 = S_mixed[..., 0, 0], S_mixed[..., 0, 1]
-    sm10, sm11 = S_mixed[..., 1, 0], S_mixed[..., 1, 1]
-    parallax = xp - xpp
-    t3 = sr00 * xp - sm00 * xpp
-    t7 = sm00 * xp - sl00 * xpp
+    return evaluate(_MODEL_COVARIANCE_SIGNATURE, _model_covariance, (x_left, x_right, c, S_left, S_right, S_mixed), out)
+
+
+def _model_covariance(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any, sl00: Any, sl01: Any, sl10: Any, sl11: Any, sr00: Any,
+    sr01: Any, sr10: Any, sr11: Any, sm00: Any, sm01: Any, sm10: Any, sm11: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(xp) - xpp
+    parallax = rounded(t0)
+    t3 = wide(sr00) * xp - wide(sm00) * xpp
+    t7 = wide(sm00) * xp - wide(sl00) * xpp
     t12 = parallax * parallax * parallax * parallax
-    t30 = sm00 * yp
-    t31 = parallax * sm10 + sr00 * yp - t30
-    t36 = t30 + parallax * sl10 - sl00 * yp
-    t55 = c * sm00
-    t57 = t55 - c * sr00
-    t60 = t55 - c * sl00
-    out[..., 0, 0] = (xp * t3 - xpp * t7) / t12
-    out[..., 0, 1] = (parallax * (sm10 * xp - sl01 * xpp) + yp * t3 - yp * t7) / t12
-    out[..., 0, 2] = (c * t7 - c * t3) / t12
-    out[..., 1, 0] = (xp * t31 - xpp * t36) / t12
-    out[..., 1, 1] = (parallax * (parallax * sl11 + sm10 * yp - sl01 * yp) + yp * t31 - yp * t36) / t12
-    out[..., 1, 2] = (c * t36 - c * t31) / t12
-    out[..., 2, 0] = (xp * t57 + xpp * t60) / t12
-    out[..., 2, 1] = (parallax * (c * sl01 - c * sm10) + yp * t57 + yp * t60) / t12
-    out[..., 2, 2] = -((c * t60 + c * t57) / t12)
-    return out[()]
+    t30 = wide(sm00) * yp
+    t31 = t0 * sm10 + wide(sr00) * yp - t30
+    t36 = t30 + t0 * sl10 - wide(sl00) * yp
+    t55 = wide(c) * sm00
+    t57 = t55 - wide(c) * sr00
+    t60 = t55 - wide(c) * sl00
+    return (
+        rounded(xp * t3 - xpp * t7) / t12,
+        rounded(t0 * (wide(sm10) * xp - wide(sl01) * xpp) + yp * t3 - yp * t7) / t12,
+        rounded(c * t7 - c * t3) / t12, rounded(xp * t31 - xpp * t36) / t12,
+        rounded(t0 * (t0 * sl11 + wide(sm10) * yp - wide(sl01) * yp) + yp * t31 - yp * t36) / t12,
+        rounded(c * t36 - c * t31) / t12, rounded(xp * t57 + xpp * t60) / t12,
+        rounded(t0 * (wide(c) * sl01 - wide(c) * sm10) + yp * t57 + yp * t60) / t12,
+        -(rounded(c * t60 + c * t57) / t12),
+    )
+
+
+_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),))
 
 # These call functions of this module, and are imported after them.
 from .drivers import adjust  # noqa: E402

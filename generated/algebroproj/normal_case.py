@@ -9,7 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._double_double import rounded, wide
+from ._evaluation import Signature, evaluate
 
 __all__ = [
     "tau",
@@ -23,7 +24,7 @@ __all__ = [
 ]
 
 
-def tau(u3: ArrayLike, u3_normal: ArrayLike) -> NDArray[Any]:
+def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Parameters of the transformation to the normal case from the images of the fourth basic point.
 
     fundamentals1996, section 3.1; proved by (3.1.2#tau), (3.1.2#fourth-points).
@@ -34,6 +35,8 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike) -> NDArray[Any]:
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
     u3_normal : array_like, shape (..., 2)
         Image (uN31, uN32) of the fourth basic point in the normal case plane; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -43,7 +46,9 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -57,24 +62,28 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u32``, ``uN31 + uN32 -
     1``.
 
-    Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
+    Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.  With the double-double operations for sums that may cancel: 42.
 
     Examples
     --------
     >>> tau([0.2718578, 0.0577379], [0.2718578, 0.0619863]).round(6).tolist()
     [1.006377, 1.080428]
     """
-    u3, u3_normal, out = arguments("tau", [(2,)], u3=(u3, (2,)), u3_normal=(u3_normal, (2,)))
-    u31, u32 = u3[..., 0], u3[..., 1]
-    uN31, uN32 = u3_normal[..., 0], u3_normal[..., 1]
-    u30 = 1 - u31 - u32
-    uN30 = 1 - uN31 - uN32
-    out[..., 0] = u30 * uN31 / (u31 * uN30)
-    out[..., 1] = u30 * uN32 / (u32 * uN30)
-    return out[()]
+    return evaluate(_TAU_SIGNATURE, _tau, (u3, u3_normal), out)
 
 
-def transform(tau: ArrayLike) -> NDArray[Any]:
+def _tau(
+    u31: Any, u32: Any, uN31: Any, uN32: Any,
+) -> tuple[Any, ...]:
+    u30 = rounded(1 - wide(u31) - u32)
+    uN30 = rounded(1 - wide(uN31) - uN32)
+    return u30 * uN31 / (u31 * uN30), u30 * uN32 / (u32 * uN30)
+
+
+_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),))
+
+
+def transform(tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix T of the transformation to the normal case.
 
     fundamentals1996, section 3.1; proved by (3.1.2).
@@ -83,6 +92,8 @@ def transform(tau: ArrayLike) -> NDArray[Any]:
     ----------
     tau : array_like, shape (..., 2)
         Parameters (tau1, tau2) of the transformation to the normal case for tau0 = 1; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -92,7 +103,9 @@ def transform(tau: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -117,21 +130,19 @@ def transform(tau: ArrayLike) -> NDArray[Any]:
     >>> transform([1.0063775, 1.0804274]).round(6).tolist()
     [[1.0, 0.006377, 0.080427], [0.0, 1.006377, 0.0], [0.0, 0.0, 1.080427]]
     """
-    tau, out = arguments("transform", [(3, 3)], tau=(tau, (2,)))
-    tau1, tau2 = tau[..., 0], tau[..., 1]
-    out[..., 0, 0] = 1
-    out[..., 0, 1] = tau1 - 1
-    out[..., 0, 2] = tau2 - 1
-    out[..., 1, 0] = 0
-    out[..., 1, 1] = tau1
-    out[..., 1, 2] = 0
-    out[..., 2, 0] = 0
-    out[..., 2, 1] = 0
-    out[..., 2, 2] = tau2
-    return out[()]
+    return evaluate(_TRANSFORM_SIGNATURE, _transform, (tau,), out)
 
 
-def map_points(tau: ArrayLike, u: ArrayLike) -> NDArray[Any]:
+def _transform(
+    tau1: Any, tau2: Any,
+) -> tuple[Any, ...]:
+    return 1, tau1 - 1, tau2 - 1, 0, tau1, 0, 0, 0, tau2
+
+
+_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),))
+
+
+def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Normal case coordinates of image points.
 
     fundamentals1996, section 3.1; proved by (3.1.3).
@@ -142,6 +153,8 @@ def map_points(tau: ArrayLike, u: ArrayLike) -> NDArray[Any]:
         Parameters (tau1, tau2) of the transformation to the normal case for tau0 = 1; dimensionless.
     u : array_like, shape (..., 2)
         Image point (u1, u2) in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -151,7 +164,9 @@ def map_points(tau: ArrayLike, u: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -164,23 +179,27 @@ def map_points(tau: ArrayLike, u: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``tau1*u1 + tau2*u2 - u1 - u2 +
     1``.
 
-    Operations: 10 (2 +, 2 -, 4 *, 2 /); the derived expression as written takes 16.
+    Operations: 10 (2 +, 2 -, 4 *, 2 /); the derived expression as written takes 16.  With the double-double operations for sums that may cancel: 90.
 
     Examples
     --------
     >>> map_points([1.0063775, 1.0804274], [0.6355182, 0.1372296]).round(6).tolist()
     [0.630064, 0.146063]
     """
-    tau, u, out = arguments("map_points", [(2,)], tau=(tau, (2,)), u=(u, (2,)))
-    tau1, tau2 = tau[..., 0], tau[..., 1]
-    u1, u2 = u[..., 0], u[..., 1]
-    weight = u1 * (tau1 - 1) + u2 * (tau2 - 1) + 1
-    out[..., 0] = tau1 * u1 / weight
-    out[..., 1] = tau2 * u2 / weight
-    return out[()]
+    return evaluate(_MAP_POINTS_SIGNATURE, _map_points, (tau, u), out)
 
 
-def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3_left: ArrayLike) -> tuple[NDArray[Any], ...]:
+def _map_points(
+    tau1: Any, tau2: Any, u1: Any, u2: Any,
+) -> tuple[Any, ...]:
+    weight = rounded(u1 * (wide(tau1) - 1) + u2 * (wide(tau2) - 1) + 1)
+    return tau1 * u1 / weight, tau2 * u2 / weight
+
+
+_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),))
+
+
+def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3_left: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
     """Factor z_N and fourth image points of the normal case, with uN31 = u31 in the left image.
 
     fundamentals1996, section 3.2; proved by (3.2.7), (3.2.8), (3.2.9).
@@ -195,6 +214,8 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
         Right center of projection in affine coordinates; dimensionless.
     u3_left : array_like, shape (..., 2)
         Left image: Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : tuple of ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -208,7 +229,9 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -233,38 +256,41 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     yA2*yp01*yp03 - yA3*yp01**2 - yA3*yp01*yp02 + yA3*yp01 - yp01*yp03``, ``yA1*yp02 - yA2*yp01 - yA2*yp03 + yA2
     + yA3*yp02 - yp02``, ``yA2*yp03 - yA3*yp02``, ``yp01``, ``yp02``, ``yp03``, ``ypp03``.
 
-    Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
+    Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.  With the double-double operations for sums that may cancel: 455.
 
     Examples
     --------
     >>> [result.round(6).tolist() for result in from_orientation([-0.9009221, 0.8325803, 3.7908794], [-0.8871075, -0.2253355, 4.2692516], [-0.9009221, 0.8325803, 3.7908794], [0.2718578, 0.0577379])]
     [0.122136, [0.271858, 0.061986], [0.310931, -0.257931]]
     """
-    y_a, y0_left, y0_right, u3_left, z_N, u3_normal_left, u3_normal_right = arguments("from_orientation", [(), (2,), (2,)], y_a=(y_a, (3,)), y0_left=(y0_left, (3,)), y0_right=(y0_right, (3,)), u3_left=(u3_left, (2,)))
-    yA1, yA2, yA3 = y_a[..., 0], y_a[..., 1], y_a[..., 2]
-    yp01, yp02, yp03 = y0_left[..., 0], y0_left[..., 1], y0_left[..., 2]
-    ypp01, ypp02, ypp03 = y0_right[..., 0], y0_right[..., 1], y0_right[..., 2]
-    u31, u32 = u3_left[..., 0], u3_left[..., 1]
-    t0 = yA2 - 1
-    t3 = yp02 - 1
+    return evaluate(_FROM_ORIENTATION_SIGNATURE, _from_orientation, (y_a, y0_left, y0_right, u3_left), out)
+
+
+def _from_orientation(
+    yA1: Any, yA2: Any, yA3: Any, yp01: Any, yp02: Any, yp03: Any, ypp01: Any, ypp02: Any, ypp03: Any,
+    u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(yA2) - 1
+    t3 = wide(yp02) - 1
     p01 = yp01 * (t0 + yA3) - yA1 * (t3 + yp03)
-    p02 = yp02 * (yA1 + yA3 - 1) - yA2 * (yp01 + yp03 - 1)
+    p02 = rounded(yp02 * (wide(yA1) + yA3 - 1) - yA2 * (wide(yp01) + yp03 - 1))
     p03 = yp03 * (t0 + yA1) - yA3 * (t3 + yp01)
-    a13 = yA1 * yp03 - yA3 * yp01
-    a23 = yA2 * yp03 - yA3 * yp02
-    t26 = yp03 * u31
-    numerator = p03 * yp01 - t26 * p01
+    a13 = rounded(wide(yA1) * yp03 - wide(yA3) * yp01)
+    a23 = rounded(wide(yA2) * yp03 - wide(yA3) * yp02)
+    t48 = wide(yp03) * u31
+    numerator = rounded(p03 * yp01 - t48 * p01)
     uN32 = numerator * yp02 / (p02 * yp01 * yp03)
     quotient = yp03 / ypp03
-    z_N[...] = -(t26 * a13 * p02 / (a23 * numerator))
-    u3_normal_left[..., 0] = u31
-    u3_normal_left[..., 1] = uN32
-    u3_normal_right[..., 0] = quotient * u31 * ypp01 / yp01
-    u3_normal_right[..., 1] = quotient * uN32 * ypp02 / yp02
-    return z_N[()], u3_normal_left[()], u3_normal_right[()]
+    return (
+        -(rounded(t48) * a13 * p02 / (a23 * numerator)), u31, uN32, quotient * u31 * ypp01 / yp01,
+        quotient * uN32 * ypp02 / yp02,
+    )
 
 
-def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike) -> NDArray[Any]:
+_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)))
+
+
+def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Projective parameters of the left image of a normal case, with mu1 = mu2.
 
     fundamentals1996, section 3.3; proved by (3.3.8), (3.3.8#mu1), (3.3.8#mu3).
@@ -277,6 +303,8 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike) -> NDArray[Any]:
         Image (uN31, uN32) of the fourth basic point in the left normal case image; dimensionless.
     z_n : array_like, shape (...)
         Factor z_N of the normal case correlation; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -286,7 +314,9 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -302,29 +332,33 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``uN31*yA1 + uN31*yA2 +
     uN32*yA1*z_n + uN32*yA2*z_n - yA1 - yA2*z_n``, ``yA3``.
 
-    Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
+    Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.  With the double-double operations for sums that may cancel: 131.
 
     Examples
     --------
     >>> mu_left([-1.0, 0.5, 3.5], [0.270614, 0.062048], 0.1214564).round(6).tolist()
     [0.695204, 0.695204, 0.670743]
     """
-    y_a, u3, z_n, out = arguments("mu_left", [(3,)], y_a=(y_a, (3,)), u3=(u3, (2,)), z_n=(z_n, ()))
-    yA1, yA2, yA3 = y_a[..., 0], y_a[..., 1], y_a[..., 2]
-    uN31, uN32 = u3[..., 0], u3[..., 1]
-    t0 = yA1 + yA2
-    yA0 = 1 - t0 - yA3
-    weighted = uN31 + uN32 * z_n
-    t7 = yA1 + yA2 * z_n
-    difference = weighted * t0 - t7
+    return evaluate(_MU_LEFT_SIGNATURE, _mu_left, (y_a, u3, z_n), out)
+
+
+def _mu_left(
+    yA1: Any, yA2: Any, yA3: Any, uN31: Any, uN32: Any, z_n: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(yA1) + yA2
+    yA0 = rounded(1 - t0 - yA3)
+    t15 = uN31 + wide(uN32) * z_n
+    weighted = rounded(t15)
+    t17 = yA1 + wide(yA2) * z_n
+    difference = rounded(t15 * t0 - t17)
     t11 = -(weighted * yA0 / difference)
-    out[..., 0] = t11
-    out[..., 1] = t11
-    out[..., 2] = yA0 * t7 / (difference * yA3)
-    return out[()]
+    return t11, t11, yA0 * rounded(t17) / (difference * yA3)
 
 
-def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike) -> NDArray[Any]:
+_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),))
+
+
+def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Projective parameters of the right image of a normal case.
 
     fundamentals1996, section 3.3; proved by (3.3.9), (3.3.9#mu1(yA)), (3.3.9#mu2(yA)), (3.3.9#mu3-second).
@@ -339,6 +373,8 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike) -> ND
         Image (uppN31, uppN32) of the fourth basic point in the right normal case image; dimensionless.
     z_n : array_like, shape (...)
         Factor z_N of the normal case correlation; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -348,7 +384,9 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike) -> ND
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -365,36 +403,43 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike) -> ND
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-y02*yA3 + y03*yA2``, ``uppN31 +
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``.
 
-    Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
+    Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.  With the double-double operations for sums that may cancel: 581.
 
     Examples
     --------
     >>> mu_right([-1.0, 0.5, 3.5], [-1.1281689, -0.2586740, 4.3209568], [0.309509, -0.258189], 0.1214564).round(6).tolist()
     [0.695205, 0.695205, 0.670744]
     """
-    y_a, y0, u3, z_n, out = arguments("mu_right", [(3,)], y_a=(y_a, (3,)), y0=(y0, (3,)), u3=(u3, (2,)), z_n=(z_n, ()))
-    yA1, yA2, yA3 = y_a[..., 0], y_a[..., 1], y_a[..., 2]
-    y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
-    uppN31, uppN32 = u3[..., 0], u3[..., 1]
-    s0 = uppN31 + uppN32 * z_n
-    s1 = s0 - 1
-    sz = z_n * (uppN32 - 1) + uppN31
-    t6 = y03 * yA2
-    t7 = y02 * yA3
-    common = t6 - t7
-    t10 = z_n - 1
-    t12 = yA1 - 1
+    return evaluate(_MU_RIGHT_SIGNATURE, _mu_right, (y_a, y0, u3, z_n), out)
+
+
+def _mu_right(
+    yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, uppN31: Any, uppN32: Any, z_n: Any,
+) -> tuple[Any, ...]:
+    s0 = uppN31 + wide(uppN32) * z_n
+    t2 = s0 - 1
+    s1 = rounded(t2)
+    sz = z_n * (wide(uppN32) - 1) + uppN31
+    t6 = wide(y03) * yA2
+    t7 = wide(y02) * yA3
+    common = rounded(t6 - t7)
+    t45 = wide(z_n) - 1
+    t10 = rounded(t45)
+    t12 = wide(yA1) - 1
     t14 = y02 * (t12 + yA3)
     t20 = y03 * (t12 + yA2)
-    t26 = y01 - 1
-    t32 = (s0 * yA3 * t10 * (t6 - t14) - s1 * yA2 * z_n * (t7 - t20) - sz * yA2 * yA3 * t26) / (s1 * common * yA1 * t10)
-    out[..., 0] = t32
-    out[..., 1] = (yA3 * (t26 + y02) - t20) / (common * t10)
-    out[..., 2] = (t14 - yA2 * (t26 + y03)) / (common * s1)
-    return out[()]
+    t26 = wide(y01) - 1
+    t32 = rounded(s0 * yA3 * t45 * (t6 - t14) - t2 * yA2 * z_n * (t7 - t20) - sz * yA2 * yA3 * t26) / (s1 * common * yA1 * t10)
+    return (
+        t32, rounded(yA3 * (t26 + y02) - t20) / (common * t10),
+        rounded(t14 - yA2 * (t26 + y03)) / (common * s1),
+    )
 
 
-def from_correlation(Z: ArrayLike) -> tuple[NDArray[Any], ...]:
+_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),))
+
+
+def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
     """Factor z_N and parameters (tau1, tau2) of both images for the normal case, from the matrix of correlation alone.
 
     fundamentals1996, section 3.3; proved by (3.3.5), (3.3.6#12), (3.3.7#left), (3.3.7#right), (3.3/manifold#second).
@@ -403,6 +448,8 @@ def from_correlation(Z: ArrayLike) -> tuple[NDArray[Any], ...]:
     ----------
     Z : array_like, shape (..., 3, 3)
         Singular matrix of correlation referred to the basic points, up to a factor; dimensionless.
+    out : tuple of ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -416,7 +463,9 @@ def from_correlation(Z: ArrayLike) -> tuple[NDArray[Any], ...]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -437,20 +486,20 @@ def from_correlation(Z: ArrayLike) -> tuple[NDArray[Any], ...]:
     >>> [result.round(6).tolist() for result in from_correlation([[0, -0.975, -0.125], [1, -0.025, 0.075], [0.125, -0.083333, 0]])]
     [0.116279, [1.0, 1.075], [0.975, 1.075]]
     """
-    Z, z_N, tau_left, tau_right = arguments("from_correlation", [(), (2,), (2,)], Z=(Z, (3, 3)))
-    z00, z01, z02 = Z[..., 0, 0], Z[..., 0, 1], Z[..., 0, 2]
-    z10, z11, z12 = Z[..., 1, 0], Z[..., 1, 1], Z[..., 1, 2]
-    z20, z21, z22 = Z[..., 2, 0], Z[..., 2, 1], Z[..., 2, 2]
+    return evaluate(_FROM_CORRELATION_SIGNATURE, _from_correlation, (Z,), out)
+
+
+def _from_correlation(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
+) -> tuple[Any, ...]:
     t0 = z10 + z12
-    z_N[...] = -(z02 / t0)
-    tau_left[..., 0] = 1
-    tau_left[..., 1] = -(z20 * t0 / (z02 * z10))
-    tau_right[..., 0] = -(z01 / z10)
-    tau_right[..., 1] = t0 / z10
-    return z_N[()], tau_left[()], tau_right[()]
+    return -(z02 / t0), 1, -(z20 * t0 / (z02 * z10)), -(z01 / z10), t0 / z10
 
 
-def frame(z_n: ArrayLike, tau: ArrayLike) -> NDArray[Any]:
+_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)))
+
+
+def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix A of the affine transformation from the normal case to rectangular coordinates.
 
     fundamentals1996, section 3.4; proved by (3.4.1#matrix), (3.4/beyond/frame-lines).
@@ -461,6 +510,8 @@ def frame(z_n: ArrayLike, tau: ArrayLike) -> NDArray[Any]:
         Factor z_N of the normal case correlation; dimensionless.
     tau : array_like, shape (..., 2)
         Parameters (tau1, tau2) of the transformation to the normal case for tau0 = 1; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -470,7 +521,9 @@ def frame(z_n: ArrayLike, tau: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -495,15 +548,13 @@ def frame(z_n: ArrayLike, tau: ArrayLike) -> NDArray[Any]:
     >>> frame(0.1221364, [1.0063775, 1.0804274]).round(6).tolist()
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.122136], [0.0, 0.079295, 1.0]]
     """
-    z_n, tau, out = arguments("frame", [(3, 3)], z_n=(z_n, ()), tau=(tau, (2,)))
-    tau1, tau2 = tau[..., 0], tau[..., 1]
-    out[..., 0, 0] = 1
-    out[..., 0, 1] = 0
-    out[..., 0, 2] = 0
-    out[..., 1, 0] = 0
-    out[..., 1, 1] = 1
-    out[..., 1, 2] = z_n
-    out[..., 2, 0] = 0
-    out[..., 2, 1] = (tau1 - 1) / (tau2 - 1)
-    out[..., 2, 2] = 1
-    return out[()]
+    return evaluate(_FRAME_SIGNATURE, _frame, (z_n, tau), out)
+
+
+def _frame(
+    z_n: Any, tau1: Any, tau2: Any,
+) -> tuple[Any, ...]:
+    return 1, 0, 0, 0, 1, z_n, 0, (tau1 - 1) / (tau2 - 1), 1
+
+
+_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),))

@@ -9,7 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._double_double import rounded, wide
+from ._evaluation import Signature, evaluate
 
 __all__ = [
     "lens_matrix",
@@ -22,7 +23,7 @@ __all__ = [
 ]
 
 
-def lens_matrix(f: ArrayLike) -> NDArray[Any]:
+def lens_matrix(f: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Projective matrix M_f of an ideal lens.
 
     fundamentals1996, section 1.6; proved by (1.6/M_f).
@@ -31,6 +32,8 @@ def lens_matrix(f: ArrayLike) -> NDArray[Any]:
     ----------
     f : array_like, shape (...)
         Focal length; in the unit of the coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -40,7 +43,9 @@ def lens_matrix(f: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -72,27 +77,19 @@ def lens_matrix(f: ArrayLike) -> NDArray[Any]:
     >>> lens_matrix(0.15).round(6).tolist()
     [[0.15, 0.0, 0.0, 1.0], [0.0, 0.15, 0.0, 0.0], [0.0, 0.0, 0.15, 0.0], [0.0, 0.0, 0.0, 0.15]]
     """
-    f, out = arguments("lens_matrix", [(4, 4)], f=(f, ()))
-    out[..., 0, 0] = f
-    out[..., 0, 1] = 0
-    out[..., 0, 2] = 0
-    out[..., 0, 3] = 1
-    out[..., 1, 0] = 0
-    out[..., 1, 1] = f
-    out[..., 1, 2] = 0
-    out[..., 1, 3] = 0
-    out[..., 2, 0] = 0
-    out[..., 2, 1] = 0
-    out[..., 2, 2] = f
-    out[..., 2, 3] = 0
-    out[..., 3, 0] = 0
-    out[..., 3, 1] = 0
-    out[..., 3, 2] = 0
-    out[..., 3, 3] = f
-    return out[()]
+    return evaluate(_LENS_MATRIX_SIGNATURE, _lens_matrix, (f,), out)
 
 
-def image_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
+def _lens_matrix(
+    f: Any,
+) -> tuple[Any, ...]:
+    return f, 0, 0, 1, 0, f, 0, 0, 0, 0, f, 0, 0, 0, 0, f
+
+
+_LENS_MATRIX_SIGNATURE = Signature("lens_matrix", (("f", ()),), ((4, 4),))
+
+
+def image_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Image point of an ideal lens.
 
     fundamentals1996, section 1.6; proved by (1.6.1), (1.6.1#scalar).
@@ -103,6 +100,8 @@ def image_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
         Focal length; in the unit of the coordinates.
     x : array_like, shape (..., 3)
         Object point (xi1, xi2, xi3), with the optical axis as third axis and the center of the lens as origin; in any unit of length.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -112,7 +111,9 @@ def image_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -132,16 +133,20 @@ def image_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
     >>> image_point(0.15, [0.4, -0.25, -1.2]).round(6).tolist()
     [-0.057143, 0.035714, 0.171429]
     """
-    f, x, out = arguments("image_point", [(3,)], f=(f, ()), x=(x, (3,)))
-    xi1, xi2, xi3 = x[..., 0], x[..., 1], x[..., 2]
+    return evaluate(_IMAGE_POINT_SIGNATURE, _image_point, (f, x), out)
+
+
+def _image_point(
+    f: Any, xi1: Any, xi2: Any, xi3: Any,
+) -> tuple[Any, ...]:
     magnification = f / (f + xi3)
-    out[..., 0] = magnification * xi1
-    out[..., 1] = magnification * xi2
-    out[..., 2] = magnification * xi3
-    return out[()]
+    return magnification * xi1, magnification * xi2, magnification * xi3
 
 
-def object_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
+_IMAGE_POINT_SIGNATURE = Signature("image_point", (("f", ()), ("x", (3,))), ((3,),))
+
+
+def object_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Object point that an ideal lens maps to a given image point.
 
     fundamentals1996, section 1.6; proved by (1.6.2), (1.6.2#scalar).
@@ -152,6 +157,8 @@ def object_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
         Focal length; in the unit of the coordinates.
     x : array_like, shape (..., 3)
         Image point (xip1, xip2, xip3), with the optical axis as third axis and the center of the lens as origin; in any unit of length.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -161,7 +168,9 @@ def object_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -181,16 +190,20 @@ def object_point(f: ArrayLike, x: ArrayLike) -> NDArray[Any]:
     >>> object_point(0.15, [-0.06, 0.0375, 0.175]).round(6).tolist()
     [0.36, -0.225, -1.05]
     """
-    f, x, out = arguments("object_point", [(3,)], f=(f, ()), x=(x, (3,)))
-    xip1, xip2, xip3 = x[..., 0], x[..., 1], x[..., 2]
+    return evaluate(_OBJECT_POINT_SIGNATURE, _object_point, (f, x), out)
+
+
+def _object_point(
+    f: Any, xip1: Any, xip2: Any, xip3: Any,
+) -> tuple[Any, ...]:
     magnification = f / (f - xip3)
-    out[..., 0] = magnification * xip1
-    out[..., 1] = magnification * xip2
-    out[..., 2] = magnification * xip3
-    return out[()]
+    return magnification * xip1, magnification * xip2, magnification * xip3
 
 
-def scale(f: ArrayLike, x3: ArrayLike) -> NDArray[Any]:
+_OBJECT_POINT_SIGNATURE = Signature("object_point", (("f", ()), ("x", (3,))), ((3,),))
+
+
+def scale(f: ArrayLike, x3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Image scale of an ideal lens.
 
     fundamentals1996, section 1.6; proved by (1.6/scale).
@@ -201,6 +214,8 @@ def scale(f: ArrayLike, x3: ArrayLike) -> NDArray[Any]:
         Focal length; in the unit of the coordinates.
     x3 : array_like, shape (...)
         Third coordinate xi3 of the object point, with the optical axis as third axis and the center of the lens as origin; in any unit of length.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -210,7 +225,9 @@ def scale(f: ArrayLike, x3: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -227,12 +244,19 @@ def scale(f: ArrayLike, x3: ArrayLike) -> NDArray[Any]:
     >>> scale(0.15, -1.2).round(6).tolist()
     -0.142857
     """
-    f, x3, out = arguments("scale", [()], f=(f, ()), x3=(x3, ()))
-    out[...] = f / (f + x3)
-    return out[()]
+    return evaluate(_SCALE_SIGNATURE, _scale, (f, x3), out)
 
 
-def plane_homography(mu: ArrayLike) -> NDArray[Any]:
+def _scale(
+    f: Any, x3: Any,
+) -> tuple[Any, ...]:
+    return (f / (f + x3),)
+
+
+_SCALE_SIGNATURE = Signature("scale", (("f", ()), ("x3", ())), ((),))
+
+
+def plane_homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix M* of the optical projection from plane to plane, in affine coordinates.
 
     fundamentals1996, section 1.6; proved by (1.6/M*), (1.6.5).
@@ -241,6 +265,8 @@ def plane_homography(mu: ArrayLike) -> NDArray[Any]:
     ----------
     mu : array_like, shape (..., 3)
         Projective parameters (mu0, mu1, mu2), up to a common factor; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -250,7 +276,9 @@ def plane_homography(mu: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -275,21 +303,19 @@ def plane_homography(mu: ArrayLike) -> NDArray[Any]:
     >>> plane_homography([1, 0.75, 1.25]).round(6).tolist()
     [[1.0, -0.25, 0.25], [0.0, 0.75, 0.0], [0.0, 0.0, 1.25]]
     """
-    mu, out = arguments("plane_homography", [(3, 3)], mu=(mu, (3,)))
-    mu0, mu1, mu2 = mu[..., 0], mu[..., 1], mu[..., 2]
-    out[..., 0, 0] = mu0
-    out[..., 0, 1] = mu1 - mu0
-    out[..., 0, 2] = mu2 - mu0
-    out[..., 1, 0] = 0
-    out[..., 1, 1] = mu1
-    out[..., 1, 2] = 0
-    out[..., 2, 0] = 0
-    out[..., 2, 1] = 0
-    out[..., 2, 2] = mu2
-    return out[()]
+    return evaluate(_PLANE_HOMOGRAPHY_SIGNATURE, _plane_homography, (mu,), out)
 
 
-def map_plane_points(mu: ArrayLike, u: ArrayLike) -> NDArray[Any]:
+def _plane_homography(
+    mu0: Any, mu1: Any, mu2: Any,
+) -> tuple[Any, ...]:
+    return mu0, mu1 - mu0, mu2 - mu0, 0, mu1, 0, 0, 0, mu2
+
+
+_PLANE_HOMOGRAPHY_SIGNATURE = Signature("plane_homography", (("mu", (3,)),), ((3, 3),))
+
+
+def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Affine coordinates of the optical projection of points of a plane.
 
     fundamentals1996, section 1.6; proved by (1.6/M*), (1.6.5), (1.6.5#lens).
@@ -300,6 +326,8 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike) -> NDArray[Any]:
         Projective parameters (mu0, mu1, mu2), up to a common factor; dimensionless.
     u : array_like, shape (..., 2)
         Point (u1, u2) in affine coordinates of the plane; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -309,7 +337,9 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -322,25 +352,29 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0*u1 + mu0*u2 - mu0 - mu1*u1 -
     mu2*u2``.
 
-    Operations: 9 (2 +, 2 -, 3 *, 2 /); the derived expression as written takes 16.
+    Operations: 9 (2 +, 2 -, 3 *, 2 /); the derived expression as written takes 16.  With the double-double operations for sums that may cancel: 116.
 
     Examples
     --------
     >>> map_plane_points([1, 0.75, 1.25], [0.5, 0.25]).round(6).tolist()
     [0.4, 0.333333]
     """
-    mu, u, out = arguments("map_plane_points", [(2,)], mu=(mu, (3,)), u=(u, (2,)))
-    mu0, mu1, mu2 = mu[..., 0], mu[..., 1], mu[..., 2]
-    u1, u2 = u[..., 0], u[..., 1]
-    t0 = mu1 * u1
-    t1 = mu2 * u2
-    weighted = t0 + t1 - mu0 * (u1 + u2 - 1)
-    out[..., 0] = t0 / weighted
-    out[..., 1] = t1 / weighted
-    return out[()]
+    return evaluate(_MAP_PLANE_POINTS_SIGNATURE, _map_plane_points, (mu, u), out)
 
 
-def vanishing_line(mu: ArrayLike) -> NDArray[Any]:
+def _map_plane_points(
+    mu0: Any, mu1: Any, mu2: Any, u1: Any, u2: Any,
+) -> tuple[Any, ...]:
+    t6 = wide(mu1) * u1
+    t10 = wide(mu2) * u2
+    weighted = rounded(t6 + t10 - mu0 * (wide(u1) + u2 - 1))
+    return rounded(t6) / weighted, rounded(t10) / weighted
+
+
+_MAP_PLANE_POINTS_SIGNATURE = Signature("map_plane_points", (("mu", (3,)), ("u", (2,))), ((2,),))
+
+
+def vanishing_line(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Vanishing line g of the plane E, in affine coordinates.
 
     fundamentals1996, section 1.6; proved by (1.6/g), (1.6/g#V).
@@ -349,6 +383,8 @@ def vanishing_line(mu: ArrayLike) -> NDArray[Any]:
     ----------
     mu : array_like, shape (..., 3)
         Projective parameters (mu0, mu1, mu2), up to a common factor; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -358,7 +394,9 @@ def vanishing_line(mu: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -377,9 +415,13 @@ def vanishing_line(mu: ArrayLike) -> NDArray[Any]:
     >>> vanishing_line([1, 0.75, 1.25]).round(6).tolist()
     [1.0, -0.25, 0.25]
     """
-    mu, out = arguments("vanishing_line", [(3,)], mu=(mu, (3,)))
-    mu0, mu1, mu2 = mu[..., 0], mu[..., 1], mu[..., 2]
-    out[..., 0] = mu0
-    out[..., 1] = mu1 - mu0
-    out[..., 2] = mu2 - mu0
-    return out[()]
+    return evaluate(_VANISHING_LINE_SIGNATURE, _vanishing_line, (mu,), out)
+
+
+def _vanishing_line(
+    mu0: Any, mu1: Any, mu2: Any,
+) -> tuple[Any, ...]:
+    return mu0, mu1 - mu0, mu2 - mu0
+
+
+_VANISHING_LINE_SIGNATURE = Signature("vanishing_line", (("mu", (3,)),), ((3,),))

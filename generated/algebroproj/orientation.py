@@ -9,7 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._double_double import rounded, wide
+from ._evaluation import Signature, evaluate
 
 __all__ = [
     "left_bundle",
@@ -18,7 +19,7 @@ __all__ = [
 ]
 
 
-def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Projective parameters of the left bundle, with mu1 = mu2.
 
     fundamentals1996, section 2.4; proved by (2.4/2.3.2#mu2), (2.4/2.3.2#mu3).
@@ -31,6 +32,8 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike) -> NDArray[An
         Epipole (u01, u02) of the image, in affine coordinates; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -40,7 +43,9 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike) -> NDArray[An
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -57,29 +62,31 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike) -> NDArray[An
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u01*u32*yA1 + u01*u32*yA2 -
     u01*yA2 - u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1``, ``yA3``.
 
-    Operations: 27 (12 -, 13 *, 2 /); the derived expression as written takes 99.
+    Operations: 27 (12 -, 13 *, 2 /); the derived expression as written takes 99.  With the double-double operations for sums that may cancel: 336.
 
     Examples
     --------
     >>> left_bundle([-1.0, 0.5, 3.5], [1.6474603, -12.5642098], [0.2718578, 0.0577379]).round(6).tolist()
     [0.689829, 0.689829, 0.659103]
     """
-    y_a, epipole, u3, out = arguments("left_bundle", [(3,)], y_a=(y_a, (3,)), epipole=(epipole, (2,)), u3=(u3, (2,)))
-    yA1, yA2, yA3 = y_a[..., 0], y_a[..., 1], y_a[..., 2]
-    u01, u02 = epipole[..., 0], epipole[..., 1]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    yA0 = 1 - yA1 - yA2 - yA3
-    n1 = u31 * (u02 - 1) - u01 * (u32 - 1)
-    n2 = u32 * (u01 - 1) - u02 * (u31 - 1)
-    D = n1 * yA2 - n2 * yA1
-    t20 = yA0 * (u01 * u32 - u02 * u31) / D
-    out[..., 0] = t20
-    out[..., 1] = t20
-    out[..., 2] = yA0 * (u02 * yA1 - u01 * yA2) / (D * yA3)
-    return out[()]
+    return evaluate(_LEFT_BUNDLE_SIGNATURE, _left_bundle, (y_a, epipole, u3), out)
 
 
-def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+def _left_bundle(
+    yA1: Any, yA2: Any, yA3: Any, u01: Any, u02: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    yA0 = rounded(1 - wide(yA1) - yA2 - yA3)
+    n1 = u31 * (wide(u02) - 1) - u01 * (wide(u32) - 1)
+    n2 = u32 * (wide(u01) - 1) - u02 * (wide(u31) - 1)
+    D = rounded(n1 * yA2 - n2 * yA1)
+    t20 = yA0 * rounded(wide(u01) * u32 - wide(u02) * u31) / D
+    return t20, t20, yA0 * rounded(wide(u02) * yA1 - wide(u01) * yA2) / (D * yA3)
+
+
+_LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),))
+
+
+def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Projective parameters of the right bundle, from the axis and the left center.
 
     fundamentals1996, section 2.4; proved by (2.4/mu3#2), (2.4/mu1(yA)), (2.4/mu1(y0)), (2.4/mu2(yA)), (2.4/mu2(y0)), (2.4/beyond/right-bundle).
@@ -94,6 +101,8 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
         Epipole (u01, u02) of the image, in affine coordinates; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -103,7 +112,9 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -122,33 +133,34 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-y01*yA3 + y03*yA1``, ``-y02*yA3
     + y03*yA2``, ``u01 + u02 - 1``, ``u01*u32 - u02*u31 + u02 - u32``.
 
-    Operations: 34 (4 +, 11 -, 16 *, 3 /); the derived expression as written takes 209.
+    Operations: 34 (4 +, 11 -, 16 *, 3 /); the derived expression as written takes 209.  With the double-double operations for sums that may cancel: 377.
 
     Examples
     --------
     >>> right_bundle([-1.0, 0.5, 3.5], [-1.0679613, -0.2268166, 4.1115155], [1.6170618, -12.0027987], [0.3094497, -0.2327183]).round(6).tolist()
     [0.70868, 0.68974, 0.680356]
     """
-    y_a, y0_left, epipole, u3, out = arguments("right_bundle", [(3,)], y_a=(y_a, (3,)), y0_left=(y0_left, (3,)), epipole=(epipole, (2,)), u3=(u3, (2,)))
-    yA1, yA2, yA3 = y_a[..., 0], y_a[..., 1], y_a[..., 2]
-    y01, y02, y03 = y0_left[..., 0], y0_left[..., 1], y0_left[..., 2]
-    u01, u02 = epipole[..., 0], epipole[..., 1]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    u00 = 1 - u01 - u02
-    n2 = u32 * (u01 - 1) - u02 * (u31 - 1)
-    t7 = yA1 - 1
-    t10 = y01 - 1
-    p02 = y02 * (t7 + yA3) - yA2 * (t10 + y03)
-    p03 = y03 * (t7 + yA2) - yA3 * (t10 + y02)
-    p13 = y01 * yA3 - y03 * yA1
-    p23 = y02 * yA3 - y03 * yA2
-    out[..., 0] = p03 * u01 / (p13 * u00)
-    out[..., 1] = p03 * u02 / (p23 * u00)
-    out[..., 2] = p02 * u02 / (n2 * p23)
-    return out[()]
+    return evaluate(_RIGHT_BUNDLE_SIGNATURE, _right_bundle, (y_a, y0_left, epipole, u3), out)
 
 
-def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike) -> NDArray[Any]:
+def _right_bundle(
+    yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, u01: Any, u02: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    u00 = rounded(1 - wide(u01) - u02)
+    n2 = rounded(u32 * (wide(u01) - 1) - u02 * (wide(u31) - 1))
+    t7 = wide(yA1) - 1
+    t10 = wide(y01) - 1
+    p02 = rounded(y02 * (t7 + yA3) - yA2 * (t10 + y03))
+    p03 = rounded(y03 * (t7 + yA2) - yA3 * (t10 + y02))
+    p13 = rounded(wide(y01) * yA3 - wide(y03) * yA1)
+    p23 = rounded(wide(y02) * yA3 - wide(y03) * yA2)
+    return p03 * u01 / (p13 * u00), p03 * u02 / (p23 * u00), p02 * u02 / (n2 * p23)
+
+
+_RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),))
+
+
+def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Object point of two homologous image points: least squares of the four equations of its images.
 
     fundamentals1996, section 2.4; proved by (1.3.1), (2.4/beyond/intersection), (2.4/beyond/intersection#rays), (2.4/beyond/intersection#exact).
@@ -167,6 +179,8 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
         Right image: Projective parameters (mu1, mu2, mu3) for mu0 = 1; dimensionless.
     u3_right : array_like, shape (..., 2)
         Right image: Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -176,7 +190,9 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -217,68 +233,76 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``d03**2 + d13**2 + d23**2 +
     d33**2``.
 
-    Operations: 203 (24 +, 52 -, 120 *, 3 /, 4 neg); the derived expression as written takes 377.
+    Operations: 203 (24 +, 52 -, 120 *, 3 /, 4 neg); the derived expression as written takes 377.  With the double-double operations for sums that may cancel: 3388.
 
     Examples
     --------
     >>> intersect([0.625, 0.125], [0.65, 0.1], [0.625, 0.75, 0.5], [0.25, 0.125], [0.75, 0.625, 0.875], [0.3125, -0.25]).round(6).tolist()
     [0.689015, 0.120755, 0.006548]
     """
-    u_left, u_right, mu_left, u3_left, mu_right, u3_right, out = arguments("intersect", [(3,)], u_left=(u_left, (2,)), u_right=(u_right, (2,)), mu_left=(mu_left, (3,)), u3_left=(u3_left, (2,)), mu_right=(mu_right, (3,)), u3_right=(u3_right, (2,)))
-    up1, up2 = u_left[..., 0], u_left[..., 1]
-    upp1, upp2 = u_right[..., 0], u_right[..., 1]
-    mup1, mup2, mup3 = mu_left[..., 0], mu_left[..., 1], mu_left[..., 2]
-    up31, up32 = u3_left[..., 0], u3_left[..., 1]
-    mupp1, mupp2, mupp3 = mu_right[..., 0], mu_right[..., 1], mu_right[..., 2]
-    upp31, upp32 = u3_right[..., 0], u3_right[..., 1]
-    t2 = mup2 - 1
-    t6 = mup1 - 1
-    t9 = mup3 * up32
-    t11 = mup3 - 1
-    t13 = mup3 * up31
-    t38 = mupp2 - 1
-    t42 = mupp1 - 1
-    t45 = mupp3 * upp32
-    t47 = mupp3 - 1
-    t49 = mupp3 * upp31
-    rp0 = mup1 * mup2 - up2 * mup1 * t2 - up1 * mup2 * t6
+    return evaluate(_INTERSECT_SIGNATURE, _intersect, (u_left, u_right, mu_left, u3_left, mu_right, u3_right), out)
+
+
+def _intersect(
+    up1: Any, up2: Any, upp1: Any, upp2: Any, mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any,
+    mupp1: Any, mupp2: Any, mupp3: Any, upp31: Any, upp32: Any,
+) -> tuple[Any, ...]:
+    t2 = wide(mup2) - 1
+    t6 = wide(mup1) - 1
+    rp0 = wide(mup1) * mup2 - wide(up2) * mup1 * t2 - wide(up1) * mup2 * t6
+    t9 = wide(mup3) * up32
+    t11 = wide(mup3) - 1
+    t13 = wide(mup3) * up31
     rp1 = t9 * mup1 - up2 * (mup1 * t11 - t13 * t6) - up1 * t9 * t6
-    rp2 = mup1 * up2
+    rp2 = wide(mup1) * up2
     rp3 = up1 * (mup2 * t11 - t9 * t2) + up2 * t13 * t2 - t13 * mup2
-    rp4 = -(mup2 * up1)
+    rp4 = -(wide(mup2) * up1)
     rp5 = t13 * up2 - t9 * up1
-    rpp0 = mupp1 * mupp2 - upp2 * mupp1 * t38 - upp1 * mupp2 * t42
+    t38 = wide(mupp2) - 1
+    t42 = wide(mupp1) - 1
+    rpp0 = wide(mupp1) * mupp2 - wide(upp2) * mupp1 * t38 - wide(upp1) * mupp2 * t42
+    t45 = wide(mupp3) * upp32
+    t47 = wide(mupp3) - 1
+    t49 = wide(mupp3) * upp31
     rpp1 = t45 * mupp1 - upp2 * (mupp1 * t47 - t49 * t42) - upp1 * t45 * t42
-    rpp2 = mupp1 * upp2
+    rpp2 = wide(mupp1) * upp2
     rpp3 = upp1 * (mupp2 * t47 - t45 * t38) + upp2 * t49 * t38 - t49 * mupp2
-    rpp4 = -(mupp2 * upp1)
+    rpp4 = -(wide(mupp2) * upp1)
     rpp5 = t49 * upp2 - t45 * upp1
     t76 = rpp3 + rpp4 * t11 - rpp5 * t2
-    t82 = rpp1 + rpp2 * t11 - rpp5 * t6
-    t91 = rpp4 * t6 - rpp0 - rpp2 * t2
-    t99 = rpp0 * t11 + rpp3 * t6 - rpp1 * t2
-    t126 = rp3 + rp4 * t47 - rp5 * t38
-    t132 = rp1 + rp2 * t47 - rp5 * t42
-    t141 = rp4 * t42 - rp0 - rp2 * t38
-    t149 = rp0 * t47 + rp3 * t42 - rp1 * t38
     d10 = t13 * rpp4 - up1 * t76
+    t82 = rpp1 + rpp2 * t11 - rpp5 * t6
     d11 = up1 * t82 + mup1 * rpp5 - t13 * rpp2
+    t91 = rpp4 * t6 - rpp0 - rpp2 * t2
     d12 = up1 * t91 - mup1 * rpp4
-    d13 = up1 * t99 - mup1 * rpp3 - t13 * rpp0
+    t99 = rpp0 * t11 + rpp3 * t6 - rpp1 * t2
+    t128 = up1 * t99 - mup1 * rpp3 - t13 * rpp0
+    d13 = rounded(t128)
     d00 = t9 * rpp4 - up2 * t76 - mup2 * rpp5
     d01 = up2 * t82 - t9 * rpp2
     d02 = mup2 * rpp2 - up2 * -t91
-    d03 = mup2 * rpp1 + up2 * t99 - t9 * rpp0
+    t137 = mup2 * rpp1 + up2 * t99 - t9 * rpp0
+    d03 = rounded(t137)
+    t126 = rp3 + rp4 * t47 - rp5 * t38
     d30 = t49 * rp4 - upp1 * t126
+    t132 = rp1 + rp2 * t47 - rp5 * t42
     d31 = upp1 * t132 + mupp1 * rp5 - t49 * rp2
+    t141 = rp4 * t42 - rp0 - rp2 * t38
     d32 = upp1 * t141 - mupp1 * rp4
-    d33 = upp1 * t149 - mupp1 * rp3 - t49 * rp0
+    t149 = rp0 * t47 + rp3 * t42 - rp1 * t38
+    t144 = upp1 * t149 - mupp1 * rp3 - t49 * rp0
+    d33 = rounded(t144)
     d20 = t45 * rp4 - upp2 * t126 - mupp2 * rp5
     d21 = upp2 * t132 - t45 * rp2
     d22 = mupp2 * rp2 - upp2 * -t141
-    d23 = mupp2 * rp1 + upp2 * t149 - t45 * rp0
+    t154 = mupp2 * rp1 + upp2 * t149 - t45 * rp0
+    d23 = rounded(t154)
     t185 = d03 * d03 + d13 * d13 + d23 * d23 + d33 * d33
-    out[..., 0] = (d00 * d03 + d10 * d13 + d20 * d23 + d30 * d33) / t185
-    out[..., 1] = (d01 * d03 + d11 * d13 + d21 * d23 + d31 * d33) / t185
-    out[..., 2] = (d02 * d03 + d12 * d13 + d22 * d23 + d32 * d33) / t185
-    return out[()]
+    return (
+        rounded(d00 * t137 + d10 * t128 + d20 * t154 + d30 * t144) / t185,
+        rounded(d01 * t137 + d11 * t128 + d21 * t154 + d31 * t144) / t185,
+        rounded(d02 * t137 + d12 * t128 + d22 * t154 + d32 * t144) / t185,
+    )
+
+
+_INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),))

@@ -9,7 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._double_double import rounded, wide
+from ._evaluation import Signature, evaluate
 
 __all__ = [
     "camera_matrix",
@@ -25,7 +26,7 @@ __all__ = [
 ]
 
 
-def camera_matrix(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+def camera_matrix(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Singular projective matrix M*, without its zero row.
 
     fundamentals1996, section 1.2; proved by (1.2.3), (1.2.3#base).
@@ -36,6 +37,8 @@ def camera_matrix(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
         Projective parameters (mu1, mu2, mu3) for mu0 = 1; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -45,7 +48,9 @@ def camera_matrix(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -73,25 +78,19 @@ def camera_matrix(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> camera_matrix([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     [[1.0, -0.375, -0.25, -0.5], [0.0, 0.625, 0.0, 0.125], [0.0, 0.0, 0.75, 0.0625]]
     """
-    mu, u3, out = arguments("camera_matrix", [(3, 4)], mu=(mu, (3,)), u3=(u3, (2,)))
-    mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    out[..., 0, 0] = 1
-    out[..., 0, 1] = mu1 - 1
-    out[..., 0, 2] = mu2 - 1
-    out[..., 0, 3] = mu3 - 1
-    out[..., 1, 0] = 0
-    out[..., 1, 1] = mu1
-    out[..., 1, 2] = 0
-    out[..., 1, 3] = mu3 * u31
-    out[..., 2, 0] = 0
-    out[..., 2, 1] = 0
-    out[..., 2, 2] = mu2
-    out[..., 2, 3] = mu3 * u32
-    return out[()]
+    return evaluate(_CAMERA_MATRIX_SIGNATURE, _camera_matrix, (mu, u3), out)
 
 
-def mu_from_center(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+def _camera_matrix(
+    mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return 1, mu1 - 1, mu2 - 1, mu3 - 1, 0, mu1, 0, mu3 * u31, 0, 0, mu2, mu3 * u32
+
+
+_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),))
+
+
+def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Projective parameters from the center of projection.
 
     fundamentals1996, section 1.3; proved by (1.3.5#mu1), (1.3.5#mu2), (1.3.5#mu3).
@@ -102,6 +101,8 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
         Center of projection (y01, y02, y03) in affine coordinates; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -111,7 +112,9 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -126,25 +129,28 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
     ``y02``, ``y03``.
 
-    Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.
+    Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.  With the double-double operations for sums that may cancel: 56.
 
     Examples
     --------
     >>> mu_from_center([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
     [0.689829, 0.689829, 0.659103]
     """
-    y0, u3, out = arguments("mu_from_center", [(3,)], y0=(y0, (3,)), u3=(u3, (2,)))
-    y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    y00 = 1 - y01 - y02 - y03
-    u30 = 1 - u31 - u32
-    out[..., 0] = u31 * y00 / (u30 * y01)
-    out[..., 1] = u32 * y00 / (u30 * y02)
-    out[..., 2] = -(y00 / (u30 * y03))
-    return out[()]
+    return evaluate(_MU_FROM_CENTER_SIGNATURE, _mu_from_center, (y0, u3), out)
 
 
-def center_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+def _mu_from_center(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    y00 = rounded(1 - wide(y01) - y02 - y03)
+    u30 = rounded(1 - wide(u31) - u32)
+    return u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -(y00 / (u30 * y03))
+
+
+_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),))
+
+
+def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Center of projection from the projective parameters.
 
     fundamentals1996, section 1.3; proved by (1.3/y01), (1.3/y02), (1.3/y03).
@@ -155,6 +161,8 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
         Projective parameters (mu1, mu2, mu3) for mu0 = 1; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -164,7 +172,9 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -178,27 +188,30 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*mu2*mu3*u31 +
     mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``.
 
-    Operations: 18 (1 +, 4 -, 9 *, 3 /, 1 neg); the derived expression as written takes 47.
+    Operations: 18 (1 +, 4 -, 9 *, 3 /, 1 neg); the derived expression as written takes 47.  With the double-double operations for sums that may cancel: 203.
 
     Examples
     --------
     >>> center_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     [-0.494845, -0.206186, 2.474227]
     """
-    mu, u3, out = arguments("center_from_mu", [(3,)], mu=(mu, (3,)), u3=(u3, (2,)))
-    mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    t0 = mu1 * mu2
-    t3 = mu1 * u32
-    t6 = mu2 * u31
-    delta = t0 * (mu3 - 1) - mu3 * (t3 * (mu2 - 1) + t6 * (mu1 - 1))
-    out[..., 0] = t6 * mu3 / delta
-    out[..., 1] = t3 * mu3 / delta
-    out[..., 2] = -(t0 / delta)
-    return out[()]
+    return evaluate(_CENTER_FROM_MU_SIGNATURE, _center_from_mu, (mu, u3), out)
 
 
-def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+def _center_from_mu(
+    mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t11 = wide(mu1) * mu2
+    t20 = wide(mu1) * u32
+    t23 = wide(mu2) * u31
+    delta = rounded(t11 * (wide(mu3) - 1) - mu3 * (t20 * (wide(mu2) - 1) + t23 * (wide(mu1) - 1)))
+    return rounded(t23) * mu3 / delta, rounded(t20) * mu3 / delta, -(rounded(t11) / delta)
+
+
+_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),))
+
+
+def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of projection P* from the center of projection.
 
     fundamentals1996, section 1.3; proved by (1.3.6#row0), (1.3.6#rows12).
@@ -209,6 +222,8 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
         Center of projection (y01, y02, y03) in affine coordinates; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -218,7 +233,9 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -245,43 +262,44 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
     ``y02``, ``y03``.
 
-    Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.
+    Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.  With the double-double operations for sums that may cancel: 310.
 
     Examples
     --------
     >>> projection_matrix([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
     [[-0.310171, -0.310171, -0.340897], [0.689829, 0.0, 0.179182], [0.0, 0.689829, 0.038055]]
     """
-    y0, u3, out = arguments("projection_matrix", [(3, 3)], y0=(y0, (3,)), u3=(u3, (2,)))
-    y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    t0 = 1 - y01
+    return evaluate(_PROJECTION_MATRIX_SIGNATURE, _projection_matrix, (y0, u3), out)
+
+
+def _projection_matrix(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = 1 - wide(y01)
     t1 = t0 - y02
-    y00 = t1 - y03
-    t3 = u31 + u32
-    u30 = 1 - t3
-    a1 = 1 - y02 - y03
+    y00 = rounded(t1 - y03)
+    t3 = wide(u31) + u32
+    u30 = rounded(1 - t3)
+    a1 = 1 - wide(y02) - y03
     a2 = t0 - y03
-    b1 = 1 - u32
-    b2 = 1 - u31
-    w1 = a1 * u31 - b1 * y01
-    w2 = a2 * u32 - b2 * y02
+    b1 = 1 - wide(u32)
+    b2 = 1 - wide(u31)
+    w1 = rounded(a1 * u31 - b1 * y01)
+    w2 = rounded(a2 * u32 - b2 * y02)
     t27 = u31 * y00
     t30 = u30 * y03
     t33 = u32 * y00
-    out[..., 0, 0] = w1 / (y01 * (b1 - u31))
-    out[..., 0, 1] = w2 / (y02 * (b2 - u32))
-    out[..., 0, 2] = (t1 - y03 * t3) / (y03 * (t3 - 1))
-    out[..., 1, 0] = t27 / (u30 * y01)
-    out[..., 1, 1] = 0
-    out[..., 1, 2] = -(t27 / t30)
-    out[..., 2, 0] = 0
-    out[..., 2, 1] = t33 / (u30 * y02)
-    out[..., 2, 2] = -(t33 / t30)
-    return out[()]
+    return (
+        w1 / (y01 * rounded(b1 - u31)), w2 / (y02 * rounded(b2 - u32)),
+        rounded(t1 - y03 * t3) / (y03 * rounded(t3 - 1)), t27 / (u30 * y01), 0, -(t27 / t30), 0,
+        t33 / (u30 * y02), -(t33 / t30),
+    )
 
 
-def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),))
+
+
+def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of projection P* from the projective parameters.
 
     fundamentals1996, section 1.3; proved by (1.3.2).
@@ -292,6 +310,8 @@ def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
         Projective parameters (mu1, mu2, mu3) for mu0 = 1; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -301,7 +321,9 @@ def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -326,22 +348,19 @@ def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     >>> projection_matrix_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     [[-0.375, -0.25, -0.5], [0.625, 0.0, 0.125], [0.0, 0.75, 0.0625]]
     """
-    mu, u3, out = arguments("projection_matrix_from_mu", [(3, 3)], mu=(mu, (3,)), u3=(u3, (2,)))
-    mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    out[..., 0, 0] = mu1 - 1
-    out[..., 0, 1] = mu2 - 1
-    out[..., 0, 2] = mu3 - 1
-    out[..., 1, 0] = mu1
-    out[..., 1, 1] = 0
-    out[..., 1, 2] = mu3 * u31
-    out[..., 2, 0] = 0
-    out[..., 2, 1] = mu2
-    out[..., 2, 2] = mu3 * u32
-    return out[()]
+    return evaluate(_PROJECTION_MATRIX_FROM_MU_SIGNATURE, _projection_matrix_from_mu, (mu, u3), out)
 
 
-def projection_determinant(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+def _projection_matrix_from_mu(
+    mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return mu1 - 1, mu2 - 1, mu3 - 1, mu1, 0, mu3 * u31, 0, mu2, mu3 * u32
+
+
+_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),))
+
+
+def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Determinant of the matrix of projection from the center of projection.
 
     fundamentals1996, section 1.3; proved by (1.3.8).
@@ -352,6 +371,8 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
         Center of projection (y01, y02, y03) in affine coordinates; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -361,7 +382,9 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -374,23 +397,28 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
     ``y02``, ``y03``.
 
-    Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.
+    Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.  With the double-double operations for sums that may cancel: 56.
 
     Examples
     --------
     >>> projection_determinant([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
     -0.115739
     """
-    y0, u3, out = arguments("projection_determinant", [()], y0=(y0, (3,)), u3=(u3, (2,)))
-    y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    y00 = 1 - y01 - y02 - y03
-    u30 = 1 - u31 - u32
-    out[...] = -(u31 * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03))
-    return out[()]
+    return evaluate(_PROJECTION_DETERMINANT_SIGNATURE, _projection_determinant, (y0, u3), out)
 
 
-def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+def _projection_determinant(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    y00 = rounded(1 - wide(y01) - y02 - y03)
+    u30 = rounded(1 - wide(u31) - u32)
+    return (-(u31 * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03)),)
+
+
+_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),))
+
+
+def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Determinant of the matrix of projection from the projective parameters.
 
     fundamentals1996, section 1.3; proved by (1.3.3).
@@ -401,6 +429,8 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]
         Projective parameters (mu1, mu2, mu3) for mu0 = 1; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -410,7 +440,9 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -420,21 +452,27 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]
 
     Polynomial: no input is singular.
 
-    Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.
+    Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.  With the double-double operations for sums that may cancel: 197.
 
     Examples
     --------
     >>> projection_determinant_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     -0.189453
     """
-    mu, u3, out = arguments("projection_determinant_from_mu", [()], mu=(mu, (3,)), u3=(u3, (2,)))
-    mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    out[...] = mu1 * mu2 * (mu3 - 1) - mu3 * (mu1 * u32 * (mu2 - 1) + mu2 * u31 * (mu1 - 1))
-    return out[()]
+    return evaluate(_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE, _projection_determinant_from_mu, (mu, u3), out)
 
 
-def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+def _projection_determinant_from_mu(
+    mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t18 = wide(mu1) * mu2 * (wide(mu3) - 1) - mu3 * (wide(mu1) * u32 * (wide(mu2) - 1) + wide(mu2) * u31 * (wide(mu1) - 1))
+    return (rounded(t18),)
+
+
+_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),))
+
+
+def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of reconstruction P from the center of projection.
 
     fundamentals1996, section 1.3; proved by (1.3.7).
@@ -445,6 +483,8 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
         Center of projection (y01, y02, y03) in affine coordinates; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -454,7 +494,9 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -481,40 +523,41 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u31 + u32 - 1``,
     ``u32``, ``y01``, ``y01 + y02 + y03 - 1``, ``y02``, ``y03``.
 
-    Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.
+    Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.  With the double-double operations for sums that may cancel: 378.
 
     Examples
     --------
     >>> reconstruction_matrix([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
     [[1.067961, 1.929825, 0.480192], [0.226817, 0.101984, 1.551619], [-4.111516, -1.848676, -1.848678]]
     """
-    y0, u3, out = arguments("reconstruction_matrix", [(3, 3)], y0=(y0, (3,)), u3=(u3, (2,)))
-    y01, y02, y03 = y0[..., 0], y0[..., 1], y0[..., 2]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    t0 = y02 + y03
+    return evaluate(_RECONSTRUCTION_MATRIX_SIGNATURE, _reconstruction_matrix, (y0, u3), out)
+
+
+def _reconstruction_matrix(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(y02) + y03
     a1 = 1 - t0
-    t2 = y01 + y03
+    t2 = wide(y01) + y03
     a2 = 1 - t2
-    b1 = 1 - u32
-    b2 = 1 - u31
-    w1 = a1 * u31 - b1 * y01
-    w2 = a2 * u32 - b2 * y02
-    d1 = u31 * (a1 - y01)
-    d2 = u32 * (a2 - y02)
-    t24 = 0 / (u31 - 1 + u32) + 0 / y01 + 0 / y02 + 0 / y03
-    out[..., 0, 0] = t24 - y01
-    out[..., 0, 1] = t24 - y01 * (b1 * (y01 - 1) + u31 * t0) / d1
-    out[..., 0, 2] = w2 * y01 / d2 + t24
-    out[..., 1, 0] = t24 - y02
-    out[..., 1, 1] = w1 * y02 / d1 + t24
-    out[..., 1, 2] = t24 - y02 * (b2 * (y02 - 1) + u32 * t2) / d2
-    out[..., 2, 0] = t24 - y03
-    out[..., 2, 1] = w1 * y03 / d1 + t24
-    out[..., 2, 2] = w2 * y03 / d2 + t24
-    return out[()]
+    b1 = 1 - wide(u32)
+    b2 = 1 - wide(u31)
+    w1 = rounded(a1 * u31 - b1 * y01)
+    w2 = rounded(a2 * u32 - b2 * y02)
+    d1 = u31 * rounded(a1 - y01)
+    d2 = u32 * rounded(a2 - y02)
+    t24 = 0 / rounded(wide(u31) - 1 + u32) + 0 / y01 + 0 / y02 + 0 / y03
+    return (
+        t24 - y01, t24 - y01 * rounded(b1 * (wide(y01) - 1) + u31 * t0) / d1, w2 * y01 / d2 + t24, t24 - y02,
+        w1 * y02 / d1 + t24, t24 - y02 * rounded(b2 * (wide(y02) - 1) + u32 * t2) / d2, t24 - y03,
+        w1 * y03 / d1 + t24, w2 * y03 / d2 + t24,
+    )
 
 
-def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),))
+
+
+def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of reconstruction P from the projective parameters.
 
     fundamentals1996, section 1.3; proved by (1.3/P), (1.3/PP*).
@@ -525,6 +568,8 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
         Projective parameters (mu1, mu2, mu3) for mu0 = 1; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -534,7 +579,9 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -557,38 +604,44 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*mu2*mu3*u31 +
     mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``.
 
-    Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.
+    Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.  With the double-double operations for sums that may cancel: 346.
 
     Examples
     --------
     >>> reconstruction_matrix_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     [[0.494845, 1.896907, 0.164948], [0.206186, 0.123711, 1.402062], [-2.474227, -1.484536, -0.824742]]
     """
-    mu, u3, out = arguments("reconstruction_matrix_from_mu", [(3, 3)], mu=(mu, (3,)), u3=(u3, (2,)))
-    mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    t0 = mu3 - 1
-    t2 = mu3 * u32
-    t3 = mu2 - 1
-    n1 = mu2 * t0 - t2 * t3
-    t7 = mu3 * u31
-    t8 = mu1 - 1
-    n2 = mu1 * t0 - t7 * t8
-    d1 = mu1 * n1 - mu2 * t7 * t8
-    d2 = mu2 * n2 - mu1 * t2 * t3
-    out[..., 0, 0] = -(t7 * mu2 / d1)
-    out[..., 0, 1] = n1 / d1
-    out[..., 0, 2] = t7 * t3 / d1
-    out[..., 1, 0] = -(t2 * mu1 / d1)
-    out[..., 1, 1] = t2 * t8 / d1
-    out[..., 1, 2] = n2 / d2
-    out[..., 2, 0] = mu1 * mu2 / d1
-    out[..., 2, 1] = -(mu2 * t8 / d1)
-    out[..., 2, 2] = -(mu1 * t3 / d1)
-    return out[()]
+    return evaluate(_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE, _reconstruction_matrix_from_mu, (mu, u3), out)
 
 
-def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
+def _reconstruction_matrix_from_mu(
+    mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(mu3) - 1
+    t10 = wide(mu3) * u32
+    t2 = rounded(t10)
+    t18 = wide(mu2) - 1
+    t3 = rounded(t18)
+    t40 = mu2 * t0 - t10 * t18
+    n1 = rounded(t40)
+    t41 = wide(mu3) * u31
+    t7 = rounded(t41)
+    t43 = wide(mu1) - 1
+    t8 = rounded(t43)
+    t45 = mu1 * t0 - t41 * t43
+    n2 = rounded(t45)
+    d1 = rounded(mu1 * t40 - mu2 * t41 * t43)
+    d2 = rounded(mu2 * t45 - mu1 * t10 * t18)
+    return (
+        -(t7 * mu2 / d1), n1 / d1, t7 * t3 / d1, -(t2 * mu1 / d1), t2 * t8 / d1, n2 / d2, mu1 * mu2 / d1,
+        -(mu2 * t8 / d1), -(mu1 * t3 / d1),
+    )
+
+
+_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),))
+
+
+def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Affine image coordinates of a point.
 
     fundamentals1996, section 1.3; proved by (1.3.1).
@@ -601,6 +654,8 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
         Projective parameters (mu1, mu2, mu3) for mu0 = 1; dimensionless.
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -610,7 +665,9 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -623,19 +680,22 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*y1 + mu2*y2 + mu3*y3 - y1 -
     y2 - y3 + 1``.
 
-    Operations: 18 (5 +, 3 -, 8 *, 2 /); the derived expression as written takes 28.
+    Operations: 18 (5 +, 3 -, 8 *, 2 /); the derived expression as written takes 28.  With the double-double operations for sums that may cancel: 255.
 
     Examples
     --------
     >>> project([0.5756072, 0.1487681, 0.1279697], [0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
     [0.550171, 0.17508]
     """
-    y, mu, u3, out = arguments("project", [(2,)], y=(y, (3,)), mu=(mu, (3,)), u3=(u3, (2,)))
-    y1, y2, y3 = y[..., 0], y[..., 1], y[..., 2]
-    mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2]
-    u31, u32 = u3[..., 0], u3[..., 1]
-    delta = y1 * (mu1 - 1) + y2 * (mu2 - 1) + y3 * (mu3 - 1) + 1
-    t10 = y3 * mu3
-    out[..., 0] = (mu1 * y1 + t10 * u31) / delta
-    out[..., 1] = (mu2 * y2 + t10 * u32) / delta
-    return out[()]
+    return evaluate(_PROJECT_SIGNATURE, _project, (y, mu, u3), out)
+
+
+def _project(
+    y1: Any, y2: Any, y3: Any, mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    delta = rounded(y1 * (wide(mu1) - 1) + y2 * (wide(mu2) - 1) + y3 * (wide(mu3) - 1) + 1)
+    t10 = wide(y3) * mu3
+    return rounded(wide(mu1) * y1 + t10 * u31) / delta, rounded(wide(mu2) * y2 + t10 * u32) / delta
+
+
+_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),))

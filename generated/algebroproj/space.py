@@ -9,7 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import arguments
+from ._double_double import rounded, wide
+from ._evaluation import Signature, evaluate
 
 __all__ = [
     "homography",
@@ -19,7 +20,7 @@ __all__ = [
 ]
 
 
-def homography(mu: ArrayLike) -> NDArray[Any]:
+def homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix M* of the regular projective transformation of space.
 
     fundamentals1996, section 1.5; proved by (1.5.2), (1.5/core).
@@ -28,6 +29,8 @@ def homography(mu: ArrayLike) -> NDArray[Any]:
     ----------
     mu : array_like, shape (..., 4)
         Projective parameters (mu0, mu1, mu2, mu3), up to a common factor; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -37,7 +40,9 @@ def homography(mu: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -69,28 +74,19 @@ def homography(mu: ArrayLike) -> NDArray[Any]:
     >>> homography([1, 0.625, 0.75, 1.25]).round(6).tolist()
     [[1.0, -0.375, -0.25, 0.25], [0.0, 0.625, 0.0, 0.0], [0.0, 0.0, 0.75, 0.0], [0.0, 0.0, 0.0, 1.25]]
     """
-    mu, out = arguments("homography", [(4, 4)], mu=(mu, (4,)))
-    mu0, mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2], mu[..., 3]
-    out[..., 0, 0] = mu0
-    out[..., 0, 1] = mu1 - mu0
-    out[..., 0, 2] = mu2 - mu0
-    out[..., 0, 3] = mu3 - mu0
-    out[..., 1, 0] = 0
-    out[..., 1, 1] = mu1
-    out[..., 1, 2] = 0
-    out[..., 1, 3] = 0
-    out[..., 2, 0] = 0
-    out[..., 2, 1] = 0
-    out[..., 2, 2] = mu2
-    out[..., 2, 3] = 0
-    out[..., 3, 0] = 0
-    out[..., 3, 1] = 0
-    out[..., 3, 2] = 0
-    out[..., 3, 3] = mu3
-    return out[()]
+    return evaluate(_HOMOGRAPHY_SIGNATURE, _homography, (mu,), out)
 
 
-def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike) -> NDArray[Any]:
+def _homography(
+    mu0: Any, mu1: Any, mu2: Any, mu3: Any,
+) -> tuple[Any, ...]:
+    return mu0, mu1 - mu0, mu2 - mu0, mu3 - mu0, 0, mu1, 0, 0, 0, 0, mu2, 0, 0, 0, 0, mu3
+
+
+_HOMOGRAPHY_SIGNATURE = Signature("homography", (("mu", (4,)),), ((4, 4),))
+
+
+def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Projective parameters of the regular transformation of space from a fifth point, with mu4 = 1.
 
     fundamentals1996, section 1.5; proved by (1.5.3), (1.5.4#mu0), (1.5.4#mu1), (1.5.4#mu2), (1.5.4#mu3).
@@ -101,6 +97,8 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike) -> NDArray[Any]:
         Fifth point (y41, y42, y43) in affine coordinates; dimensionless.
     u4 : array_like, shape (..., 3)
         Its image (u41, u42, u43) in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -110,7 +108,9 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -126,26 +126,28 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``y41``, ``y41 + y42 + y43 - 1``,
     ``y42``, ``y43``.
 
-    Operations: 10 (6 -, 4 /); the derived expression as written takes 24.
+    Operations: 10 (6 -, 4 /); the derived expression as written takes 24.  With the double-double operations for sums that may cancel: 62.
 
     Examples
     --------
     >>> mu_from_fifth_point([0.5, 0.25, 0.75], [0.375, 0.25, 0.5]).round(6).tolist()
     [0.25, 0.75, 1.0, 0.666667]
     """
-    y4, u4, out = arguments("mu_from_fifth_point", [(4,)], y4=(y4, (3,)), u4=(u4, (3,)))
-    y41, y42, y43 = y4[..., 0], y4[..., 1], y4[..., 2]
-    u41, u42, u43 = u4[..., 0], u4[..., 1], u4[..., 2]
-    y0 = 1 - y41 - y42 - y43
-    u0 = 1 - u41 - u42 - u43
-    out[..., 0] = u0 / y0
-    out[..., 1] = u41 / y41
-    out[..., 2] = u42 / y42
-    out[..., 3] = u43 / y43
-    return out[()]
+    return evaluate(_MU_FROM_FIFTH_POINT_SIGNATURE, _mu_from_fifth_point, (y4, u4), out)
 
 
-def map_points(mu: ArrayLike, y: ArrayLike) -> NDArray[Any]:
+def _mu_from_fifth_point(
+    y41: Any, y42: Any, y43: Any, u41: Any, u42: Any, u43: Any,
+) -> tuple[Any, ...]:
+    y0 = rounded(1 - wide(y41) - y42 - y43)
+    u0 = rounded(1 - wide(u41) - u42 - u43)
+    return u0 / y0, u41 / y41, u42 / y42, u43 / y43
+
+
+_MU_FROM_FIFTH_POINT_SIGNATURE = Signature("mu_from_fifth_point", (("y4", (3,)), ("u4", (3,))), ((4,),))
+
+
+def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Image points of the regular projective transformation of space.
 
     fundamentals1996, section 1.5; proved by (1.5.2), (1.5.5).
@@ -156,6 +158,8 @@ def map_points(mu: ArrayLike, y: ArrayLike) -> NDArray[Any]:
         Projective parameters (mu0, mu1, mu2, mu3), up to a common factor; dimensionless.
     y : array_like, shape (..., 3)
         Point (y1, y2, y3) in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -165,7 +169,9 @@ def map_points(mu: ArrayLike, y: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -179,27 +185,30 @@ def map_points(mu: ArrayLike, y: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0*y1 + mu0*y2 + mu0*y3 - mu0 -
     mu1*y1 - mu2*y2 - mu3*y3``.
 
-    Operations: 13 (4 +, 2 -, 4 *, 3 /); the derived expression as written takes 33.
+    Operations: 13 (4 +, 2 -, 4 *, 3 /); the derived expression as written takes 33.  With the double-double operations for sums that may cancel: 164.
 
     Examples
     --------
     >>> map_points([1, 0.625, 0.75, 1.25], [0.5, 0.25, 0.75]).round(6).tolist()
     [0.333333, 0.2, 1.0]
     """
-    mu, y, out = arguments("map_points", [(3,)], mu=(mu, (4,)), y=(y, (3,)))
-    mu0, mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2], mu[..., 3]
-    y1, y2, y3 = y[..., 0], y[..., 1], y[..., 2]
-    t0 = mu1 * y1
-    t1 = mu2 * y2
-    t3 = mu3 * y3
-    weighted = t0 + t1 + t3 - mu0 * (y1 + y2 + y3 - 1)
-    out[..., 0] = t0 / weighted
-    out[..., 1] = t1 / weighted
-    out[..., 2] = t3 / weighted
-    return out[()]
+    return evaluate(_MAP_POINTS_SIGNATURE, _map_points, (mu, y), out)
 
 
-def map_plane(mu: ArrayLike, a: ArrayLike) -> NDArray[Any]:
+def _map_points(
+    mu0: Any, mu1: Any, mu2: Any, mu3: Any, y1: Any, y2: Any, y3: Any,
+) -> tuple[Any, ...]:
+    t9 = wide(mu1) * y1
+    t14 = wide(mu2) * y2
+    t16 = wide(mu3) * y3
+    weighted = rounded(t9 + t14 + t16 - mu0 * (wide(y1) + y2 + y3 - 1))
+    return rounded(t9) / weighted, rounded(t14) / weighted, rounded(t16) / weighted
+
+
+_MAP_POINTS_SIGNATURE = Signature("map_points", (("mu", (4,)), ("y", (3,))), ((3,),))
+
+
+def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Coefficients of the image of a plane under the regular projective transformation of space.
 
     fundamentals1996, section 1.5; proved by (1.5.2), (1.5.7).
@@ -210,6 +219,8 @@ def map_plane(mu: ArrayLike, a: ArrayLike) -> NDArray[Any]:
         Projective parameters (mu0, mu1, mu2, mu3), up to a common factor; dimensionless.
     a : array_like, shape (..., 4)
         Plane a0 + a1 y1 + a2 y2 + a3 y3 = 0 as (a0, a1, a2, a3), up to a common factor; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
 
     Returns
     -------
@@ -219,7 +230,9 @@ def map_plane(mu: ArrayLike, a: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, or the leading shapes do not broadcast.
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
 
     Notes
     -----
@@ -234,19 +247,25 @@ def map_plane(mu: ArrayLike, a: ArrayLike) -> NDArray[Any]:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0``, ``mu1``, ``mu2``,
     ``mu3``.
 
-    Operations: 10 (3 +, 3 -, 4 /); the derived expression as written takes 19.
+    Operations: 10 (3 +, 3 -, 4 /); the derived expression as written takes 19.  With the double-double operations for sums that may cancel: 246.
 
     Examples
     --------
     >>> map_plane([1, 0.625, 0.75, 1.25], [-1, 0.5, 0.75, 2]).round(6).tolist()
     [-1.0, 0.2, 0.666667, 1.8]
     """
-    mu, a, out = arguments("map_plane", [(4,)], mu=(mu, (4,)), a=(a, (4,)))
-    mu0, mu1, mu2, mu3 = mu[..., 0], mu[..., 1], mu[..., 2], mu[..., 3]
-    a0, a1, a2, a3 = a[..., 0], a[..., 1], a[..., 2], a[..., 3]
-    first = a0 / mu0
-    out[..., 0] = first
-    out[..., 1] = (a0 + a1) / mu1 - first
-    out[..., 2] = (a0 + a2) / mu2 - first
-    out[..., 3] = (a0 + a3) / mu3 - first
-    return out[()]
+    return evaluate(_MAP_PLANE_SIGNATURE, _map_plane, (mu, a), out)
+
+
+def _map_plane(
+    mu0: Any, mu1: Any, mu2: Any, mu3: Any, a0: Any, a1: Any, a2: Any, a3: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(a0) / mu0
+    first = rounded(t0)
+    return (
+        first, rounded((wide(a0) + a1) / mu1 - t0), rounded((wide(a0) + a2) / mu2 - t0),
+        rounded((wide(a0) + a3) / mu3 - t0),
+    )
+
+
+_MAP_PLANE_SIGNATURE = Signature("map_plane", (("mu", (4,)), ("a", (4,))), ((4,),))

@@ -135,7 +135,7 @@ def _figures(stratum: Stratum) -> tuple[str, ...]:
 
 def _operations(low: Lowered) -> Table:
     counts = operation_counts(low)
-    by_kind = low.program.operations()
+    by_kind = low.plain.operations()
     listed = ", ".join(f"{count} {kind}" for kind, count in sorted(by_kind.items(), key=str) if count)
     rows = [
         ("the derived expression as written", str(counts.derived), ""),

@@ -1,0 +1,175 @@
+"""Compensation: sums that may cancel are computed from operands of twice the digits, and rounded once.
+
+A rounded operand of a sum is an error that cancellation enlarges.  Going from the results back to the inputs, each sum
+asks its operands for twice the digits (double-double numbers, which begin with ``wide``); so do the operations that
+such an operand is made of, down to the inputs, which are exact, and linear systems, whose residuals cancel.  Products
+and quotients enlarge no relative error, and take ``rounded`` operands.  In real arithmetic nothing changes: there
+``wide`` and ``rounded`` are the identity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import count
+
+from algebroproj_sym.declaring import LINEAR
+from algebroproj_sym.generating.program import Call, Operand, Program, Step
+
+
+def compensated(program: Program, throughout: bool = False) -> Program:
+    """Return a program of the same value in which the operands of sums that may cancel have twice the digits.
+
+    Parameters
+    ----------
+    program : Program
+        What is to be computed.
+    throughout : bool
+        Whether products and quotients are computed with twice the digits too, and only the results are rounded.
+
+    Returns
+    -------
+    Program
+        Without calls of ``let``.
+
+    Examples
+    --------
+    >>> steps = (Step("t0", "-", (1, "x")), Step("y0", "-", ("t0", "y")), Step("t1", "/", ("y0", "x")))
+    >>> for step in compensated(Program(("x", "y"), steps, ("t1",))).steps:
+    ...     print(step.name, "=", step.operator, *step.operands)
+    t2 = wide x
+    t0 = - 1 t2
+    t3 = - t0 y
+    y0 = rounded t3
+    t1 = / y0 x
+    """
+    flat = _without_lets(program)
+    return _written(flat, _doubled(flat, throughout))
+
+
+def _without_lets(program: Program) -> Program:
+    """Give the steps the names that ``let`` gives them."""
+    steps = {step.name for step in program.steps if isinstance(step, Step)}
+    names: dict[Operand, Operand] = {}
+    for name, operand in _bindings(program):
+        if operand in steps:
+            names.setdefault(operand, name)
+    for name, operand in _bindings(program):
+        names[name] = names.get(operand, operand)
+
+    def renamed(operands: Iterable[Operand]) -> tuple[Operand, ...]:
+        return tuple(names.get(operand, operand) for operand in operands)
+
+    kept: list[Step | Call] = []
+    for step in program.steps:
+        if isinstance(step, Step):
+            kept.append(Step(str(names.get(step.name, step.name)), step.operator, renamed(step.operands)))
+        elif step.primitive != "let":
+            kept.append(Call(step.names, step.primitive, tuple(map(renamed, step.rows))))
+    return Program(program.inputs, tuple(kept), renamed(program.outputs))
+
+
+def _bindings(program: Program) -> list[tuple[str, Operand]]:
+    lets = [step for step in program.steps if isinstance(step, Call) and step.primitive == "let"]
+    return [binding for call in lets for binding in zip(call.names, call.rows[0], strict=True)]
+
+
+def _doubled(program: Program, throughout: bool) -> set[Operand]:
+    """Return the names that stand for numbers of twice the digits."""
+    computed = {name for step in program.steps for name in _names(step)} - _exact(program) - _zeros(program)
+    harmless = _without_cancellation(program)
+    doubled: set[Operand] = set(computed) if throughout else set()
+    for step in reversed(program.steps):
+        if isinstance(step, Step) and step.operator in ("+", "-") and step.name not in harmless:
+            doubled.add(step.name)
+        if _refines(step) or not doubled.isdisjoint(_names(step)):
+            doubled |= computed.intersection(step.operands)
+    return doubled
+
+
+def _names(step: Step | Call) -> tuple[str, ...]:
+    return (step.name,) if isinstance(step, Step) else step.names
+
+
+def _refines(step: Step | Call) -> bool:
+    """Whether a step takes numbers of twice the digits, and gives rounded ones: linear systems are solved so."""
+    return isinstance(step, Call) and step.primitive in LINEAR
+
+
+def _exact(program: Program) -> set[Operand]:
+    """Return the operands that have no more digits: inputs, integers, solutions of systems, and their negatives."""
+    exact: set[Operand] = {*program.inputs}
+    for step in program.steps:
+        exact |= {operand for operand in step.operands if isinstance(operand, int)}
+        if _refines(step):
+            exact |= {*_names(step)}
+        elif isinstance(step, Step) and step.operator == "neg" and step.operands[0] in exact:
+            exact.add(step.name)
+    return exact
+
+
+def _zeros(program: Program) -> set[Operand]:
+    """Return the guards, 0 / factor and sums of them, which are zero or no numbers at all."""
+    zeros: set[Operand] = set()
+    for step in program.steps:
+        if isinstance(step, Step):
+            guard = step.operator == "/" and step.operands[0] == 0
+            if guard or zeros.issuperset(step.operands):
+                zeros.add(step.name)
+    return zeros
+
+
+def _without_cancellation(program: Program) -> set[Operand]:
+    """Return the sums that lose no digits: of two exact numbers, with a guard, or of terms that are not negative."""
+    exact, zeros = _exact(program), _zeros(program)
+    positive: set[Operand] = {operand for operand in exact if isinstance(operand, int) and operand >= 0}
+    harmless: set[Operand] = set()
+    for step in program.steps:
+        if isinstance(step, Call) or step.operator == "neg":
+            continue
+        left, right = step.operands
+        one_sign = {left, right} <= positive
+        if (step.operator == "*" and left == right) or (step.operator != "-" and one_sign):
+            positive.add(step.name)
+        if {left, right} <= exact or not zeros.isdisjoint((left, right)) or (step.operator == "+" and one_sign):
+            harmless.add(step.name)
+    return harmless
+
+
+def _written(program: Program, doubled: set[Operand]) -> Program:
+    """Write the program; a value of twice the digits has a name of its own where it is also taken rounded."""
+    rounding = [step for step in program.steps if not _refines(step) and doubled.isdisjoint(_names(step))]
+    also_rounded = {operand for step in rounding for operand in step.operands} | {*program.outputs}
+    taken = {*program.inputs} | {name for step in program.steps for name in _names(step)}
+    fresh = (name for place in count() if (name := f"t{place}") not in taken)
+    wide: dict[Operand, Operand] = {}
+    steps: list[Step | Call] = []
+
+    def widened(operand: Operand) -> Operand:
+        if operand in wide:
+            return wide[operand]
+        name = next(fresh)
+        steps.append(Step(name, "wide", (operand,)))
+        return name
+
+    def operands_of(step: Step) -> tuple[Operand, ...]:
+        first: Operand = next(operand for operand in step.operands if isinstance(operand, str))
+        replaced = {first: widened(first)} if doubled.isdisjoint(step.operands) else wide
+        return tuple(replaced.get(operand, operand) for operand in step.operands)
+
+    for step in program.steps:
+        names = _names(step)
+        if doubled.isdisjoint(names) and not _refines(step):
+            steps.append(step)
+            continue
+        if isinstance(step, Call) and _refines(step):
+            rows = tuple(tuple(wide.get(operand, operand) for operand in row) for row in step.rows)
+            steps.append(Call(names, step.primitive, rows))
+            continue
+        pairs = tuple(next(fresh) if name in also_rounded else name for name in names)
+        wide |= dict(zip(names, pairs, strict=True))
+        if isinstance(step, Call):
+            steps.append(Call(pairs, step.primitive, tuple(tuple(map(widened, row)) for row in step.rows)))
+        else:
+            steps.append(Step(pairs[0], step.operator, operands_of(step)))
+        steps += [Step(n, "rounded", (pair,)) for n, pair in zip(names, pairs, strict=True) if n != pair]
+    return Program(program.inputs, tuple(steps), program.outputs)

@@ -1,0 +1,193 @@
+"""Double-double arithmetic: a number as the unevaluated sum of two, from + - * / alone.
+
+Sums and products of two numbers are exact: what rounding takes from ``a + b`` or ``a * b`` is a number again, and kept
+(error-free transformations of Knuth and Dekker).  Where nothing rounds, as with fractions or rational functions, that
+remainder is zero, and the same source gives exact results.
+
+The dtype of the numbers is any real floating-point type without extended intermediate results.  Products are exact as
+long as splitting them does not overflow, and their remainders do not underflow: for float64 between about 1e-140 and
+1e290 in absolute value.  For complex numbers sums are exact and products are as accurate as rounded ones.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from math import log2
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ._namespace import namespace
+
+__all__ = ["DoubleDouble", "Unrounded", "rounded", "splitter_of", "two_product", "two_sum", "wide"]
+
+Number: TypeAlias = Any
+
+_DOUBLE = 2**27 + 1
+
+
+class DoubleDouble:
+    """A number ``hi + lo``, where lo is at most half a unit in the last place of hi.
+
+    Attributes
+    ----------
+    hi, lo : number or array
+        The two parts; lo is None for a number that has no second part.
+
+    Examples
+    --------
+    >>> tenth = DoubleDouble(1.0) / 10.0
+    >>> tenth.hi, tenth.lo
+    (0.1, -5.551115123125783e-18)
+    """
+
+    __slots__ = ("hi", "lo")
+    __array_ufunc__ = None
+
+    def __init__(self, hi: Number, lo: Number = None) -> None:
+        self.hi = hi
+        self.lo = lo
+
+    def rounded(self) -> Number:
+        """Return the one number nearest to the sum of the two."""
+        return self.hi
+
+    def wide(self) -> DoubleDouble:
+        """Return the number itself, which is one of twice the digits already."""
+        return self
+
+    def __neg__(self) -> DoubleDouble:
+        return type(self)(-self.hi, None if self.lo is None else -self.lo)
+
+    def __add__(self, other: Number) -> DoubleDouble:
+        x, y = self, self._of(other)
+        if x.lo is None:
+            x, y = y, x
+        hi, rest = two_sum(x.hi, y.hi)
+        if x.lo is None:
+            return type(self)(hi, rest)
+        if y.lo is None:
+            return type(self)(*fast_two_sum(hi, x.lo + rest))
+        low, last = two_sum(x.lo, y.lo)
+        hi, rest = fast_two_sum(hi, rest + low)
+        return type(self)(*fast_two_sum(hi, last + rest))
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Number) -> DoubleDouble:
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Number) -> DoubleDouble:
+        return self.__neg__().__add__(other)
+
+    def __mul__(self, other: Number) -> DoubleDouble:
+        x, y = self, self._of(other)
+        if x.lo is None:
+            x, y = y, x
+        hi, rest = two_product(x.hi, y.hi)
+        if x.lo is None:
+            return type(self)(hi, rest)
+        cross = x.lo * y.hi if y.lo is None else x.hi * y.lo + x.lo * y.hi
+        return type(self)(*fast_two_sum(hi, rest + cross))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Number) -> DoubleDouble:
+        divisor = self._of(other)
+        quotient = self.hi / divisor.hi
+        remainder = self - divisor * quotient
+        return type(self)(*fast_two_sum(quotient, remainder.hi / divisor.hi))
+
+    def __rtruediv__(self, other: Number) -> DoubleDouble:
+        return self._of(other).__truediv__(self)
+
+    def _of(self, number: Number) -> DoubleDouble:
+        return number if isinstance(number, DoubleDouble) else type(self)(number)
+
+
+class Unrounded(DoubleDouble):
+    """A double-double number that stays one where a program rounds: programs run with twice the digits throughout.
+
+    Examples
+    --------
+    >>> rounded(Unrounded(1.0) / 10.0).lo
+    -5.551115123125783e-18
+    """
+
+    __slots__ = ()
+
+    def rounded(self) -> Number:
+        """Return the number itself."""
+        return self
+
+
+def wide(number: Number) -> Number:
+    """Return a number whose sums, products and quotients are to be kept as two numbers."""
+    return number.wide() if hasattr(number, "wide") else DoubleDouble(number)
+
+
+def rounded(number: Number) -> Number:
+    """Return the one number nearest to a sum of two."""
+    return number.rounded()
+
+
+def two_sum(a: Number, b: Number) -> tuple[Number, Number]:
+    """Return the rounded sum and what is missing to the exact one.
+
+    >>> two_sum(1.0, 2.0**-60)
+    (1.0, 8.673617379884035e-19)
+    """
+    total = a + b
+    second = total - a
+    return total, (a - (total - second)) + (b - second)
+
+
+def fast_two_sum(a: Number, b: Number) -> tuple[Number, Number]:
+    """Return the same as `two_sum` where b is not larger than a."""
+    total = a + b
+    return total, b - (total - a)
+
+
+def two_product(a: Number, b: Number) -> tuple[Number, Number]:
+    """Return the rounded product and what is missing to the exact one.
+
+    >>> two_product(1.0 + 2.0**-30, 1.0 + 2.0**-30)
+    (1.0000000018626451, 8.673617379884035e-19)
+    """
+    product = a * b
+    splitter = splitter_of(product)
+    a_high, a_low = _halves(a, splitter)
+    b_high, b_low = _halves(b, splitter)
+    return product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
+
+
+def _halves(number: Number, splitter: int) -> tuple[Number, Number]:
+    """Split a number in two of half as many digits, whose products are exact."""
+    scaled = splitter * number
+    high = scaled - (scaled - number)
+    return high, number - high
+
+
+def splitter_of(value: Number) -> Number:
+    """Return Dekker's constant, which splits a number of p binary digits into halves: 2**ceil(p / 2) + 1.
+
+    It is 1, which splits off nothing, for numbers that are not real floating-point numbers.
+
+    Examples
+    --------
+    >>> splitter_of(np.float32(1)) == 2**12 + 1, splitter_of(np.float64(1)) == 2**27 + 1, splitter_of(3)
+    (True, True, 1)
+    """
+    if isinstance(value, float):
+        return _DOUBLE
+    if hasattr(value, "splitter"):
+        return value.splitter
+    return _splitter_of_dtype(namespace([value]), value.dtype) if hasattr(value, "dtype") else 1
+
+
+@cache
+def _splitter_of_dtype(xp: Any, dtype: Any) -> int:
+    if (xp is np and dtype == np.dtype(object)) or not xp.isdtype(dtype, "real floating"):
+        return 1
+    digits = 1 - round(log2(float(xp.finfo(dtype).eps)))
+    return int(2 ** ((digits + 1) // 2) + 1)

@@ -1,0 +1,100 @@
+"""Double-double numbers are what exact fractions say, to twice the digits, on every real dtype."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from algebroproj_sym.generating.runtime._double_double import (
+    DoubleDouble,
+    Unrounded,
+    rounded,
+    two_product,
+    two_sum,
+    wide,
+)
+
+DTYPES = (np.float32, np.float64, np.longdouble)
+numbers = st.floats(min_value=1e-60, max_value=1e60) | st.floats(min_value=-1e60, max_value=-1e-60)
+
+
+def fraction(number):
+    return Fraction(*number.as_integer_ratio())
+
+
+def exact(number):
+    low = 0 if number.lo is None else fraction(number.lo)
+    return fraction(number.hi) + low
+
+
+@given(numbers, numbers)
+def test_sums_and_products_lose_nothing(a, b):
+    total, rest = two_sum(a, b)
+    assert total == a + b
+    assert fraction(total) + fraction(rest) == Fraction(a) + Fraction(b)
+    product, rest = two_product(a, b)
+    assert product == a * b
+    assert fraction(product) + fraction(rest) == Fraction(a) * Fraction(b)
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_sums_and_products_of_each_dtype_lose_nothing(dtype):
+    rng = np.random.default_rng(1)
+    for a, b in rng.uniform(-8, 8, size=(200, 2)).astype(dtype) / dtype(3):
+        for (value, rest), truth in (
+            (two_sum(a, b), fraction(a) + fraction(b)),
+            (two_product(a, b), fraction(a) * fraction(b)),
+        ):
+            assert value.dtype == dtype
+            assert fraction(value) + fraction(rest) == truth
+
+
+pairs = st.builds(lambda a, b: DoubleDouble(*two_sum(a, a * b * 2.0**-54)), numbers, st.floats(-1, 1))
+operands = pairs | st.builds(wide, numbers) | numbers
+
+
+def value_of(operand):
+    return exact(operand) if isinstance(operand, DoubleDouble) else Fraction(operand)
+
+
+@given(pairs | st.builds(wide, numbers), operands)
+def test_operations_err_by_a_few_units_of_twice_the_digits(x, y):
+    u2 = Fraction(2) ** -106
+    left, right = value_of(x), value_of(y)
+    for result, truth in (
+        (x + y, left + right),
+        (y + x, left + right),
+        (x - y, left - right),
+        (y - x, right - left),
+        (x * y, left * right),
+        (y * x, left * right),
+        (x / y, left / right),
+        (y / x, right / left),
+        (-x, -left),
+    ):
+        assert abs(exact(result) - truth) <= 16 * u2 * abs(truth)
+        assert rounded(result) == float(exact(result))
+
+
+@given(numbers, numbers, numbers)
+def test_without_rounding_there_is_no_remainder(a, b, c):
+    x, y, z = map(Fraction, (a, b, c))
+    result = (wide(x) * y - z) / (wide(y) + 3) * wide(z)
+    assert (result.hi, result.lo) == ((x * y - z) / (y + 3) * z, 0)
+
+
+def test_arrays_and_scalars_mix():
+    x = np.array([1.0, 3.0]) / 7
+    result = 1 - wide(x) * x[0] - 0.5
+    assert [float(v) for v in rounded(result)] == [float(Fraction(1, 2) - Fraction(v) * Fraction(x[0])) for v in x]
+    assert isinstance(x * wide(2.0), DoubleDouble)
+    assert isinstance(x[0] - wide(2.0), DoubleDouble)
+
+
+def test_unrounded_numbers_keep_their_digits_through_every_operation():
+    x, y = Unrounded(1.0), Unrounded(3.0)
+    for result in (x / y, 1 / y, x + y / 7, 2 - x / y, x * 3 / y, -(x / y), rounded(x / y), wide(x / y) * 1.0):
+        assert isinstance(result, Unrounded)
+    assert rounded(x / y).lo != 0

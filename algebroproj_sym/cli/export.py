@@ -20,6 +20,7 @@ from algebroproj_sym.exporting import (
     Exported,
     NoCompilerError,
     compiled,
+    compiled_lemmas,
     export,
     render,
     require_compiler,
@@ -66,8 +67,9 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
     _say(claims, out)
     if compiling:
         names = [name.removesuffix(".v") for name in files if name.endswith(".v")][1:]
-        results = list(progressing(compiled(out, names, jobs), len(names) + 1, "compiling"))
-        _require_accepted(results)
+        lemmas = compiled_lemmas(out)
+        theorems = [] if lemmas.error else [*progressing(compiled(out, names, jobs), len(names), "compiling")]
+        _require_accepted([lemmas, *theorems])
 
 
 def _require_compiler() -> None:

@@ -5,7 +5,7 @@ and `points` state and prove what follows from hypotheses and what holds at a po
 claim; `files` lays theorems out in files; `compiling` has them checked.
 """
 
-from algebroproj_sym.exporting.compiling import Compiled, NoCompilerError, compiled, require_compiler
+from algebroproj_sym.exporting.compiling import Compiled, NoCompilerError, compiled, compiled_lemmas, require_compiler
 from algebroproj_sym.exporting.files import UNEXPORTED, Exported, export, exported, render
 from algebroproj_sym.exporting.refusal import NotExportable
 
@@ -16,6 +16,7 @@ __all__ = [
     "NoCompilerError",
     "NotExportable",
     "compiled",
+    "compiled_lemmas",
     "export",
     "exported",
     "render",

@@ -348,6 +348,7 @@ REFUTATIONS: Mapping[str, Export] = {
 }
 REASONS: Mapping[str, str] = {
     "definition": "a definition introduces notation and states nothing",
+    "count": "the derivatives of a Jacobian matrix have no translation",
     "reference": "a reference is about the text of the paper, not about a formula",
 }
 

@@ -58,8 +58,13 @@ def require_compiler() -> str:
     return path
 
 
+def compiled_lemmas(folder: Path) -> Compiled:
+    """Compile the lemmas that all files of theorems need."""
+    return _run(require_compiler(), folder, FORMULAS)
+
+
 def compiled(folder: Path, names: Sequence[str], jobs: int = 1) -> Iterator[Compiled]:
-    """Compile files of theorems, and compare what they assume with what is allowed.
+    """Compile files of theorems after the lemmas, and compare what they assume with what is allowed.
 
     Parameters
     ----------
@@ -73,13 +78,9 @@ def compiled(folder: Path, names: Sequence[str], jobs: int = 1) -> Iterator[Comp
     Yields
     ------
     Compiled
-        First for what all files need, then for each file in order.
+        For each file in order.
     """
     coqc = require_compiler()
-    formulas = _run(coqc, folder, FORMULAS)
-    yield formulas
-    if formulas.error:
-        return
     with ThreadPoolExecutor(jobs) as pool:
         yield from pool.map(lambda name: _judged(coqc, folder, name), names)
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 from ._primitives import cos_sin
@@ -96,7 +97,7 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     Zo*c_omega*c_phi``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
-    With double-double operations for sums that may cancel: 1775.
+    With double-double operations for sums that may cancel: 1755.
 
     Examples
     --------
@@ -202,7 +203,7 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 20 (9 +, 9 *, 2 /); the derived expression as written takes 26.
-    With double-double operations for sums that may cancel: 281.
+    With double-double operations for sums that may cancel: 275.
 
     Examples
     --------
@@ -223,7 +224,7 @@ def _project(
     )
 
 
-_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),))
+_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),), twin=ufunc("collinearity_project"))
 
 
 def _project_factors(
@@ -296,7 +297,7 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 42 (9 +, 15 *, 12 /, 6 neg); the derived expression as written takes 146.
-    With double-double operations for sums that may cancel: 303.
+    With double-double operations for sums that may cancel: 297.
 
     Examples
     --------
@@ -323,7 +324,7 @@ def _project_jacobian_parameters(
     )
 
 
-_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),))
+_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),), twin=ufunc("collinearity_project_jacobian_parameters"))
 
 
 def _project_jacobian_parameters_factors(
@@ -380,7 +381,7 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 67 (9 +, 18 -, 34 *, 6 /); the derived expression as written takes 138.
-    With double-double operations for sums that may cancel: 1237.
+    With double-double operations for sums that may cancel: 1213.
 
     Examples
     --------
@@ -412,7 +413,7 @@ def _project_jacobian_point(
     )
 
 
-_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),))
+_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),), twin=ufunc("collinearity_project_jacobian_point"))
 
 
 def _project_jacobian_point_factors(
@@ -465,7 +466,7 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 27 (12 +, 12 *, 3 /); the derived expression as written takes 39.
-    With double-double operations for sums that may cancel: 371.
+    With double-double operations for sums that may cancel: 363.
 
     Examples
     --------
@@ -487,7 +488,7 @@ def _space_map(
     )
 
 
-_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),))
+_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),), twin=ufunc("collinearity_space_map"))
 
 
 def _space_map_factors(
@@ -553,7 +554,7 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     Polynomial: no input is singular.
 
     Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.
-    With double-double operations for sums that may cancel: 2492.
+    With double-double operations for sums that may cancel: 2490.
 
     Examples
     --------
@@ -596,7 +597,7 @@ def _coplanarity_determinant(
     return (rounded(t203),)
 
 
-_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),))
+_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),), twin=ufunc("collinearity_coplanarity_determinant"))
 
 
 def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -648,7 +649,7 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     of 36 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 120 (17 +, 33 -, 67 *, 3 /); the derived expression as written takes 252.
-    With double-double operations for sums that may cancel: 1969.
+    With double-double operations for sums that may cancel: 1961.
 
     Examples
     --------
@@ -686,7 +687,7 @@ def _intersect_three(
     )
 
 
-_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
+_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect_three"))
 
 
 def _intersect_three_factors(
@@ -803,7 +804,7 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     d44**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.
-    With double-double operations for sums that may cancel: 5274.
+    With double-double operations for sums that may cancel: 5268.
 
     Examples
     --------
@@ -982,7 +983,7 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (1 -, 6 *, 3 /); the derived expression as written takes 18.
-    With double-double operations for sums that may cancel: 63.
+    With double-double operations for sums that may cancel: 61.
 
     Examples
     --------
@@ -1000,7 +1001,7 @@ def _model_point(
     return t0 * Xbar1 / t4, t0 * Ybar1 / t4, t0 * Zbar1 / t4
 
 
-_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),))
+_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),), twin=ufunc("collinearity_model_point"))
 
 
 def _model_point_factors(
@@ -1058,7 +1059,7 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     No input is singular.
 
     Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.
-    With double-double operations for sums that may cancel: 725.
+    With double-double operations for sums that may cancel: 719.
 
     Examples
     --------

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 from ._primitives import null_vector, solve
@@ -81,7 +82,7 @@ def _design_row(
     return upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1)
 
 
-_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),))
+_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),), twin=ufunc("correlation_design_row"))
 
 
 def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -134,7 +135,7 @@ def _rhs(
     return (upp1 - up1,)
 
 
-_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),))
+_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),), twin=ufunc("correlation_rhs"))
 
 
 def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -174,7 +175,7 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    With double-double operations for sums that may cancel: 176.
+    With double-double operations for sums that may cancel: 170.
 
     Examples
     --------
@@ -195,7 +196,7 @@ def _epipolar_line_left(
     )
 
 
-_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),))
+_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_left"))
 
 
 def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -235,7 +236,7 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    With double-double operations for sums that may cancel: 176.
+    With double-double operations for sums that may cancel: 170.
 
     Examples
     --------
@@ -256,7 +257,7 @@ def _epipolar_line_right(
     )
 
 
-_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),))
+_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_right"))
 
 
 def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -313,7 +314,7 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     mupp2*mupp3*upp31``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.
-    With double-double operations for sums that may cancel: 1358.
+    With double-double operations for sums that may cancel: 1324.
 
     Examples
     --------
@@ -349,7 +350,7 @@ def _correlation_from_cameras(
     )
 
 
-_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),))
+_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),), twin=ufunc("correlation_correlation_from_cameras"))
 
 
 def _correlation_from_cameras_factors(
@@ -460,7 +461,7 @@ def _system(
     )
 
 
-_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)))
+_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)), twin=ufunc("correlation_system"))
 
 
 def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -538,7 +539,7 @@ def _correlation_matrix(
     return 0, -(z11 + 1), -(z20 + z22), 1, z11, z12, z20, z21, z22
 
 
-_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("u_left", (5, 2)), ("u_right", (5, 2))), ((3, 3),), block=1024)
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("u_left", (5, 2)), ("u_right", (5, 2))), ((3, 3),), block=1024, twin=ufunc("correlation_correlation_matrix"))
 
 
 def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -623,7 +624,7 @@ def _general_correlation_matrix(
     return c00, c01, c02, c10, c11, c12, c20, c21, c22
 
 
-_GENERAL_CORRELATION_MATRIX_SIGNATURE = Signature("general_correlation_matrix", (("v_left", (8, 2)), ("v_right", (8, 2))), ((3, 3),), block=1024)
+_GENERAL_CORRELATION_MATRIX_SIGNATURE = Signature("general_correlation_matrix", (("v_left", (8, 2)), ("v_right", (8, 2))), ((3, 3),), block=1024, twin=ufunc("correlation_general_correlation_matrix"))
 
 
 def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -666,7 +667,7 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
     values are given by the function `hypotheses` of this package.
 
     Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.
-    With double-double operations for sums that may cancel: 236.
+    With double-double operations for sums that may cancel: 226.
 
     Examples
     --------
@@ -686,7 +687,7 @@ def _epipoles(
     )
 
 
-_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)))
+_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)), twin=ufunc("correlation_epipoles"))
 
 
 def _epipoles_factors(

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 from ._primitives import arctan2, cos_sin
@@ -89,7 +90,7 @@ def _reconstruct(
     return xp * t1, yp * t1, -(c * t1)
 
 
-_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),))
+_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),), twin=ufunc("metric_reconstruct"))
 
 
 def _reconstruct_factors(
@@ -309,7 +310,7 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
     No input is singular.
 
     Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.
-    With double-double operations for sums that may cancel: 305.
+    With double-double operations for sums that may cancel: 297.
 
     Examples
     --------
@@ -387,7 +388,7 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
     Polynomial: no input is singular.
 
     Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.
-    With double-double operations for sums that may cancel: 1218.
+    With double-double operations for sums that may cancel: 1200.
 
     Examples
     --------
@@ -424,7 +425,7 @@ def _correlation_matrix(
     )
 
 
-_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),))
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),), twin=ufunc("metric_correlation_matrix"))
 
 
 def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -497,7 +498,7 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
     No input is singular.
 
     Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.
-    With double-double operations for sums that may cancel: 1298.
+    With double-double operations for sums that may cancel: 1290.
 
     Examples
     --------
@@ -594,7 +595,7 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     Polynomial: no input is singular.
 
     Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.
-    With double-double operations for sums that may cancel: 580.
+    With double-double operations for sums that may cancel: 574.
 
     Examples
     --------
@@ -622,7 +623,7 @@ def _coplanarity_row(
     return p1p * p2pp, p1p * p3pp, rounded(t40 * t52 + t44 * t56), -(p1pp * p2p), -(p1pp * p3p)
 
 
-_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),))
+_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),), twin=ufunc("metric_coplanarity_row"))
 
 
 def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -664,7 +665,7 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
     values are given by the function `hypotheses` of this package.
 
     Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 263.
+    With double-double operations for sums that may cancel: 257.
 
     Examples
     --------
@@ -685,7 +686,7 @@ def _to_normal(
     )
 
 
-_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),))
+_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_to_normal"))
 
 
 def _to_normal_factors(
@@ -850,7 +851,7 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
     values are given by the function `hypotheses` of this package.
 
     Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 263.
+    With double-double operations for sums that may cancel: 257.
 
     Examples
     --------
@@ -871,7 +872,7 @@ def _from_normal(
     )
 
 
-_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),))
+_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_from_normal"))
 
 
 def _from_normal_factors(
@@ -1037,7 +1038,7 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
     the function `hypotheses` of this package.
 
     Operations: 11 (2 +, 3 *, 3 /, 3 neg); the derived expression as written takes 10.
-    With double-double operations for sums that may cancel: 135.
+    With double-double operations for sums that may cancel: 127.
 
     Examples
     --------
@@ -1056,7 +1057,7 @@ def _jacobian_angles(
     return t1, -rounded(wide(c) + t11 * t11 / c), -yN, rounded(wide(c) + t13 * t13 / c), -t1, xN
 
 
-_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),))
+_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),), twin=ufunc("metric_jacobian_angles"))
 
 
 def _jacobian_angles_factors(
@@ -1114,7 +1115,7 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
     values are given by the function `hypotheses` of this package.
 
     Operations: 56 (5 +, 11 -, 34 *, 6 /); the derived expression as written takes 84.
-    With double-double operations for sums that may cancel: 1081.
+    With double-double operations for sums that may cancel: 837.
 
     Examples
     --------
@@ -1142,7 +1143,7 @@ def _jacobian_image(
     )
 
 
-_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),))
+_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),), twin=ufunc("metric_jacobian_image"))
 
 
 def _jacobian_image_factors(
@@ -1215,7 +1216,7 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     values are given by the function `hypotheses` of this package.
 
     Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.
-    With double-double operations for sums that may cancel: 2487.
+    With double-double operations for sums that may cancel: 2467.
 
     Examples
     --------
@@ -1264,7 +1265,7 @@ def _normal_covariance(
     )
 
 
-_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),))
+_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),), twin=ufunc("metric_normal_covariance"))
 
 
 def _normal_covariance_factors(
@@ -1333,7 +1334,7 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     given by the function `hypotheses` of this package.
 
     Operations: 78 (9 +, 16 -, 43 *, 9 /, 1 neg); the derived expression as written takes 330.
-    With double-double operations for sums that may cancel: 1554.
+    With double-double operations for sums that may cancel: 1517.
 
     Examples
     --------
@@ -1369,7 +1370,7 @@ def _model_covariance(
     )
 
 
-_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),))
+_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),), twin=ufunc("metric_model_covariance"))
 
 
 def _model_covariance_factors(

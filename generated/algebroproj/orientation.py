@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
@@ -64,7 +65,7 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
     function `hypotheses` of this package.
 
     Operations: 27 (12 -, 13 *, 2 /); the derived expression as written takes 99.
-    With double-double operations for sums that may cancel: 336.
+    With double-double operations for sums that may cancel: 328.
 
     Examples
     --------
@@ -85,7 +86,7 @@ def _left_bundle(
     return t20, t20, yA0 * rounded(wide(u02) * yA1 - wide(u01) * yA2) / (D * yA3)
 
 
-_LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),))
+_LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_left_bundle"))
 
 
 def _left_bundle_factors(
@@ -152,7 +153,7 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     `hypotheses` of this package.
 
     Operations: 34 (4 +, 11 -, 16 *, 3 /); the derived expression as written takes 209.
-    With double-double operations for sums that may cancel: 377.
+    With double-double operations for sums that may cancel: 365.
 
     Examples
     --------
@@ -176,7 +177,7 @@ def _right_bundle(
     return p03 * u01 / (p13 * u00), p03 * u02 / (p23 * u00), p02 * u02 / (n2 * p23)
 
 
-_RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),))
+_RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_right_bundle"))
 
 
 def _right_bundle_factors(
@@ -267,7 +268,7 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     d33**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 203 (24 +, 52 -, 120 *, 3 /, 4 neg); the derived expression as written takes 377.
-    With double-double operations for sums that may cancel: 3388.
+    With double-double operations for sums that may cancel: 3382.
 
     Examples
     --------
@@ -339,7 +340,7 @@ def _intersect(
     )
 
 
-_INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),))
+_INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),), twin=ufunc("orientation_intersect"))
 
 
 def _intersect_factors(

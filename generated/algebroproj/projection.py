@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
@@ -89,7 +90,7 @@ def _camera_matrix(
     return 1, mu1 - 1, mu2 - 1, mu3 - 1, 0, mu1, 0, mu3 * u31, 0, 0, mu2, mu3 * u32
 
 
-_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),))
+_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"))
 
 
 def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -132,7 +133,7 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.
-    With double-double operations for sums that may cancel: 56.
+    With double-double operations for sums that may cancel: 52.
 
     Examples
     --------
@@ -150,7 +151,7 @@ def _mu_from_center(
     return u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -(y00 / (u30 * y03))
 
 
-_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),))
+_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"))
 
 
 def _mu_from_center_factors(
@@ -310,7 +311,7 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     function `hypotheses` of this package.
 
     Operations: 18 (1 +, 4 -, 9 *, 3 /, 1 neg); the derived expression as written takes 47.
-    With double-double operations for sums that may cancel: 203.
+    With double-double operations for sums that may cancel: 201.
 
     Examples
     --------
@@ -330,7 +331,7 @@ def _center_from_mu(
     return rounded(t23) * mu3 / delta, rounded(t20) * mu3 / delta, -(rounded(t11) / delta)
 
 
-_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),))
+_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"))
 
 
 def _center_from_mu_factors(
@@ -398,7 +399,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.
-    With double-double operations for sums that may cancel: 310.
+    With double-double operations for sums that may cancel: 294.
 
     Examples
     --------
@@ -432,7 +433,7 @@ def _projection_matrix(
     )
 
 
-_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),))
+_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"))
 
 
 def _projection_matrix_factors(
@@ -692,7 +693,7 @@ def _projection_matrix_from_mu(
     return mu1 - 1, mu2 - 1, mu3 - 1, mu1, 0, mu3 * u31, 0, mu2, mu3 * u32
 
 
-_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),))
+_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"))
 
 
 def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -733,7 +734,7 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.
-    With double-double operations for sums that may cancel: 245.
+    With double-double operations for sums that may cancel: 240.
 
     Examples
     --------
@@ -751,7 +752,7 @@ def _projection_determinant(
     return (rounded(-(wide(u31) * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03))),)
 
 
-_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),))
+_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"))
 
 
 def _projection_determinant_factors(
@@ -800,7 +801,7 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
     Polynomial: no input is singular.
 
     Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.
-    With double-double operations for sums that may cancel: 197.
+    With double-double operations for sums that may cancel: 195.
 
     Examples
     --------
@@ -817,7 +818,7 @@ def _projection_determinant_from_mu(
     return (rounded(t18),)
 
 
-_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),))
+_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"))
 
 
 def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -873,7 +874,7 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     `hypotheses` of this package.
 
     Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.
-    With double-double operations for sums that may cancel: 378.
+    With double-double operations for sums that may cancel: 364.
 
     Examples
     --------
@@ -904,7 +905,7 @@ def _reconstruction_matrix(
     )
 
 
-_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),))
+_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"))
 
 
 def _reconstruction_matrix_factors(
@@ -967,7 +968,7 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     function `hypotheses` of this package.
 
     Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.
-    With double-double operations for sums that may cancel: 346.
+    With double-double operations for sums that may cancel: 342.
 
     Examples
     --------
@@ -1001,7 +1002,7 @@ def _reconstruction_matrix_from_mu(
     )
 
 
-_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),))
+_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"))
 
 
 def _reconstruction_matrix_from_mu_factors(
@@ -1057,7 +1058,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     y2 - y3 + 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 18 (5 +, 3 -, 8 *, 2 /); the derived expression as written takes 28.
-    With double-double operations for sums that may cancel: 255.
+    With double-double operations for sums that may cancel: 249.
 
     Examples
     --------
@@ -1075,7 +1076,7 @@ def _project(
     return rounded(wide(mu1) * y1 + t10 * u31) / delta, rounded(wide(mu2) * y2 + t10 * u32) / delta
 
 
-_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),))
+_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"))
 
 
 def _project_factors(

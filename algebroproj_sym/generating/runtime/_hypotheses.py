@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ._evaluation import Signature, evaluate
+from ._evaluation import Signature, evaluate, parts_of, require_count
 
 __all__ = ["hypotheses"]
 
@@ -29,18 +29,14 @@ def hypotheses(function: Callable[..., Any]) -> Callable[..., dict[str, Any]]:
     TypeError
         If the function is not a generated one.
     """
-    names = getattr(function, "__globals__", {})
-    signature = names.get(f"_{function.__name__.upper()}_SIGNATURE")
-    if not isinstance(signature, Signature):
-        raise TypeError(f"hypotheses: expected a generated function, got {function.__name__}")
+    signature, _ = parts_of(function, "hypotheses")
+    names = function.__globals__
     factors: tuple[str, ...] = names.get(f"_{function.__name__.upper()}_FACTORS", ())
     body = names.get(f"_{function.__name__}_factors", lambda *entries: ())
     wanted = Signature(signature.name, signature.arguments, ((),) * len(factors), signature.block)
 
     def values(*arguments: Any) -> dict[str, Any]:
-        if len(arguments) != len(signature.arguments):
-            expected = ", ".join(name for name, _ in signature.arguments)
-            raise TypeError(f"{signature.name}: expected the arguments {expected}, got {len(arguments)}")
+        require_count(signature, arguments)
         if not factors:
             return {}
         computed = evaluate(wanted, body, arguments)

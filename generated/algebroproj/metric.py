@@ -156,7 +156,7 @@ def reconstruct_jacobian(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *,
     given by the function `hypotheses` of this package.
 
     Operations: 10 (2 -, 3 *, 2 /, 3 neg); the derived expression as written takes 25.
-    With double-double operations for sums that may cancel: 140.
+    With double-double operations for sums that may cancel: 134.
 
     Examples
     --------
@@ -180,7 +180,7 @@ def _reconstruct_jacobian(
     return rounded(t11 - t13), 0, rounded(t13), 0, 0, -t5, t1, t5, 0, 0, t7, 0, -t7, 0, -t1
 
 
-_RECONSTRUCT_JACOBIAN_SIGNATURE = Signature("reconstruct_jacobian", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3, 5),))
+_RECONSTRUCT_JACOBIAN_SIGNATURE = Signature("reconstruct_jacobian", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3, 5),), twin=ufunc("metric_reconstruct_jacobian"))
 
 
 def _reconstruct_jacobian_factors(
@@ -762,7 +762,7 @@ def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray
     values are given by the function `hypotheses` of this package.
 
     Operations: 70 (2 +, 12 -, 36 *, 17 /, 3 neg); the derived expression as written takes 270.
-    With double-double operations for sums that may cancel: 717.
+    With double-double operations for sums that may cancel: 697.
 
     Examples
     --------
@@ -797,7 +797,7 @@ def _to_normal_jacobian(
     )
 
 
-_TO_NORMAL_JACOBIAN_SIGNATURE = Signature("to_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),))
+_TO_NORMAL_JACOBIAN_SIGNATURE = Signature("to_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_to_normal_jacobian"))
 
 
 def _to_normal_jacobian_factors(
@@ -948,7 +948,7 @@ def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArr
     values are given by the function `hypotheses` of this package.
 
     Operations: 71 (2 +, 12 -, 36 *, 17 /, 4 neg); the derived expression as written takes 270.
-    With double-double operations for sums that may cancel: 718.
+    With double-double operations for sums that may cancel: 698.
 
     Examples
     --------
@@ -982,7 +982,7 @@ def _from_normal_jacobian(
     )
 
 
-_FROM_NORMAL_JACOBIAN_SIGNATURE = Signature("from_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),))
+_FROM_NORMAL_JACOBIAN_SIGNATURE = Signature("from_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_from_normal_jacobian"))
 
 
 def _from_normal_jacobian_factors(

@@ -142,7 +142,7 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 28 (4 +, 4 -, 8 *, 8 /, 4 neg); the derived expression as written takes 198.
-    With double-double operations for sums that may cancel: 624.
+    With double-double operations for sums that may cancel: 600.
 
     Examples
     --------
@@ -171,7 +171,7 @@ def _tau_jacobian(
     )
 
 
-_TAU_JACOBIAN_SIGNATURE = Signature("tau_jacobian", (("u3", (2,)), ("u3_normal", (2,))), ((2, 4),))
+_TAU_JACOBIAN_SIGNATURE = Signature("tau_jacobian", (("u3", (2,)), ("u3_normal", (2,))), ((2, 4),), twin=ufunc("normal_case_tau_jacobian"))
 
 
 def _tau_jacobian_factors(

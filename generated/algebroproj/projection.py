@@ -217,7 +217,7 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 40 (5 +, 5 -, 14 *, 11 /, 5 neg); the derived expression as written takes 535.
-    With double-double operations for sums that may cancel: 778.
+    With double-double operations for sums that may cancel: 748.
 
     Examples
     --------
@@ -257,7 +257,7 @@ def _mu_from_center_jacobian(
     )
 
 
-_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),))
+_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"))
 
 
 def _mu_from_center_jacobian_factors(
@@ -545,7 +545,7 @@ def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 114 (11 +, 24 -, 30 *, 34 /, 15 neg); the derived expression as written takes 1275.
-    With double-double operations for sums that may cancel: 2292.
+    With double-double operations for sums that may cancel: 2200.
 
     Examples
     --------
@@ -621,7 +621,7 @@ def _projection_matrix_jacobian(
     )
 
 
-_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),))
+_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"))
 
 
 def _projection_matrix_jacobian_factors(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import click
 
+from algebroproj_sym.cli.audit import audit_command
 from algebroproj_sym.cli.build import build
 from algebroproj_sym.cli.check import check
 from algebroproj_sym.cli.explain import explain
@@ -49,5 +50,5 @@ def main(context: click.Context, verbosity: str | None) -> None:
     context.obj = verbosity or "normal"
 
 
-for command in (new, check, explain, generate, verify, build, report, replay_command, mutate):
+for command in (new, check, explain, generate, verify, build, report, replay_command, mutate, audit_command):
     main.add_command(command)

@@ -27,9 +27,10 @@ from algebroproj_sym.reporting import (
 @options.selectors
 @options.engine
 @options.jobs
+@options.fresh
 @options.output_format
 @options.seconds
-def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, seconds: float) -> None:
+def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, output: str, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
     A SELECTOR is a paper key, paper:section or paper:number, or the path of a derivation module or folder, which may
@@ -44,7 +45,7 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, secon
             raise click.UsageError("expected either claims or files of identities, got both")
         _check_files(files, engine, jobs, output, seconds)
         return
-    judgements = judged(select(selectors), engine, jobs)
+    judgements = judged(select(selectors), engine, jobs, fresh=fresh)
     if output == "json":
         click.echo(json.dumps(ledger(judgements), indent=1, ensure_ascii=False))
     else:

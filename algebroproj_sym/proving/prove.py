@@ -16,7 +16,7 @@ from typing import Any, Literal
 
 import sympy
 
-from algebroproj_sym.expressions import Expression, evaluate, rational, shape, symbols_of, text
+from algebroproj_sym.expressions import Expression, evaluate, rational, shape, symbols_of, text, written
 from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.membership import cofactors
 from algebroproj_sym.proving.points import Point, points_on, rational_points, seed_of
@@ -151,7 +151,7 @@ class _Question:
 
     @property
     def seed(self) -> int:
-        return seed_of(text(self.left), text(self.right), *self.constraints)
+        return seed_of(text(self.left), text(self.right), *map(written, self.constraints))
 
     def differs_at(self, point: Point) -> bool | None:
         """Whether the sides differ at a point; None where a side is undefined or a hypothesis fails."""
@@ -257,7 +257,7 @@ def _membership(
 ) -> dict[str, Any] | None:
     """Return the cofactors of the numerator times a power of the multiplier, and the denominator that was cleared."""
     cleared = () if entry.is_zero else entry.denominator
-    denominator = {str(field.expression(field.factors[place])): count for place, count in cleared if count}
+    denominator = {written(field.expression(field.factors[place])): count for place, count in cleared if count}
     for power in range(SATURATION + 1):
         found = cofactors(field.ring, entry.numerator * multiplier**power, generators)
         if found is not None:

@@ -12,6 +12,7 @@ from rich.text import Text
 
 from algebroproj_sym.declaring import (
     Judgement,
+    Quote,
     Statement,
     differing_entries,
     evidence_lines,
@@ -81,7 +82,7 @@ def failure_text(judgement: Judgement) -> str:
     return "".join(lines).rstrip("\n")
 
 
-def explanation(judgement: Judgement, module: str, functions: Sequence[str]) -> Text:
+def explanation(judgement: Judgement, module: str, functions: Sequence[str], quote: Quote | None = None) -> Text:
     """Return everything about one claim, a line each."""
     claim = judgement.claim
     lines = Text()
@@ -89,6 +90,8 @@ def explanation(judgement: Judgement, module: str, functions: Sequence[str]) -> 
     lines.append(f"{'verdict':<12}").append_text(verdict_text(judgement.verdict)).append(
         f", a claim of kind {claim.kind}\n"
     )
+    if quote:
+        lines.append(_labelled("quoted", f"line {quote.line}: {quote.text}"))
     for form in _forms(judgement):
         lines.append(form)
     lines.append(_labelled("evidence", *evidence_lines(judgement)))

@@ -13,12 +13,12 @@ from multiprocessing import active_children, get_context
 from pathlib import Path
 from typing import TypeVar
 
-from algebroproj_sym.declaring import Claim, Judgement, Kernel, judge, numbered_with
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, judge, numbered_with
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
 from algebroproj_sym.remembering import Memory
-from algebroproj_sym.reporting import derived_form
+from algebroproj_sym.reporting import Notebook, derived_form, run_notebook
 from algebroproj_sym.verifying import Verification, load_package, verify
 
 Task = TypeVar("Task")
@@ -169,6 +169,11 @@ def mutated_kernels(
     return _mapped(partial(_mutate, folder=folder, limit=limit, size=size, engine=engine), lowered, jobs)
 
 
+def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Notebook]:
+    """Run derivations as notebooks, each in processes of its own, which end with this one."""
+    return _in_processes(run_notebook, derivations, jobs)
+
+
 def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine: str) -> MutatedKernel:
     return mutate_kernel(lowered, load_package(folder), limit, size, engine)
 
@@ -180,7 +185,11 @@ def _verify(lowered: Lowered, folder: Path | None, size: int, engine: str, packa
 def _mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
     if jobs == 1:
         yield from map(function, tasks)
-        return
+    else:
+        yield from _in_processes(function, tasks, jobs)
+
+
+def _in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
     with ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_leave_interrupts_alone) as pool:
         futures = [pool.submit(function, task) for task in tasks]
         try:

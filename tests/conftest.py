@@ -13,6 +13,10 @@ settings.register_profile(
 settings.load_profile("repeatable")
 
 
+def pytest_addoption(parser):
+    parser.addoption("--site", type=Path, help="Check every page of this site in the browser, not of a small one.")
+
+
 @pytest.fixture(scope="session", autouse=True)
 def memory(tmp_path_factory):
     """Begin the session with an empty memory of its own."""

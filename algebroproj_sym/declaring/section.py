@@ -8,6 +8,7 @@ from typing import Any, Unpack
 from algebroproj_sym.declaring.claim import Claim, DeclarationError, Kind, Options, decimal, declared, reference
 from algebroproj_sym.declaring.driver import Driver, declared_driver
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, declared_kernel
+from algebroproj_sym.declaring.notebook import show_in_notebook
 
 
 class Section:
@@ -38,6 +39,7 @@ class Section:
         self.claims: list[Claim] = []
         self.kernels: list[Kernel] = []
         self.drivers: list[Driver] = []
+        show_in_notebook(self)
 
     def identity(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
         """Declare that two scalars, vectors or matrices are equal, wherever the constraints hold."""

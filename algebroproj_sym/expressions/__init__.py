@@ -30,6 +30,7 @@ from algebroproj_sym.expressions.linear import (
 )
 from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over, remembered
+from algebroproj_sym.expressions.size import size
 from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
 from algebroproj_sym.expressions.writing import written
 
@@ -61,6 +62,7 @@ __all__ = [
     "remembered",
     "rows",
     "shape",
+    "size",
     "solve",
     "symbols_of",
     "text",

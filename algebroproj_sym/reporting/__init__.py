@@ -1,8 +1,10 @@
 """Reporting: the ledger of verdicts and evidence, tables for the terminal, the report."""
 
 from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
+from algebroproj_sym.reporting.audits import audit_counts, audit_lines, audit_record, audit_table, audited_share
 from algebroproj_sym.reporting.forms import derived_form, remember
 from algebroproj_sym.reporting.ledger import claim_record, ledger, summary, write_json, write_text
+from algebroproj_sym.reporting.notebooks import Notebook, NotebookError, run_notebook
 from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
     claims_table,
@@ -14,9 +16,16 @@ from algebroproj_sym.reporting.tables import (
 )
 
 __all__ = [
+    "Notebook",
+    "NotebookError",
     "answers_record",
     "answers_summary",
     "answers_table",
+    "audit_counts",
+    "audit_lines",
+    "audit_record",
+    "audit_table",
+    "audited_share",
     "claim_record",
     "claims_table",
     "derived_form",
@@ -27,6 +36,7 @@ __all__ = [
     "operations_table",
     "remember",
     "report",
+    "run_notebook",
     "summary",
     "summary_text",
     "verification_table",

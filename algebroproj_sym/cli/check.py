@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import judged, require_as_declared, say_what_is_wrong
+from algebroproj_sym.cli.steps import derived, judged, require_as_declared, say_what_is_wrong
 from algebroproj_sym.cli.terminal import console, progressing, verbosity
 from algebroproj_sym.declaring import Answer, identities, select
 from algebroproj_sym.proving import outcomes
@@ -45,8 +45,10 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, outpu
             raise click.UsageError("expected either claims or files of identities, got both")
         _check_files(files, engine, jobs, output, seconds)
         return
-    judgements = judged(select(selectors), engine, jobs, fresh=fresh)
+    claims = select(selectors)
+    judgements = judged(claims, engine, jobs, fresh=fresh)
     if output == "json":
+        derived(claims, jobs)
         click.echo(json.dumps(ledger(judgements), indent=1, ensure_ascii=False))
     else:
         console().print(claims_table(judgements))

@@ -52,20 +52,24 @@ def points_on(
             yield point
 
 
-def rational_zeros(expression: sympy.Expr, symbols: Sequence[sympy.Symbol], seed: int, tries: int) -> Iterator[Point]:
-    """Yield rational points on which a polynomial vanishes: values for all variables but one, then a rational root.
+def rational_zeros(
+    expressions: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int, tries: int
+) -> Iterator[Point]:
+    """Yield rational points on which all expressions vanish, also where that takes a rational root or a resultant.
 
     Examples
     --------
     >>> x, y = sympy.symbols("x y")
-    >>> point = next(rational_zeros(x**2 + y**2 - 25, [x, y], 1, 50))
+    >>> point = next(rational_zeros([x**2 + y**2 - 25], [x, y], 1, 50))
     >>> point[x]**2 + point[y]**2
     Fraction(25, 1)
     """
     field = RationalFunctionField(symbols, "flint")
-    polynomial = evaluate(expression, field.variables, field.lift)[0].numerator
-    for values in real_points([polynomial], polynomial.context(), seed, tries):
-        yield dict(zip(symbols, values, strict=True))  # type: ignore[arg-type]
+    polynomials = [evaluate(expression, field.variables, field.lift)[0].numerator for expression in expressions]
+    for values in real_points(polynomials, polynomials[0].context(), seed, tries):
+        point: Point = dict(zip(symbols, values, strict=True))  # type: ignore[arg-type]
+        if _vanish(expressions, point):
+            yield point
 
 
 def _onto(constraints: Sequence[sympy.Expr], start: Point, generator: random.Random) -> Point | None:

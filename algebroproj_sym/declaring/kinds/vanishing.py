@@ -105,7 +105,7 @@ def _candidates(suspects: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol],
     for suspect in suspects:
         yield from points_on([suspect], symbols, seed, TRIES)
     for suspect in suspects:
-        yield from rational_zeros(suspect, symbols, seed, TRIES)
+        yield from rational_zeros([suspect], symbols, seed, TRIES)
     yield from islice(rational_points(symbols, seed), TRIES)
 
 

@@ -1,6 +1,7 @@
 """The generated functions behave as NumPy generalized ufuncs, whatever they compute."""
 
 from fractions import Fraction
+from types import ModuleType
 
 import mpmath
 import numpy as np
@@ -126,7 +127,7 @@ def results_of(function, arguments):
 
 
 def test_every_generated_function_is_listed_here():
-    modules = [getattr(algebroproj, name) for name in algebroproj.__all__]
+    modules = [value for name in algebroproj.__all__ if isinstance(value := getattr(algebroproj, name), ModuleType)]
     assert {getattr(module, name) for module in modules for name in module.__all__} == set(CONTRACT) | DRIVERS
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import click
 
+from algebroproj_sym.cli.audit import audit_command
 from algebroproj_sym.cli.build import build
 from algebroproj_sym.cli.check import check
 from algebroproj_sym.cli.explain import explain
@@ -50,5 +51,6 @@ def main(context: click.Context, verbosity: str | None) -> None:
     context.obj = verbosity or "normal"
 
 
-for command in (new, check, explain, generate, verify, build, report, replay_command, export_group, mutate):
+COMMANDS = (new, check, explain, generate, verify, build, report, replay_command, export_group, mutate, audit_command)
+for command in COMMANDS:
     main.add_command(command)

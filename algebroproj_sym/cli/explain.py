@@ -7,7 +7,7 @@ import click
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console
-from algebroproj_sym.declaring import numbered_with, select, split
+from algebroproj_sym.declaring import numbered_with, quotations, select, split
 from algebroproj_sym.reporting import explanation
 
 
@@ -25,5 +25,7 @@ def explain(selector: str, engine: str) -> None:
     for judgement in pipeline.check(claims, engine):
         claim = judgement.claim
         kernels = [k for d in found for k in d.section.kernels if k.paper == claim.paper and claim.number in k.claims]
-        module = next(d.module for d in found if claim in d.section.claims)
-        console().print(explanation(judgement, module, [kernel.qualified_name for kernel in kernels]))
+        derivation = next(d for d in found if claim in d.section.claims)
+        quote = quotations(derivation.path.parent).quotes.get(claim.number)
+        functions = [kernel.qualified_name for kernel in kernels]
+        console().print(explanation(judgement, derivation.module, functions, quote))

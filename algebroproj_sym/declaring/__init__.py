@@ -31,6 +31,7 @@ from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFile
 from algebroproj_sym.declaring.importing import BrokenModuleError, makes_section
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
+from algebroproj_sym.declaring.quotes import UNPARSED, UNQUOTED, Quotations, Quote, quotations
 from algebroproj_sym.declaring.section import Section
 from algebroproj_sym.declaring.stage import (
     LINEAR,
@@ -47,6 +48,8 @@ from algebroproj_sym.declaring.stage import (
 __all__ = [
     "LINEAR",
     "PRIMITIVES",
+    "UNPARSED",
+    "UNQUOTED",
     "VERDICTS",
     "Answer",
     "Argument",
@@ -61,6 +64,8 @@ __all__ = [
     "MalformedFileError",
     "Primitive",
     "Publication",
+    "Quotations",
+    "Quote",
     "Result",
     "Section",
     "Stage",
@@ -87,6 +92,7 @@ __all__ = [
     "null_vector",
     "numbered_with",
     "publication",
+    "quotations",
     "select",
     "solution",
     "split",

@@ -1,6 +1,7 @@
 """Reporting: the ledger of verdicts and evidence, tables for the terminal, the report."""
 
 from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
+from algebroproj_sym.reporting.audits import audit_counts, audit_lines, audit_record, audit_table, audited_share
 from algebroproj_sym.reporting.forms import derived_form, remember
 from algebroproj_sym.reporting.ledger import claim_record, ledger, summary, write_json, write_text
 from algebroproj_sym.reporting.report import findings, report
@@ -17,6 +18,11 @@ __all__ = [
     "answers_record",
     "answers_summary",
     "answers_table",
+    "audit_counts",
+    "audit_lines",
+    "audit_record",
+    "audit_table",
+    "audited_share",
     "claim_record",
     "claims_table",
     "derived_form",

@@ -12,6 +12,7 @@ from rich.text import Text
 
 from algebroproj_sym.declaring import (
     Judgement,
+    Quote,
     Statement,
     differing_entries,
     evidence_lines,
@@ -81,7 +82,7 @@ def failure_text(judgement: Judgement) -> str:
     return "".join(lines).rstrip("\n")
 
 
-def explanation(judgement: Judgement, module: str, functions: Sequence[str]) -> Text:
+def explanation(judgement: Judgement, module: str, functions: Sequence[str], quote: Quote | None = None) -> Text:
     """Return everything about one claim, a line each."""
     claim = judgement.claim
     lines = Text()
@@ -89,6 +90,8 @@ def explanation(judgement: Judgement, module: str, functions: Sequence[str]) -> 
     lines.append(f"{'verdict':<12}").append_text(verdict_text(judgement.verdict)).append(
         f", a claim of kind {claim.kind}\n"
     )
+    if quote:
+        lines.append(_labelled("quoted", f"line {quote.line}: {quote.text}"))
     for form in _forms(judgement):
         lines.append(form)
     lines.append(_labelled("evidence", *evidence_lines(judgement)))
@@ -135,7 +138,7 @@ def operations_table(lowered: Sequence[Lowered]) -> Table:
 
 
 def verification_table(verifications: Sequence[Verification]) -> Table:
-    """Return a row for each function: source proved, singular input, errors."""
+    """Return a row for each function: sources proved, singular input, errors."""
     table = Table("function", "source", "singular input", box=None, pad_edge=False)
     for heading in ("samples", "median ULP", "max ULP", "max error/(cond u)"):
         table.add_column(heading, justify="right")
@@ -143,7 +146,7 @@ def verification_table(verifications: Sequence[Verification]) -> Table:
         overall = v.accuracy.overall
         table.add_row(
             v.accuracy.function,
-            Text("proved", "green") if v.source_proved else Text("differs", "bold red"),
+            Text("proved", "green") if v.proved else Text("differs", "bold red"),
             Text("silent: " + ", ".join(map(str, v.silent)), "bold red") if v.silent else Text("not finite", "green"),
             str(overall.samples),
             f"{overall.median_ulp:.2f}",

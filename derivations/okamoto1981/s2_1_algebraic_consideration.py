@@ -288,8 +288,8 @@ Ep = vector(*sympy.symbols("Ep_1:16"))
 section.definition("23", "model as a collineation of the object", printed=collineation(E_, point))
 
 printed_inverse = collineation(Ep, model)
-first_denominator = E_[12] * XM + Ep[13] * YM + Ep[14] * ZM + 1
-first_numerator = Ep[0] * XM + Ep[1] * YM + Ep[2] * ZM + Ep[3]
+printed_denominator = E_[12] * XM + Ep[13] * YM + Ep[14] * ZM + 1
+denominator = Ep[12] * XM + Ep[13] * YM + Ep[14] * ZM + 1
 M = matrix_of(E_)
 back_rows, back_right_sides = linear_system(
     [model[i] * (M[3, :] * homogeneous_point)[0] - (M[i, :] * homogeneous_point)[0] for i in range(3)], tuple(point)
@@ -297,12 +297,12 @@ back_rows, back_right_sides = linear_system(
 section.identity(
     "24",
     "object as a collineation of the model",
-    printed=vector(first_numerator / first_denominator, *printed_inverse[1:]),
+    printed=vector(*(form * denominator / printed_denominator for form in printed_inverse[:2]), printed_inverse[2]),
     where=dict(zip(Ep, coefficients_of(adjugate(M)), strict=True)),
     derived=solve(back_rows, back_right_sides),
     expect="misprint",
     corrected=printed_inverse,
-    note="In the first denominator the prime of E13 is missing; the other two have it.  Read as the coefficient of "
+    note="In the first two denominators the prime of E13 is missing; the third has it.  Read as the coefficient of "
     "(23) the form is wrong.  The scan alone cannot tell a slip of the scan from one of the print.",
 )
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 from ._primitives import null_vector, solve
@@ -80,7 +81,7 @@ def _design_row(
     return upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1)
 
 
-_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),))
+_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),), twin=ufunc("correlation_design_row"))
 
 
 def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -133,7 +134,7 @@ def _rhs(
     return (upp1 - up1,)
 
 
-_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),))
+_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),), twin=ufunc("correlation_rhs"))
 
 
 def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -172,7 +173,8 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
 
     Polynomial: no input is singular.
 
-    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.  With the double-double operations for sums that may cancel: 176.
+    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
+    With double-double operations for sums that may cancel: 170.
 
     Examples
     --------
@@ -187,13 +189,13 @@ def _epipolar_line_left(
     upp2: Any,
 ) -> tuple[Any, ...]:
     return (
-        rounded(z00 + wide(upp1) * z01 + wide(upp2) * z02),
-        rounded(z10 + wide(upp1) * z11 + wide(upp2) * z12),
-        rounded(z20 + wide(upp1) * z21 + wide(upp2) * z22),
+        rounded(wide(z00) + wide(upp1) * z01 + wide(upp2) * z02),
+        rounded(wide(z10) + wide(upp1) * z11 + wide(upp2) * z12),
+        rounded(wide(z20) + wide(upp1) * z21 + wide(upp2) * z22),
     )
 
 
-_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),))
+_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_left"))
 
 
 def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -232,7 +234,8 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
 
     Polynomial: no input is singular.
 
-    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.  With the double-double operations for sums that may cancel: 176.
+    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
+    With double-double operations for sums that may cancel: 170.
 
     Examples
     --------
@@ -247,12 +250,13 @@ def _epipolar_line_right(
     up2: Any,
 ) -> tuple[Any, ...]:
     return (
-        rounded(z00 + wide(up1) * z10 + wide(up2) * z20), rounded(z01 + wide(up1) * z11 + wide(up2) * z21),
-        rounded(z02 + wide(up1) * z12 + wide(up2) * z22),
+        rounded(wide(z00) + wide(up1) * z10 + wide(up2) * z20),
+        rounded(wide(z01) + wide(up1) * z11 + wide(up2) * z21),
+        rounded(wide(z02) + wide(up1) * z12 + wide(up2) * z22),
     )
 
 
-_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),))
+_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_right"))
 
 
 def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -306,9 +310,10 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mup1*mup2*mup3*up31 +
     mup1*mup2*mup3*up32 - mup1*mup2*mup3 + mup1*mup2 - mup1*mup3*up32 - mup2*mup3*up31``,
     ``mupp1*mupp2*mupp3*upp31 + mupp1*mupp2*mupp3*upp32 - mupp1*mupp2*mupp3 + mupp1*mupp2 - mupp1*mupp3*upp32 -
-    mupp2*mupp3*upp31``.
+    mupp2*mupp3*upp31``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.  With the double-double operations for sums that may cancel: 877.
+    Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.
+    With double-double operations for sums that may cancel: 1324.
 
     Examples
     --------
@@ -324,27 +329,46 @@ def _correlation_from_cameras(
 ) -> tuple[Any, ...]:
     t0 = wide(mup3) * mupp1
     t2 = wide(mup1) * mupp3
-    q1 = rounded(t0 * up31 - t2 * upp31)
+    q1 = t0 * up31 - t2 * upp31
     t5 = wide(mup3) * mupp2
     t7 = wide(mup2) * mupp3
-    q2 = rounded(t5 * up32 - t7 * upp32)
-    t79 = wide(mup1) * mup2 * (wide(mup3) - 1) - mup3 * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
-    deltap = rounded(t79)
-    t86 = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - mupp3 * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
-    deltapp = rounded(t86)
+    q2 = t5 * up32 - t7 * upp32
+    deltap = wide(mup1) * mup2 * (wide(mup3) - 1) - wide(mup3) * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
+    deltapp = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - wide(mupp3) * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
     t35 = deltap * deltapp
     t47 = wide(mup3) - mupp3
     t50 = wide(mup1) - mupp1
-    t90 = wide(mup2) - mupp2
+    t54 = wide(mup2) - mupp2
     return (
-        0, mup1 * q2 / t35, -(mup2 * q1 / t35), -(mupp1 * q2 / t35), q2 * (mupp1 - mup1) / t35,
-        rounded(wide(mup2) * mupp1 * t47 - t7 * upp31 * t50 - t0 * up32 * t90) / t35, mupp2 * q1 / t35,
-        rounded(t2 * upp32 * t90 + t5 * up31 * t50 - wide(mup1) * mupp2 * t47) / t35,
-        q1 * rounded(t90) / t35,
+        0, rounded(wide(mup1) * q2 / t35), rounded(-(wide(mup2) * q1 / t35)),
+        rounded(-(wide(mupp1) * q2 / t35)), rounded(q2 * (wide(mupp1) - mup1) / t35),
+        rounded((wide(mup2) * mupp1 * t47 - t7 * upp31 * t50 - t0 * up32 * t54) / t35),
+        rounded(wide(mupp2) * q1 / t35),
+        rounded((t2 * upp32 * t54 + t5 * up31 * t50 - wide(mup1) * mupp2 * t47) / t35),
+        rounded(q1 * t54 / t35),
     )
 
 
-_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),))
+_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),), twin=ufunc("correlation_correlation_from_cameras"))
+
+
+def _correlation_from_cameras_factors(
+    mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any, mupp1: Any, mupp2: Any, mupp3: Any,
+    upp31: Any, upp32: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(mup1) * mup2
+    t1 = wide(mup3) * t0
+    t13 = rounded(t0 + t1 * up31 + t1 * up32 - t0 * mup3 - wide(mup1) * mup3 * up32 - wide(mup2) * mup3 * up31)
+    t14 = wide(mupp1) * mupp2
+    t15 = wide(mupp3) * t14
+    t35 = t14 + t15 * upp31 + t15 * upp32 - t14 * mupp3 - wide(mupp1) * mupp3 * upp32 - wide(mupp2) * mupp3 * upp31
+    return t13, rounded(t35)
+
+
+_CORRELATION_FROM_CAMERAS_FACTORS = (
+    "mup1*mup2*mup3*up31 + mup1*mup2*mup3*up32 - mup1*mup2*mup3 + mup1*mup2 - mup1*mup3*up32 - mup2*mup3*up31",
+    "mupp1*mupp2*mupp3*upp31 + mupp1*mupp2*mupp3*upp32 - mupp1*mupp2*mupp3 + mupp1*mupp2 - mupp1*mupp3*upp32 - mupp2*mupp3*upp31",
+)
 
 
 def system(u_left: ArrayLike, u_right: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -436,7 +460,7 @@ def _system(
     )
 
 
-_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)))
+_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)), twin=ufunc("correlation_system"))
 
 
 def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -488,7 +512,8 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
     Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and it is
     arbitrarily large.
 
-    Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.  With the double-double operations for sums that may cancel: 485.
+    Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.
+    With double-double operations for sums that may cancel: 485.
 
     Examples
     --------
@@ -504,16 +529,16 @@ def _correlation_matrix(
     upp62: Any, upp71: Any, upp72: Any,
 ) -> tuple[Any, ...]:
     z11, z12, z20, z21, z22 = solve(
-        [upp31 * (wide(up31) - 1), wide(up31) * upp32, wide(up32) - upp32, wide(up32) * upp31, upp32 * (wide(up32) - 1), wide(upp31) - up31],
-        [upp41 * (wide(up41) - 1), wide(up41) * upp42, wide(up42) - upp42, wide(up42) * upp41, upp42 * (wide(up42) - 1), wide(upp41) - up41],
-        [upp51 * (wide(up51) - 1), wide(up51) * upp52, wide(up52) - upp52, wide(up52) * upp51, upp52 * (wide(up52) - 1), wide(upp51) - up51],
-        [upp61 * (wide(up61) - 1), wide(up61) * upp62, wide(up62) - upp62, wide(up62) * upp61, upp62 * (wide(up62) - 1), wide(upp61) - up61],
-        [upp71 * (wide(up71) - 1), wide(up71) * upp72, wide(up72) - upp72, wide(up72) * upp71, upp72 * (wide(up72) - 1), wide(upp71) - up71],
+        [wide(upp31) * (wide(up31) - 1), wide(up31) * upp32, wide(up32) - upp32, wide(up32) * upp31, wide(upp32) * (wide(up32) - 1), wide(upp31) - up31],
+        [wide(upp41) * (wide(up41) - 1), wide(up41) * upp42, wide(up42) - upp42, wide(up42) * upp41, wide(upp42) * (wide(up42) - 1), wide(upp41) - up41],
+        [wide(upp51) * (wide(up51) - 1), wide(up51) * upp52, wide(up52) - upp52, wide(up52) * upp51, wide(upp52) * (wide(up52) - 1), wide(upp51) - up51],
+        [wide(upp61) * (wide(up61) - 1), wide(up61) * upp62, wide(up62) - upp62, wide(up62) * upp61, wide(upp62) * (wide(up62) - 1), wide(upp61) - up61],
+        [wide(upp71) * (wide(up71) - 1), wide(up71) * upp72, wide(up72) - upp72, wide(up72) * upp71, wide(upp72) * (wide(up72) - 1), wide(upp71) - up71],
     )
     return 0, -(z11 + 1), -(z20 + z22), 1, z11, z12, z20, z21, z22
 
 
-_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("u_left", (5, 2)), ("u_right", (5, 2))), ((3, 3),), block=1024)
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("u_left", (5, 2)), ("u_right", (5, 2))), ((3, 3),), block=1024, twin=ufunc("correlation_correlation_matrix"))
 
 
 def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -568,7 +593,8 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: ND
     Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and it is
     arbitrarily large.
 
-    Operations: 33 (32 *, 1 null_vector); the derived expression as written takes 32.  With the double-double operations for sums that may cancel: 417.
+    Operations: 33 (32 *, 1 null_vector); the derived expression as written takes 32.
+    With double-double operations for sums that may cancel: 417.
 
     Examples
     --------
@@ -597,7 +623,7 @@ def _general_correlation_matrix(
     return c00, c01, c02, c10, c11, c12, c20, c21, c22
 
 
-_GENERAL_CORRELATION_MATRIX_SIGNATURE = Signature("general_correlation_matrix", (("v_left", (8, 2)), ("v_right", (8, 2))), ((3, 3),), block=1024)
+_GENERAL_CORRELATION_MATRIX_SIGNATURE = Signature("general_correlation_matrix", (("v_left", (8, 2)), ("v_right", (8, 2))), ((3, 3),), block=1024, twin=ufunc("correlation_general_correlation_matrix"))
 
 
 def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -636,9 +662,11 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
         right[0] = (z12*z20 - z10*z22)/D
         right[1] = (z10*z21 - z11*z20)/D
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``. Their
+    values are given by the function `hypotheses` of this package.
 
-    Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.  With the double-double operations for sums that may cancel: 236.
+    Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.
+    With double-double operations for sums that may cancel: 226.
 
     Examples
     --------
@@ -658,4 +686,15 @@ def _epipoles(
     )
 
 
-_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)))
+_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)), twin=ufunc("correlation_epipoles"))
+
+
+def _epipoles_factors(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(z11) * z22 - wide(z12) * z21),)
+
+
+_EPIPOLES_FACTORS = (
+    "z11*z22 - z12*z21",
+)

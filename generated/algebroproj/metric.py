@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 from ._primitives import arctan2, cos_sin
@@ -66,7 +67,8 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDA
         result[1] = yp/(xp - xpp)
         result[2] = -c/(xp - xpp)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 6 (1 -, 3 *, 1 /, 1 neg); the derived expression as written takes 6.
 
@@ -85,7 +87,18 @@ def _reconstruct(
     return xp * t1, yp * t1, -(c * t1)
 
 
-_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),))
+_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),), twin=ufunc("metric_reconstruct"))
+
+
+def _reconstruct_factors(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any,
+) -> tuple[Any, ...]:
+    return (xp - xpp,)
+
+
+_RECONSTRUCT_FACTORS = (
+    "xp - xpp",
+)
 
 
 def rotation_left(phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -203,7 +216,8 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
 
     No input is singular.
 
-    Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.  With the double-double operations for sums that may cancel: 305.
+    Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.
+    With double-double operations for sums that may cancel: 297.
 
     Examples
     --------
@@ -280,7 +294,8 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
 
     Polynomial: no input is singular.
 
-    Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.  With the double-double operations for sums that may cancel: 1218.
+    Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.
+    With double-double operations for sums that may cancel: 1200.
 
     Examples
     --------
@@ -305,15 +320,19 @@ def _correlation_matrix(
     t54 = wide(b1) * k3p - wide(b3) * k1p
     t59 = wide(b2) * k1p - wide(b1) * k2p
     return (
-        rounded(i1pp * t2 + i2pp * t6 + i3pp * t11), rounded(j1pp * t2 + j2pp * t6 + j3pp * t11),
-        rounded(k1pp * t2 + k2pp * t6 + k3pp * t11), rounded(i1pp * t26 + i2pp * t30 + i3pp * t35),
-        rounded(j1pp * t26 + j2pp * t30 + j3pp * t35), rounded(k1pp * t26 + k2pp * t30 + k3pp * t35),
-        rounded(i1pp * t50 + i2pp * t54 + i3pp * t59), rounded(j1pp * t50 + j2pp * t54 + j3pp * t59),
-        rounded(k1pp * t50 + k2pp * t54 + k3pp * t59),
+        rounded(wide(i1pp) * t2 + wide(i2pp) * t6 + wide(i3pp) * t11),
+        rounded(wide(j1pp) * t2 + wide(j2pp) * t6 + wide(j3pp) * t11),
+        rounded(wide(k1pp) * t2 + wide(k2pp) * t6 + wide(k3pp) * t11),
+        rounded(wide(i1pp) * t26 + wide(i2pp) * t30 + wide(i3pp) * t35),
+        rounded(wide(j1pp) * t26 + wide(j2pp) * t30 + wide(j3pp) * t35),
+        rounded(wide(k1pp) * t26 + wide(k2pp) * t30 + wide(k3pp) * t35),
+        rounded(wide(i1pp) * t50 + wide(i2pp) * t54 + wide(i3pp) * t59),
+        rounded(wide(j1pp) * t50 + wide(j2pp) * t54 + wide(j3pp) * t59),
+        rounded(wide(k1pp) * t50 + wide(k2pp) * t54 + wide(k3pp) * t59),
     )
 
 
-_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),))
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),), twin=ufunc("metric_correlation_matrix"))
 
 
 def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -385,7 +404,8 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
 
     No input is singular.
 
-    Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.  With the double-double operations for sums that may cancel: 1298.
+    Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.
+    With double-double operations for sums that may cancel: 1290.
 
     Examples
     --------
@@ -423,8 +443,8 @@ def _rotations_from_correlation(
     kappapp = rounded(t83)
     c_kappapp, s_kappapp = cos_sin(t83)
     phipp = arctan2(u3pp, rounded(c_kappapp * u1pp - s_kappapp * u2pp))
-    t67 = rounded(c13 * s_kappap + c23 * c_kappap)
-    omegapp = arctan2(t67 * rounded(c33 * c_phip + c23 * s_kappap * s_phip - c13 * c_kappap * s_phip), t67 * t67)
+    t67 = rounded(wide(c13) * s_kappap + wide(c23) * c_kappap)
+    omegapp = arctan2(t67 * rounded(wide(c33) * c_phip + wide(c23) * s_kappap * s_phip - wide(c13) * c_kappap * s_phip), t67 * t67)
     return phip, kappap, omegapp, phipp, kappapp
 
 
@@ -481,7 +501,8 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
 
     Polynomial: no input is singular.
 
-    Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.  With the double-double operations for sums that may cancel: 580.
+    Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.
+    With double-double operations for sums that may cancel: 574.
 
     Examples
     --------
@@ -509,7 +530,7 @@ def _coplanarity_row(
     return p1p * p2pp, p1p * p3pp, rounded(t40 * t52 + t44 * t56), -(p1pp * p2p), -(p1pp * p3p)
 
 
-_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),))
+_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),), twin=ufunc("metric_coplanarity_row"))
 
 
 def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -547,9 +568,11 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
         result[0] = -c*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3)
         result[1] = -c*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
 
-    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.  With the double-double operations for sums that may cancel: 263.
+    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
+    With double-double operations for sums that may cancel: 257.
 
     Examples
     --------
@@ -570,7 +593,19 @@ def _to_normal(
     )
 
 
-_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),))
+_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_to_normal"))
+
+
+def _to_normal_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3),)
+
+
+_TO_NORMAL_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
 
 
 def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -608,9 +643,11 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
         result[0] = -c*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3)
         result[1] = -c*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``. Their
+    values are given by the function `hypotheses` of this package.
 
-    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.  With the double-double operations for sums that may cancel: 263.
+    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
+    With double-double operations for sums that may cancel: 257.
 
     Examples
     --------
@@ -631,7 +668,19 @@ def _from_normal(
     )
 
 
-_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),))
+_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_from_normal"))
+
+
+def _from_normal_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(k1) * x + wide(k2) * y - wide(c) * k3),)
+
+
+_FROM_NORMAL_FACTORS = (
+    "-c*k3 + k1*x + k2*y",
+)
 
 
 def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -671,9 +720,11 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
         result[1, 1] = -xN*yN/c
         result[1, 2] = xN
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``c``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``c``. Their values are given by
+    the function `hypotheses` of this package.
 
-    Operations: 11 (2 +, 3 *, 3 /, 3 neg); the derived expression as written takes 10.  With the double-double operations for sums that may cancel: 135.
+    Operations: 11 (2 +, 3 *, 3 /, 3 neg); the derived expression as written takes 10.
+    With double-double operations for sums that may cancel: 127.
 
     Examples
     --------
@@ -689,10 +740,21 @@ def _jacobian_angles(
     t1 = xN * yN / c
     t11 = wide(xN)
     t13 = wide(yN)
-    return t1, -rounded(c + t11 * t11 / c), -yN, rounded(c + t13 * t13 / c), -t1, xN
+    return t1, -rounded(wide(c) + t11 * t11 / c), -yN, rounded(wide(c) + t13 * t13 / c), -t1, xN
 
 
-_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),))
+_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),), twin=ufunc("metric_jacobian_angles"))
+
+
+def _jacobian_angles_factors(
+    xN: Any, yN: Any, c: Any,
+) -> tuple[Any, ...]:
+    return (c,)
+
+
+_JACOBIAN_ANGLES_FACTORS = (
+    "c",
+)
 
 
 def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -735,9 +797,11 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
         result[1, 0] = c*(c*(i2*k3 - i3*k2) - y*(i2*j3 - i3*j2))/depth**2
         result[1, 1] = c*(c*(j2*k3 - j3*k2) + x*(i2*j3 - i3*j2))/depth**2
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
 
-    Operations: 56 (5 +, 11 -, 34 *, 6 /); the derived expression as written takes 84.  With the double-double operations for sums that may cancel: 726.
+    Operations: 56 (5 +, 11 -, 34 *, 6 /); the derived expression as written takes 84.
+    With double-double operations for sums that may cancel: 837.
 
     Examples
     --------
@@ -751,21 +815,33 @@ def _jacobian_image(
     i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
     c: Any,
 ) -> tuple[Any, ...]:
-    depth = rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3)
-    slope_x = rounded(wide(i1) * x + wide(j1) * y - wide(c) * k1) / depth
-    slope_y = rounded(wide(i2) * x + wide(j2) * y - wide(c) * k2) / depth
+    depth = wide(i3) * x + wide(j3) * y - wide(c) * k3
+    slope_x = (wide(i1) * x + wide(j1) * y - wide(c) * k1) / depth
+    slope_y = (wide(i2) * x + wide(j2) * y - wide(c) * k2) / depth
     t23 = wide(i1) * j3 - wide(i3) * j1
     t27 = depth * depth
     t43 = wide(i2) * j3 - wide(i3) * j2
     return (
-        c * rounded(c * (wide(i1) * k3 - wide(i3) * k1) - y * t23) / t27,
-        c * rounded(c * (wide(j1) * k3 - wide(j3) * k1) + x * t23) / t27,
-        c * rounded(c * (wide(i2) * k3 - wide(i3) * k2) - y * t43) / t27,
-        c * rounded(c * (wide(j2) * k3 - wide(j3) * k2) + x * t43) / t27,
+        rounded(wide(c) * (wide(c) * (wide(i1) * k3 - wide(i3) * k1) - wide(y) * t23) / t27),
+        rounded(wide(c) * (wide(c) * (wide(j1) * k3 - wide(j3) * k1) + wide(x) * t23) / t27),
+        rounded(wide(c) * (wide(c) * (wide(i2) * k3 - wide(i3) * k2) - wide(y) * t43) / t27),
+        rounded(wide(c) * (wide(c) * (wide(j2) * k3 - wide(j3) * k2) + wide(x) * t43) / t27),
     )
 
 
-_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),))
+_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),), twin=ufunc("metric_jacobian_image"))
+
+
+def _jacobian_image_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3),)
+
+
+_JACOBIAN_IMAGE_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
 
 
 def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, variance: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -822,9 +898,11 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
         result[1, 0] = Ba11*(Ba21*s11 + Ba22*s21 + Ba23*s31) + Ba12*(Ba21*s12 + Ba22*s22 + Ba23*s32) + Ba13*(Ba21*s13 + Ba22*s23 + Ba23*s33) + Bx11*Bx21*variance + Bx12*Bx22*variance
         result[1, 1] = Ba21*(Ba21*s11 + Ba22*s21 + Ba23*s31) + Ba22*(Ba21*s12 + Ba22*s22 + Ba23*s32) + Ba23*(Ba21*s13 + Ba22*s23 + Ba23*s33) + variance*Bx21**2 + variance*Bx22**2
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
 
-    Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.  With the double-double operations for sums that may cancel: 2487.
+    Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.
+    With double-double operations for sums that may cancel: 2467.
 
     Examples
     --------
@@ -842,38 +920,51 @@ def _normal_covariance(
     depth = wide(i3) * x + wide(j3) * y - wide(c) * k3
     slope_x = (wide(i1) * x + wide(j1) * y - wide(c) * k1) / depth
     slope_y = (wide(i2) * x + wide(j2) * y - wide(c) * k2) / depth
-    t17 = c * slope_x
+    t17 = wide(c) * slope_x
     Ba11 = t17 * slope_y
-    Ba12 = -(c * (1 + slope_x * slope_x))
-    Ba13 = c * slope_y
-    Ba21 = c * (1 + slope_y * slope_y)
+    Ba12 = -(wide(c) * (1 + slope_x * slope_x))
+    Ba13 = wide(c) * slope_y
+    Ba21 = wide(c) * (1 + slope_y * slope_y)
     Ba22 = -Ba11
     Ba23 = -t17
     t35 = wide(i1) * j3 - wide(i3) * j1
     t39 = depth * depth
-    Bx11 = c * (c * (wide(i1) * k3 - wide(i3) * k1) - y * t35) / t39
-    Bx12 = c * (c * (wide(j1) * k3 - wide(j3) * k1) + x * t35) / t39
+    Bx11 = wide(c) * (wide(c) * (wide(i1) * k3 - wide(i3) * k1) - wide(y) * t35) / t39
+    Bx12 = wide(c) * (wide(c) * (wide(j1) * k3 - wide(j3) * k1) + wide(x) * t35) / t39
     t55 = wide(i2) * j3 - wide(i3) * j2
-    Bx21 = c * (c * (wide(i2) * k3 - wide(i3) * k2) - y * t55) / t39
-    Bx22 = c * (c * (wide(j2) * k3 - wide(j3) * k2) + x * t55) / t39
+    Bx21 = wide(c) * (wide(c) * (wide(i2) * k3 - wide(i3) * k2) - wide(y) * t55) / t39
+    Bx22 = wide(c) * (wide(c) * (wide(j2) * k3 - wide(j3) * k2) + wide(x) * t55) / t39
     t72 = Ba11 * s11 + Ba12 * s21 + Ba13 * s31
     t78 = Ba11 * s12 + Ba12 * s22 + Ba13 * s32
     t85 = Ba11 * s13 + Ba12 * s23 + Ba13 * s33
-    t88 = variance * Bx11
-    t91 = variance * Bx12
+    t88 = wide(variance) * Bx11
+    t91 = wide(variance) * Bx12
     t96 = t88 * Bx21 + t91 * Bx22
     t107 = Ba21 * s11 + Ba22 * s21 + Ba23 * s31
     t114 = Ba21 * s12 + Ba22 * s22 + Ba23 * s32
     t121 = Ba21 * s13 + Ba22 * s23 + Ba23 * s33
+    t146 = Ba21 * t107 + Ba22 * t114 + Ba23 * t121 + wide(variance) * Bx21 * Bx21 + wide(variance) * Bx22 * Bx22
     return (
         rounded(Ba11 * t72 + Ba12 * t78 + Ba13 * t85 + t88 * Bx11 + t91 * Bx12),
         rounded(t96 + Ba21 * t72 + Ba22 * t78 + Ba23 * t85),
-        rounded(t96 + Ba11 * t107 + Ba12 * t114 + Ba13 * t121),
-        rounded(Ba21 * t107 + Ba22 * t114 + Ba23 * t121 + variance * Bx21 * Bx21 + variance * Bx22 * Bx22),
+        rounded(t96 + Ba11 * t107 + Ba12 * t114 + Ba13 * t121), rounded(t146),
     )
 
 
-_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),))
+_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),), twin=ufunc("metric_normal_covariance"))
+
+
+def _normal_covariance_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any, s11: Any, s12: Any, s13: Any, s21: Any, s22: Any, s23: Any, s31: Any, s32: Any, s33: Any,
+    variance: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3),)
+
+
+_NORMAL_COVARIANCE_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
 
 
 def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left: ArrayLike, S_right: ArrayLike, S_mixed: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -925,9 +1016,11 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
         result[2, 1] = (parallax*(c*sl01 - c*sm10) + yp*(c*sm00 - c*sr00) - yp*(c*sl00 - c*sm00))/parallax**4
         result[2, 2] = (c*(c*sl00 - c*sm00) - c*(c*sm00 - c*sr00))/parallax**4
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
+    given by the function `hypotheses` of this package.
 
-    Operations: 78 (9 +, 16 -, 43 *, 9 /, 1 neg); the derived expression as written takes 330.  With the double-double operations for sums that may cancel: 1100.
+    Operations: 78 (9 +, 16 -, 43 *, 9 /, 1 neg); the derived expression as written takes 330.
+    With double-double operations for sums that may cancel: 1517.
 
     Examples
     --------
@@ -941,29 +1034,41 @@ def _model_covariance(
     xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any, sl00: Any, sl01: Any, sl10: Any, sl11: Any, sr00: Any,
     sr01: Any, sr10: Any, sr11: Any, sm00: Any, sm01: Any, sm10: Any, sm11: Any,
 ) -> tuple[Any, ...]:
-    t0 = wide(xp) - xpp
-    parallax = rounded(t0)
+    parallax = wide(xp) - xpp
     t3 = wide(sr00) * xp - wide(sm00) * xpp
     t7 = wide(sm00) * xp - wide(sl00) * xpp
     t12 = parallax * parallax * parallax * parallax
     t30 = wide(sm00) * yp
-    t31 = t0 * sm10 + wide(sr00) * yp - t30
-    t36 = t30 + t0 * sl10 - wide(sl00) * yp
+    t31 = parallax * sm10 + wide(sr00) * yp - t30
+    t36 = t30 + parallax * sl10 - wide(sl00) * yp
+    t93 = (parallax * (parallax * sl11 + wide(sm10) * yp - wide(sl01) * yp) + wide(yp) * t31 - wide(yp) * t36) / t12
     t55 = wide(c) * sm00
     t57 = t55 - wide(c) * sr00
     t60 = t55 - wide(c) * sl00
     return (
-        rounded(xp * t3 - xpp * t7) / t12,
-        rounded(t0 * (wide(sm10) * xp - wide(sl01) * xpp) + yp * t3 - yp * t7) / t12,
-        rounded(c * t7 - c * t3) / t12, rounded(xp * t31 - xpp * t36) / t12,
-        rounded(t0 * (t0 * sl11 + wide(sm10) * yp - wide(sl01) * yp) + yp * t31 - yp * t36) / t12,
-        rounded(c * t36 - c * t31) / t12, rounded(xp * t57 + xpp * t60) / t12,
-        rounded(t0 * (wide(c) * sl01 - wide(c) * sm10) + yp * t57 + yp * t60) / t12,
-        -(rounded(c * t60 + c * t57) / t12),
+        rounded((wide(xp) * t3 - wide(xpp) * t7) / t12),
+        rounded((parallax * (wide(sm10) * xp - wide(sl01) * xpp) + wide(yp) * t3 - wide(yp) * t7) / t12),
+        rounded((wide(c) * t7 - wide(c) * t3) / t12), rounded((wide(xp) * t31 - wide(xpp) * t36) / t12),
+        rounded(t93), rounded((wide(c) * t36 - wide(c) * t31) / t12),
+        rounded((wide(xp) * t57 + wide(xpp) * t60) / t12),
+        rounded((parallax * (wide(c) * sl01 - wide(c) * sm10) + wide(yp) * t57 + wide(yp) * t60) / t12),
+        rounded(-((wide(c) * t60 + wide(c) * t57) / t12)),
     )
 
 
-_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),))
+_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),), twin=ufunc("metric_model_covariance"))
+
+
+def _model_covariance_factors(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any, sl00: Any, sl01: Any, sl10: Any, sl11: Any, sr00: Any,
+    sr01: Any, sr10: Any, sr11: Any, sm00: Any, sm01: Any, sm10: Any, sm11: Any,
+) -> tuple[Any, ...]:
+    return (xp - xpp,)
+
+
+_MODEL_COVARIANCE_FACTORS = (
+    "xp - xpp",
+)
 
 # These call functions of this module, and are imported after them.
 from .drivers import adjust  # noqa: E402

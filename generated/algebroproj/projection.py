@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
@@ -87,7 +88,7 @@ def _camera_matrix(
     return 1, mu1 - 1, mu2 - 1, mu3 - 1, 0, mu1, 0, mu3 * u31, 0, 0, mu2, mu3 * u32
 
 
-_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),))
+_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"))
 
 
 def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -127,9 +128,10 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
         result[2] = -y00/(u30*y03)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
-    ``y02``, ``y03``.
+    ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.  With the double-double operations for sums that may cancel: 56.
+    Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.
+    With double-double operations for sums that may cancel: 52.
 
     Examples
     --------
@@ -147,7 +149,18 @@ def _mu_from_center(
     return u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -(y00 / (u30 * y03))
 
 
-_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),))
+_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"))
+
+
+def _mu_from_center_factors(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return rounded(wide(u31) + u32 - 1), y01, y02, y03
+
+
+_MU_FROM_CENTER_FACTORS = (
+    "u31 + u32 - 1", "y01", "y02", "y03",
+)
 
 
 def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -186,9 +199,11 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
         result[2] = -mu1*mu2/delta
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*mu2*mu3*u31 +
-    mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``.
+    mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``. Their values are given by the
+    function `hypotheses` of this package.
 
-    Operations: 18 (1 +, 4 -, 9 *, 3 /, 1 neg); the derived expression as written takes 47.  With the double-double operations for sums that may cancel: 203.
+    Operations: 18 (1 +, 4 -, 9 *, 3 /, 1 neg); the derived expression as written takes 47.
+    With double-double operations for sums that may cancel: 201.
 
     Examples
     --------
@@ -204,11 +219,24 @@ def _center_from_mu(
     t11 = wide(mu1) * mu2
     t20 = wide(mu1) * u32
     t23 = wide(mu2) * u31
-    delta = rounded(t11 * (wide(mu3) - 1) - mu3 * (t20 * (wide(mu2) - 1) + t23 * (wide(mu1) - 1)))
+    delta = rounded(t11 * (wide(mu3) - 1) - wide(mu3) * (t20 * (wide(mu2) - 1) + t23 * (wide(mu1) - 1)))
     return rounded(t23) * mu3 / delta, rounded(t20) * mu3 / delta, -(rounded(t11) / delta)
 
 
-_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),))
+_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"))
+
+
+def _center_from_mu_factors(
+    mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(mu1) * mu2
+    t1 = wide(mu3) * t0
+    return (rounded(t0 + t1 * u31 + t1 * u32 - t0 * mu3 - wide(mu1) * mu3 * u32 - wide(mu2) * mu3 * u31),)
+
+
+_CENTER_FROM_MU_FACTORS = (
+    "mu1*mu2*mu3*u31 + mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31",
+)
 
 
 def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -260,9 +288,10 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
         result[2, 2] = -u32*y00/(u30*y03)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
-    ``y02``, ``y03``.
+    ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.  With the double-double operations for sums that may cancel: 310.
+    Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.
+    With double-double operations for sums that may cancel: 294.
 
     Examples
     --------
@@ -291,12 +320,23 @@ def _projection_matrix(
     t33 = u32 * y00
     return (
         w1 / (y01 * rounded(b1 - u31)), w2 / (y02 * rounded(b2 - u32)),
-        rounded(t1 - y03 * t3) / (y03 * rounded(t3 - 1)), t27 / (u30 * y01), 0, -(t27 / t30), 0,
+        rounded(t1 - wide(y03) * t3) / (y03 * rounded(t3 - 1)), t27 / (u30 * y01), 0, -(t27 / t30), 0,
         t33 / (u30 * y02), -(t33 / t30),
     )
 
 
-_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),))
+_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"))
+
+
+def _projection_matrix_factors(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return rounded(wide(u31) + u32 - 1), y01, y02, y03
+
+
+_PROJECTION_MATRIX_FACTORS = (
+    "u31 + u32 - 1", "y01", "y02", "y03",
+)
 
 
 def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -357,7 +397,7 @@ def _projection_matrix_from_mu(
     return mu1 - 1, mu2 - 1, mu3 - 1, mu1, 0, mu3 * u31, 0, mu2, mu3 * u32
 
 
-_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),))
+_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"))
 
 
 def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -395,9 +435,10 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
         result = -u31*u32*y00**2/(u30**2*y01*y02*y03)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
-    ``y02``, ``y03``.
+    ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.  With the double-double operations for sums that may cancel: 56.
+    Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.
+    With double-double operations for sums that may cancel: 240.
 
     Examples
     --------
@@ -410,12 +451,23 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
 def _projection_determinant(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    y00 = rounded(1 - wide(y01) - y02 - y03)
-    u30 = rounded(1 - wide(u31) - u32)
-    return (-(u31 * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03)),)
+    y00 = 1 - wide(y01) - y02 - y03
+    u30 = 1 - wide(u31) - u32
+    return (rounded(-(wide(u31) * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03))),)
 
 
-_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),))
+_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"))
+
+
+def _projection_determinant_factors(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return rounded(wide(u31) + u32 - 1), y01, y02, y03
+
+
+_PROJECTION_DETERMINANT_FACTORS = (
+    "u31 + u32 - 1", "y01", "y02", "y03",
+)
 
 
 def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -452,7 +504,8 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
 
     Polynomial: no input is singular.
 
-    Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.  With the double-double operations for sums that may cancel: 197.
+    Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.
+    With double-double operations for sums that may cancel: 195.
 
     Examples
     --------
@@ -465,11 +518,11 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
 def _projection_determinant_from_mu(
     mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t18 = wide(mu1) * mu2 * (wide(mu3) - 1) - mu3 * (wide(mu1) * u32 * (wide(mu2) - 1) + wide(mu2) * u31 * (wide(mu1) - 1))
+    t18 = wide(mu1) * mu2 * (wide(mu3) - 1) - wide(mu3) * (wide(mu1) * u32 * (wide(mu2) - 1) + wide(mu2) * u31 * (wide(mu1) - 1))
     return (rounded(t18),)
 
 
-_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),))
+_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"))
 
 
 def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -521,9 +574,11 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
         result[2, 2] = w2*y03/d2
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u31 + u32 - 1``,
-    ``u32``, ``y01``, ``y01 + y02 + y03 - 1``, ``y02``, ``y03``.
+    ``u32``, ``y01``, ``y01 + y02 + y03 - 1``, ``y02``, ``y03``. Their values are given by the function
+    `hypotheses` of this package.
 
-    Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.  With the double-double operations for sums that may cancel: 378.
+    Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.
+    With double-double operations for sums that may cancel: 364.
 
     Examples
     --------
@@ -548,13 +603,24 @@ def _reconstruction_matrix(
     d2 = u32 * rounded(a2 - y02)
     t24 = 0 / rounded(wide(u31) - 1 + u32) + 0 / y01 + 0 / y02 + 0 / y03
     return (
-        t24 - y01, t24 - y01 * rounded(b1 * (wide(y01) - 1) + u31 * t0) / d1, w2 * y01 / d2 + t24, t24 - y02,
-        w1 * y02 / d1 + t24, t24 - y02 * rounded(b2 * (wide(y02) - 1) + u32 * t2) / d2, t24 - y03,
-        w1 * y03 / d1 + t24, w2 * y03 / d2 + t24,
+        t24 - y01, t24 - y01 * rounded(b1 * (wide(y01) - 1) + wide(u31) * t0) / d1, w2 * y01 / d2 + t24,
+        t24 - y02, w1 * y02 / d1 + t24, t24 - y02 * rounded(b2 * (wide(y02) - 1) + wide(u32) * t2) / d2,
+        t24 - y03, w1 * y03 / d1 + t24, w2 * y03 / d2 + t24,
     )
 
 
-_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),))
+_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"))
+
+
+def _reconstruction_matrix_factors(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return u31, rounded(wide(u31) + u32 - 1), u32, y01, rounded(wide(y01) + y02 + y03 - 1), y02, y03
+
+
+_RECONSTRUCTION_MATRIX_FACTORS = (
+    "u31", "u31 + u32 - 1", "u32", "y01", "y01 + y02 + y03 - 1", "y02", "y03",
+)
 
 
 def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -602,9 +668,11 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
         result[2, 2] = -mu1*(-1 + mu2)/d1
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*mu2*mu3*u31 +
-    mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``.
+    mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``. Their values are given by the
+    function `hypotheses` of this package.
 
-    Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.  With the double-double operations for sums that may cancel: 346.
+    Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.
+    With double-double operations for sums that may cancel: 342.
 
     Examples
     --------
@@ -622,23 +690,36 @@ def _reconstruction_matrix_from_mu(
     t2 = rounded(t10)
     t18 = wide(mu2) - 1
     t3 = rounded(t18)
-    t40 = mu2 * t0 - t10 * t18
+    t40 = wide(mu2) * t0 - t10 * t18
     n1 = rounded(t40)
     t41 = wide(mu3) * u31
     t7 = rounded(t41)
     t43 = wide(mu1) - 1
     t8 = rounded(t43)
-    t45 = mu1 * t0 - t41 * t43
+    t45 = wide(mu1) * t0 - t41 * t43
     n2 = rounded(t45)
-    d1 = rounded(mu1 * t40 - mu2 * t41 * t43)
-    d2 = rounded(mu2 * t45 - mu1 * t10 * t18)
+    d1 = rounded(wide(mu1) * t40 - wide(mu2) * t41 * t43)
+    d2 = rounded(wide(mu2) * t45 - wide(mu1) * t10 * t18)
     return (
         -(t7 * mu2 / d1), n1 / d1, t7 * t3 / d1, -(t2 * mu1 / d1), t2 * t8 / d1, n2 / d2, mu1 * mu2 / d1,
         -(mu2 * t8 / d1), -(mu1 * t3 / d1),
     )
 
 
-_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),))
+_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"))
+
+
+def _reconstruction_matrix_from_mu_factors(
+    mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(mu1) * mu2
+    t1 = wide(mu3) * t0
+    return (rounded(t0 + t1 * u31 + t1 * u32 - t0 * mu3 - wide(mu1) * mu3 * u32 - wide(mu2) * mu3 * u31),)
+
+
+_RECONSTRUCTION_MATRIX_FROM_MU_FACTORS = (
+    "mu1*mu2*mu3*u31 + mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31",
+)
 
 
 def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -678,9 +759,10 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
         result[1] = (mu2*y2 + mu3*u32*y3)/delta
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*y1 + mu2*y2 + mu3*y3 - y1 -
-    y2 - y3 + 1``.
+    y2 - y3 + 1``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 18 (5 +, 3 -, 8 *, 2 /); the derived expression as written takes 28.  With the double-double operations for sums that may cancel: 255.
+    Operations: 18 (5 +, 3 -, 8 *, 2 /); the derived expression as written takes 28.
+    With double-double operations for sums that may cancel: 249.
 
     Examples
     --------
@@ -693,9 +775,20 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
 def _project(
     y1: Any, y2: Any, y3: Any, mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    delta = rounded(y1 * (wide(mu1) - 1) + y2 * (wide(mu2) - 1) + y3 * (wide(mu3) - 1) + 1)
+    delta = rounded(wide(y1) * (wide(mu1) - 1) + wide(y2) * (wide(mu2) - 1) + wide(y3) * (wide(mu3) - 1) + 1)
     t10 = wide(y3) * mu3
     return rounded(wide(mu1) * y1 + t10 * u31) / delta, rounded(wide(mu2) * y2 + t10 * u32) / delta
 
 
-_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),))
+_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"))
+
+
+def _project_factors(
+    y1: Any, y2: Any, y3: Any, mu1: Any, mu2: Any, mu3: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return (rounded(1 + wide(mu1) * y1 + wide(mu2) * y2 + wide(mu3) * y3 - y1 - y2 - y3),)
+
+
+_PROJECT_FACTORS = (
+    "mu1*y1 + mu2*y2 + mu3*y3 - y1 - y2 - y3 + 1",
+)

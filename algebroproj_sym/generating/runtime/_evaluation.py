@@ -41,12 +41,15 @@ class Signature:
         The core shapes of the results.
     block : int
         How many points of a batch are computed at once.
+    twin : ufunc, optional
+        The compiled version of the body.
     """
 
     name: str
     arguments: tuple[tuple[str, Shape], ...]
     results: tuple[Shape, ...]
     block: int = BLOCK
+    twin: Any = None
 
 
 def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = None) -> Any:
@@ -80,11 +83,19 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     >>> float(evaluate(ratio, lambda x0, x1: (x0 / x1,), ([1, 2],)))
     0.5
     """
+    if signature.twin is not None and out is None and _are_alike(given):
+        try:
+            return signature.twin(*given)
+        except ValueError:  # another shape, of which the rest of this function knows what to say
+            pass
     if any(map(is_foreign, given)):
         return _of_other_library(signature, body, given, out)
     arrays = [np.asarray(value) for value in given]
     batch = _batch(signature, [array.shape for array in arrays])
     dtype = _dtype(signature, given, arrays)
+    if signature.twin is not None and _is_compiled(dtype):
+        wanted = (None,) * len(signature.results) if out is None else _checked(signature, out, batch, dtype)
+        return signature.twin(*(array.astype(dtype, copy=False) for array in arrays), out=wanted)
     if not batch and out is None:
         return _of_a_point(signature, body, arrays, dtype)
     results = _allocated(signature, batch, dtype) if out is None else _checked(signature, out, batch, dtype)
@@ -92,6 +103,36 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
         arrays = [_apart(array, results) for array in arrays]
     _fill(signature, body, arrays, results, batch, dtype)
     return results[0] if len(results) == 1 else results
+
+
+def parts_of(function: Callable[..., Any], asked: str) -> tuple[Signature, Body]:
+    """Return the signature and the body of a generated function; `asked` is who asks, for error messages."""
+    names = getattr(function, "__globals__", {})
+    name = getattr(function, "__name__", repr(function))
+    signature = names.get(f"_{name.upper()}_SIGNATURE")
+    if not isinstance(signature, Signature):
+        raise TypeError(f"{asked}: expected a generated function, got {name}")
+    body: Body = names[f"_{name}"]
+    return signature, body
+
+
+def require_count(signature: Signature, arguments: Sequence[Any]) -> None:
+    """Refuse arguments that are too few or too many."""
+    if len(arguments) != len(signature.arguments):
+        expected = ", ".join(name for name, _ in signature.arguments)
+        raise TypeError(f"{signature.name}: expected the arguments {expected}, got {len(arguments)}")
+
+
+def _are_alike(given: Sequence[Any]) -> bool:
+    """Whether all arguments are arrays of one dtype of which there are compiled functions."""
+    first = given[0]
+    if type(first) is not np.ndarray or not _is_compiled(first.dtype):
+        return False
+    return all(type(array) is np.ndarray and array.dtype is first.dtype for array in given)
+
+
+def _is_compiled(dtype: np.dtype[Any]) -> bool:
+    return dtype.char in "fdg" and dtype.isnative
 
 
 def _batch(signature: Signature, shapes: Sequence[Shape]) -> Shape:
@@ -177,9 +218,12 @@ def _fill(
 ) -> None:
     cores = [core for _, core in signature.arguments]
     entries = [entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)]
-    targets = [
-        target for array, core in zip(results, signature.results, strict=True) for target in _entries(array, core)
-    ]
+    targets = [to for array, core in zip(results, signature.results, strict=True) for to in _entries(array, core)]
+    if prod(batch) <= signature.block:
+        values = body(*(entry.astype(dtype, copy=False) for entry in entries))
+        for target, value in zip(targets, values, strict=True):
+            target[...] = value
+        return
     for block in _blocks(batch, signature.block):
         taken = (_part(entry, block).astype(dtype, order="C", copy=False) for entry in entries)
         for target, value in zip(targets, body(*taken), strict=True):
@@ -187,6 +231,9 @@ def _fill(
 
 
 def _entries(array: Any, core: Shape) -> list[Any]:
+    """Return the entries of the core dimensions, row by row, as arrays of the leading dimensions."""
+    if not core:
+        return [array]
     return [array[(..., *place)] for place in product(*map(range, core))]
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import bibtex
+from algebroproj_sym.declaring import bibtex, quotations
 from algebroproj_sym.reporting.site.addresses import claim_record_file, errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
@@ -48,6 +48,7 @@ def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: M
         note=linked(claim.note, entry.paper, entry.page, catalogue),
         instead=catalogue.by_number.get((entry.paper, claim.instead)),
         functions=catalogue.functions_on(entry),
+        quote=quotations(entry.derivation.path.parent).quotes.get(entry.number),
         previous=paper.entries[place - 1] if place else None,
         following=paper.entries[place + 1] if place + 1 < len(paper.entries) else None,
         record=record,

@@ -1,0 +1,28 @@
+"""Auditing: what claims say is printed, held against the words and the LaTeX of the papers.
+
+A quote is looked up in the paper's file (`scans`), parsed (`latex`), its symbols are looked up in the paper's tables
+(`symbols`), and what it reads must be what the claim says is printed, symbol by symbol (`audit`).
+"""
+
+from algebroproj_sym.auditing.audit import STATUSES, Finding, Status, audited, numbers_in
+from algebroproj_sym.auditing.collection import audit, stale
+from algebroproj_sym.auditing.latex import UnreadableError, read_formula
+from algebroproj_sym.auditing.scans import misplaced
+from algebroproj_sym.auditing.symbols import Symbols, Table, symbols_for, tables_in
+
+__all__ = [
+    "STATUSES",
+    "Finding",
+    "Status",
+    "Symbols",
+    "Table",
+    "UnreadableError",
+    "audit",
+    "audited",
+    "misplaced",
+    "numbers_in",
+    "read_formula",
+    "stale",
+    "symbols_for",
+    "tables_in",
+]

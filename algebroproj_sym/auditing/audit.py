@@ -1,0 +1,190 @@
+"""The audit of one claim: its quote is read symbol by symbol and must be what the claim says is printed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from itertools import product
+from typing import Any, Literal, get_args
+
+import sympy
+
+from algebroproj_sym.auditing.latex import Side, UnreadableError, read_formula
+from algebroproj_sym.auditing.symbols import Symbols
+from algebroproj_sym.declaring import Claim, Quotations, Quote
+from algebroproj_sym.expressions import entries, remembered, shape, vector
+from algebroproj_sym.proving import prove
+
+Status = Literal["equal", "number", "quoted", "unquoted", "failed"]
+STATUSES: tuple[Status, ...] = get_args(Status)
+_COUNTED = ("rank", "count", "reference")
+_DIGITS = re.compile(r"(?<![\d.,])[-−]?\s?(?:\d+(?:[.,]\d+)?|\.\d+)(?!\d)")
+_PLAIN = str.maketrans({"−": "-", ",": "."})
+_WORDS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What the audit of a claim found.
+
+    Attributes
+    ----------
+    claim : Claim
+        The claim.
+    status : str
+        ``equal``: the quote was parsed, and equals what the claim says is printed; ``number``: the quote has the
+        printed number; ``quoted``: the quote is there and not parsed; ``unquoted``: there is no quote; ``failed``.
+    reason : str
+        For ``quoted`` and ``unquoted``: the reason that is declared; for ``failed``: what is wrong.
+    quote : Quote or None
+        The quote.
+    """
+
+    claim: Claim
+    status: Status
+    reason: str = ""
+    quote: Quote | None = None
+
+
+def audited(claim: Claim, quotations: Quotations, symbols: Symbols, printed_together: Sequence[Claim] = ()) -> Finding:
+    """Audit a claim against its quote.
+
+    Parameters
+    ----------
+    claim : Claim
+        The claim.
+    quotations : Quotations
+        The quotes of its paper.
+    symbols : Symbols
+        What the symbols of the paper stand for in this claim.
+    printed_together : sequence of Claim
+        The claims that share the quote, in the order of the quote.
+    """
+    quote = quotations.quotes.get(claim.number)
+    if quote is None:
+        reason = quotations.why_unquoted(claim)
+        return Finding(claim, "unquoted", reason) if reason else Finding(claim, "failed", "no quote, and no reason")
+    if quote.unparsed:
+        return Finding(claim, "quoted", quote.unparsed, quote)
+    if isinstance(claim.printed, Decimal):
+        wrong = _missing_numbers(quote, printed_together or (claim,))
+        return Finding(claim, "failed", wrong, quote) if wrong else Finding(claim, "number", "", quote)
+    if claim.kind in _COUNTED:
+        return _counted(claim, quote)
+    return _compared(claim, quote, symbols)
+
+
+def numbers_in(text: str) -> list[Decimal]:
+    """Return the decimal numbers of a text in their order; a comma before digits is a decimal point.
+
+    Examples
+    --------
+    >>> numbers_in("1 & - 0.50 & u = 1,64746")
+    [Decimal('1'), Decimal('-0.50'), Decimal('1.64746')]
+    """
+    return [Decimal(re.sub(r"\s", "", found).translate(_PLAIN)) for found in _DIGITS.findall(text)]
+
+
+def _missing_numbers(quote: Quote, claims: Sequence[Claim]) -> str:
+    """Say which number the quote has not, where the claims that share it are about its numbers in their order."""
+    remaining = iter(numbers_in(quote.text))
+    for claim in claims:
+        if not any(_same_digits(number, claim.printed) for number in remaining):
+            return f"the quote has no {claim.printed} in its place, for ({claim.number})"
+    return ""
+
+
+def _same_digits(number: Decimal, printed: Any) -> bool:
+    return isinstance(printed, Decimal) and number.as_tuple() == printed.as_tuple()
+
+
+def _counted(claim: Claim, quote: Quote) -> Finding:
+    printed = claim.printed
+    assert printed is not None
+    if claim.kind == "reference":
+        wanted = ".".join(str(part) for part in printed)  # type: ignore[union-attr]
+        found = re.search(rf"(?<![\d.]){re.escape(wanted)}(?![\d]|\.\d)", quote.text) is not None
+    else:
+        wanted = str(printed)
+        found = re.search(rf"(?<![\d.]){wanted}(?![\d.]*\d)", quote.text) is not None or _in_words(wanted, quote.text)
+    return Finding(claim, "number" if found else "failed", "" if found else f"the quote has no {wanted}", quote)
+
+
+def _in_words(number: str, text: str) -> bool:
+    word = _WORDS[int(number)] if int(number) < len(_WORDS) else None
+    return word is not None and re.search(rf"(?i)\b{word}\b", text) is not None
+
+
+def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
+    try:
+        read = [expression for piece in quote.pieces for expression in _readings(piece, quote, symbols)]
+    except UnreadableError as error:
+        return Finding(claim, "failed", f"cannot be read: {error}", quote)
+    printed = claim.printed if isinstance(claim.printed, tuple) else (claim.printed,)
+    if any(_are_equal(theirs, ours) for theirs, ours in _layouts(read, printed, quote)):
+        return Finding(claim, "equal", "", quote)
+    return Finding(claim, "failed", f"the quote reads {', '.join(map(str, read))}", quote)
+
+
+def _readings(piece: str, quote: Quote, symbols: Symbols) -> Iterator[Any]:
+    for values in product(*quote.indices.values()):
+        chosen = replace(symbols, indices=tuple(zip(quote.indices, values, strict=True)))
+        for cell in _cells(piece):
+            yield from _parts(read_formula(cell, chosen), quote)
+
+
+def _cells(piece: str) -> list[str]:
+    """Return the cells of a row of a table, which tabulators separate; of a formula itself."""
+    return [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
+
+
+def _parts(sides: tuple[Side, ...], quote: Quote) -> list[Any]:
+    if not quote.equation:
+        wrong = [side for side in quote.sides if not -len(sides) <= side < len(sides)]
+        if wrong:
+            raise UnreadableError(f"side {wrong[0]} of a formula with {len(sides)} sides")
+        return [sides[side]() for side in quote.sides]
+    left, right = sides[0](), sides[-1]()
+    if len(sides) < 2 or (shape(left) != shape(right) and right != 0):
+        raise UnreadableError("no equation of two sides of one shape")
+    difference = left if right == 0 else left - right
+    return _coefficients(difference, quote.coefficients) if quote.coefficients else [difference]
+
+
+def _coefficients(difference: Any, unknowns: tuple[str, ...]) -> list[Any]:
+    """Return the coefficients of an equation that is linear in some unknowns."""
+    symbols = [sympy.Symbol(name) for name in unknowns if name not in ("1", "-1")]
+    plain = remembered(difference).doit()
+    constant = plain.xreplace(dict.fromkeys(symbols, sympy.Integer(0)))
+    by_name = {symbol.name: plain.diff(symbol) for symbol in symbols}
+    if any(value.has(*symbols) for value in by_name.values()):
+        raise UnreadableError(f"no equation that is linear in {', '.join(unknowns)}")
+    if not {"1", "-1"} & {*unknowns} and prove(constant, 0).verdict != "proved":
+        raise UnreadableError(f"a term without {', '.join(unknowns)}")
+    return [{**by_name, "1": constant, "-1": -constant}[name] for name in unknowns]
+
+
+def _layouts(read: Sequence[Any], printed: Sequence[Any], quote: Quote) -> Iterator[tuple[list[Any], list[Any]]]:
+    """Yield entries of both sides in one order: by rows, and by columns."""
+    for order in (_by_rows, _by_columns):
+        theirs, ours = [e for part in read for e in order(part)], [e for part in printed for e in order(part)]
+        if all(entry == 0 for entry in theirs):
+            theirs = [sympy.Integer(0)] * len(ours)
+        if len(theirs) == len(ours):
+            yield theirs, ours
+            if quote.equation:
+                yield theirs, [-entry for entry in ours]
+
+
+def _by_rows(part: Any) -> list[Any]:
+    return list(entries(part))
+
+
+def _by_columns(part: Any) -> list[Any]:
+    return list(entries(part.T if shape(part) else part))
+
+
+def _are_equal(theirs: list[Any], ours: list[Any]) -> bool:
+    return prove(vector(*theirs), vector(*ours)).verdict == "proved"

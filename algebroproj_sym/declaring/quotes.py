@@ -1,0 +1,176 @@
+r"""Quotes: where a paper prints what a claim is about, word for word, from the file ``quotes.toml`` of its derivations.
+
+::
+
+    source = "name of the paper's file"
+
+    [[quote]]
+    claims = ["1.3.5#mu3"]                          several claims may share a quote
+    line = 201                                      the line on which it begins
+    latex = '\mu_3 = -\frac{y_{00}}{u_{30}y_{03}}'    or a list of pieces that follow one another
+
+    [[unquoted]]
+    claims = ["1.3/core"]
+    reason = "implied"
+
+A claim with ``/beyond/`` in its number has no quote; where a whole folder goes beyond the papers, ``beyond = true``.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any, Literal, get_args
+
+from algebroproj_sym.declaring.claim import Claim, DeclarationError
+
+Unparsed = Literal["words", "damaged", "abbreviated", "implicit"]
+Unquoted = Literal["beyond", "implied", "figure", "lost"]
+UNPARSED: dict[Unparsed, str] = {
+    "words": "the paper says it in words, or shows no more than the number",
+    "damaged": "the scan does not preserve the formula",
+    "abbreviated": "the paper writes an ellipsis, a sum or one row for all, which the claim writes out",
+    "implicit": "the claim makes precise what the paper's abstract notation stands for",
+}
+UNQUOTED: dict[Unquoted, str] = {
+    "beyond": "the claim goes beyond the paper",
+    "implied": "the statement follows from several places of the paper, and no single one prints it",
+    "figure": "it stands in a figure or table that the scan does not have as text",
+    "lost": "the scan has lost the place",
+}
+_BEYOND = "/beyond/"
+FILE = "quotes.toml"
+
+
+@dataclass(frozen=True)
+class Quote:
+    """What a paper prints about some claims, and how the parts that a claim is about are taken from it.
+
+    Attributes
+    ----------
+    claims : tuple of str
+        The numbers of the claims.
+    line : int
+        The line of the paper's file on which the quote begins.
+    pieces : tuple of str
+        The quote; several pieces where something else stands between them.
+    sides : tuple of int
+        Which sides of each piece the claims are about, counted as in a Python sequence.
+    equation : bool
+        Whether the claims are about the difference of the first and the last side.
+    coefficients : tuple of str
+        Then: the unknowns whose coefficients the claims list, "1" for the constant, "-1" for it on the right side.
+    indices : mapping of str to tuple of str
+        Letters that stand for indices, and the values for which the quote is read.
+    unparsed : str
+        Why the quote is not read as a formula; empty if it is.
+    """
+
+    claims: tuple[str, ...]
+    line: int
+    pieces: tuple[str, ...]
+    sides: tuple[int, ...] = (-1,)
+    equation: bool = False
+    coefficients: tuple[str, ...] = ()
+    indices: Mapping[str, tuple[str, ...]] = field(default_factory=dict, hash=False)
+    unparsed: Unparsed | Literal[""] = ""
+
+    @property
+    def text(self) -> str:
+        """The pieces in one line."""
+        return " … ".join(self.pieces)
+
+
+@dataclass(frozen=True)
+class Quotations:
+    """The quotes of the claims of one folder of derivations.
+
+    Attributes
+    ----------
+    source : str
+        The name of the paper's file; empty if the folder has no quotes.
+    quotes : mapping of str to Quote
+        By the number of the claim.
+    unquoted : mapping of str to str
+        Why a claim has no quote, by its number.
+    beyond : bool
+        Whether all claims of the folder go beyond the papers.
+    """
+
+    source: str = ""
+    quotes: Mapping[str, Quote] = field(default_factory=dict)
+    unquoted: Mapping[str, Unquoted] = field(default_factory=dict)
+    beyond: bool = False
+
+    def why_unquoted(self, claim: Claim) -> Unquoted | None:
+        """Return why a claim has no quote; None if that is not stated."""
+        return "beyond" if self.beyond or _BEYOND in claim.number else self.unquoted.get(claim.number)
+
+
+def quotations(folder: Path) -> Quotations:
+    """Return the quotes of a folder of derivations; none if it has no file of quotes.
+
+    Raises
+    ------
+    DeclarationError
+        If the file cannot be read, or a claim has two quotes.
+    """
+    path = folder / FILE
+    return _read(path, path.stat().st_mtime_ns) if path.is_file() else Quotations()
+
+
+@cache
+def _read(path: Path, stamp: int) -> Quotations:
+    try:
+        content = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise DeclarationError(f"{path}: expected TOML, got {error}") from error
+    quotes = [_quote(entry, path) for entry in content.get("quote", ())]
+    reasons = [(number, reason) for entry in content.get("unquoted", ()) for number, reason in _reasons(entry, path)]
+    _require_once([*(number for quote in quotes for number in quote.claims), *(number for number, _ in reasons)], path)
+    by_number = {number: quote for quote in quotes for number in quote.claims}
+    return Quotations(str(content.get("source", "")), by_number, dict(reasons), bool(content.get("beyond", False)))
+
+
+def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
+    latex = entry.get("latex")
+    pieces = (latex,) if isinstance(latex, str) else tuple(latex or ())
+    unparsed = entry.get("unparsed", "")
+    known = {"claims", "line", "latex", "sides", "equation", "coefficients", "indices", "unparsed"}
+    where = f"{path}, quote of {', '.join(entry.get('claims', ['?']))}"
+    if not pieces or not all(isinstance(piece, str) and piece.strip() for piece in pieces):
+        raise DeclarationError(f"{where}: expected latex, a text or a list of texts, got {latex!r}")
+    if not isinstance(entry.get("line"), int) or not entry.get("claims"):
+        raise DeclarationError(f"{where}: expected claims and a line, got {sorted(entry)}")
+    if set(entry) - known:
+        raise DeclarationError(f"{where}: expected keys of {sorted(known)}, got {sorted(set(entry) - known)}")
+    if unparsed and unparsed not in get_args(Unparsed):
+        raise DeclarationError(f"{where}: expected unparsed to be one of {get_args(Unparsed)}, got {unparsed!r}")
+    return Quote(
+        claims=tuple(entry["claims"]),
+        line=entry["line"],
+        pieces=pieces,
+        sides=tuple(entry.get("sides", (-1,))),
+        equation=bool(entry.get("equation", "coefficients" in entry)),
+        coefficients=tuple(entry.get("coefficients", ())),
+        indices={letter: tuple(map(str, values)) for letter, values in entry.get("indices", {}).items()},
+        unparsed=unparsed,
+    )
+
+
+def _reasons(entry: Mapping[str, Any], path: Path) -> Iterator[tuple[str, Unquoted]]:
+    reason: Any = entry.get("reason")
+    if reason not in get_args(Unquoted):
+        raise DeclarationError(f"{path}: expected a reason of {get_args(Unquoted)}, got {reason!r}")
+    for number in entry.get("claims", ()):
+        yield number, reason
+
+
+def _require_once(numbers: list[str], path: Path) -> None:
+    twice = sorted(number for number, count in Counter(numbers).items() if count > 1)
+    if twice:
+        raise DeclarationError(f"{path}: expected claims that are quoted once, got {twice} twice")

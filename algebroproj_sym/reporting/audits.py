@@ -1,0 +1,85 @@
+"""The audit of the transcription: a row for each paper, and a record for programs."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import Any
+
+from rich.table import Table
+
+from algebroproj_sym.auditing import Finding
+from algebroproj_sym.declaring import UNPARSED, UNQUOTED
+
+OUTCOMES = {
+    "equal": "parsed, equal",
+    "number": "number found",
+    "quoted": "quoted only",
+    "beyond": "beyond the paper",
+    "unquoted": "no quote",
+    "failed": "failed",
+}
+
+
+def outcome(finding: Finding) -> str:
+    """Return one of `OUTCOMES`: the status of a finding, where claims beyond the paper count apart."""
+    return "beyond" if finding.reason == "beyond" else finding.status
+
+
+def audit_counts(findings: Sequence[Finding]) -> dict[str, Counter[str]]:
+    """Return for each paper how many claims have which outcome."""
+    papers = sorted({finding.claim.paper for finding in findings})
+    return {paper: Counter(outcome(f) for f in findings if f.claim.paper == paper) for paper in papers}
+
+
+def audit_table(findings: Sequence[Finding]) -> Table:
+    """Return a row for each paper: how many claims have which outcome, and the share audited by machine."""
+    table = Table("paper", "claims", *OUTCOMES.values(), "audited by machine", box=None, pad_edge=False)
+    for paper, counts in audit_counts(findings).items():
+        table.add_row(paper, str(counts.total()), *(str(counts[name]) for name in OUTCOMES), audited_share(counts))
+    return table
+
+
+def audited_share(counts: Counter[str]) -> str:
+    """Return the share of the claims about the paper, those beyond it left out, that the machine has audited.
+
+    Examples
+    --------
+    >>> audited_share(Counter(equal=2, number=1, quoted=1, beyond=5))
+    '75% of 4'
+    """
+    about = counts.total() - counts["beyond"]
+    return f"{(counts['equal'] + counts['number']) / about:.0%} of {about}" if about else "–"
+
+
+def audit_lines(findings: Sequence[Finding]) -> list[str]:
+    """Return what failed, and how often each reason for a claim without audit is given."""
+    failed = [f"{f.claim.paper}:{f.claim.number}  {f.reason}" for f in findings if f.status == "failed"]
+    reasons = Counter((f.status, f.reason) for f in findings if f.status in ("quoted", "unquoted"))
+    given = [f"{count:5}  {_explained(*reason)}" for reason, count in sorted(reasons.items())]
+    return [*failed, *given]
+
+
+def audit_record(findings: Sequence[Finding], against_papers: bool) -> dict[str, Any]:
+    """Return the findings for JSON; `against_papers` says whether the quotes were looked up in the papers' files."""
+    return {
+        "schema": 1,
+        "against the papers": against_papers,
+        "findings": [_record(finding) for finding in findings],
+        "summary": {
+            paper: {name: counts[name] for name in OUTCOMES if counts[name]}
+            for paper, counts in audit_counts(findings).items()
+        },
+    }
+
+
+def _record(finding: Finding) -> dict[str, Any]:
+    quote = finding.quote
+    place = {"line": quote.line, "quote": quote.text} if quote else {"line": None, "quote": None}
+    claim = finding.claim
+    return {"paper": claim.paper, "number": claim.number, "status": finding.status, "reason": finding.reason, **place}
+
+
+def _explained(status: str, reason: str) -> str:
+    meanings: dict[str, str] = {**UNPARSED, **UNQUOTED}  # type: ignore[dict-item]
+    return f"{OUTCOMES[status]}: {meanings[reason]}"

@@ -1,8 +1,8 @@
 """Time of the generated functions beside that of other ways to evaluate the same formulas, in one run.
 
-Run with ``python benchmarks/speed.py [N ...]``; what is not installed is left out, and said.  All contestants take turns
-in every round, and the quartiles, over the rounds, of the ratio to the compiled function are printed: what the machine
-does besides then hits all of them alike.
+Run with ``python benchmarks/speed.py [N ...]``; what is not installed is left out, and said.  All take turns in every
+round, and the quartiles, over the rounds, of the ratio to the compiled function are printed: what the machine does
+besides then hits all of them alike.
 """
 
 from __future__ import annotations

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 STAGES = (
-    *("files", "expressions", "proving", "declaring", "auditing", "generating", "verifying", "mutating"),
-    *("reporting", "pipeline", "replaying", "scaffolding", "cli", "plugin"),
+    *("files", "expressions", "proving", "declaring", "auditing", "remembering", "generating", "verifying", "mutating"),
+    *("reporting", "pipeline", "replaying", "exporting", "scaffolding", "cli", "plugin"),
 )
 
 

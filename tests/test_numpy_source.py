@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating import Program, Step, run
 from algebroproj_sym.generating.numpy_source import LINE, packed, statements
+from algebroproj_sym.generating.runtime._double_double import rounded, wide
 
 INPUTS = ("x", "y", "z")
 
@@ -44,7 +45,7 @@ def lines_of(program):
 
 
 def executed(program, inputs):
-    namespace = {}
+    namespace = {"wide": wide, "rounded": rounded}
     exec("\n    ".join([f"def body({', '.join(inputs)}):", *statements(program)]), namespace)
     return list(namespace["body"](*inputs.values()))
 
@@ -146,16 +147,22 @@ def test_outputs_are_returned_in_order():
     assert statements(program) == ["t0 = x * x", "return t0, 0, x, t0"]
 
 
-def test_the_splitting_constant_comes_from_the_first_input():
-    program = Program(("x", "y"), (Step("t0", "*", ("splitter", "x")),), ("t0",))
-    assert statements(program) == ["splitter = splitter_of(x)", "return (splitter * x,)"]
-
-
 @given(st.lists(st.text("abc()", min_size=1, max_size=LINE)))
 def test_packed_lines_hold_all_items_in_order_and_stay_readable(items):
     lines = packed(items)
     assert " ".join(lines) == " ".join(f"{item}," for item in items)
     assert max(map(len, lines), default=0) <= LINE + 1
+
+
+def test_a_number_of_twice_the_digits_stands_on_the_left_as_arrays_need_not_know_of_it():
+    steps = (
+        Step("t0", "wide", ("x",)),
+        Step("t1", "-", ("y", "t0")),
+        Step("t2", "*", (2, "t1")),
+        Step("t3", "rounded", ("t2",)),
+        Step("t4", "-", ("y", "t3")),
+    )
+    assert lines_of(Program(INPUTS, steps, ("t4",))) == ["y - rounded(2 * (wide(y) - wide(x)))"]
 
 
 def test_lines_stay_readable():

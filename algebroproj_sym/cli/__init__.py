@@ -8,6 +8,7 @@ from algebroproj_sym.cli.audit import audit_command
 from algebroproj_sym.cli.build import build
 from algebroproj_sym.cli.check import check
 from algebroproj_sym.cli.explain import explain
+from algebroproj_sym.cli.export import export_group
 from algebroproj_sym.cli.generate import generate
 from algebroproj_sym.cli.group import Group
 from algebroproj_sym.cli.mutate import mutate
@@ -50,5 +51,8 @@ def main(context: click.Context, verbosity: str | None) -> None:
     context.obj = verbosity or "normal"
 
 
-for command in (new, check, explain, generate, verify, build, report, replay_command, mutate, audit_command):
+for command in (
+    *(new, check, explain, generate, verify, build, report),
+    *(replay_command, audit_command, export_group, mutate),
+):
     main.add_command(command)

@@ -11,7 +11,7 @@ from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels, require_as_declared, verified
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.reporting import verification_table
+from algebroproj_sym.reporting import verification_table, write_json
 from algebroproj_sym.verifying import BOUND, verification_record
 
 
@@ -29,6 +29,12 @@ from algebroproj_sym.verifying import BOUND, verification_record
 @options.samples
 @options.engine
 @options.jobs
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Also write the figures to DIR/accuracy.json.",
+)
 @options.output_format
 def verify(
     functions: tuple[str, ...],
@@ -38,6 +44,7 @@ def verify(
     samples: int,
     engine: str,
     jobs: int,
+    out: Path | None,
     output: str,
 ) -> None:
     """Verify the generated functions.
@@ -49,8 +56,11 @@ def verify(
     """
     lowered = lowered_kernels(kernels(functions, sources), sources, engine, jobs)
     verifications = verified(lowered, folder, samples, engine, jobs, package)
+    record = verification_record(verifications)
+    if out is not None:
+        write_json(record, out / "accuracy.json")
     if output == "json":
-        click.echo(json.dumps(verification_record(verifications), indent=1))
+        click.echo(json.dumps(record, indent=1))
     else:
         console().print(verification_table(verifications))
         passed = sum(verification.passed for verification in verifications)

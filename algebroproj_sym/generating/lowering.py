@@ -8,14 +8,14 @@ for a regular one.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import count
 from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring import Kernel, Stage
-from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate
+from algebroproj_sym.declaring import Kernel, Result, Stage
+from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate, vector
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.graph import Graph, Node, Signed
 from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
@@ -150,6 +150,16 @@ def program_of(kernel: Kernel, guarded: Sequence[Scalar]) -> Program:
         emitter.name(signed, symbol.name)
     results = tuple(emitter.signed(signed) for signed in outputs)
     return Program(tuple(symbol.name for symbol in kernel.symbols), tuple(emitter.steps), results)
+
+
+def factors_of(lowered: Lowered) -> Program:
+    """Return the program that computes the factors that must not vanish, in the order of the hypotheses."""
+    kernel = lowered.kernel
+    column = vector(*lowered.hypotheses)
+    used = column.free_symbols
+    needed = max((k for k, stage in enumerate(kernel.stages, start=1) if used & {*stage.results}), default=0)
+    results = (Result("factors", column, column),)
+    return compensated(program_of(replace(kernel, results=results, stages=kernel.stages[:needed], where=()), ()))
 
 
 def known_factor(factor: Scalar, kernel: Kernel, graph: Graph, known: dict[sympy.Symbol, Signed]) -> Signed:

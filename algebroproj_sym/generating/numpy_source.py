@@ -39,11 +39,12 @@ def statements(program: Program) -> list[str]:
     uses = program.uses()
     written: dict[Operand, _Text] = {}
     lines: list[str] = []
+    doubled = _doubled(program)
     for step in program.steps:
         if isinstance(step, Call):
             lines += _call(step, written)
             continue
-        text = _operation(step, written)
+        text = _operation(step, written, doubled)
         inlined = uses[step.name] == 1 and bool(_TEMPORARY.fullmatch(step.name)) and len(text.text) <= LINE
         if inlined:
             written[step.name] = text
@@ -82,7 +83,8 @@ def _call(call: Call, written: dict[Operand, _Text]) -> list[str]:
     if call.primitive == "let":
         return [f"{n} = {_operand(operand, written).text}" for n, operand in zip(call.names, call.rows[0], strict=True)]
     rows = [", ".join(_operand(operand, written).text for operand in row) for row in call.rows]
-    head = f"{', '.join(call.names)} = {call.primitive}("
+    single = "," if call.primitive in LINEAR and len(call.names) == 1 else ""
+    head = f"{', '.join(call.names)}{single} = {call.primitive}("
     if call.primitive not in LINEAR:
         return [f"{head}{rows[0]})"]
     return [head, *(f"    [{row}]," for row in rows), ")"]
@@ -95,9 +97,24 @@ def _operand(operand: Operand, written: dict[Operand, _Text]) -> _Text:
     return _Text(str(operand), _PRECEDENCE["neg"] if negative else _ATOM)
 
 
-def _operation(step: Step, written: dict[Operand, _Text]) -> _Text:
+def _doubled(program: Program) -> set[Operand]:
+    """Return the names of the numbers of twice the digits."""
+    doubled: set[Operand] = set()
+    for step in program.steps:
+        if isinstance(step, Step):
+            widens = step.operator == "wide" or (step.operator != "rounded" and not doubled.isdisjoint(step.operands))
+            doubled |= {step.name} if widens else set()
+        elif step.primitive not in LINEAR and not doubled.isdisjoint(step.operands):
+            doubled |= {*step.names}
+    return doubled
+
+
+def _operation(step: Step, written: dict[Operand, _Text], doubled: set[Operand]) -> _Text:
+    """Return an operation; a number of twice the digits is its left operand, as an array need not know of those."""
     precedence = _PRECEDENCE[step.operator]
     operands = [_operand(operand, written) for operand in step.operands]
+    if isinstance(step.operands[0], str) and step.operands[0] not in doubled and not doubled.isdisjoint(step.operands):
+        operands[0] = _Text(f"wide({operands[0].text})", _ATOM)
     if step.operator in ("wide", "rounded"):
         return _Text(f"{step.operator}({operands[0].text})", _ATOM)
     if step.operator == "neg":

@@ -18,7 +18,7 @@ from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import runtime
 from algebroproj_sym.generating.c_source import c_files, c_name, is_compiled, stamped
 from algebroproj_sym.generating.expansion import expanded
-from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.numpy_source import packed, statements
 from algebroproj_sym.generating.operation_counts import operation_counts
 from algebroproj_sym.generating.program import Call, Step, run
@@ -106,7 +106,8 @@ def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:
     sources = sorted({f"{low.kernel.paper} {low.kernel.section}" for low in group})
     title = f"Functions of {', '.join(sources)}."
     called: set[str] = {step.primitive for low in group for step in low.program.steps if isinstance(step, Call)}
-    operators = {step.operator for low in group for step in low.program.steps if isinstance(step, Step)}
+    programs = [program for low in group for program in (low.program, factors_of(low))]
+    operators = {step.operator for program in programs for step in program.steps if isinstance(step, Step)}
     return _TEMPLATES.get_template("module.py.j2").render(
         title=title,
         notice=NOTICE,
@@ -143,6 +144,8 @@ def _function(low: Lowered) -> dict[str, Any]:
         "example_call": _example_call(kernel),
         "example_result": _example_result(low),
         "body": statements(low.program),
+        "factors": packed([f'"{factor}"' for factor in map(_name, low.hypotheses)]),
+        "factors_body": statements(factors_of(low)) if low.hypotheses else [],
     }
 
 
@@ -202,6 +205,7 @@ def _singularities(low: Lowered) -> str:
     if low.hypotheses:
         factors = ", ".join(map(_factor, low.hypotheses))
         sentences.append(f"Not finite, with NumPy's floating-point warning, where one of these vanishes: {factors}.")
+        sentences.append("Their values are given by the function `hypotheses` of this package.")
     if any(stage.primitive in LINEAR for stage in low.kernel.stages):
         sentences.append(
             "Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and "
@@ -215,9 +219,15 @@ def _singularities(low: Lowered) -> str:
 
 
 def _factor(factor: Scalar) -> str:
+    text = _name(factor)
+    return f"``{text}``" if text == str(factor) else text
+
+
+def _name(factor: Scalar) -> str:
+    """Return a factor as it is written; of a long one, what can be read."""
     text = str(factor)
     if len(text) <= LONGEST_FACTOR:
-        return f"``{text}``"
+        return text
     return f"a factor of a denominator above, of {len(sympy.Add.make_args(factor))} terms"
 
 

@@ -147,7 +147,7 @@ def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any, Any]:
     parts = [*(entry.hi for entry in entries), *(0 if entry.lo is None else entry.lo for entry in entries)]
     xp = namespace(parts)
     dtype = _dtype(xp, parts)
-    if dtype == np.dtype(object):
+    if _is_objects(dtype):
         parts = _of_one_kind(parts)
     arrays = xp.broadcast_arrays(*(xp.asarray(part, dtype=dtype) for part in parts))
     both = xp.reshape(xp.stack(arrays), (2, len(rows), len(rows[0]), *arrays[0].shape))
@@ -174,7 +174,11 @@ def _is_refinable(xp: Any, value: Any) -> bool:
 
 
 def _is_of_objects(value: Any) -> bool:
-    return bool(getattr(value, "dtype", np.dtype(object)) == np.dtype(object))
+    return not hasattr(value, "dtype") or _is_objects(value.dtype)
+
+
+def _is_objects(dtype: Any) -> bool:
+    return getattr(dtype, "kind", "") == "O"
 
 
 def _rows_eliminated(xp: Any, rows: list[Any]) -> list[_Step]:

@@ -121,10 +121,10 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
         result[1] = (c11*d2 - c12*d1)/det
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``g00*g11 - g00*g21 - g01*g10 +
-    g01*g20 + g10*g21 - g11*g20``.
+    g01*g20 + g10*g21 - g11*g20``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 17 (9 -, 6 *, 2 /); the derived expression as written takes 30.
-    With double-double operations for sums that may cancel: 226.
+    With double-double operations for sums that may cancel: 220.
 
     Examples
     --------
@@ -148,6 +148,18 @@ def _plane_coordinates(
 
 
 _PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),), twin=ufunc("affine_plane_coordinates"))
+
+
+def _plane_coordinates_factors(
+    v1: Any, v2: Any, g00: Any, g01: Any, g10: Any, g11: Any, g20: Any, g21: Any,
+) -> tuple[Any, ...]:
+    t17 = wide(g00) * g11 + wide(g01) * g20 + wide(g10) * g21 - wide(g00) * g21 - wide(g01) * g10 - wide(g11) * g20
+    return (rounded(t17),)
+
+
+_PLANE_COORDINATES_FACTORS = (
+    "g00*g11 - g00*g21 - g01*g10 + g01*g20 + g10*g21 - g11*g20",
+)
 
 
 def space_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -274,10 +286,10 @@ def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
         result[2] = (a21*n1 + a22*n2 + a23*n3)/det
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: a factor of a denominator above,
-    of 24 terms.
+    of 24 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 54 (8 +, 18 -, 24 *, 3 /, 1 neg); the derived expression as written takes 177.
-    With double-double operations for sums that may cancel: 827.
+    With double-double operations for sums that may cancel: 819.
 
     Examples
     --------
@@ -317,3 +329,29 @@ def _space_coordinates(
 
 
 _SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),), twin=ufunc("affine_space_coordinates"))
+
+
+def _space_coordinates_factors(
+    X1: Any, X2: Any, X3: Any, G00: Any, G01: Any, G02: Any, G10: Any, G11: Any, G12: Any, G20: Any,
+    G21: Any, G22: Any, G30: Any, G31: Any, G32: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(G00) * G11
+    t2 = wide(G00) * G12
+    t5 = wide(G21) * G32
+    t8 = wide(G01) * G10
+    t11 = wide(G01) * G12
+    t14 = wide(G22) * G30
+    t17 = wide(G02) * G10
+    t20 = wide(G02) * G11
+    t23 = wide(G20) * G31
+    t25 = t0 * G22 + t2 * G31 + t5 * G00 + t8 * G32 + t11 * G20 + t14 * G01 + t17 * G21 + t20 * G30 + t23 * G02
+    t26 = wide(G22) * G31
+    t29 = wide(G20) * G32
+    t32 = wide(G21) * G30
+    t46 = t25 + t26 * G10 + t29 * G11 + t32 * G12 - t0 * G32 - t2 * G21 - t26 * G00 - t8 * G22 - t11 * G30 - t29 * G01
+    return (rounded(t46 - t17 * G31 - t20 * G20 - t32 * G02 - t5 * G10 - t14 * G11 - t23 * G12),)
+
+
+_SPACE_COORDINATES_FACTORS = (
+    "a factor of a denominator above, of 24 terms",
+)

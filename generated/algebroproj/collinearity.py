@@ -94,10 +94,10 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
         result[10] = -e33/r3
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xo*c_omega*s_phi - Yo*s_omega +
-    Zo*c_omega*c_phi``.
+    Zo*c_omega*c_phi``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
-    With double-double operations for sums that may cancel: 1775.
+    With double-double operations for sums that may cancel: 1755.
 
     Examples
     --------
@@ -130,26 +130,40 @@ def _coefficients(
     e32 = rounded(t16)
     t17 = c_omega * c_phi
     e33 = rounded(t17)
-    r1 = Xo * e11 + Yo * e12 + Zo * e13
-    r2 = Xo * e21 + Yo * e22 + Zo * e23
-    t18 = Xo * t15 + Yo * t16 + Zo * t17
+    r1 = wide(Xo) * e11 + wide(Yo) * e12 + wide(Zo) * e13
+    r2 = wide(Xo) * e21 + wide(Yo) * e22 + wide(Zo) * e23
+    t18 = wide(Xo) * t15 + wide(Yo) * t16 + wide(Zo) * t17
     r3 = rounded(t18)
     t35 = s_alpha * c_beta_
     t38 = s_alpha * s_beta_
     return (
-        rounded(principal_distance * (c_alpha * e11 + t35 * t15 + t38 * e21) - t15 * xco) / r3,
-        rounded(principal_distance * (c_alpha * e12 + t35 * t16 + t38 * e22) - t16 * xco) / r3,
-        rounded(principal_distance * (c_alpha * e13 + t35 * t17 + t38 * e23) - t17 * xco) / r3,
-        rounded(xco - principal_distance * (c_alpha * r1 + t35 * t18 + t38 * r2) / t18),
-        rounded(principal_distance * (c_beta_ * e21 - t15 * s_beta_) - t15 * yco) / r3,
-        rounded(principal_distance * (c_beta_ * e22 - t16 * s_beta_) - t16 * yco) / r3,
-        rounded(principal_distance * (c_beta_ * e23 - t17 * s_beta_) - t17 * yco) / r3,
-        rounded(yco - principal_distance * (c_beta_ * r2 - t18 * s_beta_) / t18), -(e31 / r3), -(e32 / r3),
-        -(e33 / r3),
+        rounded(wide(principal_distance) * (c_alpha * e11 + t35 * t15 + t38 * e21) - t15 * xco) / r3,
+        rounded(wide(principal_distance) * (c_alpha * e12 + t35 * t16 + t38 * e22) - t16 * xco) / r3,
+        rounded(wide(principal_distance) * (c_alpha * e13 + t35 * t17 + t38 * e23) - t17 * xco) / r3,
+        rounded(wide(xco) - wide(principal_distance) * (c_alpha * r1 + t35 * t18 + t38 * r2) / t18),
+        rounded(wide(principal_distance) * (c_beta_ * e21 - t15 * s_beta_) - t15 * yco) / r3,
+        rounded(wide(principal_distance) * (c_beta_ * e22 - t16 * s_beta_) - t16 * yco) / r3,
+        rounded(wide(principal_distance) * (c_beta_ * e23 - t17 * s_beta_) - t17 * yco) / r3,
+        rounded(wide(yco) - wide(principal_distance) * (c_beta_ * r2 - t18 * s_beta_) / t18), -(e31 / r3),
+        -(e32 / r3), -(e33 / r3),
     )
 
 
 _COEFFICIENTS_SIGNATURE = Signature("coefficients", (("angles", (3,)), ("center", (3,)), ("principal_distance", ()), ("comparator_angles", (2,)), ("comparator_center", (2,))), ((11,),))
+
+
+def _coefficients_factors(
+    phi: Any, omega: Any, kappa: Any, Xo: Any, Yo: Any, Zo: Any, principal_distance: Any, alpha: Any,
+    beta_: Any, xco: Any, yco: Any,
+) -> tuple[Any, ...]:
+    c_phi, s_phi = cos_sin(wide(phi))
+    c_omega, s_omega = cos_sin(wide(omega))
+    return (rounded(wide(Xo) * c_omega * s_phi + wide(Zo) * c_omega * c_phi - wide(Yo) * s_omega),)
+
+
+_COEFFICIENTS_FACTORS = (
+    "Xo*c_omega*s_phi - Yo*s_omega + Zo*c_omega*c_phi",
+)
 
 
 def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -186,9 +200,10 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
         result[1] = (A8 + A5*X + A6*Y + A7*Z)/(1 + A10*Y + A11*Z + A9*X)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 20 (9 +, 9 *, 2 /); the derived expression as written takes 26.
-    With double-double operations for sums that may cancel: 281.
+    With double-double operations for sums that may cancel: 275.
 
     Examples
     --------
@@ -204,12 +219,24 @@ def _project(
 ) -> tuple[Any, ...]:
     t11 = rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X)
     return (
-        rounded(A4 + wide(A1) * X + wide(A2) * Y + wide(A3) * Z) / t11,
-        rounded(A8 + wide(A5) * X + wide(A6) * Y + wide(A7) * Z) / t11,
+        rounded(wide(A4) + wide(A1) * X + wide(A2) * Y + wide(A3) * Z) / t11,
+        rounded(wide(A8) + wide(A5) * X + wide(A6) * Y + wide(A7) * Z) / t11,
     )
 
 
 _PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),), twin=ufunc("collinearity_project"))
+
+
+def _project_factors(
+    A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
+    X: Any, Y: Any, Z: Any,
+) -> tuple[Any, ...]:
+    return (rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X),)
+
+
+_PROJECT_FACTORS = (
+    "A10*Y + A11*Z + A9*X + 1",
+)
 
 
 def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -267,9 +294,10 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
         result[1, 10] = -Z*(A8 + A5*X + A6*Y + A7*Z)/(w*(1 + A10*Y + A11*Z + A9*X))
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 42 (9 +, 15 *, 12 /, 6 neg); the derived expression as written takes 146.
-    With double-double operations for sums that may cancel: 303.
+    With double-double operations for sums that may cancel: 297.
 
     Examples
     --------
@@ -288,8 +316,8 @@ def _project_jacobian_parameters(
     t7 = Y / w
     t8 = Z / w
     t9 = 1 / w
-    t16 = rounded(A4 + wide(A1) * X + wide(A2) * Y + wide(A3) * Z) / w
-    t32 = rounded(A8 + wide(A5) * X + wide(A6) * Y + wide(A7) * Z) / w
+    t16 = rounded(wide(A4) + wide(A1) * X + wide(A2) * Y + wide(A3) * Z) / w
+    t32 = rounded(wide(A8) + wide(A5) * X + wide(A6) * Y + wide(A7) * Z) / w
     return (
         t6, t7, t8, t9, 0, 0, 0, 0, -(X * t16 / w), -(Y * t16 / w), -(Z * t16 / w), 0, 0, 0, 0, t6, t7, t8,
         t9, -(X * t32 / w), -(Y * t32 / w), -(Z * t32 / w),
@@ -297,6 +325,18 @@ def _project_jacobian_parameters(
 
 
 _PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),), twin=ufunc("collinearity_project_jacobian_parameters"))
+
+
+def _project_jacobian_parameters_factors(
+    A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
+    X: Any, Y: Any, Z: Any,
+) -> tuple[Any, ...]:
+    return (rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X),)
+
+
+_PROJECT_JACOBIAN_PARAMETERS_FACTORS = (
+    "A10*Y + A11*Z + A9*X + 1",
+)
 
 
 def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -338,9 +378,10 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
         result[1, 2] = (A7 + X*(A7*A9 - A11*A5) + Y*(A10*A7 - A11*A6) - A11*A8)/w**2
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 67 (9 +, 18 -, 34 *, 6 /); the derived expression as written takes 138.
-    With double-double operations for sums that may cancel: 1237.
+    With double-double operations for sums that may cancel: 1213.
 
     Examples
     --------
@@ -363,16 +404,28 @@ def _project_jacobian_point(
     t43 = wide(A11) * A5 - wide(A7) * A9
     t52 = wide(A11) * A6 - wide(A10) * A7
     return (
-        rounded((Y * t8 + Z * t12 + A1 - wide(A4) * A9) / t18),
-        rounded((Z * t22 + A2 - X * t8 - wide(A10) * A4) / t18),
-        rounded((A3 - X * t12 - Y * t22 - wide(A11) * A4) / t18),
-        rounded((Y * t39 + Z * t43 + A5 - wide(A8) * A9) / t18),
-        rounded((Z * t52 + A6 - X * t39 - wide(A10) * A8) / t18),
-        rounded((A7 - X * t43 - Y * t52 - wide(A11) * A8) / t18),
+        rounded((wide(Y) * t8 + wide(Z) * t12 + A1 - wide(A4) * A9) / t18),
+        rounded((wide(Z) * t22 + A2 - wide(X) * t8 - wide(A10) * A4) / t18),
+        rounded((wide(A3) - wide(X) * t12 - wide(Y) * t22 - wide(A11) * A4) / t18),
+        rounded((wide(Y) * t39 + wide(Z) * t43 + A5 - wide(A8) * A9) / t18),
+        rounded((wide(Z) * t52 + A6 - wide(X) * t39 - wide(A10) * A8) / t18),
+        rounded((wide(A7) - wide(X) * t43 - wide(Y) * t52 - wide(A11) * A8) / t18),
     )
 
 
 _PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),), twin=ufunc("collinearity_project_jacobian_point"))
+
+
+def _project_jacobian_point_factors(
+    A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
+    X: Any, Y: Any, Z: Any,
+) -> tuple[Any, ...]:
+    return (rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X),)
+
+
+_PROJECT_JACOBIAN_POINT_FACTORS = (
+    "A10*Y + A11*Z + A9*X + 1",
+)
 
 
 def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -410,9 +463,10 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
         result[2] = (B12 + B10*Y2 + B11*Z2 + B9*X2)/(1 + B13*X2 + B14*Y2 + B15*Z2)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``B13*X2 + B14*Y2 + B15*Z2 + 1``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 27 (12 +, 12 *, 3 /); the derived expression as written takes 39.
-    With double-double operations for sums that may cancel: 371.
+    With double-double operations for sums that may cancel: 363.
 
     Examples
     --------
@@ -428,13 +482,25 @@ def _space_map(
 ) -> tuple[Any, ...]:
     t11 = rounded(1 + wide(B13) * X2 + wide(B14) * Y2 + wide(B15) * Z2)
     return (
-        rounded(B4 + wide(B1) * X2 + wide(B2) * Y2 + wide(B3) * Z2) / t11,
-        rounded(B8 + wide(B5) * X2 + wide(B6) * Y2 + wide(B7) * Z2) / t11,
-        rounded(B12 + wide(B10) * Y2 + wide(B11) * Z2 + wide(B9) * X2) / t11,
+        rounded(wide(B4) + wide(B1) * X2 + wide(B2) * Y2 + wide(B3) * Z2) / t11,
+        rounded(wide(B8) + wide(B5) * X2 + wide(B6) * Y2 + wide(B7) * Z2) / t11,
+        rounded(wide(B12) + wide(B10) * Y2 + wide(B11) * Z2 + wide(B9) * X2) / t11,
     )
 
 
 _SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),), twin=ufunc("collinearity_space_map"))
+
+
+def _space_map_factors(
+    B1: Any, B2: Any, B3: Any, B4: Any, B5: Any, B6: Any, B7: Any, B8: Any, B9: Any, B10: Any, B11: Any,
+    B12: Any, B13: Any, B14: Any, B15: Any, X2: Any, Y2: Any, Z2: Any,
+) -> tuple[Any, ...]:
+    return (rounded(1 + wide(B13) * X2 + wide(B14) * Y2 + wide(B15) * Z2),)
+
+
+_SPACE_MAP_FACTORS = (
+    "B13*X2 + B14*Y2 + B15*Z2 + 1",
+)
 
 
 def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -488,7 +554,7 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     Polynomial: no input is singular.
 
     Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.
-    With double-double operations for sums that may cancel: 2492.
+    With double-double operations for sums that may cancel: 2490.
 
     Examples
     --------
@@ -503,24 +569,30 @@ def _coplanarity_determinant(
     A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
     A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
 ) -> tuple[Any, ...]:
-    t10 = xc1 * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + yc1 * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10) + wide(A1_1) * A1_6
-    ray1_1 = t10 - wide(A1_2) * A1_5
-    t23 = xc1 * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + yc1 * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11) + wide(A1_1) * A1_7
-    ray1_2 = t23 - wide(A1_3) * A1_5
-    ray1_3 = yc1 * (A1_1 - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - xc1 * (A1_5 - wide(A1_8) * A1_9) - wide(A1_1) * A1_8
-    t47 = xc1 * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + yc1 * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2) + wide(A1_2) * A1_7
-    ray1_4 = t47 - wide(A1_3) * A1_6
-    ray1_5 = yc1 * (A1_2 - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - xc1 * (A1_6 - wide(A1_10) * A1_8) - wide(A1_2) * A1_8
-    ray1_6 = yc1 * (A1_3 - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - xc1 * (A1_7 - wide(A1_11) * A1_8) - wide(A1_3) * A1_8
-    t82 = xc2 * (wide(A2_10) * A2_5 - wide(A2_6) * A2_9) + yc2 * (wide(A2_2) * A2_9 - wide(A2_1) * A2_10) + wide(A2_1) * A2_6
-    ray2_1 = t82 - wide(A2_2) * A2_5
-    t95 = xc2 * (wide(A2_11) * A2_5 - wide(A2_7) * A2_9) + yc2 * (wide(A2_3) * A2_9 - wide(A2_1) * A2_11) + wide(A2_1) * A2_7
-    ray2_2 = t95 - wide(A2_3) * A2_5
-    ray2_3 = yc2 * (A2_1 - wide(A2_4) * A2_9) + wide(A2_4) * A2_5 - xc2 * (A2_5 - wide(A2_8) * A2_9) - wide(A2_1) * A2_8
-    t119 = xc2 * (wide(A2_11) * A2_6 - wide(A2_10) * A2_7) + yc2 * (wide(A2_10) * A2_3 - wide(A2_11) * A2_2) + wide(A2_2) * A2_7
-    ray2_4 = t119 - wide(A2_3) * A2_6
-    ray2_5 = yc2 * (A2_2 - wide(A2_10) * A2_4) + wide(A2_4) * A2_6 - xc2 * (A2_6 - wide(A2_10) * A2_8) - wide(A2_2) * A2_8
-    ray2_6 = yc2 * (A2_3 - wide(A2_11) * A2_4) + wide(A2_4) * A2_7 - xc2 * (A2_7 - wide(A2_11) * A2_8) - wide(A2_3) * A2_8
+    t8 = wide(xc1) * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + wide(yc1) * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10)
+    ray1_1 = t8 + wide(A1_1) * A1_6 - wide(A1_2) * A1_5
+    t21 = wide(xc1) * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + wide(yc1) * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11)
+    ray1_2 = t21 + wide(A1_1) * A1_7 - wide(A1_3) * A1_5
+    t34 = wide(yc1) * (wide(A1_1) - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - wide(xc1) * (wide(A1_5) - wide(A1_8) * A1_9)
+    ray1_3 = t34 - wide(A1_1) * A1_8
+    t45 = wide(xc1) * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + wide(yc1) * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2)
+    ray1_4 = t45 + wide(A1_2) * A1_7 - wide(A1_3) * A1_6
+    t58 = wide(yc1) * (wide(A1_2) - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - wide(xc1) * (wide(A1_6) - wide(A1_10) * A1_8)
+    ray1_5 = t58 - wide(A1_2) * A1_8
+    t69 = wide(yc1) * (wide(A1_3) - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - wide(xc1) * (wide(A1_7) - wide(A1_11) * A1_8)
+    ray1_6 = t69 - wide(A1_3) * A1_8
+    t80 = wide(xc2) * (wide(A2_10) * A2_5 - wide(A2_6) * A2_9) + wide(yc2) * (wide(A2_2) * A2_9 - wide(A2_1) * A2_10)
+    ray2_1 = t80 + wide(A2_1) * A2_6 - wide(A2_2) * A2_5
+    t93 = wide(xc2) * (wide(A2_11) * A2_5 - wide(A2_7) * A2_9) + wide(yc2) * (wide(A2_3) * A2_9 - wide(A2_1) * A2_11)
+    ray2_2 = t93 + wide(A2_1) * A2_7 - wide(A2_3) * A2_5
+    t106 = wide(yc2) * (wide(A2_1) - wide(A2_4) * A2_9) + wide(A2_4) * A2_5 - wide(xc2) * (wide(A2_5) - wide(A2_8) * A2_9)
+    ray2_3 = t106 - wide(A2_1) * A2_8
+    t117 = wide(xc2) * (wide(A2_11) * A2_6 - wide(A2_10) * A2_7) + wide(yc2) * (wide(A2_10) * A2_3 - wide(A2_11) * A2_2)
+    ray2_4 = t117 + wide(A2_2) * A2_7 - wide(A2_3) * A2_6
+    t130 = wide(yc2) * (wide(A2_2) - wide(A2_10) * A2_4) + wide(A2_4) * A2_6 - wide(xc2) * (wide(A2_6) - wide(A2_10) * A2_8)
+    ray2_5 = t130 - wide(A2_2) * A2_8
+    t141 = wide(yc2) * (wide(A2_3) - wide(A2_11) * A2_4) + wide(A2_4) * A2_7 - wide(xc2) * (wide(A2_7) - wide(A2_11) * A2_8)
+    ray2_6 = t141 - wide(A2_3) * A2_8
     t203 = ray1_2 * ray2_5 + ray1_5 * ray2_2 - ray1_1 * ray2_6 - ray1_3 * ray2_4 - ray1_4 * ray2_3 - ray1_6 * ray2_1
     return (rounded(t203),)
 
@@ -574,10 +646,10 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
         result[2] = (A2_2*ray1_3 + A2_4*ray1_1 + xc2*(-ray1_1 + A2_9*ray1_5 - A2_10*ray1_3) - A2_1*ray1_5)/D
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: a factor of a denominator above,
-    of 36 terms.
+    of 36 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 120 (17 +, 33 -, 67 *, 3 /); the derived expression as written takes 252.
-    With double-double operations for sums that may cancel: 1969.
+    With double-double operations for sums that may cancel: 1961.
 
     Examples
     --------
@@ -592,24 +664,74 @@ def _intersect_three(
     A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
     A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
 ) -> tuple[Any, ...]:
-    t10 = xc1 * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + yc1 * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10) + wide(A1_1) * A1_6
-    ray1_1 = t10 - wide(A1_2) * A1_5
-    t23 = xc1 * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + yc1 * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11) + wide(A1_1) * A1_7
-    ray1_2 = t23 - wide(A1_3) * A1_5
-    ray1_3 = yc1 * (A1_1 - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - xc1 * (A1_5 - wide(A1_8) * A1_9) - wide(A1_1) * A1_8
-    t47 = xc1 * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + yc1 * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2) + wide(A1_2) * A1_7
-    ray1_4 = t47 - wide(A1_3) * A1_6
-    ray1_5 = yc1 * (A1_2 - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - xc1 * (A1_6 - wide(A1_10) * A1_8) - wide(A1_2) * A1_8
-    ray1_6 = yc1 * (A1_3 - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - xc1 * (A1_7 - wide(A1_11) * A1_8) - wide(A1_3) * A1_8
-    t143 = xc2 * (A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2) + A2_2 * ray1_2 - A2_1 * ray1_4 - A2_3 * ray1_1
-    D = rounded(t143)
-    t94 = rounded(A2_3 * ray1_5 + A2_4 * ray1_4 - xc2 * (ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6) - A2_2 * ray1_6)
-    t106 = rounded(xc2 * (ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6) + A2_1 * ray1_6 - A2_3 * ray1_3 - A2_4 * ray1_2)
-    t118 = rounded(A2_2 * ray1_3 + A2_4 * ray1_1 - xc2 * (ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5) - A2_1 * ray1_5)
-    return t94 / D, t106 / D, t118 / D
+    t8 = wide(xc1) * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + wide(yc1) * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10)
+    ray1_1 = t8 + wide(A1_1) * A1_6 - wide(A1_2) * A1_5
+    t21 = wide(xc1) * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + wide(yc1) * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11)
+    ray1_2 = t21 + wide(A1_1) * A1_7 - wide(A1_3) * A1_5
+    t34 = wide(yc1) * (wide(A1_1) - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - wide(xc1) * (wide(A1_5) - wide(A1_8) * A1_9)
+    ray1_3 = t34 - wide(A1_1) * A1_8
+    t45 = wide(xc1) * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + wide(yc1) * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2)
+    ray1_4 = t45 + wide(A1_2) * A1_7 - wide(A1_3) * A1_6
+    t58 = wide(yc1) * (wide(A1_2) - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - wide(xc1) * (wide(A1_6) - wide(A1_10) * A1_8)
+    ray1_5 = t58 - wide(A1_2) * A1_8
+    t69 = wide(yc1) * (wide(A1_3) - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - wide(xc1) * (wide(A1_7) - wide(A1_11) * A1_8)
+    ray1_6 = t69 - wide(A1_3) * A1_8
+    t79 = wide(xc2) * (wide(A2_11) * ray1_1 + wide(A2_9) * ray1_4 - wide(A2_10) * ray1_2) + wide(A2_2) * ray1_2
+    D = rounded(t79 - wide(A2_1) * ray1_4 - wide(A2_3) * ray1_1)
+    t92 = wide(A2_3) * ray1_5 + wide(A2_4) * ray1_4 - wide(xc2) * (ray1_4 + wide(A2_11) * ray1_5 - wide(A2_10) * ray1_6)
+    t104 = wide(xc2) * (ray1_2 + wide(A2_11) * ray1_3 - wide(A2_9) * ray1_6) + wide(A2_1) * ray1_6 - wide(A2_3) * ray1_3
+    t116 = wide(A2_2) * ray1_3 + wide(A2_4) * ray1_1 - wide(xc2) * (ray1_1 + wide(A2_10) * ray1_3 - wide(A2_9) * ray1_5)
+    return (
+        rounded(t92 - wide(A2_2) * ray1_6) / D, rounded(t104 - wide(A2_4) * ray1_2) / D,
+        rounded(t116 - wide(A2_1) * ray1_5) / D,
+    )
 
 
 _INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect_three"))
+
+
+def _intersect_three_factors(
+    A1_1: Any, A1_2: Any, A1_3: Any, A1_4: Any, A1_5: Any, A1_6: Any, A1_7: Any, A1_8: Any, A1_9: Any,
+    A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
+    A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(A1_1) * A1_6
+    t2 = wide(A1_2) * A1_7
+    t5 = wide(A1_3) * A1_5
+    t8 = wide(A1_1) * yc1
+    t9 = wide(A1_11) * t8
+    t12 = wide(A1_1) * A1_7
+    t13 = wide(A2_10) * xc2
+    t16 = wide(A1_3) * yc1
+    t17 = wide(A1_10) * t16
+    t20 = wide(A1_10) * xc1
+    t21 = wide(A1_5) * t20
+    t24 = wide(A1_11) * xc1
+    t25 = wide(A1_6) * t24
+    t28 = wide(A1_2) * A1_5
+    t29 = wide(A2_11) * xc2
+    t31 = t0 * A2_3 + t2 * A2_1 + t5 * A2_2 + t9 * A2_2 + t12 * t13 + t17 * A2_1 + t21 * A2_3 + t25 * A2_1 + t28 * t29
+    t32 = wide(A1_2) * yc1
+    t33 = wide(A1_9) * t32
+    t36 = wide(A1_3) * A1_6
+    t37 = wide(A2_9) * xc2
+    t40 = wide(A1_9) * xc1
+    t41 = wide(A1_7) * t40
+    t44 = wide(A1_10) * t8
+    t47 = wide(A1_7) * t20
+    t50 = wide(A1_11) * t32
+    t53 = wide(A1_5) * t24
+    t56 = wide(A1_9) * t16
+    t58 = t31 + t33 * A2_3 + t36 * t37 + t41 * A2_2 + t44 * t29 + t47 * t37 + t50 * t37 + t53 * t13 + t56 * t13
+    t59 = wide(A1_6) * t40
+    t75 = t58 + t59 * t29 - t12 * A2_2 - t28 * A2_3 - t36 * A2_1 - t44 * A2_3 - t0 * t29 - t47 * A2_1 - t50 * A2_1
+    t93 = t75 - t53 * A2_2 - t2 * t37 - t5 * t13 - t56 * A2_2 - t59 * A2_3 - t9 * t13 - t17 * t37 - t21 * t29 - t25 * t37
+    return (rounded(t93 - t33 * t29 - t41 * t13),)
+
+
+_INTERSECT_THREE_FACTORS = (
+    "a factor of a denominator above, of 36 terms",
+)
 
 
 def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -679,10 +801,10 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
         result[2] = (d13*d14 + d23*d24 + d33*d34 + d43*d44)/(d14**2 + d24**2 + d34**2 + d44**2)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``d14**2 + d24**2 + d34**2 +
-    d44**2``.
+    d44**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.
-    With double-double operations for sums that may cancel: 5274.
+    With double-double operations for sums that may cancel: 5268.
 
     Examples
     --------
@@ -697,51 +819,57 @@ def _intersect(
     A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
     A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
 ) -> tuple[Any, ...]:
-    t10 = xc1 * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + yc1 * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10) + wide(A1_1) * A1_6
-    ray1_1 = t10 - wide(A1_2) * A1_5
-    t23 = xc1 * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + yc1 * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11) + wide(A1_1) * A1_7
-    ray1_2 = t23 - wide(A1_3) * A1_5
-    ray1_3 = yc1 * (A1_1 - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - xc1 * (A1_5 - wide(A1_8) * A1_9) - wide(A1_1) * A1_8
-    t47 = xc1 * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + yc1 * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2) + wide(A1_2) * A1_7
-    ray1_4 = t47 - wide(A1_3) * A1_6
-    ray1_5 = yc1 * (A1_2 - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - xc1 * (A1_6 - wide(A1_10) * A1_8) - wide(A1_2) * A1_8
-    ray1_6 = yc1 * (A1_3 - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - xc1 * (A1_7 - wide(A1_11) * A1_8) - wide(A1_3) * A1_8
-    t82 = xc2 * (wide(A2_10) * A2_5 - wide(A2_6) * A2_9) + yc2 * (wide(A2_2) * A2_9 - wide(A2_1) * A2_10) + wide(A2_1) * A2_6
-    ray2_1 = t82 - wide(A2_2) * A2_5
-    t95 = xc2 * (wide(A2_11) * A2_5 - wide(A2_7) * A2_9) + yc2 * (wide(A2_3) * A2_9 - wide(A2_1) * A2_11) + wide(A2_1) * A2_7
-    ray2_2 = t95 - wide(A2_3) * A2_5
-    ray2_3 = yc2 * (A2_1 - wide(A2_4) * A2_9) + wide(A2_4) * A2_5 - xc2 * (A2_5 - wide(A2_8) * A2_9) - wide(A2_1) * A2_8
-    t119 = xc2 * (wide(A2_11) * A2_6 - wide(A2_10) * A2_7) + yc2 * (wide(A2_10) * A2_3 - wide(A2_11) * A2_2) + wide(A2_2) * A2_7
-    ray2_4 = t119 - wide(A2_3) * A2_6
-    ray2_5 = yc2 * (A2_2 - wide(A2_10) * A2_4) + wide(A2_4) * A2_6 - xc2 * (A2_6 - wide(A2_10) * A2_8) - wide(A2_2) * A2_8
-    ray2_6 = yc2 * (A2_3 - wide(A2_11) * A2_4) + wide(A2_4) * A2_7 - xc2 * (A2_7 - wide(A2_11) * A2_8) - wide(A2_3) * A2_8
-    t150 = ray2_4 + A1_11 * ray2_5 - A1_10 * ray2_6
-    d11 = A1_7 * ray2_5 + A1_8 * ray2_4 - yc1 * t150 - A1_6 * ray2_6
-    t158 = ray2_2 + A1_11 * ray2_3 - A1_9 * ray2_6
-    d12 = yc1 * t158 + A1_5 * ray2_6 - A1_7 * ray2_3 - A1_8 * ray2_2
-    t172 = ray2_1 + A1_10 * ray2_3 - A1_9 * ray2_5
-    d13 = A1_6 * ray2_3 + A1_8 * ray2_1 - yc1 * t172 - A1_5 * ray2_5
-    t181 = A1_11 * ray2_1 + A1_9 * ray2_4 - A1_10 * ray2_2
-    t353 = yc1 * t181 + A1_6 * ray2_2 - A1_5 * ray2_4 - A1_7 * ray2_1
+    t8 = wide(xc1) * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + wide(yc1) * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10)
+    ray1_1 = t8 + wide(A1_1) * A1_6 - wide(A1_2) * A1_5
+    t21 = wide(xc1) * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + wide(yc1) * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11)
+    ray1_2 = t21 + wide(A1_1) * A1_7 - wide(A1_3) * A1_5
+    t34 = wide(yc1) * (wide(A1_1) - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - wide(xc1) * (wide(A1_5) - wide(A1_8) * A1_9)
+    ray1_3 = t34 - wide(A1_1) * A1_8
+    t45 = wide(xc1) * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + wide(yc1) * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2)
+    ray1_4 = t45 + wide(A1_2) * A1_7 - wide(A1_3) * A1_6
+    t58 = wide(yc1) * (wide(A1_2) - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - wide(xc1) * (wide(A1_6) - wide(A1_10) * A1_8)
+    ray1_5 = t58 - wide(A1_2) * A1_8
+    t69 = wide(yc1) * (wide(A1_3) - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - wide(xc1) * (wide(A1_7) - wide(A1_11) * A1_8)
+    ray1_6 = t69 - wide(A1_3) * A1_8
+    t80 = wide(xc2) * (wide(A2_10) * A2_5 - wide(A2_6) * A2_9) + wide(yc2) * (wide(A2_2) * A2_9 - wide(A2_1) * A2_10)
+    ray2_1 = t80 + wide(A2_1) * A2_6 - wide(A2_2) * A2_5
+    t93 = wide(xc2) * (wide(A2_11) * A2_5 - wide(A2_7) * A2_9) + wide(yc2) * (wide(A2_3) * A2_9 - wide(A2_1) * A2_11)
+    ray2_2 = t93 + wide(A2_1) * A2_7 - wide(A2_3) * A2_5
+    t106 = wide(yc2) * (wide(A2_1) - wide(A2_4) * A2_9) + wide(A2_4) * A2_5 - wide(xc2) * (wide(A2_5) - wide(A2_8) * A2_9)
+    ray2_3 = t106 - wide(A2_1) * A2_8
+    t117 = wide(xc2) * (wide(A2_11) * A2_6 - wide(A2_10) * A2_7) + wide(yc2) * (wide(A2_10) * A2_3 - wide(A2_11) * A2_2)
+    ray2_4 = t117 + wide(A2_2) * A2_7 - wide(A2_3) * A2_6
+    t130 = wide(yc2) * (wide(A2_2) - wide(A2_10) * A2_4) + wide(A2_4) * A2_6 - wide(xc2) * (wide(A2_6) - wide(A2_10) * A2_8)
+    ray2_5 = t130 - wide(A2_2) * A2_8
+    t141 = wide(yc2) * (wide(A2_3) - wide(A2_11) * A2_4) + wide(A2_4) * A2_7 - wide(xc2) * (wide(A2_7) - wide(A2_11) * A2_8)
+    ray2_6 = t141 - wide(A2_3) * A2_8
+    t150 = ray2_4 + wide(A1_11) * ray2_5 - wide(A1_10) * ray2_6
+    d11 = wide(A1_7) * ray2_5 + wide(A1_8) * ray2_4 - wide(yc1) * t150 - wide(A1_6) * ray2_6
+    t158 = ray2_2 + wide(A1_11) * ray2_3 - wide(A1_9) * ray2_6
+    d12 = wide(yc1) * t158 + wide(A1_5) * ray2_6 - wide(A1_7) * ray2_3 - wide(A1_8) * ray2_2
+    t172 = ray2_1 + wide(A1_10) * ray2_3 - wide(A1_9) * ray2_5
+    d13 = wide(A1_6) * ray2_3 + wide(A1_8) * ray2_1 - wide(yc1) * t172 - wide(A1_5) * ray2_5
+    t181 = wide(A1_11) * ray2_1 + wide(A1_9) * ray2_4 - wide(A1_10) * ray2_2
+    t353 = wide(yc1) * t181 + wide(A1_6) * ray2_2 - wide(A1_5) * ray2_4 - wide(A1_7) * ray2_1
     d14 = rounded(t353)
-    d21 = A1_3 * ray2_5 + A1_4 * ray2_4 - xc1 * t150 - A1_2 * ray2_6
-    d22 = A1_1 * ray2_6 + xc1 * t158 - A1_3 * ray2_3 - A1_4 * ray2_2
-    d23 = A1_2 * ray2_3 + A1_4 * ray2_1 - xc1 * t172 - A1_1 * ray2_5
-    t354 = A1_2 * ray2_2 + xc1 * t181 - A1_1 * ray2_4 - A1_3 * ray2_1
+    d21 = wide(A1_3) * ray2_5 + wide(A1_4) * ray2_4 - wide(xc1) * t150 - wide(A1_2) * ray2_6
+    d22 = wide(A1_1) * ray2_6 + wide(xc1) * t158 - wide(A1_3) * ray2_3 - wide(A1_4) * ray2_2
+    d23 = wide(A1_2) * ray2_3 + wide(A1_4) * ray2_1 - wide(xc1) * t172 - wide(A1_1) * ray2_5
+    t354 = wide(A1_2) * ray2_2 + wide(xc1) * t181 - wide(A1_1) * ray2_4 - wide(A1_3) * ray2_1
     d24 = rounded(t354)
-    t223 = ray1_4 + A2_11 * ray1_5 - A2_10 * ray1_6
-    d31 = A2_7 * ray1_5 + A2_8 * ray1_4 - yc2 * t223 - A2_6 * ray1_6
-    t231 = ray1_2 + A2_11 * ray1_3 - A2_9 * ray1_6
-    d32 = yc2 * t231 + A2_5 * ray1_6 - A2_7 * ray1_3 - A2_8 * ray1_2
-    t245 = ray1_1 + A2_10 * ray1_3 - A2_9 * ray1_5
-    d33 = A2_6 * ray1_3 + A2_8 * ray1_1 - yc2 * t245 - A2_5 * ray1_5
-    t254 = A2_11 * ray1_1 + A2_9 * ray1_4 - A2_10 * ray1_2
-    t355 = yc2 * t254 + A2_6 * ray1_2 - A2_5 * ray1_4 - A2_7 * ray1_1
+    t223 = ray1_4 + wide(A2_11) * ray1_5 - wide(A2_10) * ray1_6
+    d31 = wide(A2_7) * ray1_5 + wide(A2_8) * ray1_4 - wide(yc2) * t223 - wide(A2_6) * ray1_6
+    t231 = ray1_2 + wide(A2_11) * ray1_3 - wide(A2_9) * ray1_6
+    d32 = wide(yc2) * t231 + wide(A2_5) * ray1_6 - wide(A2_7) * ray1_3 - wide(A2_8) * ray1_2
+    t245 = ray1_1 + wide(A2_10) * ray1_3 - wide(A2_9) * ray1_5
+    d33 = wide(A2_6) * ray1_3 + wide(A2_8) * ray1_1 - wide(yc2) * t245 - wide(A2_5) * ray1_5
+    t254 = wide(A2_11) * ray1_1 + wide(A2_9) * ray1_4 - wide(A2_10) * ray1_2
+    t355 = wide(yc2) * t254 + wide(A2_6) * ray1_2 - wide(A2_5) * ray1_4 - wide(A2_7) * ray1_1
     d34 = rounded(t355)
-    d41 = A2_3 * ray1_5 + A2_4 * ray1_4 - xc2 * t223 - A2_2 * ray1_6
-    d42 = A2_1 * ray1_6 + xc2 * t231 - A2_3 * ray1_3 - A2_4 * ray1_2
-    d43 = A2_2 * ray1_3 + A2_4 * ray1_1 - xc2 * t245 - A2_1 * ray1_5
-    t356 = A2_2 * ray1_2 + xc2 * t254 - A2_1 * ray1_4 - A2_3 * ray1_1
+    d41 = wide(A2_3) * ray1_5 + wide(A2_4) * ray1_4 - wide(xc2) * t223 - wide(A2_2) * ray1_6
+    d42 = wide(A2_1) * ray1_6 + wide(xc2) * t231 - wide(A2_3) * ray1_3 - wide(A2_4) * ray1_2
+    d43 = wide(A2_2) * ray1_3 + wide(A2_4) * ray1_1 - wide(xc2) * t245 - wide(A2_1) * ray1_5
+    t356 = wide(A2_2) * ray1_2 + wide(xc2) * t254 - wide(A2_1) * ray1_4 - wide(A2_3) * ray1_1
     d44 = rounded(t356)
     t303 = d14 * d14 + d24 * d24 + d34 * d34 + d44 * d44
     return (
@@ -752,6 +880,67 @@ def _intersect(
 
 
 _INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
+
+
+def _intersect_factors(
+    A1_1: Any, A1_2: Any, A1_3: Any, A1_4: Any, A1_5: Any, A1_6: Any, A1_7: Any, A1_8: Any, A1_9: Any,
+    A1_10: Any, A1_11: Any, A2_1: Any, A2_2: Any, A2_3: Any, A2_4: Any, A2_5: Any, A2_6: Any, A2_7: Any,
+    A2_8: Any, A2_9: Any, A2_10: Any, A2_11: Any, xc1: Any, yc1: Any, xc2: Any, yc2: Any,
+) -> tuple[Any, ...]:
+    t8 = wide(xc1) * (wide(A1_10) * A1_5 - wide(A1_6) * A1_9) + wide(yc1) * (wide(A1_2) * A1_9 - wide(A1_1) * A1_10)
+    ray1_1 = t8 + wide(A1_1) * A1_6 - wide(A1_2) * A1_5
+    t21 = wide(xc1) * (wide(A1_11) * A1_5 - wide(A1_7) * A1_9) + wide(yc1) * (wide(A1_3) * A1_9 - wide(A1_1) * A1_11)
+    ray1_2 = t21 + wide(A1_1) * A1_7 - wide(A1_3) * A1_5
+    t34 = wide(yc1) * (wide(A1_1) - wide(A1_4) * A1_9) + wide(A1_4) * A1_5 - wide(xc1) * (wide(A1_5) - wide(A1_8) * A1_9)
+    ray1_3 = t34 - wide(A1_1) * A1_8
+    t45 = wide(xc1) * (wide(A1_11) * A1_6 - wide(A1_10) * A1_7) + wide(yc1) * (wide(A1_10) * A1_3 - wide(A1_11) * A1_2)
+    ray1_4 = t45 + wide(A1_2) * A1_7 - wide(A1_3) * A1_6
+    t58 = wide(yc1) * (wide(A1_2) - wide(A1_10) * A1_4) + wide(A1_4) * A1_6 - wide(xc1) * (wide(A1_6) - wide(A1_10) * A1_8)
+    ray1_5 = t58 - wide(A1_2) * A1_8
+    t69 = wide(yc1) * (wide(A1_3) - wide(A1_11) * A1_4) + wide(A1_4) * A1_7 - wide(xc1) * (wide(A1_7) - wide(A1_11) * A1_8)
+    ray1_6 = t69 - wide(A1_3) * A1_8
+    t80 = wide(xc2) * (wide(A2_10) * A2_5 - wide(A2_6) * A2_9) + wide(yc2) * (wide(A2_2) * A2_9 - wide(A2_1) * A2_10)
+    ray2_1 = t80 + wide(A2_1) * A2_6 - wide(A2_2) * A2_5
+    t93 = wide(xc2) * (wide(A2_11) * A2_5 - wide(A2_7) * A2_9) + wide(yc2) * (wide(A2_3) * A2_9 - wide(A2_1) * A2_11)
+    ray2_2 = t93 + wide(A2_1) * A2_7 - wide(A2_3) * A2_5
+    t106 = wide(yc2) * (wide(A2_1) - wide(A2_4) * A2_9) + wide(A2_4) * A2_5 - wide(xc2) * (wide(A2_5) - wide(A2_8) * A2_9)
+    ray2_3 = t106 - wide(A2_1) * A2_8
+    t117 = wide(xc2) * (wide(A2_11) * A2_6 - wide(A2_10) * A2_7) + wide(yc2) * (wide(A2_10) * A2_3 - wide(A2_11) * A2_2)
+    ray2_4 = t117 + wide(A2_2) * A2_7 - wide(A2_3) * A2_6
+    t130 = wide(yc2) * (wide(A2_2) - wide(A2_10) * A2_4) + wide(A2_4) * A2_6 - wide(xc2) * (wide(A2_6) - wide(A2_10) * A2_8)
+    ray2_5 = t130 - wide(A2_2) * A2_8
+    t141 = wide(yc2) * (wide(A2_3) - wide(A2_11) * A2_4) + wide(A2_4) * A2_7 - wide(xc2) * (wide(A2_7) - wide(A2_11) * A2_8)
+    ray2_6 = t141 - wide(A2_3) * A2_8
+    t150 = ray2_4 + wide(A1_11) * ray2_5 - wide(A1_10) * ray2_6
+    d11 = wide(A1_7) * ray2_5 + wide(A1_8) * ray2_4 - wide(yc1) * t150 - wide(A1_6) * ray2_6
+    t158 = ray2_2 + wide(A1_11) * ray2_3 - wide(A1_9) * ray2_6
+    d12 = wide(yc1) * t158 + wide(A1_5) * ray2_6 - wide(A1_7) * ray2_3 - wide(A1_8) * ray2_2
+    t172 = ray2_1 + wide(A1_10) * ray2_3 - wide(A1_9) * ray2_5
+    d13 = wide(A1_6) * ray2_3 + wide(A1_8) * ray2_1 - wide(yc1) * t172 - wide(A1_5) * ray2_5
+    t181 = wide(A1_11) * ray2_1 + wide(A1_9) * ray2_4 - wide(A1_10) * ray2_2
+    d14 = rounded(wide(yc1) * t181 + wide(A1_6) * ray2_2 - wide(A1_5) * ray2_4 - wide(A1_7) * ray2_1)
+    d21 = wide(A1_3) * ray2_5 + wide(A1_4) * ray2_4 - wide(xc1) * t150 - wide(A1_2) * ray2_6
+    d22 = wide(A1_1) * ray2_6 + wide(xc1) * t158 - wide(A1_3) * ray2_3 - wide(A1_4) * ray2_2
+    d23 = wide(A1_2) * ray2_3 + wide(A1_4) * ray2_1 - wide(xc1) * t172 - wide(A1_1) * ray2_5
+    d24 = rounded(wide(A1_2) * ray2_2 + wide(xc1) * t181 - wide(A1_1) * ray2_4 - wide(A1_3) * ray2_1)
+    t223 = ray1_4 + wide(A2_11) * ray1_5 - wide(A2_10) * ray1_6
+    d31 = wide(A2_7) * ray1_5 + wide(A2_8) * ray1_4 - wide(yc2) * t223 - wide(A2_6) * ray1_6
+    t231 = ray1_2 + wide(A2_11) * ray1_3 - wide(A2_9) * ray1_6
+    d32 = wide(yc2) * t231 + wide(A2_5) * ray1_6 - wide(A2_7) * ray1_3 - wide(A2_8) * ray1_2
+    t245 = ray1_1 + wide(A2_10) * ray1_3 - wide(A2_9) * ray1_5
+    d33 = wide(A2_6) * ray1_3 + wide(A2_8) * ray1_1 - wide(yc2) * t245 - wide(A2_5) * ray1_5
+    t254 = wide(A2_11) * ray1_1 + wide(A2_9) * ray1_4 - wide(A2_10) * ray1_2
+    d34 = rounded(wide(yc2) * t254 + wide(A2_6) * ray1_2 - wide(A2_5) * ray1_4 - wide(A2_7) * ray1_1)
+    d41 = wide(A2_3) * ray1_5 + wide(A2_4) * ray1_4 - wide(xc2) * t223 - wide(A2_2) * ray1_6
+    d42 = wide(A2_1) * ray1_6 + wide(xc2) * t231 - wide(A2_3) * ray1_3 - wide(A2_4) * ray1_2
+    d43 = wide(A2_2) * ray1_3 + wide(A2_4) * ray1_1 - wide(xc2) * t245 - wide(A2_1) * ray1_5
+    d44 = rounded(wide(A2_2) * ray1_2 + wide(xc2) * t254 - wide(A2_1) * ray1_4 - wide(A2_3) * ray1_1)
+    return (d14 * d14 + d24 * d24 + d34 * d34 + d44 * d44,)
+
+
+_INTERSECT_FACTORS = (
+    "d14**2 + d24**2 + d34**2 + d44**2",
+)
 
 
 def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -791,9 +980,10 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
         result[2] = Ybar2*Zbar1*base/(Xbar1*Ybar2 - Xbar2*Ybar1)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xbar1*Ybar2 - Xbar2*Ybar1``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (1 -, 6 *, 3 /); the derived expression as written takes 18.
-    With double-double operations for sums that may cancel: 63.
+    With double-double operations for sums that may cancel: 61.
 
     Examples
     --------
@@ -812,6 +1002,17 @@ def _model_point(
 
 
 _MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),), twin=ufunc("collinearity_model_point"))
+
+
+def _model_point_factors(
+    Xbar1: Any, Ybar1: Any, Zbar1: Any, Xbar2: Any, Ybar2: Any, Zbar2: Any, base: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(Xbar1) * Ybar2 - wide(Xbar2) * Ybar1),)
+
+
+_MODEL_POINT_FACTORS = (
+    "Xbar1*Ybar2 - Xbar2*Ybar1",
+)
 
 
 def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translation: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -858,7 +1059,7 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     No input is singular.
 
     Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.
-    With double-double operations for sums that may cancel: 725.
+    With double-double operations for sums that may cancel: 719.
 
     Examples
     --------
@@ -876,13 +1077,13 @@ def _similarity(
     c_Kappa, s_Kappa = cos_sin(wide(Kappa))
     t0 = wide(XM) * scale
     t2 = s_Omega * s_Kappa
-    t7 = scale * c_Omega
-    t8 = ZM * t7
+    t7 = wide(scale) * c_Omega
+    t8 = wide(ZM) * t7
     t11 = wide(YM) * scale
     t13 = s_Omega * c_Kappa
-    t17 = rounded(Xo + t0 * (c_Kappa * c_Phi + t2 * s_Phi) + t8 * s_Phi - t11 * (c_Phi * s_Kappa - t13 * s_Phi))
-    t38 = rounded(Zo + t11 * (s_Kappa * s_Phi + t13 * c_Phi) + t8 * c_Phi - t0 * (c_Kappa * s_Phi - t2 * c_Phi))
-    return t17, rounded(Yo + t7 * XM * s_Kappa + t7 * YM * c_Kappa - ZM * s_Omega * scale), t38
+    t17 = rounded(wide(Xo) + t0 * (c_Kappa * c_Phi + t2 * s_Phi) + t8 * s_Phi - t11 * (c_Phi * s_Kappa - t13 * s_Phi))
+    t38 = rounded(wide(Zo) + t11 * (s_Kappa * s_Phi + t13 * c_Phi) + t8 * c_Phi - t0 * (c_Kappa * s_Phi - t2 * c_Phi))
+    return t17, rounded(wide(Yo) + t7 * XM * s_Kappa + t7 * YM * c_Kappa - wide(ZM) * s_Omega * scale), t38
 
 
 _SIMILARITY_SIGNATURE = Signature("similarity", (("X_model", (3,)), ("angles", (3,)), ("scale", ()), ("translation", (3,))), ((3,),))

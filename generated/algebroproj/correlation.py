@@ -24,6 +24,7 @@ __all__ = [
     "correlation_matrix",
     "general_correlation_matrix",
     "epipoles",
+    "epipoles_jacobian",
 ]
 
 
@@ -174,7 +175,7 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    With double-double operations for sums that may cancel: 176.
+    With double-double operations for sums that may cancel: 170.
 
     Examples
     --------
@@ -189,9 +190,9 @@ def _epipolar_line_left(
     upp2: Any,
 ) -> tuple[Any, ...]:
     return (
-        rounded(z00 + wide(upp1) * z01 + wide(upp2) * z02),
-        rounded(z10 + wide(upp1) * z11 + wide(upp2) * z12),
-        rounded(z20 + wide(upp1) * z21 + wide(upp2) * z22),
+        rounded(wide(z00) + wide(upp1) * z01 + wide(upp2) * z02),
+        rounded(wide(z10) + wide(upp1) * z11 + wide(upp2) * z12),
+        rounded(wide(z20) + wide(upp1) * z21 + wide(upp2) * z22),
     )
 
 
@@ -235,7 +236,7 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    With double-double operations for sums that may cancel: 176.
+    With double-double operations for sums that may cancel: 170.
 
     Examples
     --------
@@ -250,8 +251,9 @@ def _epipolar_line_right(
     up2: Any,
 ) -> tuple[Any, ...]:
     return (
-        rounded(z00 + wide(up1) * z10 + wide(up2) * z20), rounded(z01 + wide(up1) * z11 + wide(up2) * z21),
-        rounded(z02 + wide(up1) * z12 + wide(up2) * z22),
+        rounded(wide(z00) + wide(up1) * z10 + wide(up2) * z20),
+        rounded(wide(z01) + wide(up1) * z11 + wide(up2) * z21),
+        rounded(wide(z02) + wide(up1) * z12 + wide(up2) * z22),
     )
 
 
@@ -309,10 +311,10 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mup1*mup2*mup3*up31 +
     mup1*mup2*mup3*up32 - mup1*mup2*mup3 + mup1*mup2 - mup1*mup3*up32 - mup2*mup3*up31``,
     ``mupp1*mupp2*mupp3*upp31 + mupp1*mupp2*mupp3*upp32 - mupp1*mupp2*mupp3 + mupp1*mupp2 - mupp1*mupp3*upp32 -
-    mupp2*mupp3*upp31``.
+    mupp2*mupp3*upp31``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.
-    With double-double operations for sums that may cancel: 1358.
+    With double-double operations for sums that may cancel: 1324.
 
     Examples
     --------
@@ -332,23 +334,42 @@ def _correlation_from_cameras(
     t5 = wide(mup3) * mupp2
     t7 = wide(mup2) * mupp3
     q2 = t5 * up32 - t7 * upp32
-    deltap = wide(mup1) * mup2 * (wide(mup3) - 1) - mup3 * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
-    deltapp = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - mupp3 * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
+    deltap = wide(mup1) * mup2 * (wide(mup3) - 1) - wide(mup3) * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
+    deltapp = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - wide(mupp3) * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
     t35 = deltap * deltapp
     t47 = wide(mup3) - mupp3
     t50 = wide(mup1) - mupp1
     t54 = wide(mup2) - mupp2
     return (
-        0, rounded(mup1 * q2 / t35), rounded(-(mup2 * q1 / t35)), rounded(-(mupp1 * q2 / t35)),
-        rounded(q2 * (wide(mupp1) - mup1) / t35),
+        0, rounded(wide(mup1) * q2 / t35), rounded(-(wide(mup2) * q1 / t35)),
+        rounded(-(wide(mupp1) * q2 / t35)), rounded(q2 * (wide(mupp1) - mup1) / t35),
         rounded((wide(mup2) * mupp1 * t47 - t7 * upp31 * t50 - t0 * up32 * t54) / t35),
-        rounded(mupp2 * q1 / t35),
+        rounded(wide(mupp2) * q1 / t35),
         rounded((t2 * upp32 * t54 + t5 * up31 * t50 - wide(mup1) * mupp2 * t47) / t35),
         rounded(q1 * t54 / t35),
     )
 
 
 _CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),), twin=ufunc("correlation_correlation_from_cameras"))
+
+
+def _correlation_from_cameras_factors(
+    mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any, mupp1: Any, mupp2: Any, mupp3: Any,
+    upp31: Any, upp32: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(mup1) * mup2
+    t1 = wide(mup3) * t0
+    t13 = rounded(t0 + t1 * up31 + t1 * up32 - t0 * mup3 - wide(mup1) * mup3 * up32 - wide(mup2) * mup3 * up31)
+    t14 = wide(mupp1) * mupp2
+    t15 = wide(mupp3) * t14
+    t35 = t14 + t15 * upp31 + t15 * upp32 - t14 * mupp3 - wide(mupp1) * mupp3 * upp32 - wide(mupp2) * mupp3 * upp31
+    return t13, rounded(t35)
+
+
+_CORRELATION_FROM_CAMERAS_FACTORS = (
+    "mup1*mup2*mup3*up31 + mup1*mup2*mup3*up32 - mup1*mup2*mup3 + mup1*mup2 - mup1*mup3*up32 - mup2*mup3*up31",
+    "mupp1*mupp2*mupp3*upp31 + mupp1*mupp2*mupp3*upp32 - mupp1*mupp2*mupp3 + mupp1*mupp2 - mupp1*mupp3*upp32 - mupp2*mupp3*upp31",
+)
 
 
 def system(u_left: ArrayLike, u_right: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -509,11 +530,11 @@ def _correlation_matrix(
     upp62: Any, upp71: Any, upp72: Any,
 ) -> tuple[Any, ...]:
     z11, z12, z20, z21, z22 = solve(
-        [upp31 * (wide(up31) - 1), wide(up31) * upp32, wide(up32) - upp32, wide(up32) * upp31, upp32 * (wide(up32) - 1), wide(upp31) - up31],
-        [upp41 * (wide(up41) - 1), wide(up41) * upp42, wide(up42) - upp42, wide(up42) * upp41, upp42 * (wide(up42) - 1), wide(upp41) - up41],
-        [upp51 * (wide(up51) - 1), wide(up51) * upp52, wide(up52) - upp52, wide(up52) * upp51, upp52 * (wide(up52) - 1), wide(upp51) - up51],
-        [upp61 * (wide(up61) - 1), wide(up61) * upp62, wide(up62) - upp62, wide(up62) * upp61, upp62 * (wide(up62) - 1), wide(upp61) - up61],
-        [upp71 * (wide(up71) - 1), wide(up71) * upp72, wide(up72) - upp72, wide(up72) * upp71, upp72 * (wide(up72) - 1), wide(upp71) - up71],
+        [wide(upp31) * (wide(up31) - 1), wide(up31) * upp32, wide(up32) - upp32, wide(up32) * upp31, wide(upp32) * (wide(up32) - 1), wide(upp31) - up31],
+        [wide(upp41) * (wide(up41) - 1), wide(up41) * upp42, wide(up42) - upp42, wide(up42) * upp41, wide(upp42) * (wide(up42) - 1), wide(upp41) - up41],
+        [wide(upp51) * (wide(up51) - 1), wide(up51) * upp52, wide(up52) - upp52, wide(up52) * upp51, wide(upp52) * (wide(up52) - 1), wide(upp51) - up51],
+        [wide(upp61) * (wide(up61) - 1), wide(up61) * upp62, wide(up62) - upp62, wide(up62) * upp61, wide(upp62) * (wide(up62) - 1), wide(upp61) - up61],
+        [wide(upp71) * (wide(up71) - 1), wide(up71) * upp72, wide(up72) - upp72, wide(up72) * upp71, wide(upp72) * (wide(up72) - 1), wide(upp71) - up71],
     )
     return 0, -(z11 + 1), -(z20 + z22), 1, z11, z12, z20, z21, z22
 
@@ -642,10 +663,11 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
         right[0] = (z12*z20 - z10*z22)/D
         right[1] = (z10*z21 - z11*z20)/D
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``. Their
+    values are given by the function `hypotheses` of this package.
 
     Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.
-    With double-double operations for sums that may cancel: 236.
+    With double-double operations for sums that may cancel: 226.
 
     Examples
     --------
@@ -666,3 +688,157 @@ def _epipoles(
 
 
 _EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)), twin=ufunc("correlation_epipoles"))
+
+
+def _epipoles_factors(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(z11) * z22 - wide(z12) * z21),)
+
+
+_EPIPOLES_FACTORS = (
+    "z11*z22 - z12*z21",
+)
+
+
+def epipoles_jacobian(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Derivatives of the entries of `epipoles`, row by row, by those of its arguments, in order.
+
+    fundamentals1996, section 2.2; proved by (2.2.6), (2.2.7), (2.2/D).
+
+    Parameters
+    ----------
+    Z : array_like, shape (..., 3, 3)
+        Matrix of correlation, up to a common factor; dimensionless.
+    out : tuple of ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+
+    Returns
+    -------
+    left : ndarray, shape (..., 2, 9)
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+    right : ndarray, shape (..., 2, 9)
+        Likewise.
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
+
+    Notes
+    -----
+    Formula::
+
+        D = z11*z22 - z12*z21
+        d_D_z11 = z22
+        d_D_z12 = -z21
+        d_D_z21 = -z12
+        d_D_z22 = z11
+        left[0, 0] = 0
+        left[0, 1] = -z22/D
+        left[0, 2] = z21/D
+        left[0, 3] = 0
+        left[0, 4] = -d_D_z11*(z02*z21 - z01*z22)/D**2
+        left[0, 5] = -d_D_z12*(z02*z21 - z01*z22)/D**2
+        left[0, 6] = 0
+        left[0, 7] = z02/D - d_D_z21*(z02*z21 - z01*z22)/D**2
+        left[0, 8] = -z01/D - d_D_z22*(z02*z21 - z01*z22)/D**2
+        left[1, 0] = 0
+        left[1, 1] = z12/D
+        left[1, 2] = -z11/D
+        left[1, 3] = 0
+        left[1, 4] = -z02/D - d_D_z11*(z01*z12 - z02*z11)/D**2
+        left[1, 5] = z01/D - d_D_z12*(z01*z12 - z02*z11)/D**2
+        left[1, 6] = 0
+        left[1, 7] = -d_D_z21*(z01*z12 - z02*z11)/D**2
+        left[1, 8] = -d_D_z22*(z01*z12 - z02*z11)/D**2
+        right[0, 0] = 0
+        right[0, 1] = 0
+        right[0, 2] = 0
+        right[0, 3] = -z22/D
+        right[0, 4] = -d_D_z11*(z12*z20 - z10*z22)/D**2
+        right[0, 5] = z20/D - d_D_z12*(z12*z20 - z10*z22)/D**2
+        right[0, 6] = z12/D
+        right[0, 7] = -d_D_z21*(z12*z20 - z10*z22)/D**2
+        right[0, 8] = -z10/D - d_D_z22*(z12*z20 - z10*z22)/D**2
+        right[1, 0] = 0
+        right[1, 1] = 0
+        right[1, 2] = 0
+        right[1, 3] = z21/D
+        right[1, 4] = -z20/D - d_D_z11*(z10*z21 - z11*z20)/D**2
+        right[1, 5] = -d_D_z12*(z10*z21 - z11*z20)/D**2
+        right[1, 6] = -z11/D
+        right[1, 7] = z10/D - d_D_z21*(z10*z21 - z11*z20)/D**2
+        right[1, 8] = -d_D_z22*(z10*z21 - z11*z20)/D**2
+
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``. Their
+    values are given by the function `hypotheses` of this package.
+
+    Operations: 78 (2 +, 15 -, 27 *, 24 /, 10 neg); the derived expression as written takes 208.
+    With double-double operations for sums that may cancel: 1146.
+
+    Examples
+    --------
+    >>> [result.round(6).tolist() for result in epipoles_jacobian([[0, -0.975, -0.125], [1, -0.025, 0.075], [0.125, -0.08, 0]])]
+    [[[0.0, -0.0, -13.333333, 0.0, -0.0, -22.222222, 0.0, 0.0, 169.444444], [0.0, 12.5, 4.166667, 0.0, 20.833333, 6.944444, 0.0, -158.854167, -52.951389]], [[0.0, 0.0, 0.0, -0.0, -0.0, -0.0, 12.5, 19.53125, -160.15625], [0.0, 0.0, 0.0, -13.333333, -20.833333, 170.833333, 4.166667, 6.510417, -53.385417]]]
+    """
+    return evaluate(_EPIPOLES_JACOBIAN_SIGNATURE, _epipoles_jacobian, (Z,), out)
+
+
+def _epipoles_jacobian(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
+) -> tuple[Any, ...]:
+    t4 = wide(z11) * z22 - wide(z12) * z21
+    D = rounded(t4)
+    d_D_z12 = -z21
+    d_D_z21 = -z12
+    t6 = -(z22 / D)
+    t7 = z21 / D
+    t8 = wide(z01) * z22
+    t9 = wide(z02) * z21
+    t10 = rounded(t8 - t9)
+    t81 = t4 * t4
+    t12 = rounded(t81)
+    t16 = wide(z02) / t4
+    t17 = t9 - t8
+    t21 = wide(z01) / t4
+    t26 = z12 / D
+    t28 = -(z11 / D)
+    t29 = wide(z02) * z11
+    t30 = wide(z01) * z12
+    t87 = t30 - t29
+    t35 = rounded(t87)
+    t45 = wide(z10) * z22
+    t46 = wide(z12) * z20
+    t50 = wide(z20) / t4
+    t92 = t46 - t45
+    t58 = wide(z10) / t4
+    t63 = wide(z11) * z20
+    t64 = wide(z10) * z21
+    t97 = t63 - t64
+    t99 = t64 - t63
+    return (
+        0, t6, t7, 0, z22 * t10 / t12, d_D_z12 * t10 / t12, 0, rounded(t16 - wide(d_D_z21) * t17 / t81),
+        -rounded(t21 + wide(z11) * t17 / t81), 0, t26, t28, 0, rounded(wide(z22) * (t29 - t30) / t81 - t16),
+        rounded(t21 - wide(d_D_z12) * t87 / t81), 0, -(d_D_z21 * t35 / t12), -(z11 * t35 / t12), 0, 0, 0, t6,
+        z22 * rounded(t45 - t46) / t12, rounded(t50 - wide(d_D_z12) * t92 / t81), t26,
+        -(d_D_z21 * rounded(t92) / t12), -rounded(t58 + wide(z11) * t92 / t81), 0, 0, 0, t7,
+        rounded(wide(z22) * t97 / t81 - t50), d_D_z12 * rounded(t97) / t12, t28,
+        rounded(t58 - wide(d_D_z21) * t99 / t81), -(z11 * rounded(t99) / t12),
+    )
+
+
+_EPIPOLES_JACOBIAN_SIGNATURE = Signature("epipoles_jacobian", (("Z", (3, 3)),), ((2, 9), (2, 9)), twin=ufunc("correlation_epipoles_jacobian"))
+
+
+def _epipoles_jacobian_factors(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(z11) * z22 - wide(z12) * z21),)
+
+
+_EPIPOLES_JACOBIAN_FACTORS = (
+    "z11*z22 - z12*z21",
+)

@@ -57,7 +57,7 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | No
     Polynomial: no input is singular.
 
     Operations: 159 (13 +, 51 -, 95 *); the derived expression as written takes 3184.
-    With double-double operations for sums that may cancel: 2897.
+    With double-double operations for sums that may cancel: 2895.
 
     Examples
     --------
@@ -73,20 +73,20 @@ def _determinant(
     upp62: Any, upp71: Any, upp72: Any,
 ) -> tuple[Any, ...]:
     t1 = wide(up42) * upp41
-    t3 = upp51 * (wide(up51) - 1)
-    t5 = upp72 * (wide(up72) - 1)
+    t3 = wide(upp51) * (wide(up51) - 1)
+    t5 = wide(upp72) * (wide(up72) - 1)
     t6 = wide(up61) * upp62
-    t9 = upp62 * (wide(up62) - 1)
+    t9 = wide(upp62) * (wide(up62) - 1)
     t10 = wide(up71) * upp72
     t12 = t5 * t6 - t9 * t10
-    t15 = upp52 * (wide(up52) - 1)
-    t17 = upp61 * (wide(up61) - 1)
-    t20 = upp71 * (wide(up71) - 1)
+    t15 = wide(upp52) * (wide(up52) - 1)
+    t17 = wide(upp61) * (wide(up61) - 1)
+    t20 = wide(upp71) * (wide(up71) - 1)
     t22 = t17 * t10 - t20 * t6
     t25 = wide(up51) * upp52
     t28 = t17 * t5 - t20 * t9
     t30 = t3 * t12 + t15 * t22 - t25 * t28
-    t33 = upp41 * (wide(up41) - 1)
+    t33 = wide(upp41) * (wide(up41) - 1)
     t34 = wide(up62) * upp61
     t36 = wide(up72) * upp71
     t38 = t34 * t5 - t36 * t9
@@ -96,7 +96,7 @@ def _determinant(
     t50 = wide(up41) * upp42
     t53 = t36 * t17 - t34 * t20
     t58 = t15 * t53 + t3 * t38 - t45 * t28
-    t62 = upp42 * (wide(up42) - 1)
+    t62 = wide(upp42) * (wide(up42) - 1)
     t67 = t45 * t22 + t3 * t42 - t25 * t53
     t73 = wide(up42) - upp42
     t75 = wide(up52) - upp52
@@ -108,12 +108,12 @@ def _determinant(
     t94 = t6 * t77 - t10 * t79
     t98 = t75 * t42 - t45 * t94 - t25 * t86
     t105 = t75 * t22 + t3 * t94 - t25 * t81
-    t109 = (wide(up32) - upp32) * (t1 * t30 + t33 * t47 - t50 * t58 - t62 * t67) + upp32 * (wide(up32) - 1) * (t73 * t67 + t50 * t88 - t33 * t98 - t1 * t105)
+    t109 = (wide(up32) - upp32) * (t1 * t30 + t33 * t47 - t50 * t58 - t62 * t67) + wide(upp32) * (wide(up32) - 1) * (t73 * t67 + t50 * t88 - t33 * t98 - t1 * t105)
     t114 = t5 * t79 - t9 * t77
     t118 = t75 * t28 - t3 * t114 - t15 * t81
     t126 = t75 * t38 + t15 * t86 - t45 * t114
     t139 = t75 * t12 - t25 * t114 - t15 * t94
-    t148 = t109 + wide(up31) * upp32 * (t1 * t118 + t73 * t58 - t33 * t126 - t62 * t88) - upp31 * (wide(up31) - 1) * (t1 * t139 + t73 * t47 - t50 * t126 - t62 * t98)
+    t148 = t109 + wide(up31) * upp32 * (t1 * t118 + t73 * t58 - t33 * t126 - t62 * t88) - wide(upp31) * (wide(up31) - 1) * (t1 * t139 + t73 * t47 - t50 * t126 - t62 * t98)
     return (rounded(t148 - wide(up32) * upp31 * (t73 * t30 + t50 * t118 - t33 * t139 - t62 * t105)),)
 
 
@@ -155,7 +155,7 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None =
     Polynomial: no input is singular.
 
     Operations: 30 (15 +, 15 *); the derived expression as written takes 30.
-    With double-double operations for sums that may cancel: 482.
+    With double-double operations for sums that may cancel: 480.
 
     Examples
     --------
@@ -169,8 +169,8 @@ def _algebraic_distance(
     q00: Any, q01: Any, q02: Any, q03: Any, q10: Any, q11: Any, q12: Any, q13: Any, q20: Any, q21: Any,
     q22: Any, q23: Any, q30: Any, q31: Any, q32: Any, q33: Any, y1: Any, y2: Any, y3: Any,
 ) -> tuple[Any, ...]:
-    t13 = q00 + wide(q01) * y1 + wide(q02) * y2 + wide(q03) * y3 + y1 * (q10 + wide(q11) * y1 + wide(q12) * y2 + wide(q13) * y3)
-    t42 = t13 + y2 * (q20 + wide(q21) * y1 + wide(q22) * y2 + wide(q23) * y3) + y3 * (q30 + wide(q31) * y1 + wide(q32) * y2 + wide(q33) * y3)
+    t13 = wide(q00) + wide(q01) * y1 + wide(q02) * y2 + wide(q03) * y3 + wide(y1) * (wide(q10) + wide(q11) * y1 + wide(q12) * y2 + wide(q13) * y3)
+    t42 = t13 + wide(y2) * (wide(q20) + wide(q21) * y1 + wide(q22) * y2 + wide(q23) * y3) + wide(y3) * (wide(q30) + wide(q31) * y1 + wide(q32) * y2 + wide(q33) * y3)
     return (rounded(t42),)
 
 
@@ -234,7 +234,7 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     Polynomial: no input is singular.
 
     Operations: 854 (126 +, 213 -, 498 *, 6 /, 11 neg); the derived expression as written takes 99702.
-    With double-double operations for sums that may cancel: 15556.
+    With double-double operations for sums that may cancel: 15548.
 
     Examples
     --------
@@ -291,7 +291,7 @@ def _quadric(
     t44 = up30 * t43
     fp_01 = t42 * t44
     t46 = wide(mup3) * up32
-    fp_02 = mup1 * t46 * up30 * mup3
+    fp_02 = wide(mup1) * t46 * up30 * mup3
     fp_03 = -(t44 * mup1)
     fp_12 = t42 * t46
     fp_13 = -(t43 * up31)
@@ -303,7 +303,7 @@ def _quadric(
     t62 = upp30 * t61
     fpp_01 = t60 * t62
     t64 = wide(mupp3) * upp32
-    fpp_02 = mupp1 * t64 * upp30 * mupp3
+    fpp_02 = wide(mupp1) * t64 * upp30 * mupp3
     fpp_03 = -(t62 * mupp1)
     fpp_12 = t60 * t64
     fpp_13 = -(t61 * upp31)
@@ -428,7 +428,7 @@ def _quadric(
     m013456 = f3_01 * m13456 + f3_12 * m01456 + f3_23 * m01346 - f3_02 * m03456 - f3_13 * m01356 - f3_33 * m01345
     m023456 = f3_01 * m23456 + f3_12 * m02456 + f3_23 * m02346 - f3_03 * m03456 - f3_13 * m02356 - f3_33 * m02345
     m123456 = f3_02 * m23456 + f3_12 * m12456 + f3_23 * m12346 - f3_03 * m13456 - f3_13 * m12356 - f3_33 * m12345
-    c10 = mupp1 * (t64 * mup2 - t46 * mupp2)
+    c10 = wide(mupp1) * (t64 * mup2 - t46 * mupp2)
     t38 = c10 * m123456
     r01 = rounded(t38)
     t39 = -(c10 * m023456)
@@ -495,7 +495,7 @@ def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = 
     Polynomial: no input is singular.
 
     Operations: 104 (19 +, 27 -, 55 *, 3 neg); the derived expression as written takes 191.
-    With double-double operations for sums that may cancel: 1647.
+    With double-double operations for sums that may cancel: 1637.
 
     Examples
     --------
@@ -522,19 +522,21 @@ def _invariants(
     t117 = wide(q03)
     t118 = wide(q00) * q11 + wide(q00) * q22 + wide(q00) * q33 - (t11 + t18) - t115 * t115 - t116 * t116 - t117 * t117
     t38 = wide(q02) * q33 - wide(q03) * q23
-    t42 = q01 * (wide(q01) * q22 - wide(q02) * q12) + q01 * (wide(q01) * q33 - wide(q03) * q13) + q02 * t38 + q00 * t11
+    t40 = wide(q01) * (wide(q01) * q22 - wide(q02) * q12) + wide(q01) * (wide(q01) * q33 - wide(q03) * q13) + wide(q02) * t38
     t49 = wide(q12) * q23 - wide(q13) * q22
-    t50 = q13 * t49
+    t50 = wide(q13) * t49
     t53 = wide(q12) * q33 - wide(q13) * q23
-    t56 = q12 * t53 + q11 * t17
-    t68 = t42 + q00 * t14 + q00 * t17 - (t50 - t56) - q02 * (wide(q01) * q12 - wide(q02) * q11) - q03 * (wide(q01) * q13 - wide(q03) * q11)
+    t56 = wide(q12) * t53 + wide(q11) * t17
+    t63 = t40 + wide(q00) * t11 + wide(q00) * t14 + wide(q00) * t17 - (t50 - t56) - wide(q02) * (wide(q01) * q12 - wide(q02) * q11)
     t71 = wide(q02) * q23 - wide(q03) * q22
     t76 = wide(q02) * q13 - wide(q03) * q12
+    t89 = wide(q02) * (wide(q13) * t76 + wide(q01) * t53 - wide(q11) * t38) + wide(q01) * (wide(q01) * t17 + wide(q12) * t38 - wide(q13) * t71)
     t138 = t56 - t50
-    t139 = q02 * (q13 * t76 + q01 * t53 - q11 * t38) + q01 * (q01 * t17 + q12 * t38 - q13 * t71) - q00 * t138 - q03 * (q01 * t49 + q12 * t76 - q11 * t71)
     return (
-        -rounded(q33 + t0 + q00), rounded(t118), rounded(t68 - q03 * t71), rounded(t139), -rounded(t0 + q33),
-        -rounded(t18 + t11), rounded(t138),
+        -rounded(wide(q33) + t0 + q00), rounded(t118),
+        rounded(t63 - wide(q03) * (wide(q01) * q13 - wide(q03) * q11) - wide(q03) * t71),
+        rounded(t89 - wide(q00) * t138 - wide(q03) * (wide(q01) * t49 + wide(q12) * t76 - wide(q11) * t71)),
+        -rounded(t0 + q33), -rounded(t18 + t11), rounded(t138),
     )
 
 

@@ -16,13 +16,16 @@ from ._primitives import arctan2, cos_sin
 
 __all__ = [
     "reconstruct",
+    "reconstruct_jacobian",
     "rotation_left",
     "rotation_right",
     "correlation_matrix",
     "rotations_from_correlation",
     "coplanarity_row",
     "to_normal",
+    "to_normal_jacobian",
     "from_normal",
+    "from_normal_jacobian",
     "jacobian_angles",
     "jacobian_image",
     "normal_covariance",
@@ -67,7 +70,8 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDA
         result[1] = yp/(xp - xpp)
         result[2] = -c/(xp - xpp)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 6 (1 -, 3 *, 1 /, 1 neg); the derived expression as written takes 6.
 
@@ -87,6 +91,107 @@ def _reconstruct(
 
 
 _RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),), twin=ufunc("metric_reconstruct"))
+
+
+def _reconstruct_factors(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any,
+) -> tuple[Any, ...]:
+    return (xp - xpp,)
+
+
+_RECONSTRUCT_FACTORS = (
+    "xp - xpp",
+)
+
+
+def reconstruct_jacobian(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+    """Derivatives of the entries of `reconstruct`, row by row, by those of its arguments, in order.
+
+    normalcase1992, section 1.3; proved by (1.3.1#left), (1.3.2), (1.3.3).
+
+    Parameters
+    ----------
+    x_left : array_like, shape (..., 2)
+        Left image point (x', y') of the normal case, in the unit of c.
+    x_right : array_like, shape (..., 2)
+        Right image point (x'', y'') of the normal case, in the unit of c; y'' = y' is not used.
+    c : array_like, shape (...)
+        Principal distance, in the unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 5)
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
+
+    Notes
+    -----
+    Formula::
+
+        result[0, 0] = 1/(xp - xpp) - xp/(xp - xpp)**2
+        result[0, 1] = 0
+        result[0, 2] = xp/(xp - xpp)**2
+        result[0, 3] = 0
+        result[0, 4] = 0
+        result[1, 0] = -yp/(xp - xpp)**2
+        result[1, 1] = 1/(xp - xpp)
+        result[1, 2] = yp/(xp - xpp)**2
+        result[1, 3] = 0
+        result[1, 4] = 0
+        result[2, 0] = c/(xp - xpp)**2
+        result[2, 1] = 0
+        result[2, 2] = -c/(xp - xpp)**2
+        result[2, 3] = 0
+        result[2, 4] = -1/(xp - xpp)
+
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
+    given by the function `hypotheses` of this package.
+
+    Operations: 10 (2 -, 3 *, 2 /, 3 neg); the derived expression as written takes 25.
+    With double-double operations for sums that may cancel: 134.
+
+    Examples
+    --------
+    >>> reconstruct_jacobian([12.5, -3.25], [-7.5, -3.25], 50).round(6).tolist()
+    [[0.01875, 0.0, 0.03125, 0.0, 0.0], [0.008125, 0.05, -0.008125, 0.0, 0.0], [0.125, 0.0, -0.125, 0.0, -0.05]]
+    """
+    return evaluate(_RECONSTRUCT_JACOBIAN_SIGNATURE, _reconstruct_jacobian, (x_left, x_right, c), out)
+
+
+def _reconstruct_jacobian(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(xp) - xpp
+    t11 = 1 / t0
+    t1 = rounded(t11)
+    t12 = t11 / t0
+    t2 = rounded(t12)
+    t13 = wide(xp) * t12
+    t5 = yp * t2
+    t7 = c * t2
+    return rounded(t11 - t13), 0, rounded(t13), 0, 0, -t5, t1, t5, 0, 0, t7, 0, -t7, 0, -t1
+
+
+_RECONSTRUCT_JACOBIAN_SIGNATURE = Signature("reconstruct_jacobian", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3, 5),), twin=ufunc("metric_reconstruct_jacobian"))
+
+
+def _reconstruct_jacobian_factors(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any,
+) -> tuple[Any, ...]:
+    return (xp - xpp,)
+
+
+_RECONSTRUCT_JACOBIAN_FACTORS = (
+    "xp - xpp",
+)
 
 
 def rotation_left(phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -205,7 +310,7 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
     No input is singular.
 
     Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.
-    With double-double operations for sums that may cancel: 305.
+    With double-double operations for sums that may cancel: 297.
 
     Examples
     --------
@@ -283,7 +388,7 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
     Polynomial: no input is singular.
 
     Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.
-    With double-double operations for sums that may cancel: 1218.
+    With double-double operations for sums that may cancel: 1200.
 
     Examples
     --------
@@ -308,11 +413,15 @@ def _correlation_matrix(
     t54 = wide(b1) * k3p - wide(b3) * k1p
     t59 = wide(b2) * k1p - wide(b1) * k2p
     return (
-        rounded(i1pp * t2 + i2pp * t6 + i3pp * t11), rounded(j1pp * t2 + j2pp * t6 + j3pp * t11),
-        rounded(k1pp * t2 + k2pp * t6 + k3pp * t11), rounded(i1pp * t26 + i2pp * t30 + i3pp * t35),
-        rounded(j1pp * t26 + j2pp * t30 + j3pp * t35), rounded(k1pp * t26 + k2pp * t30 + k3pp * t35),
-        rounded(i1pp * t50 + i2pp * t54 + i3pp * t59), rounded(j1pp * t50 + j2pp * t54 + j3pp * t59),
-        rounded(k1pp * t50 + k2pp * t54 + k3pp * t59),
+        rounded(wide(i1pp) * t2 + wide(i2pp) * t6 + wide(i3pp) * t11),
+        rounded(wide(j1pp) * t2 + wide(j2pp) * t6 + wide(j3pp) * t11),
+        rounded(wide(k1pp) * t2 + wide(k2pp) * t6 + wide(k3pp) * t11),
+        rounded(wide(i1pp) * t26 + wide(i2pp) * t30 + wide(i3pp) * t35),
+        rounded(wide(j1pp) * t26 + wide(j2pp) * t30 + wide(j3pp) * t35),
+        rounded(wide(k1pp) * t26 + wide(k2pp) * t30 + wide(k3pp) * t35),
+        rounded(wide(i1pp) * t50 + wide(i2pp) * t54 + wide(i3pp) * t59),
+        rounded(wide(j1pp) * t50 + wide(j2pp) * t54 + wide(j3pp) * t59),
+        rounded(wide(k1pp) * t50 + wide(k2pp) * t54 + wide(k3pp) * t59),
     )
 
 
@@ -389,7 +498,7 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
     No input is singular.
 
     Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.
-    With double-double operations for sums that may cancel: 1298.
+    With double-double operations for sums that may cancel: 1290.
 
     Examples
     --------
@@ -427,8 +536,8 @@ def _rotations_from_correlation(
     kappapp = rounded(t83)
     c_kappapp, s_kappapp = cos_sin(t83)
     phipp = arctan2(u3pp, rounded(c_kappapp * u1pp - s_kappapp * u2pp))
-    t67 = rounded(c13 * s_kappap + c23 * c_kappap)
-    omegapp = arctan2(t67 * rounded(c33 * c_phip + c23 * s_kappap * s_phip - c13 * c_kappap * s_phip), t67 * t67)
+    t67 = rounded(wide(c13) * s_kappap + wide(c23) * c_kappap)
+    omegapp = arctan2(t67 * rounded(wide(c33) * c_phip + wide(c23) * s_kappap * s_phip - wide(c13) * c_kappap * s_phip), t67 * t67)
     return phip, kappap, omegapp, phipp, kappapp
 
 
@@ -486,7 +595,7 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     Polynomial: no input is singular.
 
     Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.
-    With double-double operations for sums that may cancel: 580.
+    With double-double operations for sums that may cancel: 574.
 
     Examples
     --------
@@ -552,10 +661,11 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
         result[0] = -c*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3)
         result[1] = -c*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
 
     Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 263.
+    With double-double operations for sums that may cancel: 257.
 
     Examples
     --------
@@ -577,6 +687,129 @@ def _to_normal(
 
 
 _TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_to_normal"))
+
+
+def _to_normal_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3),)
+
+
+_TO_NORMAL_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
+
+
+def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+    """Derivatives of the entries of `to_normal`, row by row, by those of its arguments, in order.
+
+    normalcase1992, section 3.1; proved by (1.1.4), (1.1.5#x), (1.1.5#y).
+
+    Parameters
+    ----------
+    R : array_like, shape (..., 3, 3)
+        Matrix of orientation R = [i, j, k], a rotation from the image to the model system; dimensionless.
+    x : array_like, shape (..., 2)
+        Image point (x, y), centered at the principal point, in the unit of c.
+    c : array_like, shape (...)
+        Principal distance, in the unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+
+    Returns
+    -------
+    ndarray, shape (..., 2, 12)
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
+
+    Notes
+    -----
+    Formula::
+
+        result[0, 0] = -c*x/(i3*x + j3*y - c*k3)
+        result[0, 1] = -c*y/(i3*x + j3*y - c*k3)
+        result[0, 2] = c**2/(i3*x + j3*y - c*k3)
+        result[0, 3] = 0
+        result[0, 4] = 0
+        result[0, 5] = 0
+        result[0, 6] = c*x*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3)**2
+        result[0, 7] = c*y*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3)**2
+        result[0, 8] = -c**2*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3)**2
+        result[0, 9] = -c*(i1 - i3*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+        result[0, 10] = -c*(j1 - j3*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+        result[0, 11] = -(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3) - c*(-k1 + k3*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+        result[1, 0] = 0
+        result[1, 1] = 0
+        result[1, 2] = 0
+        result[1, 3] = -c*x/(i3*x + j3*y - c*k3)
+        result[1, 4] = -c*y/(i3*x + j3*y - c*k3)
+        result[1, 5] = c**2/(i3*x + j3*y - c*k3)
+        result[1, 6] = c*x*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3)**2
+        result[1, 7] = c*y*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3)**2
+        result[1, 8] = -c**2*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3)**2
+        result[1, 9] = -c*(i2 - i3*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+        result[1, 10] = -c*(j2 - j3*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+        result[1, 11] = -(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3) - c*(-k2 + k3*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
+
+    Operations: 70 (2 +, 12 -, 36 *, 17 /, 3 neg); the derived expression as written takes 270.
+    With double-double operations for sums that may cancel: 697.
+
+    Examples
+    --------
+    >>> to_normal_jacobian([[0.96, 0, -0.28], [0, 1, 0], [0.28, 0, 0.96]], [-10.62, 1.694], 51.18).round(6).tolist()
+    [[-10.431187, 1.663882, -50.27007, 0.0, 0.0, 0.0, -0.827826, 0.132047, -3.989468, 0.964758, -0.0, 0.279551], [0.0, 0.0, 0.0, -10.431187, 1.663882, -50.27007, -0.339122, 0.054093, -1.6343, 0.008941, 0.982221, 0.001855]]
+    """
+    return evaluate(_TO_NORMAL_JACOBIAN_SIGNATURE, _to_normal_jacobian, (R, x, c), out)
+
+
+def _to_normal_jacobian(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    t73 = wide(c) * k3 - wide(i3) * x - wide(j3) * y
+    t4 = rounded(t73)
+    t6 = c * (x / t4)
+    t8 = c * (y / t4)
+    t74 = -t73
+    t9 = rounded(t74)
+    t11 = c * (c / t9)
+    t78 = (wide(i1) * x + wide(j1) * y - wide(c) * k1) / t74
+    t17 = rounded(t78)
+    t85 = (wide(i2) * x + wide(j2) * y - wide(c) * k2) / t74
+    t46 = rounded(t85)
+    return (
+        t6, t8, t11, 0, 0, 0, c * (x * t17 / t9), c * (y * t17 / t9), -(c * (c * t17 / t9)),
+        c * (rounded(wide(i3) * t78 - i1) / t9), c * (rounded(wide(j3) * t78 - j1) / t9),
+        rounded(wide(c) * ((wide(k1) - wide(k3) * t78) / t74) - t78), 0, 0, 0, t6, t8, t11,
+        c * (x * t46 / t9), c * (y * t46 / t9), -(c * (c * t46 / t9)),
+        c * (rounded(wide(i3) * t85 - i2) / t9), c * (rounded(wide(j3) * t85 - j2) / t9),
+        rounded(wide(c) * ((wide(k2) - wide(k3) * t85) / t74) - t85),
+    )
+
+
+_TO_NORMAL_JACOBIAN_SIGNATURE = Signature("to_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_to_normal_jacobian"))
+
+
+def _to_normal_jacobian_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3),)
+
+
+_TO_NORMAL_JACOBIAN_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
 
 
 def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -614,10 +847,11 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
         result[0] = -c*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3)
         result[1] = -c*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``. Their
+    values are given by the function `hypotheses` of this package.
 
     Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 263.
+    With double-double operations for sums that may cancel: 257.
 
     Examples
     --------
@@ -639,6 +873,128 @@ def _from_normal(
 
 
 _FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_from_normal"))
+
+
+def _from_normal_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(k1) * x + wide(k2) * y - wide(c) * k3),)
+
+
+_FROM_NORMAL_FACTORS = (
+    "-c*k3 + k1*x + k2*y",
+)
+
+
+def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+    """Derivatives of the entries of `from_normal`, row by row, by those of its arguments, in order.
+
+    normalcase1992, section 3.1; proved by (3.1/inverse), (3.1.1).
+
+    Parameters
+    ----------
+    R : array_like, shape (..., 3, 3)
+        Matrix of orientation R = [i, j, k], a rotation from the image to the model system; dimensionless.
+    x : array_like, shape (..., 2)
+        Image point (xN, yN) of the normal case, in the unit of c.
+    c : array_like, shape (...)
+        Principal distance, in the unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+
+    Returns
+    -------
+    ndarray, shape (..., 2, 12)
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
+
+    Notes
+    -----
+    Formula::
+
+        result[0, 0] = -c*x/(k1*x + k2*y - c*k3)
+        result[0, 1] = 0
+        result[0, 2] = c*x*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3)**2
+        result[0, 3] = -c*y/(k1*x + k2*y - c*k3)
+        result[0, 4] = 0
+        result[0, 5] = c*y*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3)**2
+        result[0, 6] = c**2/(k1*x + k2*y - c*k3)
+        result[0, 7] = 0
+        result[0, 8] = -c**2*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3)**2
+        result[0, 9] = -c*(i1 - k1*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+        result[0, 10] = -c*(i2 - k2*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+        result[0, 11] = -(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3) - c*(-i3 + k3*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+        result[1, 0] = 0
+        result[1, 1] = -c*x/(k1*x + k2*y - c*k3)
+        result[1, 2] = c*x*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3)**2
+        result[1, 3] = 0
+        result[1, 4] = -c*y/(k1*x + k2*y - c*k3)
+        result[1, 5] = c*y*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3)**2
+        result[1, 6] = 0
+        result[1, 7] = c**2/(k1*x + k2*y - c*k3)
+        result[1, 8] = -c**2*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3)**2
+        result[1, 9] = -c*(j1 - k1*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+        result[1, 10] = -c*(j2 - k2*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+        result[1, 11] = -(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3) - c*(-j3 + k3*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``. Their
+    values are given by the function `hypotheses` of this package.
+
+    Operations: 71 (2 +, 12 -, 36 *, 17 /, 4 neg); the derived expression as written takes 270.
+    With double-double operations for sums that may cancel: 698.
+
+    Examples
+    --------
+    >>> from_normal_jacobian([[0.96, 0, -0.28], [0, 1, 0], [0.28, 0, 0.96]], [-25.3, 1.75], 51.18).round(6).tolist()
+    [[-30.794077, 0.0, 28.281853, 2.130025, 0.0, -1.956255, -62.294106, 0.0, 57.212065, 1.481472, -0.0, -0.186077], [0.0, -30.794077, -1.281597, 0.0, 2.130025, 0.088648, 0.0, -62.294106, -2.592575, -0.014184, 1.217157, -0.007011]]
+    """
+    return evaluate(_FROM_NORMAL_JACOBIAN_SIGNATURE, _from_normal_jacobian, (R, x, c), out)
+
+
+def _from_normal_jacobian(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    t74 = wide(c) * k3 - wide(k1) * x - wide(k2) * y
+    t6 = c * (x / rounded(t74))
+    t78 = -t74
+    t12 = rounded(t78)
+    t79 = (wide(i1) * x + wide(i2) * y - wide(c) * i3) / t78
+    t13 = rounded(t79)
+    t19 = -(c * (y / t12))
+    t24 = c * (c / t12)
+    t86 = (wide(j1) * x + wide(j2) * y - wide(c) * j3) / t78
+    t47 = rounded(t86)
+    return (
+        t6, 0, c * (x * t13 / t12), t19, 0, c * (y * t13 / t12), t24, 0, -(c * (c * t13 / t12)),
+        c * (rounded(wide(k1) * t79 - i1) / t12), c * (rounded(wide(k2) * t79 - i2) / t12),
+        rounded(wide(c) * ((wide(i3) - wide(k3) * t79) / t78) - t79), 0, t6, c * (x * t47 / t12), 0, t19,
+        c * (y * t47 / t12), 0, t24, -(c * (c * t47 / t12)), c * (rounded(wide(k1) * t86 - j1) / t12),
+        c * (rounded(wide(k2) * t86 - j2) / t12),
+        rounded(wide(c) * ((wide(j3) - wide(k3) * t86) / t78) - t86),
+    )
+
+
+_FROM_NORMAL_JACOBIAN_SIGNATURE = Signature("from_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_from_normal_jacobian"))
+
+
+def _from_normal_jacobian_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(k1) * x + wide(k2) * y - wide(c) * k3),)
+
+
+_FROM_NORMAL_JACOBIAN_FACTORS = (
+    "-c*k3 + k1*x + k2*y",
+)
 
 
 def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -678,10 +1034,11 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
         result[1, 1] = -xN*yN/c
         result[1, 2] = xN
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``c``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``c``. Their values are given by
+    the function `hypotheses` of this package.
 
     Operations: 11 (2 +, 3 *, 3 /, 3 neg); the derived expression as written takes 10.
-    With double-double operations for sums that may cancel: 135.
+    With double-double operations for sums that may cancel: 127.
 
     Examples
     --------
@@ -697,10 +1054,21 @@ def _jacobian_angles(
     t1 = xN * yN / c
     t11 = wide(xN)
     t13 = wide(yN)
-    return t1, -rounded(c + t11 * t11 / c), -yN, rounded(c + t13 * t13 / c), -t1, xN
+    return t1, -rounded(wide(c) + t11 * t11 / c), -yN, rounded(wide(c) + t13 * t13 / c), -t1, xN
 
 
 _JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),), twin=ufunc("metric_jacobian_angles"))
+
+
+def _jacobian_angles_factors(
+    xN: Any, yN: Any, c: Any,
+) -> tuple[Any, ...]:
+    return (c,)
+
+
+_JACOBIAN_ANGLES_FACTORS = (
+    "c",
+)
 
 
 def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -743,10 +1111,11 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
         result[1, 0] = c*(c*(i2*k3 - i3*k2) - y*(i2*j3 - i3*j2))/depth**2
         result[1, 1] = c*(c*(j2*k3 - j3*k2) + x*(i2*j3 - i3*j2))/depth**2
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
 
     Operations: 56 (5 +, 11 -, 34 *, 6 /); the derived expression as written takes 84.
-    With double-double operations for sums that may cancel: 1081.
+    With double-double operations for sums that may cancel: 837.
 
     Examples
     --------
@@ -767,14 +1136,26 @@ def _jacobian_image(
     t27 = depth * depth
     t43 = wide(i2) * j3 - wide(i3) * j2
     return (
-        rounded(c * (c * (wide(i1) * k3 - wide(i3) * k1) - y * t23) / t27),
-        rounded(c * (c * (wide(j1) * k3 - wide(j3) * k1) + x * t23) / t27),
-        rounded(c * (c * (wide(i2) * k3 - wide(i3) * k2) - y * t43) / t27),
-        rounded(c * (c * (wide(j2) * k3 - wide(j3) * k2) + x * t43) / t27),
+        rounded(wide(c) * (wide(c) * (wide(i1) * k3 - wide(i3) * k1) - wide(y) * t23) / t27),
+        rounded(wide(c) * (wide(c) * (wide(j1) * k3 - wide(j3) * k1) + wide(x) * t23) / t27),
+        rounded(wide(c) * (wide(c) * (wide(i2) * k3 - wide(i3) * k2) - wide(y) * t43) / t27),
+        rounded(wide(c) * (wide(c) * (wide(j2) * k3 - wide(j3) * k2) + wide(x) * t43) / t27),
     )
 
 
 _JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),), twin=ufunc("metric_jacobian_image"))
+
+
+def _jacobian_image_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3),)
+
+
+_JACOBIAN_IMAGE_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
 
 
 def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, variance: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -831,10 +1212,11 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
         result[1, 0] = Ba11*(Ba21*s11 + Ba22*s21 + Ba23*s31) + Ba12*(Ba21*s12 + Ba22*s22 + Ba23*s32) + Ba13*(Ba21*s13 + Ba22*s23 + Ba23*s33) + Bx11*Bx21*variance + Bx12*Bx22*variance
         result[1, 1] = Ba21*(Ba21*s11 + Ba22*s21 + Ba23*s31) + Ba22*(Ba21*s12 + Ba22*s22 + Ba23*s32) + Ba23*(Ba21*s13 + Ba22*s23 + Ba23*s33) + variance*Bx21**2 + variance*Bx22**2
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
 
     Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.
-    With double-double operations for sums that may cancel: 2487.
+    With double-double operations for sums that may cancel: 2467.
 
     Examples
     --------
@@ -852,38 +1234,51 @@ def _normal_covariance(
     depth = wide(i3) * x + wide(j3) * y - wide(c) * k3
     slope_x = (wide(i1) * x + wide(j1) * y - wide(c) * k1) / depth
     slope_y = (wide(i2) * x + wide(j2) * y - wide(c) * k2) / depth
-    t17 = c * slope_x
+    t17 = wide(c) * slope_x
     Ba11 = t17 * slope_y
-    Ba12 = -(c * (1 + slope_x * slope_x))
-    Ba13 = c * slope_y
-    Ba21 = c * (1 + slope_y * slope_y)
+    Ba12 = -(wide(c) * (1 + slope_x * slope_x))
+    Ba13 = wide(c) * slope_y
+    Ba21 = wide(c) * (1 + slope_y * slope_y)
     Ba22 = -Ba11
     Ba23 = -t17
     t35 = wide(i1) * j3 - wide(i3) * j1
     t39 = depth * depth
-    Bx11 = c * (c * (wide(i1) * k3 - wide(i3) * k1) - y * t35) / t39
-    Bx12 = c * (c * (wide(j1) * k3 - wide(j3) * k1) + x * t35) / t39
+    Bx11 = wide(c) * (wide(c) * (wide(i1) * k3 - wide(i3) * k1) - wide(y) * t35) / t39
+    Bx12 = wide(c) * (wide(c) * (wide(j1) * k3 - wide(j3) * k1) + wide(x) * t35) / t39
     t55 = wide(i2) * j3 - wide(i3) * j2
-    Bx21 = c * (c * (wide(i2) * k3 - wide(i3) * k2) - y * t55) / t39
-    Bx22 = c * (c * (wide(j2) * k3 - wide(j3) * k2) + x * t55) / t39
+    Bx21 = wide(c) * (wide(c) * (wide(i2) * k3 - wide(i3) * k2) - wide(y) * t55) / t39
+    Bx22 = wide(c) * (wide(c) * (wide(j2) * k3 - wide(j3) * k2) + wide(x) * t55) / t39
     t72 = Ba11 * s11 + Ba12 * s21 + Ba13 * s31
     t78 = Ba11 * s12 + Ba12 * s22 + Ba13 * s32
     t85 = Ba11 * s13 + Ba12 * s23 + Ba13 * s33
-    t88 = variance * Bx11
-    t91 = variance * Bx12
+    t88 = wide(variance) * Bx11
+    t91 = wide(variance) * Bx12
     t96 = t88 * Bx21 + t91 * Bx22
     t107 = Ba21 * s11 + Ba22 * s21 + Ba23 * s31
     t114 = Ba21 * s12 + Ba22 * s22 + Ba23 * s32
     t121 = Ba21 * s13 + Ba22 * s23 + Ba23 * s33
+    t146 = Ba21 * t107 + Ba22 * t114 + Ba23 * t121 + wide(variance) * Bx21 * Bx21 + wide(variance) * Bx22 * Bx22
     return (
         rounded(Ba11 * t72 + Ba12 * t78 + Ba13 * t85 + t88 * Bx11 + t91 * Bx12),
         rounded(t96 + Ba21 * t72 + Ba22 * t78 + Ba23 * t85),
-        rounded(t96 + Ba11 * t107 + Ba12 * t114 + Ba13 * t121),
-        rounded(Ba21 * t107 + Ba22 * t114 + Ba23 * t121 + variance * Bx21 * Bx21 + variance * Bx22 * Bx22),
+        rounded(t96 + Ba11 * t107 + Ba12 * t114 + Ba13 * t121), rounded(t146),
     )
 
 
 _NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),), twin=ufunc("metric_normal_covariance"))
+
+
+def _normal_covariance_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any, s11: Any, s12: Any, s13: Any, s21: Any, s22: Any, s23: Any, s31: Any, s32: Any, s33: Any,
+    variance: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3),)
+
+
+_NORMAL_COVARIANCE_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
 
 
 def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left: ArrayLike, S_right: ArrayLike, S_mixed: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -935,10 +1330,11 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
         result[2, 1] = (parallax*(c*sl01 - c*sm10) + yp*(c*sm00 - c*sr00) - yp*(c*sl00 - c*sm00))/parallax**4
         result[2, 2] = (c*(c*sl00 - c*sm00) - c*(c*sm00 - c*sr00))/parallax**4
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 78 (9 +, 16 -, 43 *, 9 /, 1 neg); the derived expression as written takes 330.
-    With double-double operations for sums that may cancel: 1554.
+    With double-double operations for sums that may cancel: 1517.
 
     Examples
     --------
@@ -959,21 +1355,34 @@ def _model_covariance(
     t30 = wide(sm00) * yp
     t31 = parallax * sm10 + wide(sr00) * yp - t30
     t36 = t30 + parallax * sl10 - wide(sl00) * yp
-    t50 = rounded((parallax * (parallax * sl11 + wide(sm10) * yp - wide(sl01) * yp) + yp * t31 - yp * t36) / t12)
+    t93 = (parallax * (parallax * sl11 + wide(sm10) * yp - wide(sl01) * yp) + wide(yp) * t31 - wide(yp) * t36) / t12
     t55 = wide(c) * sm00
     t57 = t55 - wide(c) * sr00
     t60 = t55 - wide(c) * sl00
     return (
-        rounded((xp * t3 - xpp * t7) / t12),
-        rounded((parallax * (wide(sm10) * xp - wide(sl01) * xpp) + yp * t3 - yp * t7) / t12),
-        rounded((c * t7 - c * t3) / t12), rounded((xp * t31 - xpp * t36) / t12), t50,
-        rounded((c * t36 - c * t31) / t12), rounded((xp * t57 + xpp * t60) / t12),
-        rounded((parallax * (wide(c) * sl01 - wide(c) * sm10) + yp * t57 + yp * t60) / t12),
-        rounded(-((c * t60 + c * t57) / t12)),
+        rounded((wide(xp) * t3 - wide(xpp) * t7) / t12),
+        rounded((parallax * (wide(sm10) * xp - wide(sl01) * xpp) + wide(yp) * t3 - wide(yp) * t7) / t12),
+        rounded((wide(c) * t7 - wide(c) * t3) / t12), rounded((wide(xp) * t31 - wide(xpp) * t36) / t12),
+        rounded(t93), rounded((wide(c) * t36 - wide(c) * t31) / t12),
+        rounded((wide(xp) * t57 + wide(xpp) * t60) / t12),
+        rounded((parallax * (wide(c) * sl01 - wide(c) * sm10) + wide(yp) * t57 + wide(yp) * t60) / t12),
+        rounded(-((wide(c) * t60 + wide(c) * t57) / t12)),
     )
 
 
 _MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),), twin=ufunc("metric_model_covariance"))
+
+
+def _model_covariance_factors(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any, sl00: Any, sl01: Any, sl10: Any, sl11: Any, sr00: Any,
+    sr01: Any, sr10: Any, sr11: Any, sm00: Any, sm01: Any, sm10: Any, sm11: Any,
+) -> tuple[Any, ...]:
+    return (xp - xpp,)
+
+
+_MODEL_COVARIANCE_FACTORS = (
+    "xp - xpp",
+)
 
 # These call functions of this module, and are imported after them.
 from .drivers import adjust  # noqa: E402

@@ -15,6 +15,7 @@ from ._evaluation import Signature, evaluate
 
 __all__ = [
     "tau",
+    "tau_jacobian",
     "transform",
     "map_points",
     "from_orientation",
@@ -61,10 +62,10 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
         result[1] = u30*uN32/(u32*uN30)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u32``, ``uN31 + uN32 -
-    1``.
+    1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 42.
+    With double-double operations for sums that may cancel: 38.
 
     Examples
     --------
@@ -83,6 +84,105 @@ def _tau(
 
 
 _TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),), twin=ufunc("normal_case_tau"))
+
+
+def _tau_factors(
+    u31: Any, u32: Any, uN31: Any, uN32: Any,
+) -> tuple[Any, ...]:
+    return u31, u32, rounded(wide(uN31) + uN32 - 1)
+
+
+_TAU_FACTORS = (
+    "u31", "u32", "uN31 + uN32 - 1",
+)
+
+
+def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+    """Derivatives of the entries of `tau`, row by row, by those of its arguments, in order.
+
+    fundamentals1996, section 3.1; proved by (3.1.2#tau), (3.1.2#fourth-points).
+
+    Parameters
+    ----------
+    u3 : array_like, shape (..., 2)
+        Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    u3_normal : array_like, shape (..., 2)
+        Image (uN31, uN32) of the fourth basic point in the normal case plane; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+
+    Returns
+    -------
+    ndarray, shape (..., 2, 4)
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
+
+    Notes
+    -----
+    Formula::
+
+        u30 = 1 - u31 - u32
+        uN30 = 1 - uN31 - uN32
+        result[0, 0] = -uN31/(u31*uN30) - u30*uN31/(u31**2*uN30)
+        result[0, 1] = -uN31/(u31*uN30)
+        result[0, 2] = u30/(u31*uN30) + u30*uN31/(u31*uN30**2)
+        result[0, 3] = u30*uN31/(u31*uN30**2)
+        result[1, 0] = -uN32/(u32*uN30)
+        result[1, 1] = -uN32/(u32*uN30) - u30*uN32/(u32**2*uN30)
+        result[1, 2] = u30*uN32/(u32*uN30**2)
+        result[1, 3] = u30/(u32*uN30) + u30*uN32/(u32*uN30**2)
+
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u32``, ``uN31 + uN32 -
+    1``. Their values are given by the function `hypotheses` of this package.
+
+    Operations: 28 (4 +, 4 -, 8 *, 8 /, 4 neg); the derived expression as written takes 198.
+    With double-double operations for sums that may cancel: 600.
+
+    Examples
+    --------
+    >>> tau_jacobian([0.2718578, 0.0577379], [0.2718578, 0.0619863]).round(6).tolist()
+    [[-5.203003, -1.50115, 5.212576, 1.510724], [-1.611606, -20.324228, 1.621884, 19.051986]]
+    """
+    return evaluate(_TAU_JACOBIAN_SIGNATURE, _tau_jacobian, (u3, u3_normal), out)
+
+
+def _tau_jacobian(
+    u31: Any, u32: Any, uN31: Any, uN32: Any,
+) -> tuple[Any, ...]:
+    u30 = 1 - wide(u31) - u32
+    uN30 = 1 - wide(uN31) - uN32
+    t4 = wide(u31) * uN30
+    t28 = wide(uN31) / t4
+    t6 = u30 * uN31
+    t30 = t6 / (t4 * uN30)
+    t16 = wide(u32) * uN30
+    t32 = wide(uN32) / t16
+    t19 = u30 * uN32
+    t34 = t19 / (t16 * uN30)
+    return (
+        -rounded(t28 + t6 / (t4 * u31)), -rounded(t28), rounded(u30 / t4 + t30), rounded(t30), -rounded(t32),
+        -rounded(t32 + t19 / (t16 * u32)), rounded(t34), rounded(t34 + u30 / t16),
+    )
+
+
+_TAU_JACOBIAN_SIGNATURE = Signature("tau_jacobian", (("u3", (2,)), ("u3_normal", (2,))), ((2, 4),), twin=ufunc("normal_case_tau_jacobian"))
+
+
+def _tau_jacobian_factors(
+    u31: Any, u32: Any, uN31: Any, uN32: Any,
+) -> tuple[Any, ...]:
+    return u31, u32, rounded(wide(uN31) + uN32 - 1)
+
+
+_TAU_JACOBIAN_FACTORS = (
+    "u31", "u32", "uN31 + uN32 - 1",
+)
 
 
 def transform(tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -179,10 +279,10 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
         result[1] = tau2*u2/weight
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``tau1*u1 + tau2*u2 - u1 - u2 +
-    1``.
+    1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (2 +, 2 -, 4 *, 2 /); the derived expression as written takes 16.
-    With double-double operations for sums that may cancel: 90.
+    With double-double operations for sums that may cancel: 88.
 
     Examples
     --------
@@ -195,11 +295,22 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
 def _map_points(
     tau1: Any, tau2: Any, u1: Any, u2: Any,
 ) -> tuple[Any, ...]:
-    weight = rounded(u1 * (wide(tau1) - 1) + u2 * (wide(tau2) - 1) + 1)
+    weight = rounded(wide(u1) * (wide(tau1) - 1) + wide(u2) * (wide(tau2) - 1) + 1)
     return tau1 * u1 / weight, tau2 * u2 / weight
 
 
 _MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),), twin=ufunc("normal_case_map_points"))
+
+
+def _map_points_factors(
+    tau1: Any, tau2: Any, u1: Any, u2: Any,
+) -> tuple[Any, ...]:
+    return (rounded(1 + wide(tau1) * u1 + wide(tau2) * u2 - u1 - u2),)
+
+
+_MAP_POINTS_FACTORS = (
+    "tau1*u1 + tau2*u2 - u1 - u2 + 1",
+)
 
 
 def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3_left: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -257,10 +368,11 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31*yA1*yp02*yp03 +
     u31*yA1*yp03**2 - u31*yA1*yp03 - u31*yA2*yp01*yp03 - u31*yA3*yp01*yp03 + u31*yp01*yp03 + yA1*yp01*yp03 +
     yA2*yp01*yp03 - yA3*yp01**2 - yA3*yp01*yp02 + yA3*yp01 - yp01*yp03``, ``yA1*yp02 - yA2*yp01 - yA2*yp03 + yA2
-    + yA3*yp02 - yp02``, ``yA2*yp03 - yA3*yp02``, ``yp01``, ``yp02``, ``yp03``, ``ypp03``.
+    + yA3*yp02 - yp02``, ``yA2*yp03 - yA3*yp02``, ``yp01``, ``yp02``, ``yp03``, ``ypp03``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
-    With double-double operations for sums that may cancel: 849.
+    With double-double operations for sums that may cancel: 832.
 
     Examples
     --------
@@ -276,9 +388,9 @@ def _from_orientation(
 ) -> tuple[Any, ...]:
     t0 = wide(yA2) - 1
     t3 = wide(yp02) - 1
-    p01 = yp01 * (t0 + yA3) - yA1 * (t3 + yp03)
-    p02 = yp02 * (wide(yA1) + yA3 - 1) - yA2 * (wide(yp01) + yp03 - 1)
-    p03 = yp03 * (t0 + yA1) - yA3 * (t3 + yp01)
+    p01 = wide(yp01) * (t0 + yA3) - wide(yA1) * (t3 + yp03)
+    p02 = wide(yp02) * (wide(yA1) + yA3 - 1) - wide(yA2) * (wide(yp01) + yp03 - 1)
+    p03 = wide(yp03) * (t0 + yA1) - wide(yA3) * (t3 + yp01)
     a13 = wide(yA1) * yp03 - wide(yA3) * yp01
     a23 = wide(yA2) * yp03 - wide(yA3) * yp02
     t26 = wide(yp03) * u31
@@ -293,6 +405,29 @@ def _from_orientation(
 
 
 _FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)), twin=ufunc("normal_case_from_orientation"))
+
+
+def _from_orientation_factors(
+    yA1: Any, yA2: Any, yA3: Any, yp01: Any, yp02: Any, yp03: Any, ypp01: Any, ypp02: Any, ypp03: Any,
+    u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(yA3) * yp01
+    t1 = wide(yp03) * u31
+    t2 = wide(yA1) * t1
+    t7 = wide(yp01) * yp03
+    t23 = t0 + t2 * yp03 + t1 * yp01 + t7 * yA1 + t7 * yA2 + t2 * yp02 - t0 * yp01 - t7 - t1 * yA1 - t0 * yp02 - wide(yp01) * t1 * yA2
+    t42 = wide(yA3) * yp02 - wide(yA2) * yp03
+    return (
+        rounded(t23 - t0 * t1), rounded(t42 + yA2 + wide(yA1) * yp02 - yp02 - wide(yA2) * yp01),
+        -rounded(t42), yp01, yp02, yp03, ypp03,
+    )
+
+
+_FROM_ORIENTATION_FACTORS = (
+    "u31*yA1*yp02*yp03 + u31*yA1*yp03**2 - u31*yA1*yp03 - u31*yA2*yp01*yp03 - u31*yA3*yp01*yp03 + u31*yp01*yp03 + yA1*yp01*yp03 + yA2*yp01*yp03 - yA3*yp01**2 - yA3*yp01*yp02 + yA3*yp01 - yp01*yp03",
+    "yA1*yp02 - yA2*yp01 - yA2*yp03 + yA2 + yA3*yp02 - yp02", "yA2*yp03 - yA3*yp02", "yp01", "yp02",
+    "yp03", "ypp03",
+)
 
 
 def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -335,10 +470,11 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
         result[2] = yA0*(yA1 + yA2*z_n)/(difference*yA3)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``uN31*yA1 + uN31*yA2 +
-    uN32*yA1*z_n + uN32*yA2*z_n - yA1 - yA2*z_n``, ``yA3``.
+    uN32*yA1*z_n + uN32*yA2*z_n - yA1 - yA2*z_n``, ``yA3``. Their values are given by the function `hypotheses`
+    of this package.
 
     Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
-    With double-double operations for sums that may cancel: 131.
+    With double-double operations for sums that may cancel: 127.
 
     Examples
     --------
@@ -353,15 +489,27 @@ def _mu_left(
 ) -> tuple[Any, ...]:
     t0 = wide(yA1) + yA2
     yA0 = rounded(1 - t0 - yA3)
-    t15 = uN31 + wide(uN32) * z_n
+    t15 = wide(uN31) + wide(uN32) * z_n
     weighted = rounded(t15)
-    t17 = yA1 + wide(yA2) * z_n
+    t17 = wide(yA1) + wide(yA2) * z_n
     difference = rounded(t15 * t0 - t17)
     t11 = -(weighted * yA0 / difference)
     return t11, t11, yA0 * rounded(t17) / (difference * yA3)
 
 
 _MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_left"))
+
+
+def _mu_left_factors(
+    yA1: Any, yA2: Any, yA3: Any, uN31: Any, uN32: Any, z_n: Any,
+) -> tuple[Any, ...]:
+    t3 = wide(uN32) * z_n
+    return rounded(wide(uN31) * yA1 + wide(uN31) * yA2 + t3 * yA1 + t3 * yA2 - yA1 - wide(yA2) * z_n), yA3
+
+
+_MU_LEFT_FACTORS = (
+    "uN31*yA1 + uN31*yA2 + uN32*yA1*z_n + uN32*yA2*z_n - yA1 - yA2*z_n", "yA3",
+)
 
 
 def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -407,10 +555,10 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
         result[2] = (yA2*(1 - y01 - y03) - y02*(1 - yA1 - yA3))/(common*s1)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-y02*yA3 + y03*yA2``, ``uppN31 +
-    uppN32*z_n - 1``, ``yA1``, ``z_n - 1``.
+    uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
-    With double-double operations for sums that may cancel: 814.
+    With double-double operations for sums that may cancel: 802.
 
     Examples
     --------
@@ -423,25 +571,39 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
 def _mu_right(
     yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, uppN31: Any, uppN32: Any, z_n: Any,
 ) -> tuple[Any, ...]:
-    s0 = uppN31 + wide(uppN32) * z_n
+    s0 = wide(uppN31) + wide(uppN32) * z_n
     s1 = s0 - 1
-    sz = z_n * (wide(uppN32) - 1) + uppN31
+    sz = wide(z_n) * (wide(uppN32) - 1) + uppN31
     t6 = wide(y03) * yA2
     t7 = wide(y02) * yA3
     common = t6 - t7
     t10 = wide(z_n) - 1
     t12 = wide(yA1) - 1
-    t14 = y02 * (t12 + yA3)
-    t20 = y03 * (t12 + yA2)
+    t14 = wide(y02) * (t12 + yA3)
+    t20 = wide(y03) * (t12 + yA2)
     t26 = wide(y01) - 1
     t46 = (s0 * yA3 * t10 * (t6 - t14) - s1 * yA2 * z_n * (t7 - t20) - sz * yA2 * yA3 * t26) / (s1 * common * yA1 * t10)
     return (
-        rounded(t46), rounded((yA3 * (t26 + y02) - t20) / (common * t10)),
-        rounded((t14 - yA2 * (t26 + y03)) / (common * s1)),
+        rounded(t46), rounded((wide(yA3) * (t26 + y02) - t20) / (common * t10)),
+        rounded((t14 - wide(yA2) * (t26 + y03)) / (common * s1)),
     )
 
 
 _MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_right"))
+
+
+def _mu_right_factors(
+    yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, uppN31: Any, uppN32: Any, z_n: Any,
+) -> tuple[Any, ...]:
+    return (
+        rounded(wide(y03) * yA2 - wide(y02) * yA3), rounded(wide(uppN31) + wide(uppN32) * z_n - 1), yA1,
+        z_n - 1,
+    )
+
+
+_MU_RIGHT_FACTORS = (
+    "-y02*yA3 + y03*yA2", "uppN31 + uppN32*z_n - 1", "yA1", "z_n - 1",
+)
 
 
 def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -483,6 +645,7 @@ def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDA
         tau_right[1] = (z10 + z12)/z10
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z02``, ``z10``, ``z10 + z12``.
+    Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (1 +, 2 *, 4 /, 3 neg); the derived expression as written takes 11.
 
@@ -502,6 +665,17 @@ def _from_correlation(
 
 
 _FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)), twin=ufunc("normal_case_from_correlation"))
+
+
+def _from_correlation_factors(
+    z00: Any, z01: Any, z02: Any, z10: Any, z11: Any, z12: Any, z20: Any, z21: Any, z22: Any,
+) -> tuple[Any, ...]:
+    return z02, z10, z10 + z12
+
+
+_FROM_CORRELATION_FACTORS = (
+    "z02", "z10", "z10 + z12",
+)
 
 
 def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -544,7 +718,8 @@ def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) ->
         result[2, 1] = (-1 + tau1)/(-1 + tau2)
         result[2, 2] = 1
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``tau2 - 1``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``tau2 - 1``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 3 (2 -, 1 /); the derived expression as written takes 3.
 
@@ -563,3 +738,14 @@ def _frame(
 
 
 _FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),), twin=ufunc("normal_case_frame"))
+
+
+def _frame_factors(
+    z_n: Any, tau1: Any, tau2: Any,
+) -> tuple[Any, ...]:
+    return (tau2 - 1,)
+
+
+_FRAME_FACTORS = (
+    "tau2 - 1",
+)

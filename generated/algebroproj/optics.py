@@ -125,7 +125,8 @@ def image_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) 
         result[1] = magnification*xi2
         result[2] = magnification*xi3
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``f + xi3``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``f + xi3``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 5 (1 +, 3 *, 1 /); the derived expression as written takes 9.
 
@@ -145,6 +146,17 @@ def _image_point(
 
 
 _IMAGE_POINT_SIGNATURE = Signature("image_point", (("f", ()), ("x", (3,))), ((3,),), twin=ufunc("optics_image_point"))
+
+
+def _image_point_factors(
+    f: Any, xi1: Any, xi2: Any, xi3: Any,
+) -> tuple[Any, ...]:
+    return (f + xi3,)
+
+
+_IMAGE_POINT_FACTORS = (
+    "f + xi3",
+)
 
 
 def object_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -182,7 +194,8 @@ def object_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None)
         result[1] = magnification*xip2
         result[2] = magnification*xip3
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``f - xip3``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``f - xip3``. Their values are
+    given by the function `hypotheses` of this package.
 
     Operations: 5 (1 -, 3 *, 1 /); the derived expression as written takes 9.
 
@@ -202,6 +215,17 @@ def _object_point(
 
 
 _OBJECT_POINT_SIGNATURE = Signature("object_point", (("f", ()), ("x", (3,))), ((3,),), twin=ufunc("optics_object_point"))
+
+
+def _object_point_factors(
+    f: Any, xip1: Any, xip2: Any, xip3: Any,
+) -> tuple[Any, ...]:
+    return (f - xip3,)
+
+
+_OBJECT_POINT_FACTORS = (
+    "f - xip3",
+)
 
 
 def scale(f: ArrayLike, x3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -236,7 +260,8 @@ def scale(f: ArrayLike, x3: ArrayLike, *, out: NDArray[Any] | None = None) -> ND
 
         result = f/(f + x3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``f + x3``.
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``f + x3``. Their values are given
+    by the function `hypotheses` of this package.
 
     Operations: 2 (1 +, 1 /); the derived expression as written takes 2.
 
@@ -255,6 +280,17 @@ def _scale(
 
 
 _SCALE_SIGNATURE = Signature("scale", (("f", ()), ("x3", ())), ((),), twin=ufunc("optics_scale"))
+
+
+def _scale_factors(
+    f: Any, x3: Any,
+) -> tuple[Any, ...]:
+    return (f + x3,)
+
+
+_SCALE_FACTORS = (
+    "f + x3",
+)
 
 
 def plane_homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -351,10 +387,10 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = 
         result[1] = mu2*u2/weighted
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0*u1 + mu0*u2 - mu0 - mu1*u1 -
-    mu2*u2``.
+    mu2*u2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 9 (2 +, 2 -, 3 *, 2 /); the derived expression as written takes 16.
-    With double-double operations for sums that may cancel: 116.
+    With double-double operations for sums that may cancel: 114.
 
     Examples
     --------
@@ -369,11 +405,22 @@ def _map_plane_points(
 ) -> tuple[Any, ...]:
     t6 = wide(mu1) * u1
     t10 = wide(mu2) * u2
-    weighted = rounded(t6 + t10 - mu0 * (wide(u1) + u2 - 1))
+    weighted = rounded(t6 + t10 - wide(mu0) * (wide(u1) + u2 - 1))
     return rounded(t6) / weighted, rounded(t10) / weighted
 
 
 _MAP_PLANE_POINTS_SIGNATURE = Signature("map_plane_points", (("mu", (3,)), ("u", (2,))), ((2,),), twin=ufunc("optics_map_plane_points"))
+
+
+def _map_plane_points_factors(
+    mu0: Any, mu1: Any, mu2: Any, u1: Any, u2: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(mu0) * u1 + wide(mu0) * u2 - mu0 - wide(mu1) * u1 - wide(mu2) * u2),)
+
+
+_MAP_PLANE_POINTS_FACTORS = (
+    "mu0*u1 + mu0*u2 - mu0 - mu1*u1 - mu2*u2",
+)
 
 
 def vanishing_line(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:

@@ -61,10 +61,11 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
         result[2] = yA0*(u02*yA1 - u01*yA2)/(D*yA3)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u01*u32*yA1 + u01*u32*yA2 -
-    u01*yA2 - u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1``, ``yA3``.
+    u01*yA2 - u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1``, ``yA3``. Their values are given by the
+    function `hypotheses` of this package.
 
     Operations: 27 (12 -, 13 *, 2 /); the derived expression as written takes 99.
-    With double-double operations for sums that may cancel: 336.
+    With double-double operations for sums that may cancel: 328.
 
     Examples
     --------
@@ -78,14 +79,29 @@ def _left_bundle(
     yA1: Any, yA2: Any, yA3: Any, u01: Any, u02: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
     yA0 = rounded(1 - wide(yA1) - yA2 - yA3)
-    n1 = u31 * (wide(u02) - 1) - u01 * (wide(u32) - 1)
-    n2 = u32 * (wide(u01) - 1) - u02 * (wide(u31) - 1)
+    n1 = wide(u31) * (wide(u02) - 1) - wide(u01) * (wide(u32) - 1)
+    n2 = wide(u32) * (wide(u01) - 1) - wide(u02) * (wide(u31) - 1)
     D = rounded(n1 * yA2 - n2 * yA1)
     t20 = yA0 * rounded(wide(u01) * u32 - wide(u02) * u31) / D
     return t20, t20, yA0 * rounded(wide(u02) * yA1 - wide(u01) * yA2) / (D * yA3)
 
 
 _LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_left_bundle"))
+
+
+def _left_bundle_factors(
+    yA1: Any, yA2: Any, yA3: Any, u01: Any, u02: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t3 = wide(u01) * u32
+    t12 = wide(u02) * u31
+    t14 = wide(u02) * yA1 + wide(u31) * yA2 + t3 * yA1 + t3 * yA2 - wide(u01) * yA2 - wide(u32) * yA1 - t12 * yA1
+    return rounded(t14 - t12 * yA2), yA3
+
+
+_LEFT_BUNDLE_FACTORS = (
+    "u01*u32*yA1 + u01*u32*yA2 - u01*yA2 - u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1",
+    "yA3",
+)
 
 
 def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -133,10 +149,11 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
         result[2] = p02*u02/(n2*p23)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-y01*yA3 + y03*yA1``, ``-y02*yA3
-    + y03*yA2``, ``u01 + u02 - 1``, ``u01*u32 - u02*u31 + u02 - u32``.
+    + y03*yA2``, ``u01 + u02 - 1``, ``u01*u32 - u02*u31 + u02 - u32``. Their values are given by the function
+    `hypotheses` of this package.
 
     Operations: 34 (4 +, 11 -, 16 *, 3 /); the derived expression as written takes 209.
-    With double-double operations for sums that may cancel: 377.
+    With double-double operations for sums that may cancel: 365.
 
     Examples
     --------
@@ -150,17 +167,31 @@ def _right_bundle(
     yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, u01: Any, u02: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
     u00 = rounded(1 - wide(u01) - u02)
-    n2 = rounded(u32 * (wide(u01) - 1) - u02 * (wide(u31) - 1))
+    n2 = rounded(wide(u32) * (wide(u01) - 1) - wide(u02) * (wide(u31) - 1))
     t7 = wide(yA1) - 1
     t10 = wide(y01) - 1
-    p02 = rounded(y02 * (t7 + yA3) - yA2 * (t10 + y03))
-    p03 = rounded(y03 * (t7 + yA2) - yA3 * (t10 + y02))
+    p02 = rounded(wide(y02) * (t7 + yA3) - wide(yA2) * (t10 + y03))
+    p03 = rounded(wide(y03) * (t7 + yA2) - wide(yA3) * (t10 + y02))
     p13 = rounded(wide(y01) * yA3 - wide(y03) * yA1)
     p23 = rounded(wide(y02) * yA3 - wide(y03) * yA2)
     return p03 * u01 / (p13 * u00), p03 * u02 / (p23 * u00), p02 * u02 / (n2 * p23)
 
 
 _RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_right_bundle"))
+
+
+def _right_bundle_factors(
+    yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, u01: Any, u02: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return (
+        rounded(wide(y03) * yA1 - wide(y01) * yA3), rounded(wide(y03) * yA2 - wide(y02) * yA3),
+        rounded(wide(u01) + u02 - 1), rounded(wide(u02) + wide(u01) * u32 - u32 - wide(u02) * u31),
+    )
+
+
+_RIGHT_BUNDLE_FACTORS = (
+    "-y01*yA3 + y03*yA1", "-y02*yA3 + y03*yA2", "u01 + u02 - 1", "u01*u32 - u02*u31 + u02 - u32",
+)
 
 
 def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -234,10 +265,10 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
         result[2] = (d02*d03 + d12*d13 + d22*d23 + d32*d33)/(d03**2 + d13**2 + d23**2 + d33**2)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``d03**2 + d13**2 + d23**2 +
-    d33**2``.
+    d33**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 203 (24 +, 52 -, 120 *, 3 /, 4 neg); the derived expression as written takes 377.
-    With double-double operations for sums that may cancel: 3388.
+    With double-double operations for sums that may cancel: 3382.
 
     Examples
     --------
@@ -257,9 +288,9 @@ def _intersect(
     t9 = wide(mup3) * up32
     t11 = wide(mup3) - 1
     t13 = wide(mup3) * up31
-    rp1 = t9 * mup1 - up2 * (mup1 * t11 - t13 * t6) - up1 * t9 * t6
+    rp1 = t9 * mup1 - wide(up2) * (wide(mup1) * t11 - t13 * t6) - wide(up1) * t9 * t6
     rp2 = wide(mup1) * up2
-    rp3 = up1 * (mup2 * t11 - t9 * t2) + up2 * t13 * t2 - t13 * mup2
+    rp3 = wide(up1) * (wide(mup2) * t11 - t9 * t2) + wide(up2) * t13 * t2 - t13 * mup2
     rp4 = -(wide(mup2) * up1)
     rp5 = t13 * up2 - t9 * up1
     t38 = wide(mupp2) - 1
@@ -268,38 +299,38 @@ def _intersect(
     t45 = wide(mupp3) * upp32
     t47 = wide(mupp3) - 1
     t49 = wide(mupp3) * upp31
-    rpp1 = t45 * mupp1 - upp2 * (mupp1 * t47 - t49 * t42) - upp1 * t45 * t42
+    rpp1 = t45 * mupp1 - wide(upp2) * (wide(mupp1) * t47 - t49 * t42) - wide(upp1) * t45 * t42
     rpp2 = wide(mupp1) * upp2
-    rpp3 = upp1 * (mupp2 * t47 - t45 * t38) + upp2 * t49 * t38 - t49 * mupp2
+    rpp3 = wide(upp1) * (wide(mupp2) * t47 - t45 * t38) + wide(upp2) * t49 * t38 - t49 * mupp2
     rpp4 = -(wide(mupp2) * upp1)
     rpp5 = t49 * upp2 - t45 * upp1
     t76 = rpp3 + rpp4 * t11 - rpp5 * t2
-    d10 = t13 * rpp4 - up1 * t76
+    d10 = t13 * rpp4 - wide(up1) * t76
     t82 = rpp1 + rpp2 * t11 - rpp5 * t6
-    d11 = up1 * t82 + mup1 * rpp5 - t13 * rpp2
+    d11 = wide(up1) * t82 + wide(mup1) * rpp5 - t13 * rpp2
     t91 = rpp4 * t6 - rpp0 - rpp2 * t2
-    d12 = up1 * t91 - mup1 * rpp4
+    d12 = wide(up1) * t91 - wide(mup1) * rpp4
     t99 = rpp0 * t11 + rpp3 * t6 - rpp1 * t2
-    t128 = up1 * t99 - mup1 * rpp3 - t13 * rpp0
+    t128 = wide(up1) * t99 - wide(mup1) * rpp3 - t13 * rpp0
     d13 = rounded(t128)
-    d00 = t9 * rpp4 - up2 * t76 - mup2 * rpp5
-    d01 = up2 * t82 - t9 * rpp2
-    d02 = mup2 * rpp2 - up2 * -t91
-    t137 = mup2 * rpp1 + up2 * t99 - t9 * rpp0
+    d00 = t9 * rpp4 - wide(up2) * t76 - wide(mup2) * rpp5
+    d01 = wide(up2) * t82 - t9 * rpp2
+    d02 = wide(mup2) * rpp2 - wide(up2) * -t91
+    t137 = wide(mup2) * rpp1 + wide(up2) * t99 - t9 * rpp0
     d03 = rounded(t137)
     t126 = rp3 + rp4 * t47 - rp5 * t38
-    d30 = t49 * rp4 - upp1 * t126
+    d30 = t49 * rp4 - wide(upp1) * t126
     t132 = rp1 + rp2 * t47 - rp5 * t42
-    d31 = upp1 * t132 + mupp1 * rp5 - t49 * rp2
+    d31 = wide(upp1) * t132 + wide(mupp1) * rp5 - t49 * rp2
     t141 = rp4 * t42 - rp0 - rp2 * t38
-    d32 = upp1 * t141 - mupp1 * rp4
+    d32 = wide(upp1) * t141 - wide(mupp1) * rp4
     t149 = rp0 * t47 + rp3 * t42 - rp1 * t38
-    t144 = upp1 * t149 - mupp1 * rp3 - t49 * rp0
+    t144 = wide(upp1) * t149 - wide(mupp1) * rp3 - t49 * rp0
     d33 = rounded(t144)
-    d20 = t45 * rp4 - upp2 * t126 - mupp2 * rp5
-    d21 = upp2 * t132 - t45 * rp2
-    d22 = mupp2 * rp2 - upp2 * -t141
-    t154 = mupp2 * rp1 + upp2 * t149 - t45 * rp0
+    d20 = t45 * rp4 - wide(upp2) * t126 - wide(mupp2) * rp5
+    d21 = wide(upp2) * t132 - t45 * rp2
+    d22 = wide(mupp2) * rp2 - wide(upp2) * -t141
+    t154 = wide(mupp2) * rp1 + wide(upp2) * t149 - t45 * rp0
     d23 = rounded(t154)
     t185 = d03 * d03 + d13 * d13 + d23 * d23 + d33 * d33
     return (
@@ -310,3 +341,61 @@ def _intersect(
 
 
 _INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),), twin=ufunc("orientation_intersect"))
+
+
+def _intersect_factors(
+    up1: Any, up2: Any, upp1: Any, upp2: Any, mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any,
+    mupp1: Any, mupp2: Any, mupp3: Any, upp31: Any, upp32: Any,
+) -> tuple[Any, ...]:
+    t2 = wide(mup2) - 1
+    t6 = wide(mup1) - 1
+    rp0 = wide(mup1) * mup2 - wide(up2) * mup1 * t2 - wide(up1) * mup2 * t6
+    t9 = wide(mup3) * up32
+    t11 = wide(mup3) - 1
+    t13 = wide(mup3) * up31
+    rp1 = t9 * mup1 - wide(up2) * (wide(mup1) * t11 - t13 * t6) - wide(up1) * t9 * t6
+    rp2 = wide(mup1) * up2
+    rp3 = wide(up1) * (wide(mup2) * t11 - t9 * t2) + wide(up2) * t13 * t2 - t13 * mup2
+    rp4 = -(wide(mup2) * up1)
+    rp5 = t13 * up2 - t9 * up1
+    t38 = wide(mupp2) - 1
+    t42 = wide(mupp1) - 1
+    rpp0 = wide(mupp1) * mupp2 - wide(upp2) * mupp1 * t38 - wide(upp1) * mupp2 * t42
+    t45 = wide(mupp3) * upp32
+    t47 = wide(mupp3) - 1
+    t49 = wide(mupp3) * upp31
+    rpp1 = t45 * mupp1 - wide(upp2) * (wide(mupp1) * t47 - t49 * t42) - wide(upp1) * t45 * t42
+    rpp2 = wide(mupp1) * upp2
+    rpp3 = wide(upp1) * (wide(mupp2) * t47 - t45 * t38) + wide(upp2) * t49 * t38 - t49 * mupp2
+    rpp4 = -(wide(mupp2) * upp1)
+    rpp5 = t49 * upp2 - t45 * upp1
+    t76 = rpp3 + rpp4 * t11 - rpp5 * t2
+    d10 = t13 * rpp4 - wide(up1) * t76
+    t82 = rpp1 + rpp2 * t11 - rpp5 * t6
+    d11 = wide(up1) * t82 + wide(mup1) * rpp5 - t13 * rpp2
+    t91 = rpp4 * t6 - rpp0 - rpp2 * t2
+    d12 = wide(up1) * t91 - wide(mup1) * rpp4
+    t99 = rpp0 * t11 + rpp3 * t6 - rpp1 * t2
+    d13 = rounded(wide(up1) * t99 - wide(mup1) * rpp3 - t13 * rpp0)
+    d00 = t9 * rpp4 - wide(up2) * t76 - wide(mup2) * rpp5
+    d01 = wide(up2) * t82 - t9 * rpp2
+    d02 = wide(mup2) * rpp2 - wide(up2) * -t91
+    d03 = rounded(wide(mup2) * rpp1 + wide(up2) * t99 - t9 * rpp0)
+    t126 = rp3 + rp4 * t47 - rp5 * t38
+    d30 = t49 * rp4 - wide(upp1) * t126
+    t132 = rp1 + rp2 * t47 - rp5 * t42
+    d31 = wide(upp1) * t132 + wide(mupp1) * rp5 - t49 * rp2
+    t141 = rp4 * t42 - rp0 - rp2 * t38
+    d32 = wide(upp1) * t141 - wide(mupp1) * rp4
+    t149 = rp0 * t47 + rp3 * t42 - rp1 * t38
+    d33 = rounded(wide(upp1) * t149 - wide(mupp1) * rp3 - t49 * rp0)
+    d20 = t45 * rp4 - wide(upp2) * t126 - wide(mupp2) * rp5
+    d21 = wide(upp2) * t132 - t45 * rp2
+    d22 = wide(mupp2) * rp2 - wide(upp2) * -t141
+    d23 = rounded(wide(mupp2) * rp1 + wide(upp2) * t149 - t45 * rp0)
+    return (d03 * d03 + d13 * d13 + d23 * d23 + d33 * d33,)
+
+
+_INTERSECT_FACTORS = (
+    "d03**2 + d13**2 + d23**2 + d33**2",
+)

@@ -125,10 +125,10 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | Non
         result[3] = u43/y43
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``y41``, ``y41 + y42 + y43 - 1``,
-    ``y42``, ``y43``.
+    ``y42``, ``y43``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (6 -, 4 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 62.
+    With double-double operations for sums that may cancel: 58.
 
     Examples
     --------
@@ -147,6 +147,17 @@ def _mu_from_fifth_point(
 
 
 _MU_FROM_FIFTH_POINT_SIGNATURE = Signature("mu_from_fifth_point", (("y4", (3,)), ("u4", (3,))), ((4,),), twin=ufunc("space_mu_from_fifth_point"))
+
+
+def _mu_from_fifth_point_factors(
+    y41: Any, y42: Any, y43: Any, u41: Any, u42: Any, u43: Any,
+) -> tuple[Any, ...]:
+    return y41, rounded(wide(y41) + y42 + y43 - 1), y42, y43
+
+
+_MU_FROM_FIFTH_POINT_FACTORS = (
+    "y41", "y41 + y42 + y43 - 1", "y42", "y43",
+)
 
 
 def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -185,10 +196,10 @@ def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) 
         result[2] = mu3*y3/weighted
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0*y1 + mu0*y2 + mu0*y3 - mu0 -
-    mu1*y1 - mu2*y2 - mu3*y3``.
+    mu1*y1 - mu2*y2 - mu3*y3``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 13 (4 +, 2 -, 4 *, 3 /); the derived expression as written takes 33.
-    With double-double operations for sums that may cancel: 164.
+    With double-double operations for sums that may cancel: 162.
 
     Examples
     --------
@@ -204,11 +215,23 @@ def _map_points(
     t9 = wide(mu1) * y1
     t14 = wide(mu2) * y2
     t16 = wide(mu3) * y3
-    weighted = rounded(t9 + t14 + t16 - mu0 * (wide(y1) + y2 + y3 - 1))
+    weighted = rounded(t9 + t14 + t16 - wide(mu0) * (wide(y1) + y2 + y3 - 1))
     return rounded(t9) / weighted, rounded(t14) / weighted, rounded(t16) / weighted
 
 
 _MAP_POINTS_SIGNATURE = Signature("map_points", (("mu", (4,)), ("y", (3,))), ((3,),), twin=ufunc("space_map_points"))
+
+
+def _map_points_factors(
+    mu0: Any, mu1: Any, mu2: Any, mu3: Any, y1: Any, y2: Any, y3: Any,
+) -> tuple[Any, ...]:
+    t18 = wide(mu0) * y1 + wide(mu0) * y2 + wide(mu0) * y3 - mu0 - wide(mu1) * y1 - wide(mu2) * y2 - wide(mu3) * y3
+    return (rounded(t18),)
+
+
+_MAP_POINTS_FACTORS = (
+    "mu0*y1 + mu0*y2 + mu0*y3 - mu0 - mu1*y1 - mu2*y2 - mu3*y3",
+)
 
 
 def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -248,10 +271,10 @@ def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -
         result[3] = -first + (a0 + a3)/mu3
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0``, ``mu1``, ``mu2``,
-    ``mu3``.
+    ``mu3``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (3 +, 3 -, 4 /); the derived expression as written takes 19.
-    With double-double operations for sums that may cancel: 246.
+    With double-double operations for sums that may cancel: 232.
 
     Examples
     --------
@@ -273,3 +296,14 @@ def _map_plane(
 
 
 _MAP_PLANE_SIGNATURE = Signature("map_plane", (("mu", (4,)), ("a", (4,))), ((4,),), twin=ufunc("space_map_plane"))
+
+
+def _map_plane_factors(
+    mu0: Any, mu1: Any, mu2: Any, mu3: Any, a0: Any, a1: Any, a2: Any, a3: Any,
+) -> tuple[Any, ...]:
+    return mu0, mu1, mu2, mu3
+
+
+_MAP_PLANE_FACTORS = (
+    "mu0", "mu1", "mu2", "mu3",
+)

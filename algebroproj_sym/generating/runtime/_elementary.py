@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from ._double_double import DoubleDouble, two_sum
+from ._namespace import is_foreign, namespace
 
 __all__ = ["arctan2_of_pair", "cos_sin_of_pair"]
 
@@ -27,14 +28,19 @@ TERMS = 18
 def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
     """Return cosine and sine of an angle in radians, to about twice the digits below 1e8 in absolute value.
 
+    Those of a complex angle have no more digits than its first part.
+
     Examples
     --------
     >>> cosine, sine = cos_sin_of_pair(DoubleDouble(1.0))
     >>> bool(abs((cosine * cosine + sine * sine - 1).hi) < 1e-31)
     True
     """
-    first, second, third = _parts(HALF_PI, 3, _dtype(angle.hi))
-    quarters = np.rint(angle.hi / first)
+    xp = namespace([angle.hi])
+    if _dtype(angle.hi).kind == "c":
+        return DoubleDouble(xp.cos(angle.hi)), DoubleDouble(xp.sin(angle.hi))
+    first, second, third = (_like(angle.hi, part) for part in _parts(HALF_PI, 3, _dtype(angle.hi)))
+    quarters = xp.round(angle.hi / first)
     rest = angle - DoubleDouble(quarters) * first - DoubleDouble(quarters) * second - DoubleDouble(quarters) * third
     square = rest * rest
     cosine = _series(square, 0)
@@ -56,16 +62,15 @@ def arctan2_of_pair(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble:
     >>> float(angle.hi), float(angle.lo)
     (0.7853981633974483, 3.061616997868383e-17)
     """
-    angle = DoubleDouble(np.arctan2(y.hi, x.hi))
+    angle = DoubleDouble(namespace([y.hi, x.hi]).atan2(y.hi, x.hi))
     cosine, sine = cos_sin_of_pair(angle)
     return angle + (y * cosine - x * sine) / (x * cosine + y * sine)
 
 
 def _series(square: DoubleDouble, odd: int) -> DoubleDouble:
     """Return the sum of (-square)**k / (2 k + odd)!."""
-    *coefficients, last = (
-        _constant(Fraction((-1) ** k, factorial(2 * k + odd)), _dtype(square.hi)) for k in range(TERMS)
-    )
+    fractions = [Fraction((-1) ** k, factorial(2 * k + odd)) for k in range(TERMS)]
+    *coefficients, last = (_constant(fraction, square.hi) for fraction in fractions)
     total = last
     for coefficient in reversed(coefficients):
         total = total * square + coefficient
@@ -73,7 +78,8 @@ def _series(square: DoubleDouble, odd: int) -> DoubleDouble:
 
 
 def _chosen(condition: Any, first: DoubleDouble, second: DoubleDouble) -> DoubleDouble:
-    return DoubleDouble(np.where(condition, first.hi, second.hi), np.where(condition, first.lo, second.lo))
+    xp = namespace([first.hi])
+    return DoubleDouble(xp.where(condition, first.hi, second.hi), xp.where(condition, first.lo, second.lo))
 
 
 def _signed(number: DoubleDouble, negative: Any) -> DoubleDouble:
@@ -81,12 +87,22 @@ def _signed(number: DoubleDouble, negative: Any) -> DoubleDouble:
 
 
 def _dtype(number: Any) -> Any:
-    return np.asarray(number).dtype
+    """Return the dtype of NumPy that has the digits of a number."""
+    if not is_foreign(number):
+        return np.asarray(number).dtype
+    xp = namespace([number])
+    if not xp.isdtype(number.dtype, "real floating"):
+        return np.dtype(np.complex128)
+    return np.dtype(np.float32 if xp.finfo(number.dtype).bits == 32 else np.float64)
 
 
-@cache
-def _constant(value: Fraction, dtype: Any) -> DoubleDouble:
-    return DoubleDouble(*two_sum(*_parts(value, 2, dtype)))
+def _constant(value: Fraction, number: Any) -> DoubleDouble:
+    return DoubleDouble(*two_sum(*(_like(number, part) for part in _parts(value, 2, _dtype(number)))))
+
+
+def _like(number: Any, constant: Any) -> Any:
+    """Return a constant that may be combined with a number."""
+    return namespace([number]).asarray(float(constant), dtype=number.dtype) if is_foreign(number) else constant
 
 
 @cache

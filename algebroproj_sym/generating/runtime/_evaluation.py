@@ -105,6 +105,24 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     return results[0] if len(results) == 1 else results
 
 
+def parts_of(function: Callable[..., Any], asked: str) -> tuple[Signature, Body]:
+    """Return the signature and the body of a generated function; `asked` is who asks, for error messages."""
+    names = getattr(function, "__globals__", {})
+    name = getattr(function, "__name__", repr(function))
+    signature = names.get(f"_{name.upper()}_SIGNATURE")
+    if not isinstance(signature, Signature):
+        raise TypeError(f"{asked}: expected a generated function, got {name}")
+    body: Body = names[f"_{name}"]
+    return signature, body
+
+
+def require_count(signature: Signature, arguments: Sequence[Any]) -> None:
+    """Refuse arguments that are too few or too many."""
+    if len(arguments) != len(signature.arguments):
+        expected = ", ".join(name for name, _ in signature.arguments)
+        raise TypeError(f"{signature.name}: expected the arguments {expected}, got {len(arguments)}")
+
+
 def _are_alike(given: Sequence[Any]) -> bool:
     """Whether all arguments are arrays of one dtype of which there are compiled functions."""
     first = given[0]
@@ -200,9 +218,12 @@ def _fill(
 ) -> None:
     cores = [core for _, core in signature.arguments]
     entries = [entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)]
-    targets = [
-        target for array, core in zip(results, signature.results, strict=True) for target in _entries(array, core)
-    ]
+    targets = [to for array, core in zip(results, signature.results, strict=True) for to in _entries(array, core)]
+    if prod(batch) <= signature.block:
+        values = body(*(entry.astype(dtype, copy=False) for entry in entries))
+        for target, value in zip(targets, values, strict=True):
+            target[...] = value
+        return
     for block in _blocks(batch, signature.block):
         taken = (_part(entry, block).astype(dtype, order="C", copy=False) for entry in entries)
         for target, value in zip(targets, body(*taken), strict=True):
@@ -210,6 +231,9 @@ def _fill(
 
 
 def _entries(array: Any, core: Shape) -> list[Any]:
+    """Return the entries of the core dimensions, row by row, as arrays of the leading dimensions."""
+    if not core:
+        return [array]
     return [array[(..., *place)] for place in product(*map(range, core))]
 
 

@@ -5,14 +5,14 @@ Both run the body of a function, the one source of its formula, on numbers of an
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from ._double_double import DoubleDouble, Unrounded
 from ._error_bounds import Bounded
-from ._evaluation import Body, Signature, evaluate
+from ._evaluation import Body, Signature, evaluate, parts_of, require_count
 
 __all__ = ["bounds", "dd"]
 
@@ -47,13 +47,13 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
     >>> float(third.hi), float(third.lo)
     (0.3333333333333333, 1.850371707708594e-17)
     """
-    signature, body = _parts(function, "dd")
+    signature, body = parts_of(function, "dd")
     names = [f"{name} (second part)" for name, _ in signature.arguments]
     rests = tuple((name, core) for name, (_, core) in zip(names, signature.arguments, strict=True))
     both = Signature(signature.name, (*signature.arguments, *rests), signature.results * 2, BLOCK)
 
     def with_twice_the_digits(*arguments: Any) -> Any:
-        _require_count(signature, arguments)
+        require_count(signature, arguments)
         pairs = [number if isinstance(number, DoubleDouble) else DoubleDouble(number) for number in arguments]
         heads = [_real(signature, pair.hi) for pair in pairs]
         tails = [0 * head if pair.lo is None else pair.lo for head, pair in zip(heads, pairs, strict=True)]
@@ -92,11 +92,11 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
     >>> float(value), bool(2e-17 < bound < 2e-16)
     (0.3333333333333333, True)
     """
-    signature, body = _parts(function, "bounds")
+    signature, body = parts_of(function, "bounds")
     both = Signature(signature.name, signature.arguments, signature.results * 2, BLOCK)
 
     def with_bounds(*arguments: Any) -> Any:
-        _require_count(signature, arguments)
+        require_count(signature, arguments)
         with np.errstate(all="ignore"):
             parts = evaluate(both, _on_bounded(body), [_real(signature, argument) for argument in arguments])
         count = len(signature.results)
@@ -123,23 +123,6 @@ def _on_bounded(body: Body) -> Body:
         return (*(number.value for number in numbers), *(number.error for number in numbers))
 
     return on_bounded
-
-
-def _parts(function: Callable[..., Any], asked: str) -> tuple[Signature, Body]:
-    """Return the signature and the body of a generated function."""
-    names = getattr(function, "__globals__", {})
-    name = getattr(function, "__name__", repr(function))
-    signature = names.get(f"_{name.upper()}_SIGNATURE")
-    if not isinstance(signature, Signature):
-        raise TypeError(f"{asked}: expected a generated function, got {name}")
-    body: Body = names[f"_{name}"]
-    return signature, body
-
-
-def _require_count(signature: Signature, arguments: Sequence[Any]) -> None:
-    if len(arguments) != len(signature.arguments):
-        expected = ", ".join(name for name, _ in signature.arguments)
-        raise TypeError(f"{signature.name}: expected the arguments {expected}, got {len(arguments)}")
 
 
 def _real(signature: Signature, value: Any) -> Any:

@@ -1,0 +1,780 @@
+(** Rational formulas over the reals, decided by computing in the kernel.
+
+    A theorem of the exported files states equations between real numbers in ordinary notation.  Its proof names the
+    same formulas as trees of type [expr], and the lemma [follows] or [computed] below reduces the theorem to a
+    computation with polynomials over Q, or with rational numbers.  Everything here is proved; a reader of a theorem
+    needs to believe none of it. *)
+
+From Coq Require Import Reals QArith Qreals List ZArith Lia Lra.
+From Coq Require Import BinList Ring_theory Ring_polynom.
+Import ListNotations.
+Open Scope R_scope.
+
+(** * Formulas and what they say *)
+
+(** [Div a b c h]: the numerator of b is c times the product of the divisors with the exponents h. *)
+Inductive expr : Type :=
+| Int (n : Z)
+| Var (k : nat)
+| Opp (a : expr)
+| Add (a b : expr)
+| Sub (a b : expr)
+| Mul (a b : expr)
+| Div (a b : expr) (c : Q) (h : list Z)
+| Pow (a : expr) (n : nat).
+
+Fixpoint eval (env : list R) (e : expr) : R :=
+  match e with
+  | Int n => IZR n
+  | Var k => List.nth k env 0
+  | Opp a => - eval env a
+  | Add a b => eval env a + eval env b
+  | Sub a b => eval env a - eval env b
+  | Mul a b => eval env a * eval env b
+  | Div a b _ _ => eval env a / eval env b
+  | Pow a n => eval env a ^ n
+  end.
+
+Inductive literal : Type :=
+| Zero (a : expr)
+| Nonzero (a : expr)
+| Equal (a b : expr)
+| Unequal (a b : expr)
+| Near (a b tolerance : expr)
+| Far (a b tolerance : expr)
+| Regular (rows : list (list expr)) (inverse : list (list Q)).
+
+(** Matrices are lists of rows; a second factor is a list of columns. *)
+Fixpoint dot (u v : list R) : R :=
+  match u, v with a :: u, b :: v => a * b + dot u v | _, _ => 0 end.
+Definition times (rows columns : list (list R)) : list (list R) := map (fun row => map (dot row) columns) rows.
+Definition unit_matrix (n : nat) : list (list R) :=
+  map (fun i => map (fun j => if Nat.eqb i j then 1 else 0) (seq 0 n)) (seq 0 n).
+(** A square matrix with an inverse: its determinant is not zero. *)
+Definition regular_matrix (rows : list (list R)) : Prop :=
+  exists columns, length columns = length rows /\ times rows columns = unit_matrix (length rows).
+
+Definition says (env : list R) (l : literal) : Prop :=
+  match l with
+  | Zero a => eval env a = 0
+  | Nonzero a => eval env a <> 0
+  | Equal a b => eval env a = eval env b
+  | Unequal a b => eval env a <> eval env b
+  | Near a b t => Rabs (eval env a - eval env b) <= eval env t
+  | Far a b t => eval env t < Rabs (eval env a - eval env b)
+  | Regular rows _ => regular_matrix (map (map (eval env)) rows)
+  end.
+
+Fixpoint all (props : list Prop) : Prop :=
+  match props with
+  | [] => True
+  | [p] => p
+  | p :: rest => p /\ all rest
+  end.
+
+Lemma all_cons p rest : all (p :: rest) <-> p /\ all rest.
+Proof. destruct rest; simpl; tauto. Qed.
+
+Lemma all_map {A} (f : A -> Prop) (l : list A) : all (map f l) <-> Forall f l.
+Proof.
+  induction l as [|a l IH]; [simpl; split; auto|].
+  cbn [map]. rewrite all_cons, IH. split; [intros []; now constructor|inversion 1; tauto].
+Qed.
+
+(** Names of subterms: the k-th variable after the first [n] is the value of the k-th definition. *)
+Fixpoint defined (env : list R) (n : nat) (definitions : list expr) : list Prop :=
+  match definitions with
+  | [] => []
+  | d :: rest => (List.nth n env 0 = eval env d) :: defined env (S n) rest
+  end.
+
+(** * Polynomials over Q *)
+
+Definition qadd (a b : Q) : Q := Qred (a + b).
+Definition qsub (a b : Q) : Q := Qred (a - b).
+Definition qmul (a b : Q) : Q := Qred (a * b).
+
+
+Lemma Q2R_0 : Q2R 0 = 0.
+Proof. unfold Q2R; simpl; lra. Qed.
+Lemma Q2R_1 : Q2R 1 = 1.
+Proof. unfold Q2R; simpl; lra. Qed.
+
+Lemma real_morphism : ring_morph 0 1 Rplus Rmult Rminus Ropp (@eq R) 0%Q 1%Q qadd qmul qsub Qopp Qeq_bool Q2R.
+Proof.
+  constructor; intros; unfold qadd, qsub, qmul; rewrite ?(Qeq_eqR _ _ (Qred_correct _)).
+  - exact Q2R_0.
+  - exact Q2R_1.
+  - apply Q2R_plus.
+  - apply Q2R_minus.
+  - apply Q2R_mult.
+  - apply Q2R_opp.
+  - now apply Qeq_eqR, Qeq_bool_iff.
+Qed.
+
+Definition Rsth : Equivalence (@eq R) := eq_equivalence.
+Definition Reqe : ring_eq_ext Rplus Rmult Ropp (@eq R) := Eq_ext _ _ _.
+Definition Rarth : almost_ring_theory 0 1 Rplus Rmult Rminus Ropp (@eq R) := Rth_ARth Rsth Reqe RTheory.
+
+Definition poly := Pol Q.
+Definition padd : poly -> poly -> poly := Padd 0%Q qadd Qeq_bool.
+Definition pmul : poly -> poly -> poly := Pmul 0%Q 1%Q qadd qmul Qeq_bool.
+Definition popp : poly -> poly := Popp Qopp.
+Definition peq : poly -> poly -> bool := Peq Qeq_bool.
+Definition pvar (k : nat) : poly := mk_X 0%Q 1%Q (Pos.of_succ_nat k).
+Definition value_of (xs : list R) : poly -> R := Pphi 0 Rplus Rmult Q2R xs.
+
+Arguments padd : simpl never.
+Arguments pmul : simpl never.
+Arguments popp : simpl never.
+Arguments value_of : simpl never.
+
+Lemma value_add xs p q : value_of xs (padd p q) = value_of xs p + value_of xs q.
+Proof. exact (Padd_ok Rsth Reqe Rarth real_morphism q p xs). Qed.
+Lemma value_mul xs p q : value_of xs (pmul p q) = value_of xs p * value_of xs q.
+Proof. exact (Pmul_ok Rsth Reqe Rarth real_morphism p q xs). Qed.
+Lemma value_opp xs p : value_of xs (popp p) = - value_of xs p.
+Proof. exact (Popp_ok Rsth Reqe Rarth real_morphism p xs). Qed.
+Lemma value_eq xs p q : peq p q = true -> value_of xs p = value_of xs q.
+Proof. intro H. exact (Peq_ok Rsth Reqe real_morphism p q H xs). Qed.
+
+Lemma nth_nothing p : BinList.nth 0 p (@nil R) = 0.
+Proof.
+  assert (forall p, jump p (@nil R) = []) as E by (intro q; induction q; simpl; congruence).
+  induction p; simpl; rewrite ?E; auto.
+Qed.
+
+Lemma nth_successor p x (xs : list R) : BinList.nth 0 (Pos.succ p) (x :: xs) = BinList.nth 0 p xs.
+Proof.
+  change (BinList.nth 0 (Pos.succ p) (tl (0 :: x :: xs)) = BinList.nth 0 p (tl (x :: xs))).
+  rewrite !nth_jump, jump_succ. simpl jump at 1. now rewrite jump_tl.
+Qed.
+
+Lemma nth_positive k (xs : list R) : BinList.nth 0 (Pos.of_succ_nat k) xs = List.nth k xs 0.
+Proof.
+  revert xs; induction k as [|k IH]; intros [|x xs]; try reflexivity; [apply nth_nothing|].
+  simpl Pos.of_succ_nat. now rewrite nth_successor, IH.
+Qed.
+
+Lemma value_var xs k : value_of xs (pvar k) = List.nth k xs 0.
+Proof.
+  rewrite <- nth_positive. symmetry.
+  exact (mkX_ok Rsth Reqe Rarth real_morphism (Pos.of_succ_nat k) xs).
+Qed.
+Lemma value_constant xs c : value_of xs (Pc c) = Q2R c.
+Proof. reflexivity. Qed.
+
+(** * Fractions over listed divisors: a polynomial times integer powers of the divisors *)
+
+Definition fraction : Type := poly * list Z.
+
+Fixpoint powers (fs : list R) (e : list Z) : R :=
+  match fs, e with f :: fs, n :: e => powerRZ f n * powers fs e | _, _ => 1 end.
+
+Fixpoint plus (e f : list Z) : list Z :=
+  match e, f with [], _ => f | _, [] => e | a :: e, b :: f => (a + b)%Z :: plus e f end.
+Definition opposite : list Z -> list Z := map Z.opp.
+(** What the exponents e exceed f by, and the least of both. *)
+Definition excess (e f : list Z) : list Z := map (Z.max 0) (plus e (opposite f)).
+Definition least (e f : list Z) : list Z := plus e (opposite (excess e f)).
+
+Fixpoint ppower (p : poly) (n : nat) : poly :=
+  match n with O => Pc 1%Q | S O => p | S n => pmul p (ppower p n) end.
+Fixpoint lift (fs : list poly) (e : list Z) : poly :=
+  match fs, e with
+  | f :: fs, n :: e => if (n =? 0)%Z then lift fs e else pmul (ppower f (Z.to_nat n)) (lift fs e)
+  | _, _ => Pc 1%Q
+  end.
+
+Definition regular (fs : list R) : Prop := Forall (fun f => f <> 0) fs.
+
+Lemma powers_plus fs e f : regular fs -> powers fs (plus e f) = powers fs e * powers fs f.
+Proof.
+  intro H. revert e f. induction H as [|x l Hx _ IH]; intros [|a e] [|b f]; simpl; try ring.
+  rewrite powerRZ_add, IH by assumption. ring.
+Qed.
+
+Lemma powers_nonzero fs e : regular fs -> powers fs e <> 0.
+Proof.
+  intro H. revert e. induction H as [|x l Hx _ IH]; intros [|a e]; simpl; try lra.
+  apply Rmult_integral_contrapositive_currified; [now apply powerRZ_NOR|apply IH].
+Qed.
+
+Lemma powers_opposite fs e : regular fs -> powers fs (opposite e) * powers fs e = 1.
+Proof.
+  intro H. revert e. induction H as [|x l Hx _ IH]; intros [|a e]; simpl; try ring.
+  transitivity (powerRZ x (- a) * powerRZ x a * (powers l (opposite e) * powers l e)); [ring|].
+  rewrite IH, <- powerRZ_add, Z.add_opp_diag_l by assumption. simpl; ring.
+Qed.
+
+Section Fractions.
+Variable xs : list R.
+Variable divisors : list poly.
+Let fs := map (value_of xs) divisors.
+Hypothesis Hfs : regular fs.
+
+Definition meaning (v : fraction) : R := value_of xs (fst v) * powers fs (snd v).
+
+Lemma value_ppower p n : value_of xs (ppower p n) = value_of xs p ^ n.
+Proof.
+  induction n as [|[|n] IH].
+  - exact Q2R_1.
+  - simpl; ring.
+  - change (ppower p (S (S n))) with (pmul p (ppower p (S n))). rewrite value_mul, IH. reflexivity.
+Qed.
+
+Lemma value_lift e : Forall (fun n => (0 <= n)%Z) e -> value_of xs (lift divisors e) = powers fs e.
+Proof.
+  unfold fs. clear Hfs fs. revert e; induction divisors as [|f l IH]; intros [|n e] H;
+    try exact Q2R_1.
+  inversion_clear H. cbn [lift map powers]. destruct (Z.eqb_spec n 0) as [->|].
+  - rewrite IH by assumption. simpl. ring.
+  - rewrite value_mul, value_ppower, IH by assumption. f_equal.
+    rewrite <- (Z2Nat.id n) at 2 by assumption. apply pow_powerRZ.
+Qed.
+
+Lemma excess_natural e f : Forall (fun n => (0 <= n)%Z) (excess e f).
+Proof. apply Forall_map, Forall_forall. intros. lia. Qed.
+
+Lemma least_comm e f : least e f = least f e.
+Proof.
+  unfold least, excess, opposite.
+  revert f; induction e as [|a e IH]; intros [|b f]; cbn; try reflexivity; f_equal; try lia; [| |apply IH].
+  - clear. induction f as [|a f IH]; cbn; f_equal; [lia|apply IH].
+  - clear. induction e as [|a e IH]; cbn; f_equal; [lia|apply IH].
+Qed.
+
+Lemma powers_excess e f : powers fs (excess e f) * powers fs (least e f) = powers fs e.
+Proof.
+  unfold least. rewrite powers_plus by assumption.
+  replace (powers fs (excess e f) * (powers fs e * powers fs (opposite (excess e f))))
+    with (powers fs e * (powers fs (opposite (excess e f)) * powers fs (excess e f))) by ring.
+  rewrite powers_opposite by assumption. ring.
+Qed.
+
+Definition fconstant (c : Q) : fraction := (Pc c, []).
+Definition fopp (v : fraction) : fraction := (popp (fst v), snd v).
+Definition fadd (v w : fraction) : fraction :=
+  if peq (fst v) (Pc 0%Q) then w else if peq (fst w) (Pc 0%Q) then v else
+  (padd (pmul (fst v) (lift divisors (excess (snd v) (snd w)))) (pmul (fst w) (lift divisors (excess (snd w) (snd v)))),
+   least (snd v) (snd w)).
+Definition fmul (v w : fraction) : fraction := (pmul (fst v) (fst w), plus (snd v) (snd w)).
+Fixpoint fpow (v : fraction) (n : nat) : fraction :=
+  match n with O => fconstant 1 | S O => v | S n => fmul v (fpow v n) end.
+Definition fdiv (v w : fraction) (c : Q) (h : list Z) : option fraction :=
+  if peq (fst w) (pmul (Pc c) (lift divisors h)) && negb (Qeq_bool c 0) && forallb (Z.leb 0) h
+  then Some (pmul (fst v) (Pc (Qred (/ c))), plus (snd v) (opposite (plus h (snd w))))
+  else None.
+
+Lemma meaning_constant c : meaning (fconstant c) = Q2R c.
+Proof. change (Q2R c * powers fs [] = Q2R c). destruct fs; simpl; ring. Qed.
+Lemma meaning_zero v : peq (fst v) (Pc 0%Q) = true -> meaning v = 0.
+Proof.
+  intro H. unfold meaning. rewrite (value_eq xs _ _ H), value_constant, Q2R_0. ring.
+Qed.
+Lemma meaning_opp v : meaning (fopp v) = - meaning v.
+Proof. unfold meaning, fopp; simpl. rewrite value_opp. ring. Qed.
+Lemma meaning_add v w : meaning (fadd v w) = meaning v + meaning w.
+Proof.
+  unfold fadd. destruct (peq (fst v) _) eqn:Hv; [rewrite (meaning_zero v) by assumption; ring|].
+  destruct (peq (fst w) _) eqn:Hw; [rewrite (meaning_zero w) by assumption; ring|].
+  unfold meaning; simpl. rewrite value_add, !value_mul, !value_lift by apply excess_natural.
+  rewrite Rmult_plus_distr_r, !Rmult_assoc. rewrite powers_excess.
+  now rewrite (least_comm (snd v)), powers_excess.
+Qed.
+Lemma meaning_mul v w : meaning (fmul v w) = meaning v * meaning w.
+Proof. unfold meaning, fmul; simpl. rewrite value_mul, powers_plus by assumption. ring. Qed.
+Lemma meaning_pow v n : meaning (fpow v n) = meaning v ^ n.
+Proof.
+  induction n as [|[|n] IH].
+  - simpl. rewrite meaning_constant. exact Q2R_1.
+  - simpl; ring.
+  - change (fpow v (S (S n))) with (fmul v (fpow v (S n))). rewrite meaning_mul, IH. reflexivity.
+Qed.
+Lemma Q2R_nonzero c : Qeq_bool c 0 = false -> Q2R c <> 0.
+Proof.
+  intros H E. apply Qeq_bool_neq in H. apply H, eqR_Qeq. now rewrite E, Q2R_0.
+Qed.
+Lemma meaning_div v w c h u : fdiv v w c h = Some u -> meaning u = meaning v / meaning w.
+Proof.
+  unfold fdiv. destruct (_ && _)%bool eqn:H; [|discriminate]. intro E; injection E as <-.
+  apply andb_prop in H as [H Hh]. apply andb_prop in H as [H Hc]. apply Bool.negb_true_iff in Hc.
+  assert (Forall (fun n => (0 <= n)%Z) h) as N.
+  { apply Forall_forall. intros n Hn. rewrite forallb_forall in Hh. now apply Z.leb_le, Hh. }
+  unfold meaning; cbn [fst snd]. rewrite (value_eq xs _ _ H), !value_mul, !value_constant, value_lift by assumption.
+  rewrite powers_plus, (Qeq_eqR _ _ (Qred_correct _)), Q2R_inv by (assumption || now apply Qeq_bool_neq).
+  assert (powers fs (opposite (plus h (snd w))) = / (powers fs h * powers fs (snd w))) as ->.
+  { rewrite <- powers_plus by assumption. apply Rmult_eq_reg_r with (powers fs (plus h (snd w))); [|now apply powers_nonzero].
+    rewrite powers_opposite by assumption. symmetry. now apply Rinv_l, powers_nonzero. }
+  field. repeat split; try now apply powers_nonzero. now apply Q2R_nonzero.
+Qed.
+
+(** * The normal form of a formula *)
+
+Fixpoint normal (values : list fraction) (e : expr) : option fraction :=
+  let both a b f :=
+    match normal values a, normal values b with Some v, Some w => f v w | _, _ => None end in
+  match e with
+  | Int n => Some (fconstant (inject_Z n))
+  | Var k => nth_error values k
+  | Opp a => option_map fopp (normal values a)
+  | Add a b => both a b (fun v w => Some (fadd v w))
+  | Sub a b => both a b (fun v w => Some (fadd v (fopp w)))
+  | Mul a b => both a b (fun v w => Some (fmul v w))
+  | Div a b c h => both a b (fun v w => fdiv v w c h)
+  | Pow a n => option_map (fun v => fpow v n) (normal values a)
+  end.
+
+Definition faithful (env : list R) (values : list fraction) : Prop :=
+  forall k v, nth_error values k = Some v -> List.nth k env 0 = meaning v.
+
+Lemma normal_sound env values : faithful env values ->
+  forall e v, normal values e = Some v -> eval env e = meaning v.
+Proof.
+  intro F. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intros u H;
+    try (destruct (normal values a) as [v|]; [|discriminate]; rewrite (IH v) by reflexivity; injection H as <-);
+    try (destruct (normal values a) as [v|]; [|discriminate]; destruct (normal values b) as [w|]; [|discriminate];
+         rewrite (IHa v), (IHb w) by reflexivity; try injection H as <-).
+  - injection H as <-. rewrite meaning_constant. unfold Q2R; simpl. lra.
+  - now apply F.
+  - now rewrite meaning_opp.
+  - now rewrite meaning_add.
+  - now rewrite meaning_add, meaning_opp.
+  - now rewrite meaning_mul.
+  - symmetry. now apply meaning_div with c h.
+  - now rewrite meaning_pow.
+Qed.
+
+Fixpoint extended (values : list fraction) (definitions : list expr) : option (list fraction) :=
+  match definitions with
+  | [] => Some values
+  | d :: rest => match normal values d with Some v => extended (values ++ [v]) rest | None => None end
+  end.
+
+Lemma extended_faithful env definitions : forall values more,
+  faithful env values -> extended values definitions = Some more ->
+  all (defined env (length values) definitions) -> faithful env more.
+Proof.
+  induction definitions as [|d rest IH]; cbn [extended defined]; intros values more F E D; [now injection E as <-|].
+  destruct (normal values d) as [v|] eqn:N; [|discriminate].
+  rewrite all_cons in D. destruct D as [D1 D2].
+  apply IH with (values ++ [v]); [|assumption|now rewrite app_length, Nat.add_comm].
+  intros k w H. destruct (Nat.lt_ge_cases k (length values)) as [L|L].
+  - rewrite nth_error_app1 in H by assumption. now apply F.
+  - rewrite nth_error_app2 in H by assumption. destruct (k - length values)%nat as [|j] eqn:K.
+    + simpl in H. injection H as <-. replace k with (length values) by lia.
+      rewrite D1. now apply normal_sound with values.
+    + destruct j; discriminate.
+Qed.
+
+(** * What follows from constraints *)
+
+Definition above (v : fraction) : fraction := (fst v, map (Z.max 0) (snd v)).
+
+Lemma meaning_above v : meaning v = 0 -> meaning (above v) = 0.
+Proof.
+  unfold meaning, above; simpl. intro H.
+  destruct (Rmult_integral _ _ H) as [->|E]; [ring|now destruct (powers_nonzero fs (snd v) Hfs)].
+Qed.
+
+(** The difference of the sides to a power, times divisors, is a combination of the constraints. *)
+Inductive goal : Type := Equation (a b : expr) (power : nat) (multiplier : list Z) (cofactors : list expr).
+
+Fixpoint combination (values : list fraction) (cofactors : list expr) (constraints : list fraction) : option fraction :=
+  match cofactors, constraints with
+  | [], _ => Some (fconstant 0)
+  | c :: cs, g :: gs =>
+      match normal values c, combination values cs gs with
+      | Some v, Some w => Some (fadd (fmul v (above g)) w)
+      | _, _ => None
+      end
+  | _, _ => None
+  end.
+
+Definition reached (values constraints : list fraction) (g : goal) : bool :=
+  let '(Equation a b power multiplier cofactors) := g in
+  match normal values (Sub a b), combination values cofactors constraints with
+  | Some v, Some w => 
+      let d := fpow v power in
+      peq (fst (fadd (fst d, plus (snd d) multiplier) (fopp w))) (Pc 0%Q)
+  | _, _ => false
+  end.
+
+Definition concludes (env : list R) (g : goal) : Prop := let '(Equation a b _ _ _) := g in eval env a = eval env b.
+
+Lemma combination_zero env values constraints : faithful env values -> Forall (fun v => meaning v = 0) constraints ->
+  forall cofactors w, combination values cofactors constraints = Some w -> meaning w = 0.
+Proof.
+  intros F Z. induction Z as [|g gs Hg _ IH]; intros [|c cs] w; simpl; intro H; try discriminate;
+    try (injection H as <-; rewrite meaning_constant; exact Q2R_0).
+  destruct (normal values c) as [v|]; [|discriminate].
+  destruct (combination values cs gs) as [u|] eqn:E; [|discriminate]. injection H as <-.
+  rewrite meaning_add, meaning_mul, meaning_above, (IH cs u) by assumption. ring.
+Qed.
+
+Lemma reached_sound env values constraints g : faithful env values -> Forall (fun v => meaning v = 0) constraints ->
+  reached values constraints g = true -> concludes env g.
+Proof.
+  destruct g as [a b power multiplier cofactors]. unfold reached, concludes. intros F Z H.
+  destruct (normal values (Sub a b)) as [v|] eqn:N; [|discriminate].
+  destruct (combination values cofactors constraints) as [w|] eqn:C; [|discriminate].
+  apply meaning_zero in H. rewrite meaning_add, meaning_opp, (combination_zero env values constraints F Z _ _ C) in H.
+  apply (normal_sound env values F) in N. simpl in N. apply Rminus_diag_uniq. rewrite N.
+  destruct (Req_dec (meaning v) 0) as [|D]; [assumption|exfalso].
+  apply (pow_nonzero _ power) in D. rewrite <- meaning_pow in D. unfold meaning in D, H. simpl in H.
+  rewrite powers_plus in H by assumption.
+  assert (value_of xs (fst (fpow v power)) * powers fs (snd (fpow v power)) * powers fs multiplier = 0) as E by lra.
+  apply Rmult_integral in E as [E|E]; [now apply D|now apply powers_nonzero in E].
+Qed.
+
+End Fractions.
+
+Fixpoint traverse {A B} (f : A -> option B) (l : list A) : option (list B) :=
+  match l with
+  | [] => Some []
+  | a :: rest => match f a, traverse f rest with Some b, Some bs => Some (b :: bs) | _, _ => None end
+  end.
+
+Lemma traverse_Forall {A B} (f : A -> option B) (P : A -> Prop) (Q : B -> Prop) l bs :
+  (forall a b, f a = Some b -> P a -> Q b) -> traverse f l = Some bs -> Forall P l -> Forall Q bs.
+Proof.
+  intros H. revert bs. induction l as [|a l IH]; simpl; intros bs E F; [injection E as <-; constructor|].
+  destruct (f a) eqn:Ea; [|discriminate]. destruct (traverse f l); [|discriminate]. injection E as <-.
+  inversion_clear F. constructor; eauto.
+Qed.
+
+Definition base (n : nat) : list fraction := map (fun k => (pvar k, [])) (seq 0 n).
+Definition polynomial (v : option fraction) : option poly :=
+  match v with Some (p, []) => Some p | _ => None end.
+
+Lemma base_faithful (divisors : list poly) xs ss : faithful xs divisors (xs ++ ss) (base (length xs)).
+Proof.
+  intros k v H. unfold base in H. rewrite nth_error_map in H.
+  destruct (nth_error (seq 0 (length xs)) k) as [j|] eqn:E; [|discriminate]. injection H as <-.
+  assert (k < length xs)%nat as L.
+  { rewrite <- (seq_length (length xs) 0). apply nth_error_Some. now rewrite E. }
+  assert (j = k) as -> by (apply (nth_error_nth _ _ O) in E; now rewrite seq_nth in E by assumption).
+  unfold meaning; cbn [fst snd]. rewrite value_var, app_nth1 by assumption. destruct (map _ divisors); simpl; ring.
+Qed.
+
+(** Whether the goals follow from divisors and units that are not zero, definitions, and constraints that are zero;
+    the first [n] variables are free. *)
+Definition decided (n : nat) (divisors definitions units constraints : list expr) (goals : list goal) : bool :=
+  match traverse (fun e => polynomial (normal [] (base n) e)) divisors with
+  | None => false
+  | Some ps =>
+  match extended ps (base n) definitions with
+  | None => false
+  | Some values =>
+  match traverse (normal ps values) units with
+  | None => false
+  | Some us =>
+  let qs := (ps ++ map fst us)%list in
+  match extended qs (base n) definitions with
+  | None => false
+  | Some values =>
+  match traverse (normal qs values) constraints with
+  | None => false
+  | Some cs => forallb (reached qs values cs) goals
+  end end end end end.
+
+Theorem follows xs ss divisors definitions units constraints goals :
+  decided (length xs) divisors definitions units constraints goals = true ->
+  all (map (fun d => eval xs d <> 0) divisors) ->
+  all (defined (xs ++ ss) (length xs) definitions) ->
+  all (map (fun u => eval (xs ++ ss) u <> 0) units) ->
+  all (map (fun c => eval (xs ++ ss) c = 0) constraints) ->
+  all (map (concludes (xs ++ ss)) goals).
+Proof.
+  unfold decided. rewrite !all_map. intros H Hd Hdef Hu Hc.
+  destruct (traverse _ divisors) as [ps|] eqn:Ed; [|discriminate].
+  destruct (extended ps _ definitions) as [values|] eqn:Ev; [|discriminate].
+  destruct (traverse (normal ps values) units) as [us|] eqn:Eu; [|discriminate].
+  destruct (extended (ps ++ map fst us)%list _ definitions) as [values'|] eqn:Ev'; [|discriminate].
+  destruct (traverse (normal _ values') constraints) as [cs|] eqn:Ec; [|discriminate].
+  assert (length (base (length xs)) = length xs) as L by (unfold base; now rewrite map_length, seq_length).
+  assert (regular (map (value_of xs) ps)) as Rps.
+  { apply Forall_map. refine (traverse_Forall _ _ _ _ _ _ Ed Hd). intros d p E N.
+    destruct (normal [] (base (length xs)) d) as [[q [|]]|] eqn:Nd; try discriminate. injection E as ->.
+    assert (regular (map (value_of xs) [])) as R0 by constructor.
+    rewrite <- (app_nil_r xs) in N at 1.
+    rewrite (normal_sound xs [] R0 _ _ (base_faithful [] xs []) _ _ Nd) in N.
+    unfold meaning in N. cbn [fst snd powers map] in N. lra. }
+  assert (faithful xs ps (xs ++ ss) values) as F.
+  { apply (extended_faithful xs ps Rps (xs ++ ss) definitions (base (length xs))); [apply base_faithful|assumption|].
+    now rewrite L. }
+  set (qs := (ps ++ map fst us)%list) in *.
+  assert (regular (map (value_of xs) qs)) as Rqs.
+  { unfold qs. rewrite map_app. apply Forall_app. split; [assumption|].
+    rewrite map_map. apply Forall_map. refine (traverse_Forall _ _ _ _ _ _ Eu Hu). intros u v E N Z.
+    apply N. rewrite (normal_sound xs ps Rps _ _ F _ _ E). unfold meaning. rewrite Z. ring. }
+  assert (faithful xs qs (xs ++ ss) values') as F'.
+  { apply (extended_faithful xs qs Rqs (xs ++ ss) definitions (base (length xs))); [apply base_faithful|assumption|].
+    now rewrite L. }
+  apply Forall_forall. intros g Hg. rewrite forallb_forall in H.
+  apply (reached_sound xs qs Rqs _ _ cs g F'); [|now apply H].
+  refine (traverse_Forall _ _ _ _ _ _ Ec Hc). intros c v E Zc.
+  now rewrite <- (normal_sound xs qs Rqs _ _ F' _ _ E).
+Qed.
+
+(** * Formulas at rational points *)
+
+Fixpoint qpow (q : Q) (n : nat) : Q := match n with O => 1%Q | S n => qmul q (qpow q n) end.
+
+Fixpoint number (env : list Q) (e : expr) : option Q :=
+  let both a b f := match number env a, number env b with Some p, Some q => f p q | _, _ => None end in
+  match e with
+  | Int n => Some (inject_Z n)
+  | Var k => nth_error env k
+  | Opp a => option_map Qopp (number env a)
+  | Add a b => both a b (fun p q => Some (qadd p q))
+  | Sub a b => both a b (fun p q => Some (qsub p q))
+  | Mul a b => both a b (fun p q => Some (p * q)%Q)
+  | Div a b _ _ => both a b (fun p q => if Qeq_bool q 0 then None else Some (p / q)%Q)
+  | Pow a n => option_map (fun p => qpow p n) (number env a)
+  end.
+
+Fixpoint numbers (env : list Q) (definitions : list expr) : option (list Q) :=
+  match definitions with
+  | [] => Some env
+  | d :: rest => match number env d with Some q => numbers (env ++ [q]) rest | None => None end
+  end.
+
+Definition within (p q : Q) : bool := Qle_bool p q && Qle_bool (- p) q.
+
+Fixpoint qdot (u v : list Q) : Q :=
+  match u, v with a :: u, b :: v => qadd (qmul a b) (qdot u v) | _, _ => 0%Q end.
+Definition qtimes (rows columns : list (list Q)) : list (list Q) := map (fun row => map (qdot row) columns) rows.
+Definition qunit (n : nat) : list (list Q) :=
+  map (fun i => map (fun j => if Nat.eqb i j then 1%Q else 0%Q) (seq 0 n)) (seq 0 n).
+Fixpoint each {A} (f : A -> A -> bool) (u v : list A) : bool :=
+  match u, v with [], [] => true | a :: u, b :: v => f a b && each f u v | _, _ => false end.
+Definition qsame : list (list Q) -> list (list Q) -> bool := each (each Qeq_bool).
+
+Definition holds (env : list Q) (l : literal) : bool :=
+  let compare a b f := match number env a, number env b with Some p, Some q => f p q | _, _ => false end in
+  match l with
+  | Zero a => compare a (Int 0) Qeq_bool
+  | Nonzero a => compare a (Int 0) (fun p q => negb (Qeq_bool p q))
+  | Equal a b => compare a b Qeq_bool
+  | Unequal a b => compare a b (fun p q => negb (Qeq_bool p q))
+  | Near a b t => compare a b (fun p q => compare t t (fun r _ => within (p - q) r))
+  | Far a b t => compare a b (fun p q => compare t t (fun r _ => negb (within (p - q) r)))
+  | Regular rows inverse =>
+      match traverse (traverse (number env)) rows with
+      | Some m => Nat.eqb (length inverse) (length rows) && qsame (qtimes m inverse) (qunit (length rows))
+      | None => false
+      end
+  end.
+
+Definition evaluated (xs : list Q) (definitions : list expr) (literals : list literal) : bool :=
+  match numbers xs definitions with Some env => forallb (holds env) literals | None => false end.
+
+Definition rational (env : list R) (values : list Q) : Prop :=
+  forall k q, nth_error values k = Some q -> List.nth k env 0 = Q2R q.
+
+Lemma Q2R_Z n : Q2R (inject_Z n) = IZR n.
+Proof. unfold Q2R, inject_Z; simpl; lra. Qed.
+Lemma Q2R_red q : Q2R (Qred q) = Q2R q.
+Proof. apply Qeq_eqR, Qred_correct. Qed.
+Lemma Q2R_power q n : Q2R (qpow q n) = Q2R q ^ n.
+Proof. induction n as [|n IH]; simpl; [exact Q2R_1|]. unfold qmul. now rewrite Q2R_red, Q2R_mult, IH. Qed.
+
+Lemma number_sound env values : rational env values -> forall e q, number values e = Some q -> eval env e = Q2R q.
+Proof.
+  intro F. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intros u H;
+    try (destruct (number values a) as [p|]; [|discriminate]; rewrite (IH p) by reflexivity; injection H as <-);
+    try (destruct (number values a) as [p|]; [|discriminate]; destruct (number values b) as [q|]; [|discriminate];
+         rewrite (IHa p), (IHb q) by reflexivity; try injection H as <-);
+    unfold qadd, qsub; rewrite ?Q2R_red.
+  - injection H as <-. now rewrite Q2R_Z.
+  - now apply F.
+  - now rewrite Q2R_opp.
+  - now rewrite Q2R_plus.
+  - now rewrite Q2R_minus.
+  - now rewrite Q2R_mult.
+  - destruct (Qeq_bool q 0) eqn:E; [discriminate|]. injection H as <-.
+    rewrite Q2R_div; [reflexivity|now apply Qeq_bool_neq].
+  - now rewrite Q2R_power.
+Qed.
+
+Lemma numbers_rational env definitions : forall values more,
+  rational env values -> numbers values definitions = Some more ->
+  all (defined env (length values) definitions) -> rational env more.
+Proof.
+  induction definitions as [|d rest IH]; cbn [numbers defined]; intros values more F E D; [now injection E as <-|].
+  destruct (number values d) as [v|] eqn:N; [|discriminate].
+  rewrite all_cons in D. destruct D as [D1 D2].
+  apply IH with (values ++ [v])%list; [|assumption|now rewrite app_length, Nat.add_comm].
+  intros k w H. destruct (Nat.lt_ge_cases k (length values)) as [L|L].
+  - rewrite nth_error_app1 in H by assumption. now apply F.
+  - rewrite nth_error_app2 in H by assumption. destruct (k - length values)%nat as [|j] eqn:K.
+    + simpl in H. injection H as <-. replace k with (length values) by lia.
+      rewrite D1. now apply number_sound with values.
+    + destruct j; discriminate.
+Qed.
+
+Lemma within_sound p q : within p q = true <-> Rabs (Q2R p) <= Q2R q.
+Proof.
+  unfold within. rewrite Bool.andb_true_iff, !Qle_bool_iff. split.
+  - intros [H1 H2]. apply Qle_Rle in H1, H2. rewrite Q2R_opp in H2. apply Rabs_le. lra.
+  - intro H. split; apply Rle_Qle; rewrite ?Q2R_opp; revert H; unfold Rabs; destruct (Rcase_abs _); lra.
+Qed.
+
+Lemma each_map {A B} (f : A -> A -> bool) (g : A -> B) : (forall a b, f a b = true -> g a = g b) ->
+  forall u v, each f u v = true -> map g u = map g v.
+Proof.
+  intros H. induction u as [|a u IH]; intros [|b v] E; try discriminate; [reflexivity|].
+  simpl in *. apply andb_prop in E as [E1 E2]. f_equal; auto.
+Qed.
+
+Lemma qsame_sound m n : qsame m n = true -> map (map Q2R) m = map (map Q2R) n.
+Proof.
+  apply each_map, each_map. intros a b E. now apply Qeq_eqR, Qeq_bool_iff.
+Qed.
+
+Lemma qdot_real u v : Q2R (qdot u v) = dot (map Q2R u) (map Q2R v).
+Proof.
+  revert v; induction u as [|a u IH]; intros [|b v]; simpl; try exact Q2R_0.
+  unfold qadd, qmul. now rewrite Q2R_red, Q2R_plus, Q2R_red, Q2R_mult, IH.
+Qed.
+
+Lemma qtimes_real rows columns :
+  map (map Q2R) (qtimes rows columns) = times (map (map Q2R) rows) (map (map Q2R) columns).
+Proof.
+  unfold qtimes, times. rewrite !map_map. apply map_ext. intro row. rewrite !map_map. apply map_ext. intro column.
+  apply qdot_real.
+Qed.
+
+Lemma qunit_real n : map (map Q2R) (qunit n) = unit_matrix n.
+Proof.
+  unfold qunit, unit_matrix. rewrite map_map. apply map_ext. intro i. rewrite map_map. apply map_ext. intro j.
+  destruct (Nat.eqb i j); [exact Q2R_1|exact Q2R_0].
+Qed.
+
+Lemma traverse_map {A} (f : A -> option Q) (g : A -> R) : (forall a q, f a = Some q -> g a = Q2R q) ->
+  forall l qs, traverse f l = Some qs -> map g l = map Q2R qs.
+Proof.
+  intros H. induction l as [|a l IH]; simpl; intros qs E; [now injection E as <-|].
+  destruct (f a) eqn:Ea; [|discriminate]. destruct (traverse f l); [|discriminate]. injection E as <-.
+  simpl. f_equal; auto.
+Qed.
+
+Lemma traverse_matrix env values rows m : rational env values -> traverse (traverse (number values)) rows = Some m ->
+  map (map (eval env)) rows = map (map Q2R) m /\ length m = length rows.
+Proof.
+  intro F. revert m. induction rows as [|row rows IH]; simpl; intros m E; [now injection E as <-|].
+  destruct (traverse (number values) row) as [r|] eqn:Er; [|discriminate].
+  destruct (traverse _ rows) as [rs|]; [|discriminate]. injection E as <-.
+  destruct (IH rs eq_refl) as [I1 I2]. simpl. split; [|now f_equal]. f_equal; [|assumption].
+  apply (traverse_map (number values)); [|assumption]. intros a q. now apply number_sound.
+Qed.
+
+Lemma holds_sound env values : rational env values -> forall l, holds values l = true -> says env l.
+Proof.
+  intros F l. pose proof (number_sound env values F) as S.
+  assert (forall a b f, match number values a, number values b with Some p, Some q => f p q | _, _ => false end = true ->
+    exists p q, eval env a = Q2R p /\ eval env b = Q2R q /\ f p q = true) as C.
+  { intros a b f H. destruct (number values a) as [p|] eqn:Ea; [|discriminate].
+    destruct (number values b) as [q|] eqn:Eb; [|discriminate]. exists p, q. auto. }
+  destruct l as [a|a|a b|a b|a b t|a b t|rows inverse]; unfold holds, says; intro H.
+  - apply C in H as (p & q & -> & E & H). simpl in E. rewrite E. now apply Qeq_eqR, Qeq_bool_iff.
+  - apply C in H as (p & q & -> & E & H). simpl in E. rewrite E. intro D. apply Bool.negb_true_iff, Qeq_bool_neq in H.
+    now apply H, eqR_Qeq.
+  - apply C in H as (p & q & -> & -> & H). now apply Qeq_eqR, Qeq_bool_iff.
+  - apply C in H as (p & q & -> & -> & H). intro D. apply Bool.negb_true_iff, Qeq_bool_neq in H. now apply H, eqR_Qeq.
+  - apply C in H as (p & q & -> & -> & H). apply C in H as (r & _ & -> & _ & H). rewrite <- Q2R_minus.
+    now apply within_sound.
+  - apply C in H as (p & q & -> & -> & H). apply C in H as (r & _ & -> & _ & H). rewrite <- Q2R_minus.
+    apply Bool.negb_true_iff in H.
+    apply Rnot_le_lt. intro D. apply within_sound in D. congruence.
+  - destruct (traverse _ rows) as [m|] eqn:E; [|discriminate]. apply andb_prop in H as [L H].
+    destruct (traverse_matrix _ _ _ _ F E) as [-> N]. apply Nat.eqb_eq in L.
+    exists (map (map Q2R) inverse). rewrite !map_length, N. split; [assumption|].
+    rewrite <- qtimes_real, (qsame_sound _ _ H). apply qunit_real.
+Qed.
+
+Theorem computed xs ss definitions literals :
+  evaluated xs definitions literals = true ->
+  all (defined (map Q2R xs ++ ss) (length xs) definitions) ->
+  all (map (says (map Q2R xs ++ ss)) literals).
+Proof.
+  unfold evaluated. intros H D. rewrite all_map.
+  destruct (numbers xs definitions) as [values|] eqn:E; [|discriminate].
+  apply Forall_forall. intros l Hl. rewrite forallb_forall in H.
+  apply holds_sound with values; [|now apply H].
+  apply (numbers_rational _ definitions xs); [|assumption|assumption].
+  intros k q N. rewrite app_nth1; [|rewrite map_length; apply nth_error_Some; now rewrite N].
+  apply (map_nth_error Q2R) in N. now apply nth_error_nth.
+Qed.
+
+(** * Proportional lists *)
+
+Lemma proportional p d (pairs : list (R * R)) : p <> 0 -> d <> 0 ->
+  all (map (fun q => fst q * d = snd q * p) pairs) ->
+  exists k, all ((k <> 0) :: map (fun q => fst q = k * snd q) pairs).
+Proof.
+  intros P D H. exists (p / d). rewrite all_cons. split.
+  - apply Rmult_integral_contrapositive_currified; [assumption|now apply Rinv_neq_0_compat].
+  - rewrite all_map in *. apply Forall_forall. intros q I. rewrite Forall_forall in H. specialize (H q I).
+    apply Rmult_eq_reg_r with d; [|assumption]. rewrite H. field. assumption.
+Qed.
+
+(** * Limits *)
+
+Fixpoint entire (e : expr) : bool :=
+  match e with
+  | Int _ | Var _ => true
+  | Opp a | Pow a _ => entire a
+  | Add a b | Sub a b | Mul a b => entire a && entire b
+  | Div _ _ _ _ => false
+  end.
+
+Lemma same_continuous (f g : R -> R) t : (forall u, f u = g u) -> continuity_pt f t -> continuity_pt g t.
+Proof. intros E C e He. destruct (C e He) as (a & Ha & H). exists a. split; auto. intros u Hu. rewrite <- !E; auto. Qed.
+
+Lemma entire_continuous xs e t : entire e = true -> continuity_pt (fun t => eval (xs ++ [t]) e) t.
+Proof.
+  induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intro H;
+    try discriminate; try (apply andb_prop in H as [H1 H2]).
+  - apply continuity_pt_const. now intros ? ?.
+  - destruct (Nat.lt_trichotomy k (length xs)) as [L|[->|L]].
+    + apply (same_continuous (fun _ => List.nth k xs 0)); [|apply continuity_pt_const; now intros ? ?].
+      intro u. now rewrite app_nth1.
+    + apply (same_continuous id); [|apply derivable_continuous_pt, derivable_pt_id].
+      intro u. now rewrite app_nth2, Nat.sub_diag by lia.
+    + apply (same_continuous (fun _ => 0)); [|apply continuity_pt_const; now intros ? ?].
+      intro u. symmetry. apply List.nth_overflow. rewrite app_length. simpl. lia.
+  - now apply continuity_pt_opp, IH.
+  - apply continuity_pt_plus; auto.
+  - apply continuity_pt_minus; auto.
+  - apply continuity_pt_mult; auto.
+  - induction n as [|n IHn]; simpl; [apply continuity_pt_const; now intros ? ?|].
+    apply continuity_pt_mult; [now apply IH|exact IHn].
+Qed.
+
+(** A quotient n/d of polynomials is the limit of f at 0, where f d = n. *)
+Lemma limit_of_quotient (xs : list R) (n d : expr) (f : R -> R) (domain : R -> Prop) (l : R) :
+  entire n && entire d = true -> (forall t, domain t -> t <> 0) ->
+  (forall t, domain t -> f t * eval (xs ++ [t]) d = eval (xs ++ [t]) n) ->
+  eval (xs ++ [0]) n = l * eval (xs ++ [0]) d /\ 1 / eval (xs ++ [0]) d * eval (xs ++ [0]) d = 1 ->
+  limit1_in f domain l 0.
+Proof.
+  intros E Z F [L D]. apply andb_prop in E as [En Ed].
+  assert (eval (xs ++ [0]) d <> 0) as D0 by (intro C; rewrite C, Rmult_0_r in D; lra).
+  pose proof (entire_continuous xs d 0 Ed) as Cd.
+  assert (continuity_pt (fun t => eval (xs ++ [t]) n / eval (xs ++ [t]) d) 0) as Cq.
+  { apply continuity_pt_div; [now apply entire_continuous|assumption|assumption]. }
+  destruct (continuous_neq_0 _ 0 Cd D0) as [eps Heps].
+  intros e He. destruct (Cq e He) as (a & Ha & H). exists (Rmin a eps). split.
+  { apply Rmin_Rgt_r. split; [assumption|apply cond_pos]. }
+  assert (forall t : R, domain t -> Rabs (t - 0) < Rmin a eps -> Rabs (f t - l) < e) as G.
+  { intros t Dt Nt.
+    assert (Rabs (t - 0) < eps) as N1 by (eapply Rlt_le_trans; [exact Nt|apply Rmin_r]).
+    assert (Rabs (t - 0) < a) as N2 by (eapply Rlt_le_trans; [exact Nt|apply Rmin_l]).
+    rewrite Rminus_0_r in N1. specialize (Heps t N1). rewrite Rplus_0_l in Heps.
+    replace (f t) with (eval (xs ++ [t]) n / eval (xs ++ [t]) d) by (rewrite <- (F t Dt); field; assumption).
+    replace l with (eval (xs ++ [0]) n / eval (xs ++ [0]) d) by (rewrite L; field; assumption).
+    apply (H t). split; [|exact N2]. split; [exact I|]. intro C. now apply (Z t). }
+  intros t [Dt Nt]. exact (G t Dt Nt).
+Qed.

@@ -1,0 +1,389 @@
+"""From the evidence of a claim to theorems, kind by kind.
+
+``PROOFS`` holds what shows that a form holds, ``REFUTATIONS`` what shows that the printed one does not; each is a
+function of the statement, the name of the form, and the certificate, and returns theorems by what they show.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+from algebroproj_sym.exporting import points
+from algebroproj_sym.exporting.divisions import evaluated, vector
+from algebroproj_sym.exporting.gallina import formula, listed
+from algebroproj_sym.exporting.limits import limits
+from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero, inverse
+from algebroproj_sym.exporting.refusal import NotExportable
+from algebroproj_sym.exporting.terms import (
+    Term,
+    Written,
+    free,
+    inlined,
+    integer,
+    name,
+    negative,
+    number,
+    product,
+    term,
+    total,
+    written,
+)
+from algebroproj_sym.exporting.theorems import Goal, Hypotheses, equations, splitting, universal, with_divisors
+from algebroproj_sym.exporting.vanishing import both_ways
+from algebroproj_sym.replaying.evaluation import at_point, evaluate
+from algebroproj_sym.replaying.statement import Point, Statement
+from algebroproj_sym.replaying.text import decimal, parse
+from algebroproj_sym.replaying.text import number as rational_number
+
+Certificate: TypeAlias = Mapping[str, Any]
+Proved: TypeAlias = dict[str, tuple[str, str]]
+"""Statement and proof, by what the theorem shows."""
+
+
+def read(text: str) -> Term:
+    """Return an expression of a certificate."""
+    return term(parse(text).entries[0])
+
+
+def _hypotheses(statement: Statement, divisors: Sequence[str], *forms: Written) -> Hypotheses:
+    definitions = {called: value for form in forms for called, value in form.definitions.items()}
+    return Hypotheses(tuple(sorted(statement.symbols)), tuple(map(read, divisors)), definitions)
+
+
+def _constrained(statement: Statement, given: Hypotheses, more: Sequence[Term] = ()) -> Hypotheses:
+    units = (*_setting(statement, "nonzero"), *more)
+    return replace(given, units=units, constraints=_setting(statement, "constraints"))
+
+
+def _setting(statement: Statement, entry: str) -> tuple[Term, ...]:
+    return tuple(term(form.entries[0]) for form in statement.listed(entry))
+
+
+def identity(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show equations between rational functions."""
+    left, right = written(statement, form), written(statement, "derived")
+    given = _hypotheses(statement, certificate["denominators"], left, right)
+    return {"holds": universal(given, [Goal(a, b) for a, b in zip(left.entries, right.entries, strict=True)])}
+
+
+def constrained(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show equations that follow from constraints, by their cofactors; and a point that satisfies all hypotheses."""
+    left, right = written(statement, form), written(statement, "derived")
+    given = _constrained(statement, _hypotheses(statement, certificate["denominators"], left, right))
+    pairs = zip(left.entries, right.entries, strict=True)
+    goals = [
+        _member(given, a, b, part, len(given.units)) for (a, b), part in zip(pairs, certificate["entries"], strict=True)
+    ]
+    return {"holds": universal(given, goals), "witness": _witness(given, statement.point(certificate["witness"]))}
+
+
+def _member(given: Hypotheses, left: Term, right: Term, part: Certificate, units: int) -> Goal:
+    """Return the goal that an entry follows from the constraints; so many units enter the multiplier."""
+    split = splitting(given)
+    exponents = dict.fromkeys(range(len(given.divisors)), 1)
+    for place, unit in enumerate(given.units[:units]):
+        for factor, exponent in evaluated(unit, split.field, split.known, {}).exponents.items():
+            exponents[factor] += max(exponent, 0)
+        exponents[len(given.divisors) + place] = 1
+    raised = {place: exponent * part["power"] for place, exponent in exponents.items()}
+    texts = [formula(divisor) for divisor in given.divisors]
+    for text, exponent in part["denominator"].items():
+        raised[texts.index(formula(read(text)))] += exponent
+    return Goal(left, right, 1, vector(raised), tuple(map(read, part["cofactors"])))
+
+
+def _witness(given: Hypotheses, point: Point) -> tuple[str, str]:
+    literals = [Literal("Nonzero", (divisor,)) for divisor in (*given.divisors, *given.units)]
+    literals += [Literal("Zero", (constraint,)) for constraint in given.constraints]
+    return points.at_point(point, given.definitions, literals)
+
+
+def projective(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show that entries are proportional where the entry at the pivot is not zero."""
+    left, right = written(statement, form), written(statement, "derived")
+    given = _hypotheses(statement, certificate["denominators"], left, right)
+    pivot = certificate["pivot"]
+    taken = {*given.variables, *given.definitions}
+    p, d = (name(free(text, taken)) for text in ("pivot", "pivot'"))
+    definitions = {**given.definitions, str(p.value): left.entries[pivot], str(d.value): right.entries[pivot]}
+    given = replace(given, definitions=definitions)
+    pairs = [*zip(left.entries, right.entries, strict=True)]
+    crossed = [(product([a, d]), product([b, p])) for a, b in pairs]
+    if "constraints" in certificate or "entries" in certificate:
+        given = _constrained(statement, given, [d, p])
+        goals = [
+            _member(given, a, b, part, len(given.units) - 1)
+            for (a, b), part in zip(crossed, certificate["entries"], strict=True)
+        ]
+    else:
+        given = replace(given, units=(d, p))
+        goals = [Goal(a, b) for a, b in crossed]
+    k = name(free("k", {*given.variables, *given.definitions}))
+    scaled = equations([Goal(a, product([k, b])) for a, b in pairs])
+    listed_pairs = listed([f"({formula(a)}, {formula(b)})" for a, b in pairs])
+    lemma = f"proportional {formula(p)} {formula(d)} {listed_pairs}"
+    return {
+        "holds": universal(
+            given,
+            goals,
+            f"exists {k.value} : R, {k.value} <> 0 /\\\n{scaled}",
+            lambda introduced, crossed: f"{lemma} {' '.join(introduced.units[:-3:-1])} ({crossed})",
+        )
+    }
+
+
+def structure(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show zeros, equal and opposite entries of a matrix."""
+    derived = written(statement, "derived")
+    given = _hypotheses(statement, certificate["denominators"], derived)
+    first: dict[str, Term] = {}
+    goals = []
+    for (sign, mark), entry in zip(_marks(statement, form), derived.entries, strict=True):
+        signed = entry if sign > 0 else negative(entry)
+        if mark.lstrip("-").isdecimal():
+            goals.append(Goal(signed, integer(int(mark))))
+        elif first.setdefault(mark, signed) is not signed:
+            goals.append(Goal(first[mark], signed))
+    proved = {"holds": universal(given, goals)} if goals else {}
+    point = _point_where(statement, given, [*first.values()])
+    literals = [
+        *divisors_nonzero([*first.values()], given.definitions),
+        *(Literal("Nonzero", (t,)) for t in first.values()),
+    ]
+    return proved | ({"marked": points.at_point(point, given.definitions, literals)} if first else {})
+
+
+def _marks(statement: Statement, form: str) -> list[tuple[int, str]]:
+    """Return the sign and the mark of each entry of a pattern."""
+    signed = [
+        (node.kind == "-", node.children[0] if node.kind == "-" else node) for node in statement.form(form).entries
+    ]
+    return [(-1 if minus else 1, str(node.value)) for minus, node in signed]
+
+
+def _point_where(statement: Statement, given: Hypotheses, terms: Sequence[Term]) -> Point:
+    """Return a point with small coordinates where terms are defined and not zero."""
+    variables = sorted(statement.symbols)
+    for shift in range(200):
+        point = {v: Fraction((place + 2) * (place + shift + 1) % (97 + shift) + 2) for place, v in enumerate(variables)}
+        values = points.values(point, given.definitions, terms)
+        if values is not None and all(values):
+            return point
+    raise NotExportable("no point was found where the marked entries are not zero")
+
+
+def vanishing(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show that an expression is zero exactly where a product is."""
+    derived, printed = written(statement, "derived"), written(statement, form)
+    given = _hypotheses(statement, statement.record["hypotheses"], derived, printed)
+    given = replace(given, units=_setting(statement, "nonzero"))
+    return {"holds": both_ways(given, derived.entries[0], printed.entries, certificate)}
+
+
+def rank(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show a regular minor at a point, and independent vectors that the matrix takes to zero."""
+    return {"minor": _minor(statement, certificate, certificate["point"])} | _kernel(statement, certificate)
+
+
+def _rows(statement: Statement, entries: Sequence[Any]) -> list[Sequence[Any]]:
+    width = statement.form("derived").shape[1]
+    return [entries[start : start + width] for start in range(0, len(entries), width)]
+
+
+def _minor(statement: Statement, certificate: Certificate, exact: Any) -> tuple[str, str]:
+    derived, point = written(statement, "derived"), statement.point(exact)
+    rows, columns = certificate["rows"], certificate["columns"]
+    values = _rows(statement, evaluate(statement.form("derived"), at_point(point)))
+    matrix = _rows(statement, derived.entries)
+    minor = tuple(tuple(matrix[i][j] for j in columns) for i in rows)
+    literal = Regular(minor, inverse([[values[i][j] for j in columns] for i in rows]))
+    chosen = [entry for row in minor for entry in row]
+    return points.at_point(point, derived.definitions, [*divisors_nonzero(chosen, derived.definitions), literal])
+
+
+def _kernel(statement: Statement, certificate: Certificate) -> Proved:
+    if not certificate.get("kernel"):
+        return {}
+    derived = written(statement, "derived")
+    vectors = [tuple(map(term, parse(text).entries)) for text in certificate["kernel"]]
+    given = _hypotheses(statement, statement.record["hypotheses"], derived)
+    goals = [Goal(_dot(row, vector), integer(0)) for row in _rows(statement, derived.entries) for vector in vectors]
+    given = with_divisors(given, [goal.left for goal in goals])
+    return {"kernel": universal(given, goals), "independent": _independent(statement, certificate, vectors)}
+
+
+def _dot(row: Sequence[Term], vector: Sequence[Term]) -> Term:
+    nonzero = [(a, b) for a, b in zip(row, vector, strict=True) if not {_plain(a), _plain(b)} & {0}]
+    return total([b if _plain(a) == 1 else a if _plain(b) == 1 else product([a, b]) for a, b in nonzero])
+
+
+def _plain(term: Term) -> int | None:
+    return int(term.value) if term.kind == "int" else None
+
+
+def _independent(statement: Statement, certificate: Certificate, vectors: Sequence[Sequence[Term]]) -> tuple[str, str]:
+    point = statement.point(certificate["kernel at"])
+    columns = [evaluate(parse(text), at_point(point)) for text in certificate["kernel"]]
+    rows = certificate["kernel rows"]
+    minor = tuple(tuple(vector[i] for vector in vectors) for i in rows)
+    literal = Regular(minor, inverse([[column[i] for column in columns] for i in rows]))
+    return points.at_point(point, {}, [*divisors_nonzero([t for row in minor for t in row], {}), literal])
+
+
+def limit(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show that expressions have limits."""
+    printed, derived = written(statement, form), written(statement, "derived")
+    variable = statement.setting["variable"]
+    given = _hypotheses(statement, statement.record["hypotheses"], printed)
+    given = replace(given, variables=tuple(v for v in given.variables if v != variable))
+    divisors = [*map(read, certificate["divisors"])]
+    return {"holds": limits(given, variable, divisors, inlined(derived.entries, derived.definitions), printed.entries)}
+
+
+def numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show that a number is within the tolerance of the exact one, or of the one from unrounded input."""
+    exact = written(statement, "derived")
+    if certificate["method"] == "rounding of inputs":
+        exact = Written((read(statement.setting["unrounded"]),), {})
+    return {"holds": points.at_point({}, exact.definitions, _compared(statement, form, exact, "Near"))}
+
+
+def _compared(statement: Statement, form: str, exact: Written, kind: str) -> list[Literal]:
+    printed, digit = decimal(statement.record[form])
+    tolerance = rational_number(statement.setting["units"]) * digit
+    sides = (number(printed), exact.entries[0], number(tolerance))
+    return [*divisors_nonzero(exact.entries, exact.definitions), Literal(kind, sides)]
+
+
+def not_numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show that a number is farther from the exact one, and from the one from unrounded input, than the tolerance."""
+    found = {}
+    forms = {"refuted": written(statement, "derived")}
+    if "unrounded" in statement.setting:
+        forms["refuted from unrounded input"] = Written((read(statement.setting["unrounded"]),), {})
+    for shown, exact in forms.items():
+        found[shown] = points.at_point({}, exact.definitions, _compared(statement, form, exact, "Far"))
+    return found
+
+
+def differing(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show a point where two sides are defined, the hypotheses hold, and the sides differ."""
+    left, right = written(statement, form), written(statement, "derived")
+    place = next(i for i, (a, b) in enumerate(zip(certificate["left"], certificate["right"], strict=True)) if a != b)
+    return _refuted(statement, [left, right], [Literal("Unequal", (left.entries[place], right.entries[place]))])
+
+
+def _refuted(statement: Statement, forms: Sequence[Written], literals: Sequence[Literal]) -> Proved:
+    point = statement.point(statement.record["counterexample"])
+    definitions = {called: value for form in forms for called, value in form.definitions.items()}
+    entries = [entry for form in forms for entry in form.entries]
+    given = [Literal("Zero", (constraint,)) for constraint in _setting(statement, "constraints")]
+    given += [Literal("Nonzero", (unit,)) for unit in _setting(statement, "nonzero")]
+    return {
+        "refuted": points.at_point(point, definitions, [*divisors_nonzero(entries, definitions), *given, *literals])
+    }
+
+
+def not_projective(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show a point where two sides are not proportional."""
+    left, right = written(statement, form), written(statement, "derived")
+    pivot = certificate["pivot"]
+    p, d = left.entries[pivot], right.entries[pivot]
+    place = next(i for i, (a, b) in enumerate(zip(certificate["left"], certificate["right"], strict=True)) if a != b)
+    crossed = (product([left.entries[place], d]), product([right.entries[place], p]))
+    return _refuted(statement, [left, right], [Literal("Nonzero", (d,)), Literal("Unequal", crossed)])
+
+
+def not_structure(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show a point where a matrix does not follow the pattern."""
+    derived = written(statement, "derived")
+    first: dict[str, Term] = {}
+    expected = []
+    for (sign, mark), entry in zip(_marks(statement, form), derived.entries, strict=True):
+        signed = entry if sign > 0 else negative(entry)
+        meant = integer(int(mark)) if mark.lstrip("-").isdecimal() else first.setdefault(mark, signed)
+        expected.append((signed, meant))
+    place = next(i for i, (a, b) in enumerate(zip(certificate["left"], certificate["right"], strict=True)) if a != b)
+    return _refuted(statement, [derived], [Literal("Unequal", expected[place])])
+
+
+def not_vanishing(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show a point where one side is zero and the other is not."""
+    printed, derived = written(statement, form), written(statement, "derived")
+    sides = (derived.entries[0], product(printed.entries))
+    zero = certificate["derived"] == "0"
+    literals = [Literal("Zero" if zero else "Nonzero", sides[:1]), Literal("Nonzero" if zero else "Zero", sides[1:])]
+    return _refuted(statement, [printed, derived], literals)
+
+
+def not_rank(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show a regular minor that is too large, or too many vectors that the matrix takes to zero."""
+    if certificate["method"] == "counterexample":
+        return {"refuted": _minor(statement, certificate, statement.record["counterexample"])}
+    return _kernel(statement, certificate)
+
+
+Export: TypeAlias = Callable[[Statement, str, Certificate], Proved]
+PROOFS: Mapping[str, Export] = {
+    "identity": identity,
+    "identity under constraints": constrained,
+    "identity up to scale": projective,
+    "structure": structure,
+    "vanishing": vanishing,
+    "rank": rank,
+    "limit": limit,
+    "numeric": numeric,
+}
+REFUTATIONS: Mapping[str, Export] = {
+    "identity": differing,
+    "identity under constraints": differing,
+    "identity up to scale": not_projective,
+    "structure": not_structure,
+    "vanishing": not_vanishing,
+    "rank": not_rank,
+    "numeric": not_numeric,
+}
+REASONS: Mapping[str, str] = {
+    "definition": "a definition introduces notation and states nothing",
+    "count": "the derivatives of a Jacobian matrix have no translation",
+    "reference": "a reference is about the text of the paper, not about a formula",
+}
+
+
+def theorems(record: Mapping[str, Any]) -> Proved:
+    """Return statements and proofs of what a claim shows, by what they show.
+
+    Parameters
+    ----------
+    record : mapping
+        A claim of the ledger.
+
+    Raises
+    ------
+    NotExportable
+        If there is no theorem, for a reason.
+    """
+    kind, verdict, certificate = record["kind"], record["verdict"], record["certificate"]
+    if kind in REASONS:
+        raise NotExportable(REASONS[kind])
+    if verdict == "open" or certificate is None:
+        raise NotExportable("an open claim shows nothing")
+    statement = Statement(record)
+    found = Proved()
+    if verdict != "false":
+        found |= _translated(PROOFS, kind)(statement, "printed" if verdict == "proved" else "corrected", certificate)
+    if verdict in ("misprint", "false"):
+        refutation = certificate["refutation"] if verdict == "misprint" else certificate
+        found |= _translated(REFUTATIONS, kind)(statement, "printed", refutation)
+    if not found:
+        raise NotExportable("the matrix has too few rows or columns, which can be seen without a theorem")
+    return found
+
+
+def _translated(exports: Mapping[str, Export], kind: str) -> Export:
+    if kind not in exports:
+        raise NotExportable(f"no translation of this verdict for claims of kind {kind}")
+    return exports[kind]

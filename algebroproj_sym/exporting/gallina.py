@@ -1,0 +1,212 @@
+"""Printing terms in Coq's language: as formulas for the reader, and as trees for the lemmas."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+from algebroproj_sym.exporting.divisions import Splits
+from algebroproj_sym.exporting.terms import Term
+
+RESERVED = frozenset(
+    [
+        "Add",
+        "All",
+        "Atmost",
+        "Definition",
+        "Div",
+        "Equal",
+        "Goal",
+        "I",
+        "IF",
+        "IZR",
+        "Int",
+        "Mul",
+        "Nonzero",
+        "O",
+        "Opp",
+        "Pow",
+        "Prop",
+        "Q",
+        "Q2R",
+        "R",
+        "S",
+        "SProp",
+        "Set",
+        "Sub",
+        "Type",
+        "Unequal",
+        "Var",
+        "Z",
+        "Zero",
+        "_",
+        "as",
+        "at",
+        "by",
+        "cofix",
+        "computed",
+        "conj",
+        "else",
+        "end",
+        "eq_refl",
+        "ex_intro",
+        "exists",
+        "exists2",
+        "fix",
+        "follows",
+        "for",
+        "forall",
+        "fun",
+        "if",
+        "in",
+        "let",
+        "match",
+        "mod",
+        "nil",
+        "proportional",
+        "return",
+        "then",
+        "true",
+        "using",
+        "where",
+        "with",
+    ]
+)
+LONG = 10**15
+_SUM, _PRODUCT, _SIGN, _POWER, _ATOM = range(5)
+
+
+def formula(term: Term, within: int = _SUM) -> str:
+    """Return a term as a formula over the real numbers.
+
+    Parameters
+    ----------
+    term : Term
+    within : int
+        How tightly what is around it binds.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.exporting.terms import difference, name, power, product
+    >>> x, y = name("x"), name("y")
+    >>> formula(product([difference(x, y), power(x, 2)]))
+    '(x - y) * x ^ 2'
+    """
+    text, binds = _formula(term)
+    return text if binds >= within else f"({text})"
+
+
+def _formula(term: Term) -> tuple[str, int]:
+    if term.kind == "int":
+        return digits(int(term.value)), _ATOM
+    if term.kind == "name":
+        return identifier(str(term.value)), _ATOM
+    first, *others = term.parts
+    if term.kind == "-":
+        return f"- ({digits(int(first.value))})" if first.kind == "int" else f"- {formula(first, _SIGN)}", _SIGN
+    if term.kind == "^":
+        return f"{formula(first, _ATOM)} ^ {term.value}", _POWER
+    if term.kind == "/":
+        return f"{formula(first, _PRODUCT)} / {formula(others[0], _POWER)}", _PRODUCT
+    if term.kind == "*":
+        return " * ".join([formula(first, _PRODUCT), *(formula(other, _POWER) for other in others)]), _PRODUCT
+    return "".join([formula(first, _SUM), *map(_signed, others)]), _SUM
+
+
+def _signed(term: Term) -> str:
+    if term.kind == "-":
+        return f" - {formula(term.parts[0], _PRODUCT)}"
+    return f" + {formula(term, _PRODUCT)}"
+
+
+def identifier(name: str) -> str:
+    """Return a name that means nothing else in Coq.
+
+    Examples
+    --------
+    >>> identifier("x"), identifier("R")
+    ('x', "R''")
+    """
+    return f"{name}''" if name in RESERVED else name
+
+
+def tree(term: Term, places: Mapping[str, int], splits: Splits) -> str:
+    """Return a term as a tree, whose names are places of an environment.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.exporting.terms import difference, name
+    >>> tree(difference(name("x"), name("y")), {"x": 0, "y": 1}, {})
+    'Sub (Var 0) (Var 1)'
+    """
+    if term.kind == "int":
+        return f"Int {digits(int(term.value))}"
+    if term.kind == "name":
+        return f"Var {places[str(term.value)]}"
+    if term.kind == "^":
+        return f"Pow {_inner(term.parts[0], places, splits)} {term.value}"
+    if term.kind == "-":
+        return f"Opp {_inner(term.parts[0], places, splits)}"
+    if term.kind == "/":
+        above, below = (_inner(part, places, splits) for part in term.parts)
+        if term not in splits:
+            return f"Div {above} {below} 1 []"
+        content, exponents = splits[term]
+        return f"Div {above} {below} {rational(content)} {exponent_list(exponents)}"
+    text = tree(term.parts[0], places, splits)
+    for part in term.parts[1:]:
+        operation = "Mul" if term.kind == "*" else "Sub" if part.kind == "-" else "Add"
+        operand = part.parts[0] if operation == "Sub" else part
+        text = f"{operation} ({text}) {_inner(operand, places, splits)}"
+    return text
+
+
+def _inner(term: Term, places: Mapping[str, int], splits: Splits) -> str:
+    return f"({tree(term, places, splits)})"
+
+
+def rational(value: Fraction) -> str:
+    """Return a rational number.
+
+    Examples
+    --------
+    >>> rational(Fraction(-1, 2))
+    '((-1) # 2)'
+    """
+    above = digits(value.numerator) if value >= 0 else f"(-{digits(-value.numerator)})"
+    return f"({above} # {digits(value.denominator)})"
+
+
+def digits(value: int) -> str:
+    """Return a natural number; a long one in hexadecimal digits, which Coq reads in linear time.
+
+    Examples
+    --------
+    >>> digits(31), digits(2**80)
+    ('31', '0x100000000000000000000')
+    """
+    return str(value) if value < LONG else hex(value)
+
+
+def listed(items: Sequence[str], separator: str = "; ") -> str:
+    """Return a list."""
+    return f"[{separator.join(items)}]"
+
+
+def exponent_list(exponents: Sequence[int]) -> str:
+    """Return exponents.
+
+    Examples
+    --------
+    >>> exponent_list([2, 0, -1]), exponent_list([])
+    ('[2; 0; -1]%Z', '[]')
+    """
+    return listed([*map(str, exponents)]) + ("%Z" if exponents else "")
+
+
+def conjoined(proofs: Sequence[str]) -> str:
+    """Return the proof of a conjunction that ends with its last part, or of True."""
+    if not proofs:
+        return "I"
+    *others, last = proofs
+    return "".join(f"(conj {proof} " for proof in others) + last + ")" * len(others)

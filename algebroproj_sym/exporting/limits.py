@@ -1,0 +1,119 @@
+"""Limits: an expression is a quotient of polynomials, whose denominator is not zero where the variable is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from algebroproj_sym.exporting.divisions import evaluated, expanded
+from algebroproj_sym.exporting.gallina import conjoined, formula, identifier, listed
+from algebroproj_sym.exporting.refusal import NotExportable
+from algebroproj_sym.exporting.terms import Definitions, Term, integer, product, quotient
+from algebroproj_sym.exporting.theorems import (
+    CHECKED,
+    Goal,
+    Hypotheses,
+    Introduced,
+    consequence,
+    premises,
+    spelled,
+    splitting,
+)
+from algebroproj_sym.replaying.field import Element
+from algebroproj_sym.replaying.polynomial import Polynomial, variables
+
+
+def limits(
+    given: Hypotheses, variable: str, divisors: Sequence[Term], derived: Sequence[Term], printed: Sequence[Term]
+) -> tuple[str, str]:
+    """Return statement and proof that expressions have limits as a variable goes to zero.
+
+    Parameters
+    ----------
+    given : Hypotheses
+        The free variables but the one, and what is assumed of the limits.
+    variable : str
+        What goes to zero.
+    divisors : sequence of Term
+        What the expressions divide by.
+    derived, printed : sequence of Term
+        The expressions, and their limits.
+    """
+    lines, introduced = premises(given)
+    near = Hypotheses((*given.variables, variable), tuple(divisors))
+    t = identifier(variable)
+    nonzero = [f"{formula(divisor)} <> 0" for divisor in divisors if formula(divisor) != t]
+    inside = " /\\ ".join([f"{t} <> 0", *nonzero])
+    domain = f"(fun {t} : R => {inside})"
+    statements, proofs = [], []
+    for expression, limit in zip(derived, printed, strict=True):
+        function = f"(fun {t} : R => {formula(expression)})"
+        statements.append(f"limit1_in {function} {domain} ({formula(limit)}) 0")
+        proofs.append(_proof(given, introduced, near, variable, expression, limit, function, domain))
+    quantified = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
+    statement = "\n".join([*quantified, *lines, " /\\\n".join(statements)])
+    return statement, f"intros {' '.join(introduced.order)}.\nrefine {conjoined(proofs)}.\n{CHECKED}"
+
+
+def _proof(
+    given: Hypotheses,
+    introduced: Introduced,
+    near: Hypotheses,
+    variable: str,
+    expression: Term,
+    limit: Term,
+    function: str,
+    domain: str,
+) -> str:
+    split = splitting(near)
+    above, below = _quotient(evaluated(expression, split.field, split.known, split.splits), variable)
+    t = identifier(variable)
+    held = _parts("held", 1 + sum(1 for divisor in near.divisors if formula(divisor) != t))
+    others = iter(held[1:])
+    divisors = tuple(held[0] if formula(divisor) == t else next(others) for divisor in near.divisors)
+    equal = consequence(near, [Goal(product([expression, below]), above)], Introduced((), divisors, (), (), ()))
+    definitions = Definitions({variable: integer(0), **given.definitions})
+    goals = [
+        Goal(above, product([limit, below])),
+        Goal(product([quotient(integer(1), below), below]), integer(1)),
+    ]
+    there = consequence(
+        replace(given, definitions=definitions),
+        goals,
+        replace(introduced, definitions=("at_zero", *introduced.definitions)),
+    )
+    trees = " ".join(f"({split.tree(side)})" for side in (above, below))
+    return (
+        f"(limit_of_quotient {listed([*map(identifier, given.variables)])} {trees} {function} {domain} "
+        f"({formula(limit)})\n _ (fun {t} held => {held[0]})\n (fun {t} held => {equal})\n"
+        f" ((fun ({t} : R) (at_zero : {t} = 0) => {there}) 0 eq_refl))"
+    )
+
+
+def _parts(proof: str, count: int) -> list[str]:
+    """Return the proofs of the parts of a conjunction."""
+    if count == 1:
+        return [proof]
+    return [f"(proj1 {proof})", *_parts(f"(proj2 {proof})", count - 1)]
+
+
+def _quotient(value: Element, variable: str) -> tuple[Term, Term]:
+    """Return numerator and denominator without common powers of a variable."""
+    places = value.field.places
+    place = places[variable]
+    above = value.numerator * value.field.powers({i: e for i, e in value.exponents.items() if e > 0})
+    below = value.field.powers({i: -e for i, e in value.exponents.items() if e < 0}).scaled(value.denominator)
+    if not above:
+        return integer(0), integer(1)
+    common = min(below.parts(place))
+    if min(above.parts(place)) < common:
+        raise NotExportable("an entry has no limit")
+    return expanded(_lowered(above, place, common), places), expanded(_lowered(below, place, common), places)
+
+
+def _lowered(polynomial: Polynomial, place: int, count: int) -> Polynomial:
+    """Return a polynomial divided by a power of a variable."""
+    shift = variables(place + 1)[place] ** count
+    found = polynomial.quotient(shift)
+    assert found is not None
+    return found

@@ -1,0 +1,144 @@
+"""Theorems at rational points: formulas have certain values, or differ, where nothing is divided by zero."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import prod
+
+from algebroproj_sym.exporting.gallina import conjoined, formula, identifier, listed, rational, tree
+from algebroproj_sym.exporting.terms import Term, names, used, walk
+from algebroproj_sym.exporting.theorems import CHECKED, premises_of_definitions, spelled
+
+Point = Mapping[str, Fraction]
+
+
+@dataclass(frozen=True)
+class Literal:
+    """What is said of formulas at a point: ``Zero``, ``Nonzero``, ``Equal``, ``Unequal``, ``Near`` or ``Far``."""
+
+    kind: str
+    terms: tuple[Term, ...]
+
+
+@dataclass(frozen=True)
+class Regular:
+    """A square matrix of formulas, and the inverse of its value at the point."""
+
+    rows: tuple[tuple[Term, ...], ...]
+    inverse: tuple[tuple[Fraction, ...], ...]
+
+
+_SAID = {
+    "Zero": "{} = 0",
+    "Nonzero": "{} <> 0",
+    "Equal": "{} = {}",
+    "Unequal": "{} <> {}",
+    "Near": "Rabs ({} - {}) <= {}",
+    "Far": "{2} < Rabs ({0} - {1})",
+}
+
+
+def said(literal: Literal | Regular) -> str:
+    """Return what a literal says, as a formula.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.exporting.terms import integer, name
+    >>> said(Literal("Unequal", (name("x"), integer(1))))
+    'x <> 1'
+    """
+    if isinstance(literal, Regular):
+        return f"regular_matrix {listed([listed([formula(term) for term in row]) for row in literal.rows])}"
+    texts = [formula(term) for term in literal.terms]
+    if literal.kind in ("Near", "Far"):
+        texts[1] = formula(literal.terms[1], within=1)
+    return _SAID[literal.kind].format(*texts)
+
+
+def terms_of(literal: Literal | Regular) -> list[Term]:
+    """Return the formulas of a literal."""
+    return [term for row in literal.rows for term in row] if isinstance(literal, Regular) else [*literal.terms]
+
+
+def divisors_nonzero(terms: Sequence[Term], definitions: Mapping[str, Term]) -> list[Literal]:
+    """Return that no divisor of some formulas is zero."""
+    needed = used(definitions, terms)
+    below = [term.parts[1] for term in walk([*needed.values(), *terms]) if term.kind == "/"]
+    distinct = {formula(term): term for term in below if names([term])}
+    return [Literal("Nonzero", (term,)) for term in distinct.values()]
+
+
+def at_point(point: Point, definitions: Mapping[str, Term], literals: Sequence[Literal | Regular]) -> tuple[str, str]:
+    """Return statement and proof of the theorem that there is a point where literals hold."""
+    definitions = used(definitions, [term for literal in literals for term in terms_of(literal)])
+    places = {called: place for place, called in enumerate((*point, *definitions))}
+    taken = {*places}
+    lines, introduced = premises_of_definitions(definitions, taken)
+    quantified = [f"exists {spelled([*point])} : R,"] if point else []
+    statement = "\n".join([*quantified, *lines, " /\\\n".join(map(said, literals))])
+    values = [rational(value) for value in point.values()]
+    tactics = [f"exists {', '.join(f'(Q2R {value})' for value in values)}."] if point else []
+    order = [text for pair in zip(map(identifier, definitions), introduced, strict=True) for text in pair]
+    tactics += [f"intros {' '.join(order)}."] if order else []
+    proof = (
+        f"refine (computed {listed(values)} {listed([*map(identifier, definitions)])}\n"
+        f" {listed([tree(value, places, {}) for value in definitions.values()])}\n"
+        f" {listed([_literal(literal, places) for literal in literals], f';{chr(10)}  ')}\n _ {conjoined(introduced)})."
+    )
+    return statement, "\n".join([*tactics, proof, CHECKED])
+
+
+def _literal(literal: Literal | Regular, places: Mapping[str, int]) -> str:
+    if isinstance(literal, Regular):
+        rows = listed([listed([tree(term, places, {}) for term in row]) for row in literal.rows])
+        columns = listed([listed([*map(rational, column)]) for column in zip(*literal.inverse, strict=True)])
+        return f"Regular {rows} {columns}"
+    return f"{literal.kind} {' '.join(f'({tree(term, places, {})})' for term in literal.terms)}"
+
+
+def inverse(matrix: Sequence[Sequence[Fraction]]) -> tuple[tuple[Fraction, ...], ...]:
+    """Return the inverse of a regular matrix.
+
+    Examples
+    --------
+    >>> inverse([[Fraction(2)]])
+    ((Fraction(1, 2),),)
+    """
+    count = len(matrix)
+    rows = [[*row, *(Fraction(i == j) for j in range(count))] for i, row in enumerate(matrix)]
+    for place in range(count):
+        pivot = next(i for i in range(place, count) if rows[i][place])
+        rows[place], rows[pivot] = rows[pivot], rows[place]
+        rows[place] = [entry / rows[place][place] for entry in rows[place]]
+        for i, row in enumerate(rows):
+            if i != place and row[place]:
+                rows[i] = [a - row[place] * b for a, b in zip(row, rows[place], strict=True)]
+    return tuple(tuple(row[count:]) for row in rows)
+
+
+def values(point: Point, definitions: Mapping[str, Term], terms: Sequence[Term]) -> list[Fraction] | None:
+    """Return the values of terms at a point, None if a divisor is zero there."""
+    known = dict(point)
+    try:
+        for called, definition in definitions.items():
+            known[called] = _value(definition, known)
+        return [_value(term, known) for term in terms]
+    except ZeroDivisionError:
+        return None
+
+
+def _value(term: Term, known: Mapping[str, Fraction]) -> Fraction:
+    if term.kind == "int":
+        return Fraction(term.value)
+    if term.kind == "name":
+        return known[str(term.value)]
+    first, *others = (_value(part, known) for part in term.parts)
+    if term.kind == "-":
+        return -first
+    if term.kind == "^":
+        return first ** int(term.value)
+    if term.kind == "/":
+        return first / others[0]
+    return sum(others, first) if term.kind == "+" else prod(others, start=first)

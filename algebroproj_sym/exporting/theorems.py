@@ -1,0 +1,210 @@
+"""Theorems: a statement that can be read, and a proof that names the trees and certificates behind it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TypeAlias
+
+from algebroproj_sym.exporting.divisions import Splits, evaluated, expanded, field_over
+from algebroproj_sym.exporting.gallina import conjoined, exponent_list, formula, identifier, listed, tree
+from algebroproj_sym.exporting.terms import Term, free, used
+from algebroproj_sym.replaying.field import Element, Field
+
+CHECKED = "all: vm_cast_no_check (@eq_refl bool true)."
+
+
+@dataclass(frozen=True)
+class Theorem:
+    """A theorem: its name, what it says, and the tactics that prove it."""
+
+    name: str
+    statement: str
+    proof: str
+
+
+@dataclass(frozen=True)
+class Goal:
+    """An equation, and why it holds: its difference is, up to a power and divisors, a combination of the constraints.
+
+    Attributes
+    ----------
+    left, right : Term
+        The sides.
+    power : int
+        To which power the difference is raised.
+    multiplier : tuple of int
+        By which powers of the divisors it is multiplied.
+    cofactors : tuple of Term
+        The factors of the constraints.
+    """
+
+    left: Term
+    right: Term
+    power: int = 1
+    multiplier: tuple[int, ...] = ()
+    cofactors: tuple[Term, ...] = ()
+
+
+@dataclass(frozen=True)
+class Hypotheses:
+    """What a theorem assumes.
+
+    Attributes
+    ----------
+    variables : tuple of str
+        Free variables.
+    divisors : tuple of Term
+        Polynomials in them that are not zero.
+    definitions : mapping of str to Term
+        Names of formulas.
+    units : tuple of Term
+        Other formulas that are not zero.
+    constraints : tuple of Term
+        Formulas that are zero.
+    """
+
+    variables: tuple[str, ...]
+    divisors: tuple[Term, ...] = ()
+    definitions: Mapping[str, Term] = field(default_factory=dict)
+    units: tuple[Term, ...] = ()
+    constraints: tuple[Term, ...] = ()
+
+
+@dataclass(frozen=True)
+class Splitting:
+    """Where names stand in the environment, how divisors split, and the field and values that tell it."""
+
+    places: Mapping[str, int]
+    splits: Splits
+    field: Field
+    known: Mapping[str, Element]
+
+    def tree(self, term: Term) -> str:
+        """Return a term as a tree, after its divisors were split."""
+        evaluated(term, self.field, self.known, self.splits)
+        return tree(term, self.places, self.splits)
+
+    def trees(self, terms: Sequence[Term]) -> str:
+        """Return a list of trees."""
+        return listed([self.tree(term) for term in terms])
+
+
+def splitting(given: Hypotheses) -> Splitting:
+    """Return how divisors split under hypotheses."""
+    field = field_over(given.variables, given.divisors)
+    known = {variable: field.symbol(variable) for variable in given.variables}
+    splits: Splits = {}
+    for called, value in given.definitions.items():
+        known[called] = evaluated(value, field, known, splits)
+    places = {called: place for place, called in enumerate((*given.variables, *given.definitions))}
+    return Splitting(places, splits, field, known)
+
+
+def with_divisors(given: Hypotheses, terms: Sequence[Term]) -> Hypotheses:
+    """Return the hypotheses, and that nothing else vanishes that terms divide by."""
+    field = field_over(given.variables, given.divisors)
+    known = {variable: field.symbol(variable) for variable in given.variables}
+    for called, value in used(given.definitions, terms).items():
+        known[called] = evaluated(value, field, known)
+    for term in terms:
+        evaluated(term, field, known)
+    others = [expanded(factor, field.places) for factor in field.factors[field.listed :]]
+    return replace(given, divisors=(*given.divisors, *others))
+
+
+def needed(given: Hypotheses, goals: Sequence[Goal]) -> Hypotheses:
+    """Return the hypotheses without definitions that nothing needs."""
+    terms = [term for goal in goals for term in (goal.left, goal.right, *goal.cofactors)]
+    return replace(given, definitions=used(given.definitions, [*terms, *given.units, *given.constraints]))
+
+
+@dataclass(frozen=True)
+class Introduced:
+    """The names of the hypotheses in a proof."""
+
+    order: tuple[str, ...]
+    divisors: tuple[str, ...]
+    definitions: tuple[str, ...]
+    units: tuple[str, ...]
+    constraints: tuple[str, ...]
+
+
+Using: TypeAlias = Callable[[Introduced, str], str]
+
+
+def universal(
+    given: Hypotheses, goals: Sequence[Goal], conclusion: str = "", using: Using = lambda introduced, proof: proof
+) -> tuple[str, str]:
+    """Return statement and proof of the theorem that equations follow from hypotheses.
+
+    Parameters
+    ----------
+    given : Hypotheses
+    goals : sequence of Goal
+    conclusion : str
+        What is concluded, if it is not the conjunction of the equations.
+    using : callable
+        What makes a proof of the conclusion of the names of the hypotheses and the proof of the conjunction.
+    """
+    given = needed(given, goals)
+    stated, introduced = premises(given)
+    conclusion = conclusion or equations(goals)
+    proof = using(introduced, consequence(given, goals, introduced))
+    lines = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
+    statement = "\n".join([*lines, *stated, f"{conclusion}"])
+    return statement, f"intros {' '.join(introduced.order)}.\nrefine ({proof}).\n{CHECKED}"
+
+
+def premises(given: Hypotheses) -> tuple[list[str], Introduced]:
+    """Return the lines of the premises, and the names that a proof introduces."""
+    taken = {*given.variables, *given.definitions}
+
+    def called(prefix: str, count: int) -> tuple[str, ...]:
+        return tuple(free(f"{prefix}_{place}", taken) for place in range(count))
+
+    divisors, units = called("nonzero", len(given.divisors)), called("unit", len(given.units))
+    constraints = called("zero", len(given.constraints))
+    lines = [f"{formula(divisor)} <> 0 ->" for divisor in given.divisors]
+    defined, definitions = premises_of_definitions(given.definitions, taken)
+    lines += defined
+    lines += [f"{formula(unit)} <> 0 ->" for unit in given.units]
+    lines += [f"{formula(constraint)} = 0 ->" for constraint in given.constraints]
+    pairs = [text for pair in zip(map(identifier, given.definitions), definitions, strict=True) for text in pair]
+    order = (*map(identifier, given.variables), *divisors, *pairs, *units, *constraints)
+    return lines, Introduced(order, divisors, definitions, units, constraints)
+
+
+def premises_of_definitions(definitions: Mapping[str, Term], taken: set[str]) -> tuple[list[str], tuple[str, ...]]:
+    """Return the lines that give names to formulas, and what a proof calls these equations."""
+    lines = [f"forall {identifier(n)} : R, {identifier(n)} = {formula(value)} ->" for n, value in definitions.items()]
+    return lines, tuple(free(f"is_{place}", taken) for place in range(len(definitions)))
+
+
+def consequence(given: Hypotheses, goals: Sequence[Goal], introduced: Introduced) -> str:
+    """Return the application of the lemma that goals follow."""
+    split = splitting(given)
+    certificates = listed([_goal(goal, split) for goal in goals], ";\n  ")
+    variables, definitions = (listed([identifier(n) for n in part]) for part in (given.variables, given.definitions))
+    return (
+        f"follows {variables} {definitions}\n {split.trees(given.divisors)}\n"
+        f" {split.trees([*given.definitions.values()])}\n"
+        f" {split.trees(given.units)}\n {split.trees(given.constraints)}\n"
+        f" {certificates}\n _ {conjoined(introduced.divisors)} {conjoined(introduced.definitions)}"
+        f" {conjoined(introduced.units)} {conjoined(introduced.constraints)}"
+    )
+
+
+def _goal(goal: Goal, split: Splitting) -> str:
+    sides = f"({split.tree(goal.left)}) ({split.tree(goal.right)})"
+    return f"Equation {sides} {goal.power} {exponent_list(goal.multiplier)} {split.trees(goal.cofactors)}"
+
+
+def equations(goals: Sequence[Goal]) -> str:
+    """Return the conjunction of the equations."""
+    return " /\\\n".join(f"{formula(goal.left)} = {formula(goal.right)}" for goal in goals)
+
+
+def spelled(variables: Sequence[str]) -> str:
+    """Return variables side by side."""
+    return " ".join(map(identifier, variables))

@@ -1,0 +1,213 @@
+"""How bodies are called: in blocks, into any memory, and with arrays of other libraries."""
+
+import tracemalloc
+from itertools import product
+
+import array_api_strict
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from algebroproj import correlation, metric, normal_case, optics, projection, space
+from algebroproj_sym.declaring import kernels
+from algebroproj_sym.generating.runtime._evaluation import Signature, evaluate
+from algebroproj_sym.verifying import function_of, load_package
+
+PAIR = Signature("pair", (("x", (2,)), ("M", (2, 2)), ("s", ())), ((), (2, 2)), block=7)
+SHAPES = [(), (1,), (5,), (30,), (3, 1), (1, 4), (6, 5), (2, 1, 5)]
+
+
+def pair(x0, x1, m00, m01, m10, m11, s):
+    """Return a number and a matrix with constant entries and one that depends on a single argument."""
+    return x0 * m00 + x1 * m01 / s, x0 / m10, 0, s, m11 * x1 - 1
+
+
+def drawn(shape, seed, dtype=np.float64):
+    return np.random.default_rng(seed).uniform(0.5, 2, shape).astype(dtype)
+
+
+def plainly(x, m, s):
+    """Evaluate point by point."""
+    batch = np.broadcast_shapes(x.shape[:-1], m.shape[:-2], s.shape)
+    x, m, s = np.broadcast_to(x, (*batch, 2)), np.broadcast_to(m, (*batch, 2, 2)), np.broadcast_to(s, batch)
+    first, second = np.empty(batch, x.dtype), np.empty((*batch, 2, 2), x.dtype)
+    for index in np.ndindex(*batch):
+        value, *entries = pair(*x[index], *m[index].ravel(), s[index])
+        first[index], second[index] = value, np.reshape(entries, (2, 2))
+    return first, second
+
+
+def arguments(batches, dtype=np.float64):
+    cores = [core for _, core in PAIR.arguments]
+    return [drawn(batch + core, k, dtype) for k, (batch, core) in enumerate(zip(batches, cores, strict=True))]
+
+
+def broadcastable(batches):
+    try:
+        np.broadcast_shapes(*batches)
+    except ValueError:
+        return False
+    return True
+
+
+batches = st.tuples(*[st.sampled_from(SHAPES)] * 3).filter(broadcastable)
+
+
+@settings(max_examples=25, deadline=None)
+@given(batches, st.integers(1, 40), st.sampled_from([np.float32, np.float64, np.longdouble, np.complex128]))
+def test_blocks_of_any_size_give_the_bits_of_single_points(shapes, block, dtype):
+    given_arguments = arguments(shapes, dtype)
+    results = evaluate(Signature("pair", PAIR.arguments, PAIR.results, block), pair, given_arguments)
+    for result, expected in zip(results, plainly(*given_arguments), strict=True):
+        assert result.dtype == dtype
+        np.testing.assert_array_equal(result, expected)
+
+
+LAYOUTS = {
+    "C": lambda shape: np.empty(shape),
+    "Fortran": lambda shape: np.empty(shape, order="F"),
+    "every other": lambda shape: np.empty([2 * length for length in shape])[
+        (..., *[slice(None, None, 2)] * len(shape))
+    ],
+    "backwards": lambda shape: np.empty(shape)[(..., *[slice(None, None, -1)] * len(shape))],
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+@settings(max_examples=25, deadline=None)
+@given(batches)
+def test_out_of_any_layout_is_filled_and_returned(layout, shapes):
+    given_arguments = arguments(shapes)
+    expected = plainly(*given_arguments)
+    out = tuple(LAYOUTS[layout](value.shape) for value in expected)
+    results = evaluate(PAIR, pair, given_arguments, out)
+    assert all(result is array for result, array in zip(results, out, strict=True))
+    for result, value in zip(results, expected, strict=True):
+        np.testing.assert_array_equal(result, value)
+
+
+FORWARDS, BACKWARDS = slice(None), slice(None, None, -1)
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [*product([FORWARDS, BACKWARDS], repeat=2), (slice(3, None), slice(None, -3)), (slice(None, -3), slice(3, None))],
+)
+def test_out_may_share_memory_with_the_arguments(before, after):
+    points = drawn((30000, 3), 1)
+    center, image = np.array([0.5, 0.25, 2.0]), np.array([0.25, 0.5])
+    mu = projection.mu_from_center(center, image)
+    expected = optics.image_point(0.15, points[before].copy())
+    assert optics.image_point(0.15, points[before], out=points[after]).base is points
+    np.testing.assert_array_equal(points[after], expected)
+    plane = drawn((20000, 3), 2)
+    image_points = projection.project(plane.copy(), mu, image)
+    projection.project(plane, mu, image, out=plane[:, :2])
+    np.testing.assert_array_equal(plane[:, :2], image_points)
+
+
+def test_several_results_take_several_arrays():
+    matrices = drawn((5, 3, 3), 4)
+    out = np.empty((5, 2)), np.empty((5, 2))
+    assert correlation.epipoles(matrices, out=out)[1] is out[1]
+    for result, expected in zip(out, correlation.epipoles(matrices), strict=True):
+        np.testing.assert_array_equal(result, expected)
+
+
+def test_a_single_point_fills_its_array():
+    out = np.empty(3)
+    assert optics.image_point(0.15, [1.0, 2.0, 3.0], out=out) is out
+    np.testing.assert_array_equal(out, optics.image_point(0.15, [1.0, 2.0, 3.0]))
+
+
+@pytest.mark.parametrize(
+    ("out", "error", "message"),
+    [
+        (np.empty((4, 2)), ValueError, r"image_point: expected out of shape \(4, 3\), got shape \(4, 2\)"),
+        (np.empty((2, 4, 3)), ValueError, r"expected out of shape \(4, 3\), got shape \(2, 4, 3\)"),
+        (np.empty((4, 3), np.float32), TypeError, "expected out of dtype float64, got dtype float32"),
+        ([[0.0] * 3] * 4, TypeError, "expected an array as out, got list"),
+        ((np.empty((4, 3)), np.empty((4, 3))), TypeError, "expected an array as out, got tuple"),
+        (np.broadcast_to(np.empty(3), (4, 3)), ValueError, "expected out to be writeable"),
+    ],
+)
+def test_an_out_that_does_not_fit_is_named(out, error, message):
+    with pytest.raises(error, match=message):
+        optics.image_point(0.15, np.ones((4, 3)), out=out)
+
+
+def test_no_array_of_the_size_of_the_batch_is_made_beside_the_result():
+    count = 2**20
+    points, mu, image = drawn((count, 3), 1), np.array([0.5, 0.25, 2.0]), np.array([0.25, 0.5])
+    program = projection.project.__globals__["_project"]
+    out = np.empty((count, 2))
+    signature = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),))
+    tracemalloc.start()
+    evaluate(signature, program, (points, mu, image), out)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < points.nbytes / 3 / 2
+
+
+# Other libraries
+
+KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
+STRICT = array_api_strict
+
+
+def strict(array):
+    return STRICT.asarray(array)
+
+
+@pytest.mark.parametrize("name", KERNELS)
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_every_function_takes_arrays_of_the_standard(name, dtype):
+    function = function_of(KERNELS[name], load_package())
+    ours = [drawn((4, *argument.shape), k, dtype) for k, argument in enumerate(KERNELS[name].arguments)]
+    theirs = function(*map(strict, ours))
+    expected = function(*ours)
+    for result, value in zip(*((r if isinstance(r, tuple) else (r,)) for r in (theirs, expected)), strict=True):
+        assert type(result) is type(strict(0.0))
+        assert result.dtype == getattr(STRICT, np.dtype(dtype).name)
+        np.testing.assert_array_equal(np.asarray(result), value)
+
+
+def test_arrays_of_the_standard_meet_scalars_lists_and_numpy():
+    depths = strict(np.linspace(1, 2, 5))
+    np.testing.assert_array_equal(np.asarray(optics.scale(2, depths)), optics.scale(2, np.linspace(1, 2, 5)))
+    points = strict(drawn((5, 3), 1))
+    mixed = optics.image_point(np.array(0.25), points)
+    np.testing.assert_array_equal(np.asarray(mixed), optics.image_point(0.25, np.asarray(points)))
+    assert space.homography(strict([1, 2, 3, 4])).dtype == STRICT.float64
+    assert normal_case.transform(strict(np.ones((3, 2), np.float32))).dtype == STRICT.float32
+
+
+def test_batches_of_the_standard_broadcast_and_keep_constant_entries():
+    result = projection.camera_matrix(strict(drawn((3, 1, 3), 1)), strict(drawn((4, 2), 2)))
+    assert tuple(result.shape) == (3, 4, 3, 4)
+    assert tuple(metric.rotation_left(strict(np.ones((0, 2))), 0.5).shape) == (0, 2, 3, 3)
+
+
+def test_what_the_standard_does_not_allow_is_named():
+    with pytest.raises(TypeError, match="image_point: expected no out with arrays of array_api_strict"):
+        optics.image_point(0.15, strict([1.0, 2.0, 3.0]), out=np.empty(3))
+    with pytest.raises(ValueError, match=r"image_point: expected x of shape \(\.\.\., 3\), got shape \(2,\)"):
+        optics.image_point(0.15, strict([1.0, 2.0]))
+
+
+def test_arrays_of_two_libraries_do_not_meet():
+    class Other:
+        def __array_namespace__(self):
+            return np
+
+    with pytest.raises(TypeError, match="scale: expected arrays of one library, got Array, Other"):
+        optics.scale(strict(1.0), Other())
+
+
+def test_a_singular_member_of_the_standard_leaves_the_others_alone():
+    left, right = drawn((3, 5, 2), 1), drawn((3, 5, 2), 2)
+    left[1, 1], right[1, 1] = left[1, 0], right[1, 0]
+    with np.errstate(all="ignore"):
+        result = np.asarray(correlation.correlation_matrix(strict(left), strict(right)))
+    assert np.isfinite(result).all(axis=(1, 2)).tolist() == [True, False, True]

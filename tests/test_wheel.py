@@ -1,0 +1,51 @@
+"""The generated package alone: a wheel of it installs and runs with NumPy and nothing else."""
+
+import ast
+import subprocess
+import sys
+import tomllib
+
+import pytest
+
+from algebroproj_sym.generating import PACKAGE
+
+PROGRAM = """
+import sys
+sys.meta_path.insert(0, type("Nothing", (), {"find_spec": staticmethod(lambda name, path=None, target=None: (
+    (_ for _ in ()).throw(ModuleNotFoundError(name)) if name.partition(".")[0] in FORBIDDEN else None))}))
+import algebroproj
+from algebroproj import correlation, projection
+assert algebroproj.__file__.startswith(sys.argv[1]), algebroproj.__file__
+print(projection.projection_matrix([0.5, 0.25, 2.0], [0.25, 0.5]).shape, len(correlation.epipoles.__doc__) > 0)
+"""
+
+
+@pytest.fixture(scope="module")
+def declared(repository):
+    return tomllib.loads((repository / "generated" / "pyproject.toml").read_text(encoding="utf-8"))
+
+
+def test_it_needs_numpy_alone(declared):
+    assert [entry.partition(">")[0] for entry in declared["project"]["dependencies"]] == ["numpy"]
+
+
+def test_its_version_and_python_are_those_of_the_project(declared, repository):
+    whole = tomllib.loads((repository / "pyproject.toml").read_text(encoding="utf-8"))
+    for key in ("version", "requires-python", "license"):
+        assert declared["project"][key] == whole["project"][key]
+    assert declared["project"]["dependencies"][0] in whole["project"]["dependencies"]
+
+
+def test_its_source_is_valid_for_the_oldest_python(repository):
+    for path in sorted((repository / "generated" / PACKAGE).glob("*.py")):
+        ast.parse(path.read_text(encoding="utf-8"), feature_version=(3, 11))
+
+
+def test_it_runs_where_there_is_nothing_but_numpy(repository):
+    forbidden = {"algebroproj_sym", "sympy", "mpmath", "flint", "jinja2", "click", "rich", "scipy"}
+    program = f"FORBIDDEN = {sorted(forbidden)}\n{PROGRAM}"
+    folder = str(repository / "generated")
+    done = subprocess.run(
+        [sys.executable, "-c", program, folder], capture_output=True, text=True, check=True, env={"PYTHONPATH": folder}
+    )
+    assert done.stdout == "(3, 3) True\n"

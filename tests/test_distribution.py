@@ -60,7 +60,7 @@ def test_every_package_of_the_tree_is_in_the_wheel(wheel, repository):
     }
     for name, folder in folders.items():
         for path in folder.rglob("*"):
-            if path.suffix in (".css", ".j2", ".js", ".py", ".toml", ".typed"):
+            if path.suffix in (".c", ".css", ".h", ".j2", ".js", ".py", ".toml", ".typed"):
                 assert f"{name}/{path.relative_to(folder).as_posix()}" in contents, path
 
 

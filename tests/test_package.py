@@ -13,7 +13,10 @@ from algebroproj_sym.expressions import over, vector
 from algebroproj_sym.generating import PACKAGE, drift, lower, render, write
 from algebroproj_sym.generating.package import LONGEST_FACTOR
 
-SHARED = {"__init__.py", "_evaluation.py", "_namespace.py", "_primitives.py", "drivers.py", "py.typed"}
+SHARED = {
+    *("__init__.py", "_backend.py", "_evaluation.py", "_namespace.py", "_primitives.py", "drivers.py", "py.typed"),
+    *("_compiled.c", "_kernels.h", "_loops.h"),
+}
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
 
 
@@ -79,7 +82,8 @@ def test_the_order_of_the_kernels_of_other_modules_does_not_matter(files):
 
 
 def test_every_module_imports_numpy_and_its_own_package_only(rendered):
-    for name, text in rendered.items():
+    modules = {name: text for name, text in rendered.items() if name.endswith(".py")}
+    for name, text in modules.items():
         for node in ast.walk(ast.parse(text)):
             if isinstance(node, ast.Import):
                 assert {alias.name.partition(".")[0] for alias in node.names} <= {"numpy", *sys.stdlib_module_names}, (
@@ -92,8 +96,9 @@ def test_every_module_imports_numpy_and_its_own_package_only(rendered):
 
 
 def test_every_imported_name_of_the_own_package_exists(rendered):
-    (imported,) = [n for n in ast.parse(rendered["__init__.py"]).body if isinstance(n, ast.ImportFrom)]
-    assert {f"{alias.name}.py" for alias in imported.names} == set(rendered) - SHARED
+    modules, choice = [n for n in ast.parse(rendered["__init__.py"]).body if isinstance(n, ast.ImportFrom)]
+    assert {f"{alias.name}.py" for alias in modules.names} == set(rendered) - SHARED
+    assert (choice.module, [alias.name for alias in choice.names]) == ("_backend", ["backend"])
 
 
 def test_every_file_says_that_it_is_generated(rendered):

@@ -1,9 +1,10 @@
-"""Generating: from a kernel to a straight-line program to NumPy source.
+"""Generating: from a kernel to a straight-line program to NumPy and C source.
 
 graph (expressions without signs and repetitions) → sharing (common pairs) → lowering (a proved program)
-→ numpy_source and package (text).
+→ numpy_source, c_source and package (text).
 """
 
+from algebroproj_sym.generating.c_source import c_files, c_name, is_compiled
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.lowering import Lowered, LoweringError, lower
 from algebroproj_sym.generating.operation_counts import OperationCounts, operation_counts
@@ -18,8 +19,11 @@ __all__ = [
     "OperationCounts",
     "Program",
     "Step",
+    "c_files",
+    "c_name",
     "compensated",
     "drift",
+    "is_compiled",
     "lower",
     "operation_counts",
     "render",

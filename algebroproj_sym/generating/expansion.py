@@ -29,7 +29,18 @@ def expanded(program: Program) -> Program:
     """
     recorder = _Recorder(program)
     outputs = run(program, {name: _Recorded(recorder, name) for name in program.inputs}, recorder.call)
-    return Program(program.inputs, tuple(recorder.steps), tuple(map(_operand, outputs)))
+    return _without_unused(Program(program.inputs, tuple(recorder.steps), tuple(map(_operand, outputs))))
+
+
+def _without_unused(program: Program) -> Program:
+    """Leave out the second parts that nothing takes."""
+    used = {*program.outputs}
+    kept: list[Step | Call] = []
+    for step in reversed(program.steps):
+        if not used.isdisjoint((step.name,) if isinstance(step, Step) else step.names):
+            used |= {*step.operands}
+            kept.insert(0, step)
+    return Program(program.inputs, tuple(kept), program.outputs)
 
 
 class _Recorder:

@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterator
 from types import FunctionType
 from typing import Any, NamedTuple
 
+from algebroproj_sym.verifying import without_twin
+
 _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
     ast.Add: ast.Sub,
     ast.Sub: ast.Add,
@@ -69,7 +71,7 @@ def _compiled(text: str, function: Callable[..., Any]) -> Callable[..., Any]:
     exec(compile(text, f"<mutant of {function.__name__}>", "exec"), names)
     mutant = FunctionType(function.__code__, names, function.__name__)
     mutant.__kwdefaults__ = function.__kwdefaults__
-    return mutant
+    return without_twin(mutant)
 
 
 def _changed(tree: ast.Module) -> Iterator[tuple[str, int, ast.AST]]:

@@ -83,7 +83,7 @@ def _function(low: Lowered, verification: Verification) -> dict[str, object]:
         "name": low.kernel.qualified_name,
         "claims": ", ".join(low.kernel.claims),
         "operations": operation_counts(low),
-        "source": "proved" if verification.source_proved else "differs",
+        "source": "proved" if verification.proved else "differs",
         "median": f"{overall.median_ulp:.2f}",
         "largest": f"{overall.max_ulp:.3g}",
         "ratio": f"{overall.max_ratio:.2f}",

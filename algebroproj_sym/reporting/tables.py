@@ -135,7 +135,7 @@ def operations_table(lowered: Sequence[Lowered]) -> Table:
 
 
 def verification_table(verifications: Sequence[Verification]) -> Table:
-    """Return a row for each function: source proved, singular input, errors."""
+    """Return a row for each function: sources proved, singular input, errors."""
     table = Table("function", "source", "singular input", box=None, pad_edge=False)
     for heading in ("samples", "median ULP", "max ULP", "max error/(cond u)"):
         table.add_column(heading, justify="right")
@@ -143,7 +143,7 @@ def verification_table(verifications: Sequence[Verification]) -> Table:
         overall = v.accuracy.overall
         table.add_row(
             v.accuracy.function,
-            Text("proved", "green") if v.source_proved else Text("differs", "bold red"),
+            Text("proved", "green") if v.proved else Text("differs", "bold red"),
             Text("silent: " + ", ".join(map(str, v.silent)), "bold red") if v.silent else Text("not finite", "green"),
             str(overall.samples),
             f"{overall.median_ulp:.2f}",

@@ -51,12 +51,12 @@ def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint")
     except _OtherCallError:
         return False
     computed = [*calls.given, *result.tolist()]
-    expected = _expected(kernel, field)
+    expected = expected_values(kernel, field)
     same_length = len(computed) == len(expected)
     return same_length and all((value - got).is_zero for value, got in zip(expected, computed, strict=True))
 
 
-def _expected(kernel: Kernel, field: RationalFunctionField) -> list[RationalFunction]:
+def expected_values(kernel: Kernel, field: RationalFunctionField) -> list[RationalFunction]:
     """Return what primitive functions must be given, and the results."""
     values = dict(field.variables)
     expected: list[RationalFunction] = []

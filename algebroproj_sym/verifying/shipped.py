@@ -7,8 +7,9 @@ import importlib.util
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
+from types import FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -83,6 +84,17 @@ def function_of(kernel: Kernel, package: ModuleType) -> Function:
     if function is None:
         raise NotShippedError(f"package {package.__name__}: expected a function {kernel.qualified_name}")
     return function  # type: ignore[no-any-return]
+
+
+def without_twin(function: Function) -> Function:
+    """Return a generated function that runs its NumPy source even where there is a compiled version."""
+    assert isinstance(function, FunctionType)
+    constant = f"_{function.__name__.upper()}_SIGNATURE"
+    names = dict(function.__globals__)
+    names[constant] = replace(names[constant], twin=None)
+    copy = FunctionType(function.__code__, names, function.__name__)
+    copy.__kwdefaults__ = function.__kwdefaults__
+    return copy
 
 
 def call(function: Function, kernel: Kernel, values: Mapping[str, Any]) -> NDArray[Any]:

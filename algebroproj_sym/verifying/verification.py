@@ -9,13 +9,15 @@ from typing import Any
 from algebroproj_sym.expressions import Scalar
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, accuracy, as_record
+from algebroproj_sym.verifying.identity import is_identical
+from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
 from algebroproj_sym.verifying.singular_input import silent_factors
 
 
 @dataclass(frozen=True)
 class Verification:
-    """The three things that are asked of a generated function.
+    """What is asked of a generated function.
 
     Attributes
     ----------
@@ -23,18 +25,29 @@ class Verification:
         Its errors on stratified samples.
     source_proved : bool
         Whether its source, run on rational functions, gives the derivation.
+    c_source_proved : bool
+        Whether the source of its compiled version, if there is one, does so.
+    identical : bool
+        Whether the compiled version, where it was built, gives the same bits.
     silent : tuple of sympy.Expr
         Factors on whose zeros it stays finite.
     """
 
     accuracy: Accuracy
     source_proved: bool
+    c_source_proved: bool
+    identical: bool
     silent: tuple[Scalar, ...]
 
     @property
+    def proved(self) -> bool:
+        """Whether both sources give the derivation, and the same bits."""
+        return self.source_proved and self.c_source_proved and self.identical
+
+    @property
     def passed(self) -> bool:
-        """Whether all three are as they must be."""
-        return self.source_proved and not self.silent and self.accuracy.within_bound
+        """Whether all of them are as they must be."""
+        return self.proved and not self.silent and self.accuracy.within_bound
 
 
 def verify(lowered: Lowered, package: ModuleType, size: int, engine: str = "flint") -> Verification:
@@ -54,6 +67,8 @@ def verify(lowered: Lowered, package: ModuleType, size: int, engine: str = "flin
     return Verification(
         accuracy=accuracy(lowered, package, size),
         source_proved=source_is_proved(lowered.kernel, package, engine),
+        c_source_proved=c_source_is_proved(lowered, package, engine),
+        identical=is_identical(lowered, package, size),
         silent=silent_factors(lowered, package),
     )
 
@@ -64,6 +79,8 @@ def verification_record(verifications: list[Verification]) -> dict[str, Any]:
         {
             **as_record(v.accuracy),
             "source_proved": v.source_proved,
+            "c_source_proved": v.c_source_proved,
+            "identical": v.identical,
             "silent_factors": [str(factor) for factor in v.silent],
             "passed": v.passed,
         }

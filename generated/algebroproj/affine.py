@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
@@ -76,7 +77,7 @@ def _plane_frame(
     return 1, 0, 0, g00, g10 - g00, g20 - g00, g01, g11 - g01, g21 - g01
 
 
-_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),))
+_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),), twin=ufunc("affine_plane_frame"))
 
 
 def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -122,7 +123,8 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``g00*g11 - g00*g21 - g01*g10 +
     g01*g20 + g10*g21 - g11*g20``.
 
-    Operations: 17 (9 -, 6 *, 2 /); the derived expression as written takes 30.  With the double-double operations for sums that may cancel: 226.
+    Operations: 17 (9 -, 6 *, 2 /); the derived expression as written takes 30.
+    With double-double operations for sums that may cancel: 226.
 
     Examples
     --------
@@ -145,7 +147,7 @@ def _plane_coordinates(
     return rounded(c22 * d1 - c21 * d2) / det, rounded(c11 * d2 - c12 * d1) / det
 
 
-_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),))
+_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),), twin=ufunc("affine_plane_coordinates"))
 
 
 def space_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -215,7 +217,7 @@ def _space_frame(
     )
 
 
-_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),))
+_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),), twin=ufunc("affine_space_frame"))
 
 
 def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -274,7 +276,8 @@ def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: a factor of a denominator above,
     of 24 terms.
 
-    Operations: 54 (8 +, 18 -, 24 *, 3 /, 1 neg); the derived expression as written takes 177.  With the double-double operations for sums that may cancel: 827.
+    Operations: 54 (8 +, 18 -, 24 *, 3 /, 1 neg); the derived expression as written takes 177.
+    With double-double operations for sums that may cancel: 827.
 
     Examples
     --------
@@ -313,4 +316,4 @@ def _space_coordinates(
     )
 
 
-_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),))
+_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),), twin=ufunc("affine_space_coordinates"))

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 from ._primitives import cos_sin
@@ -95,7 +96,8 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xo*c_omega*s_phi - Yo*s_omega +
     Zo*c_omega*c_phi``.
 
-    Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.  With the double-double operations for sums that may cancel: 1775.
+    Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
+    With double-double operations for sums that may cancel: 1775.
 
     Examples
     --------
@@ -185,7 +187,8 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
 
-    Operations: 20 (9 +, 9 *, 2 /); the derived expression as written takes 26.  With the double-double operations for sums that may cancel: 281.
+    Operations: 20 (9 +, 9 *, 2 /); the derived expression as written takes 26.
+    With double-double operations for sums that may cancel: 281.
 
     Examples
     --------
@@ -206,7 +209,7 @@ def _project(
     )
 
 
-_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),))
+_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),), twin=ufunc("collinearity_project"))
 
 
 def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -265,7 +268,8 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
 
-    Operations: 42 (9 +, 15 *, 12 /, 6 neg); the derived expression as written takes 146.  With the double-double operations for sums that may cancel: 303.
+    Operations: 42 (9 +, 15 *, 12 /, 6 neg); the derived expression as written takes 146.
+    With double-double operations for sums that may cancel: 303.
 
     Examples
     --------
@@ -292,7 +296,7 @@ def _project_jacobian_parameters(
     )
 
 
-_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),))
+_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),), twin=ufunc("collinearity_project_jacobian_parameters"))
 
 
 def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -335,7 +339,8 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
 
-    Operations: 67 (9 +, 18 -, 34 *, 6 /); the derived expression as written takes 138.  With the double-double operations for sums that may cancel: 950.
+    Operations: 67 (9 +, 18 -, 34 *, 6 /); the derived expression as written takes 138.
+    With double-double operations for sums that may cancel: 1237.
 
     Examples
     --------
@@ -349,7 +354,7 @@ def _project_jacobian_point(
     A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
     X: Any, Y: Any, Z: Any,
 ) -> tuple[Any, ...]:
-    w = rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X)
+    w = 1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X
     t8 = wide(A1) * A10 - wide(A2) * A9
     t12 = wide(A1) * A11 - wide(A3) * A9
     t18 = w * w
@@ -358,16 +363,16 @@ def _project_jacobian_point(
     t43 = wide(A11) * A5 - wide(A7) * A9
     t52 = wide(A11) * A6 - wide(A10) * A7
     return (
-        rounded(Y * t8 + Z * t12 + A1 - wide(A4) * A9) / t18,
-        rounded(Z * t22 + A2 - X * t8 - wide(A10) * A4) / t18,
-        rounded(A3 - X * t12 - Y * t22 - wide(A11) * A4) / t18,
-        rounded(Y * t39 + Z * t43 + A5 - wide(A8) * A9) / t18,
-        rounded(Z * t52 + A6 - X * t39 - wide(A10) * A8) / t18,
-        rounded(A7 - X * t43 - Y * t52 - wide(A11) * A8) / t18,
+        rounded((Y * t8 + Z * t12 + A1 - wide(A4) * A9) / t18),
+        rounded((Z * t22 + A2 - X * t8 - wide(A10) * A4) / t18),
+        rounded((A3 - X * t12 - Y * t22 - wide(A11) * A4) / t18),
+        rounded((Y * t39 + Z * t43 + A5 - wide(A8) * A9) / t18),
+        rounded((Z * t52 + A6 - X * t39 - wide(A10) * A8) / t18),
+        rounded((A7 - X * t43 - Y * t52 - wide(A11) * A8) / t18),
     )
 
 
-_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),))
+_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),), twin=ufunc("collinearity_project_jacobian_point"))
 
 
 def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -406,7 +411,8 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``B13*X2 + B14*Y2 + B15*Z2 + 1``.
 
-    Operations: 27 (12 +, 12 *, 3 /); the derived expression as written takes 39.  With the double-double operations for sums that may cancel: 371.
+    Operations: 27 (12 +, 12 *, 3 /); the derived expression as written takes 39.
+    With double-double operations for sums that may cancel: 371.
 
     Examples
     --------
@@ -428,7 +434,7 @@ def _space_map(
     )
 
 
-_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),))
+_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),), twin=ufunc("collinearity_space_map"))
 
 
 def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -481,7 +487,8 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
 
     Polynomial: no input is singular.
 
-    Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.  With the double-double operations for sums that may cancel: 2492.
+    Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.
+    With double-double operations for sums that may cancel: 2492.
 
     Examples
     --------
@@ -518,7 +525,7 @@ def _coplanarity_determinant(
     return (rounded(t203),)
 
 
-_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),))
+_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),), twin=ufunc("collinearity_coplanarity_determinant"))
 
 
 def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -569,7 +576,8 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     Not finite, with NumPy's floating-point warning, where one of these vanishes: a factor of a denominator above,
     of 36 terms.
 
-    Operations: 120 (17 +, 33 -, 67 *, 3 /); the derived expression as written takes 252.  With the double-double operations for sums that may cancel: 1969.
+    Operations: 120 (17 +, 33 -, 67 *, 3 /); the derived expression as written takes 252.
+    With double-double operations for sums that may cancel: 1969.
 
     Examples
     --------
@@ -601,7 +609,7 @@ def _intersect_three(
     return t94 / D, t106 / D, t118 / D
 
 
-_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),))
+_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect_three"))
 
 
 def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -673,7 +681,8 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``d14**2 + d24**2 + d34**2 +
     d44**2``.
 
-    Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.  With the double-double operations for sums that may cancel: 5274.
+    Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.
+    With double-double operations for sums that may cancel: 5274.
 
     Examples
     --------
@@ -783,7 +792,8 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xbar1*Ybar2 - Xbar2*Ybar1``.
 
-    Operations: 10 (1 -, 6 *, 3 /); the derived expression as written takes 18.  With the double-double operations for sums that may cancel: 63.
+    Operations: 10 (1 -, 6 *, 3 /); the derived expression as written takes 18.
+    With double-double operations for sums that may cancel: 63.
 
     Examples
     --------
@@ -801,7 +811,7 @@ def _model_point(
     return t0 * Xbar1 / t4, t0 * Ybar1 / t4, t0 * Zbar1 / t4
 
 
-_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),))
+_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),), twin=ufunc("collinearity_model_point"))
 
 
 def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translation: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -847,7 +857,8 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
 
     No input is singular.
 
-    Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.  With the double-double operations for sums that may cancel: 725.
+    Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.
+    With double-double operations for sums that may cancel: 725.
 
     Examples
     --------

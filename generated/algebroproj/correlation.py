@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 from ._primitives import null_vector, solve
@@ -80,7 +81,7 @@ def _design_row(
     return upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1)
 
 
-_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),))
+_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),), twin=ufunc("correlation_design_row"))
 
 
 def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -133,7 +134,7 @@ def _rhs(
     return (upp1 - up1,)
 
 
-_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),))
+_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),), twin=ufunc("correlation_rhs"))
 
 
 def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -172,7 +173,8 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
 
     Polynomial: no input is singular.
 
-    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.  With the double-double operations for sums that may cancel: 176.
+    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
+    With double-double operations for sums that may cancel: 176.
 
     Examples
     --------
@@ -193,7 +195,7 @@ def _epipolar_line_left(
     )
 
 
-_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),))
+_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_left"))
 
 
 def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -232,7 +234,8 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
 
     Polynomial: no input is singular.
 
-    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.  With the double-double operations for sums that may cancel: 176.
+    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
+    With double-double operations for sums that may cancel: 176.
 
     Examples
     --------
@@ -252,7 +255,7 @@ def _epipolar_line_right(
     )
 
 
-_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),))
+_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_right"))
 
 
 def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -308,7 +311,8 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     ``mupp1*mupp2*mupp3*upp31 + mupp1*mupp2*mupp3*upp32 - mupp1*mupp2*mupp3 + mupp1*mupp2 - mupp1*mupp3*upp32 -
     mupp2*mupp3*upp31``.
 
-    Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.  With the double-double operations for sums that may cancel: 877.
+    Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.
+    With double-double operations for sums that may cancel: 1358.
 
     Examples
     --------
@@ -324,27 +328,27 @@ def _correlation_from_cameras(
 ) -> tuple[Any, ...]:
     t0 = wide(mup3) * mupp1
     t2 = wide(mup1) * mupp3
-    q1 = rounded(t0 * up31 - t2 * upp31)
+    q1 = t0 * up31 - t2 * upp31
     t5 = wide(mup3) * mupp2
     t7 = wide(mup2) * mupp3
-    q2 = rounded(t5 * up32 - t7 * upp32)
-    t79 = wide(mup1) * mup2 * (wide(mup3) - 1) - mup3 * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
-    deltap = rounded(t79)
-    t86 = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - mupp3 * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
-    deltapp = rounded(t86)
+    q2 = t5 * up32 - t7 * upp32
+    deltap = wide(mup1) * mup2 * (wide(mup3) - 1) - mup3 * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
+    deltapp = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - mupp3 * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
     t35 = deltap * deltapp
     t47 = wide(mup3) - mupp3
     t50 = wide(mup1) - mupp1
-    t90 = wide(mup2) - mupp2
+    t54 = wide(mup2) - mupp2
     return (
-        0, mup1 * q2 / t35, -(mup2 * q1 / t35), -(mupp1 * q2 / t35), q2 * (mupp1 - mup1) / t35,
-        rounded(wide(mup2) * mupp1 * t47 - t7 * upp31 * t50 - t0 * up32 * t90) / t35, mupp2 * q1 / t35,
-        rounded(t2 * upp32 * t90 + t5 * up31 * t50 - wide(mup1) * mupp2 * t47) / t35,
-        q1 * rounded(t90) / t35,
+        0, rounded(mup1 * q2 / t35), rounded(-(mup2 * q1 / t35)), rounded(-(mupp1 * q2 / t35)),
+        rounded(q2 * (wide(mupp1) - mup1) / t35),
+        rounded((wide(mup2) * mupp1 * t47 - t7 * upp31 * t50 - t0 * up32 * t54) / t35),
+        rounded(mupp2 * q1 / t35),
+        rounded((t2 * upp32 * t54 + t5 * up31 * t50 - wide(mup1) * mupp2 * t47) / t35),
+        rounded(q1 * t54 / t35),
     )
 
 
-_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),))
+_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),), twin=ufunc("correlation_correlation_from_cameras"))
 
 
 def system(u_left: ArrayLike, u_right: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -436,7 +440,7 @@ def _system(
     )
 
 
-_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)))
+_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)), twin=ufunc("correlation_system"))
 
 
 def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -488,7 +492,8 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
     Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and it is
     arbitrarily large.
 
-    Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.  With the double-double operations for sums that may cancel: 485.
+    Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.
+    With double-double operations for sums that may cancel: 485.
 
     Examples
     --------
@@ -513,7 +518,7 @@ def _correlation_matrix(
     return 0, -(z11 + 1), -(z20 + z22), 1, z11, z12, z20, z21, z22
 
 
-_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("u_left", (5, 2)), ("u_right", (5, 2))), ((3, 3),), block=1024)
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("u_left", (5, 2)), ("u_right", (5, 2))), ((3, 3),), block=1024, twin=ufunc("correlation_correlation_matrix"))
 
 
 def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -568,7 +573,8 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: ND
     Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and it is
     arbitrarily large.
 
-    Operations: 33 (32 *, 1 null_vector); the derived expression as written takes 32.  With the double-double operations for sums that may cancel: 417.
+    Operations: 33 (32 *, 1 null_vector); the derived expression as written takes 32.
+    With double-double operations for sums that may cancel: 417.
 
     Examples
     --------
@@ -597,7 +603,7 @@ def _general_correlation_matrix(
     return c00, c01, c02, c10, c11, c12, c20, c21, c22
 
 
-_GENERAL_CORRELATION_MATRIX_SIGNATURE = Signature("general_correlation_matrix", (("v_left", (8, 2)), ("v_right", (8, 2))), ((3, 3),), block=1024)
+_GENERAL_CORRELATION_MATRIX_SIGNATURE = Signature("general_correlation_matrix", (("v_left", (8, 2)), ("v_right", (8, 2))), ((3, 3),), block=1024, twin=ufunc("correlation_general_correlation_matrix"))
 
 
 def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -638,7 +644,8 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``.
 
-    Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.  With the double-double operations for sums that may cancel: 236.
+    Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.
+    With double-double operations for sums that may cancel: 236.
 
     Examples
     --------
@@ -658,4 +665,4 @@ def _epipoles(
     )
 
 
-_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)))
+_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)), twin=ufunc("correlation_epipoles"))

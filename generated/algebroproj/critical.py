@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
@@ -55,7 +56,8 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | No
 
     Polynomial: no input is singular.
 
-    Operations: 159 (13 +, 51 -, 95 *); the derived expression as written takes 3184.  With the double-double operations for sums that may cancel: 2897.
+    Operations: 159 (13 +, 51 -, 95 *); the derived expression as written takes 3184.
+    With double-double operations for sums that may cancel: 2897.
 
     Examples
     --------
@@ -115,7 +117,7 @@ def _determinant(
     return (rounded(t148 - wide(up32) * upp31 * (t73 * t30 + t50 * t118 - t33 * t139 - t62 * t105)),)
 
 
-_DETERMINANT_SIGNATURE = Signature("determinant", (("u_left", (5, 2)), ("u_right", (5, 2))), ((),))
+_DETERMINANT_SIGNATURE = Signature("determinant", (("u_left", (5, 2)), ("u_right", (5, 2))), ((),), twin=ufunc("critical_determinant"))
 
 
 def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -152,7 +154,8 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None =
 
     Polynomial: no input is singular.
 
-    Operations: 30 (15 +, 15 *); the derived expression as written takes 30.  With the double-double operations for sums that may cancel: 482.
+    Operations: 30 (15 +, 15 *); the derived expression as written takes 30.
+    With double-double operations for sums that may cancel: 482.
 
     Examples
     --------
@@ -171,7 +174,7 @@ def _algebraic_distance(
     return (rounded(t42),)
 
 
-_ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), ("y", (3,))), ((),))
+_ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), ("y", (3,))), ((),), twin=ufunc("critical_algebraic_distance"))
 
 
 def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -230,7 +233,8 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
 
     Polynomial: no input is singular.
 
-    Operations: 854 (126 +, 213 -, 498 *, 6 /, 11 neg); the derived expression as written takes 99702.  With the double-double operations for sums that may cancel: 15556.
+    Operations: 854 (126 +, 213 -, 498 *, 6 /, 11 neg); the derived expression as written takes 99702.
+    With double-double operations for sums that may cancel: 15556.
 
     Examples
     --------
@@ -490,7 +494,8 @@ def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = 
 
     Polynomial: no input is singular.
 
-    Operations: 104 (19 +, 27 -, 55 *, 3 neg); the derived expression as written takes 191.  With the double-double operations for sums that may cancel: 1647.
+    Operations: 104 (19 +, 27 -, 55 *, 3 neg); the derived expression as written takes 191.
+    With double-double operations for sums that may cancel: 1647.
 
     Examples
     --------
@@ -533,7 +538,7 @@ def _invariants(
     )
 
 
-_INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)))
+_INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)), twin=ufunc("critical_invariants"))
 
 # These call functions of this module, and are imported after them.
 from .drivers import classify  # noqa: E402

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 from ._primitives import arctan2, cos_sin
@@ -85,7 +86,7 @@ def _reconstruct(
     return xp * t1, yp * t1, -(c * t1)
 
 
-_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),))
+_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),), twin=ufunc("metric_reconstruct"))
 
 
 def rotation_left(phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -203,7 +204,8 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
 
     No input is singular.
 
-    Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.  With the double-double operations for sums that may cancel: 305.
+    Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.
+    With double-double operations for sums that may cancel: 305.
 
     Examples
     --------
@@ -280,7 +282,8 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
 
     Polynomial: no input is singular.
 
-    Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.  With the double-double operations for sums that may cancel: 1218.
+    Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.
+    With double-double operations for sums that may cancel: 1218.
 
     Examples
     --------
@@ -313,7 +316,7 @@ def _correlation_matrix(
     )
 
 
-_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),))
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),), twin=ufunc("metric_correlation_matrix"))
 
 
 def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -385,7 +388,8 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
 
     No input is singular.
 
-    Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.  With the double-double operations for sums that may cancel: 1298.
+    Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.
+    With double-double operations for sums that may cancel: 1298.
 
     Examples
     --------
@@ -481,7 +485,8 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
 
     Polynomial: no input is singular.
 
-    Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.  With the double-double operations for sums that may cancel: 580.
+    Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.
+    With double-double operations for sums that may cancel: 580.
 
     Examples
     --------
@@ -509,7 +514,7 @@ def _coplanarity_row(
     return p1p * p2pp, p1p * p3pp, rounded(t40 * t52 + t44 * t56), -(p1pp * p2p), -(p1pp * p3p)
 
 
-_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),))
+_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),), twin=ufunc("metric_coplanarity_row"))
 
 
 def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -549,7 +554,8 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
 
-    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.  With the double-double operations for sums that may cancel: 263.
+    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
+    With double-double operations for sums that may cancel: 263.
 
     Examples
     --------
@@ -570,7 +576,7 @@ def _to_normal(
     )
 
 
-_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),))
+_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_to_normal"))
 
 
 def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -610,7 +616,8 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``.
 
-    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.  With the double-double operations for sums that may cancel: 263.
+    Operations: 19 (1 +, 5 -, 11 *, 2 /); the derived expression as written takes 24.
+    With double-double operations for sums that may cancel: 263.
 
     Examples
     --------
@@ -631,7 +638,7 @@ def _from_normal(
     )
 
 
-_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),))
+_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_from_normal"))
 
 
 def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -673,7 +680,8 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``c``.
 
-    Operations: 11 (2 +, 3 *, 3 /, 3 neg); the derived expression as written takes 10.  With the double-double operations for sums that may cancel: 135.
+    Operations: 11 (2 +, 3 *, 3 /, 3 neg); the derived expression as written takes 10.
+    With double-double operations for sums that may cancel: 135.
 
     Examples
     --------
@@ -692,7 +700,7 @@ def _jacobian_angles(
     return t1, -rounded(c + t11 * t11 / c), -yN, rounded(c + t13 * t13 / c), -t1, xN
 
 
-_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),))
+_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),), twin=ufunc("metric_jacobian_angles"))
 
 
 def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -737,7 +745,8 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
 
-    Operations: 56 (5 +, 11 -, 34 *, 6 /); the derived expression as written takes 84.  With the double-double operations for sums that may cancel: 726.
+    Operations: 56 (5 +, 11 -, 34 *, 6 /); the derived expression as written takes 84.
+    With double-double operations for sums that may cancel: 1081.
 
     Examples
     --------
@@ -751,21 +760,21 @@ def _jacobian_image(
     i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
     c: Any,
 ) -> tuple[Any, ...]:
-    depth = rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3)
-    slope_x = rounded(wide(i1) * x + wide(j1) * y - wide(c) * k1) / depth
-    slope_y = rounded(wide(i2) * x + wide(j2) * y - wide(c) * k2) / depth
+    depth = wide(i3) * x + wide(j3) * y - wide(c) * k3
+    slope_x = (wide(i1) * x + wide(j1) * y - wide(c) * k1) / depth
+    slope_y = (wide(i2) * x + wide(j2) * y - wide(c) * k2) / depth
     t23 = wide(i1) * j3 - wide(i3) * j1
     t27 = depth * depth
     t43 = wide(i2) * j3 - wide(i3) * j2
     return (
-        c * rounded(c * (wide(i1) * k3 - wide(i3) * k1) - y * t23) / t27,
-        c * rounded(c * (wide(j1) * k3 - wide(j3) * k1) + x * t23) / t27,
-        c * rounded(c * (wide(i2) * k3 - wide(i3) * k2) - y * t43) / t27,
-        c * rounded(c * (wide(j2) * k3 - wide(j3) * k2) + x * t43) / t27,
+        rounded(c * (c * (wide(i1) * k3 - wide(i3) * k1) - y * t23) / t27),
+        rounded(c * (c * (wide(j1) * k3 - wide(j3) * k1) + x * t23) / t27),
+        rounded(c * (c * (wide(i2) * k3 - wide(i3) * k2) - y * t43) / t27),
+        rounded(c * (c * (wide(j2) * k3 - wide(j3) * k2) + x * t43) / t27),
     )
 
 
-_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),))
+_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),), twin=ufunc("metric_jacobian_image"))
 
 
 def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, variance: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -824,7 +833,8 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``.
 
-    Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.  With the double-double operations for sums that may cancel: 2487.
+    Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.
+    With double-double operations for sums that may cancel: 2487.
 
     Examples
     --------
@@ -873,7 +883,7 @@ def _normal_covariance(
     )
 
 
-_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),))
+_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),), twin=ufunc("metric_normal_covariance"))
 
 
 def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left: ArrayLike, S_right: ArrayLike, S_mixed: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -927,7 +937,8 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``.
 
-    Operations: 78 (9 +, 16 -, 43 *, 9 /, 1 neg); the derived expression as written takes 330.  With the double-double operations for sums that may cancel: 1100.
+    Operations: 78 (9 +, 16 -, 43 *, 9 /, 1 neg); the derived expression as written takes 330.
+    With double-double operations for sums that may cancel: 1554.
 
     Examples
     --------
@@ -941,29 +952,28 @@ def _model_covariance(
     xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any, sl00: Any, sl01: Any, sl10: Any, sl11: Any, sr00: Any,
     sr01: Any, sr10: Any, sr11: Any, sm00: Any, sm01: Any, sm10: Any, sm11: Any,
 ) -> tuple[Any, ...]:
-    t0 = wide(xp) - xpp
-    parallax = rounded(t0)
+    parallax = wide(xp) - xpp
     t3 = wide(sr00) * xp - wide(sm00) * xpp
     t7 = wide(sm00) * xp - wide(sl00) * xpp
     t12 = parallax * parallax * parallax * parallax
     t30 = wide(sm00) * yp
-    t31 = t0 * sm10 + wide(sr00) * yp - t30
-    t36 = t30 + t0 * sl10 - wide(sl00) * yp
+    t31 = parallax * sm10 + wide(sr00) * yp - t30
+    t36 = t30 + parallax * sl10 - wide(sl00) * yp
+    t50 = rounded((parallax * (parallax * sl11 + wide(sm10) * yp - wide(sl01) * yp) + yp * t31 - yp * t36) / t12)
     t55 = wide(c) * sm00
     t57 = t55 - wide(c) * sr00
     t60 = t55 - wide(c) * sl00
     return (
-        rounded(xp * t3 - xpp * t7) / t12,
-        rounded(t0 * (wide(sm10) * xp - wide(sl01) * xpp) + yp * t3 - yp * t7) / t12,
-        rounded(c * t7 - c * t3) / t12, rounded(xp * t31 - xpp * t36) / t12,
-        rounded(t0 * (t0 * sl11 + wide(sm10) * yp - wide(sl01) * yp) + yp * t31 - yp * t36) / t12,
-        rounded(c * t36 - c * t31) / t12, rounded(xp * t57 + xpp * t60) / t12,
-        rounded(t0 * (wide(c) * sl01 - wide(c) * sm10) + yp * t57 + yp * t60) / t12,
-        -(rounded(c * t60 + c * t57) / t12),
+        rounded((xp * t3 - xpp * t7) / t12),
+        rounded((parallax * (wide(sm10) * xp - wide(sl01) * xpp) + yp * t3 - yp * t7) / t12),
+        rounded((c * t7 - c * t3) / t12), rounded((xp * t31 - xpp * t36) / t12), t50,
+        rounded((c * t36 - c * t31) / t12), rounded((xp * t57 + xpp * t60) / t12),
+        rounded((parallax * (wide(c) * sl01 - wide(c) * sm10) + yp * t57 + yp * t60) / t12),
+        rounded(-((c * t60 + c * t57) / t12)),
     )
 
 
-_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),))
+_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),), twin=ufunc("metric_model_covariance"))
 
 # These call functions of this module, and are imported after them.
 from .drivers import adjust  # noqa: E402

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
@@ -62,7 +63,8 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u32``, ``uN31 + uN32 -
     1``.
 
-    Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.  With the double-double operations for sums that may cancel: 42.
+    Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
+    With double-double operations for sums that may cancel: 42.
 
     Examples
     --------
@@ -80,7 +82,7 @@ def _tau(
     return u30 * uN31 / (u31 * uN30), u30 * uN32 / (u32 * uN30)
 
 
-_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),))
+_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),), twin=ufunc("normal_case_tau"))
 
 
 def transform(tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -139,7 +141,7 @@ def _transform(
     return 1, tau1 - 1, tau2 - 1, 0, tau1, 0, 0, 0, tau2
 
 
-_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),))
+_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),), twin=ufunc("normal_case_transform"))
 
 
 def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -179,7 +181,8 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``tau1*u1 + tau2*u2 - u1 - u2 +
     1``.
 
-    Operations: 10 (2 +, 2 -, 4 *, 2 /); the derived expression as written takes 16.  With the double-double operations for sums that may cancel: 90.
+    Operations: 10 (2 +, 2 -, 4 *, 2 /); the derived expression as written takes 16.
+    With double-double operations for sums that may cancel: 90.
 
     Examples
     --------
@@ -196,7 +199,7 @@ def _map_points(
     return tau1 * u1 / weight, tau2 * u2 / weight
 
 
-_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),))
+_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),), twin=ufunc("normal_case_map_points"))
 
 
 def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3_left: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -256,7 +259,8 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     yA2*yp01*yp03 - yA3*yp01**2 - yA3*yp01*yp02 + yA3*yp01 - yp01*yp03``, ``yA1*yp02 - yA2*yp01 - yA2*yp03 + yA2
     + yA3*yp02 - yp02``, ``yA2*yp03 - yA3*yp02``, ``yp01``, ``yp02``, ``yp03``, ``ypp03``.
 
-    Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.  With the double-double operations for sums that may cancel: 455.
+    Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
+    With double-double operations for sums that may cancel: 849.
 
     Examples
     --------
@@ -273,21 +277,22 @@ def _from_orientation(
     t0 = wide(yA2) - 1
     t3 = wide(yp02) - 1
     p01 = yp01 * (t0 + yA3) - yA1 * (t3 + yp03)
-    p02 = rounded(yp02 * (wide(yA1) + yA3 - 1) - yA2 * (wide(yp01) + yp03 - 1))
+    p02 = yp02 * (wide(yA1) + yA3 - 1) - yA2 * (wide(yp01) + yp03 - 1)
     p03 = yp03 * (t0 + yA1) - yA3 * (t3 + yp01)
-    a13 = rounded(wide(yA1) * yp03 - wide(yA3) * yp01)
-    a23 = rounded(wide(yA2) * yp03 - wide(yA3) * yp02)
-    t48 = wide(yp03) * u31
-    numerator = rounded(p03 * yp01 - t48 * p01)
-    uN32 = numerator * yp02 / (p02 * yp01 * yp03)
-    quotient = yp03 / ypp03
+    a13 = wide(yA1) * yp03 - wide(yA3) * yp01
+    a23 = wide(yA2) * yp03 - wide(yA3) * yp02
+    t26 = wide(yp03) * u31
+    numerator = p03 * yp01 - t26 * p01
+    t46 = numerator * yp02 / (p02 * yp01 * yp03)
+    uN32 = rounded(t46)
+    quotient = wide(yp03) / ypp03
     return (
-        -(rounded(t48) * a13 * p02 / (a23 * numerator)), u31, uN32, quotient * u31 * ypp01 / yp01,
-        quotient * uN32 * ypp02 / yp02,
+        rounded(-(t26 * a13 * p02 / (a23 * numerator))), u31, uN32, rounded(quotient * u31 * ypp01 / yp01),
+        rounded(quotient * t46 * ypp02 / yp02),
     )
 
 
-_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)))
+_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)), twin=ufunc("normal_case_from_orientation"))
 
 
 def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -332,7 +337,8 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``uN31*yA1 + uN31*yA2 +
     uN32*yA1*z_n + uN32*yA2*z_n - yA1 - yA2*z_n``, ``yA3``.
 
-    Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.  With the double-double operations for sums that may cancel: 131.
+    Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
+    With double-double operations for sums that may cancel: 131.
 
     Examples
     --------
@@ -355,7 +361,7 @@ def _mu_left(
     return t11, t11, yA0 * rounded(t17) / (difference * yA3)
 
 
-_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),))
+_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_left"))
 
 
 def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -403,7 +409,8 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-y02*yA3 + y03*yA2``, ``uppN31 +
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``.
 
-    Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.  With the double-double operations for sums that may cancel: 581.
+    Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
+    With double-double operations for sums that may cancel: 814.
 
     Examples
     --------
@@ -417,26 +424,24 @@ def _mu_right(
     yA1: Any, yA2: Any, yA3: Any, y01: Any, y02: Any, y03: Any, uppN31: Any, uppN32: Any, z_n: Any,
 ) -> tuple[Any, ...]:
     s0 = uppN31 + wide(uppN32) * z_n
-    t2 = s0 - 1
-    s1 = rounded(t2)
+    s1 = s0 - 1
     sz = z_n * (wide(uppN32) - 1) + uppN31
     t6 = wide(y03) * yA2
     t7 = wide(y02) * yA3
-    common = rounded(t6 - t7)
-    t45 = wide(z_n) - 1
-    t10 = rounded(t45)
+    common = t6 - t7
+    t10 = wide(z_n) - 1
     t12 = wide(yA1) - 1
     t14 = y02 * (t12 + yA3)
     t20 = y03 * (t12 + yA2)
     t26 = wide(y01) - 1
-    t32 = rounded(s0 * yA3 * t45 * (t6 - t14) - t2 * yA2 * z_n * (t7 - t20) - sz * yA2 * yA3 * t26) / (s1 * common * yA1 * t10)
+    t46 = (s0 * yA3 * t10 * (t6 - t14) - s1 * yA2 * z_n * (t7 - t20) - sz * yA2 * yA3 * t26) / (s1 * common * yA1 * t10)
     return (
-        t32, rounded(yA3 * (t26 + y02) - t20) / (common * t10),
-        rounded(t14 - yA2 * (t26 + y03)) / (common * s1),
+        rounded(t46), rounded((yA3 * (t26 + y02) - t20) / (common * t10)),
+        rounded((t14 - yA2 * (t26 + y03)) / (common * s1)),
     )
 
 
-_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),))
+_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_right"))
 
 
 def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -496,7 +501,7 @@ def _from_correlation(
     return -(z02 / t0), 1, -(z20 * t0 / (z02 * z10)), -(z01 / z10), t0 / z10
 
 
-_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)))
+_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)), twin=ufunc("normal_case_from_correlation"))
 
 
 def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -557,4 +562,4 @@ def _frame(
     return 1, 0, 0, 0, 1, z_n, 0, (tau1 - 1) / (tau2 - 1), 1
 
 
-_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),))
+_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),), twin=ufunc("normal_case_frame"))

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
@@ -86,7 +87,7 @@ def _lens_matrix(
     return f, 0, 0, 1, 0, f, 0, 0, 0, 0, f, 0, 0, 0, 0, f
 
 
-_LENS_MATRIX_SIGNATURE = Signature("lens_matrix", (("f", ()),), ((4, 4),))
+_LENS_MATRIX_SIGNATURE = Signature("lens_matrix", (("f", ()),), ((4, 4),), twin=ufunc("optics_lens_matrix"))
 
 
 def image_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -143,7 +144,7 @@ def _image_point(
     return magnification * xi1, magnification * xi2, magnification * xi3
 
 
-_IMAGE_POINT_SIGNATURE = Signature("image_point", (("f", ()), ("x", (3,))), ((3,),))
+_IMAGE_POINT_SIGNATURE = Signature("image_point", (("f", ()), ("x", (3,))), ((3,),), twin=ufunc("optics_image_point"))
 
 
 def object_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -200,7 +201,7 @@ def _object_point(
     return magnification * xip1, magnification * xip2, magnification * xip3
 
 
-_OBJECT_POINT_SIGNATURE = Signature("object_point", (("f", ()), ("x", (3,))), ((3,),))
+_OBJECT_POINT_SIGNATURE = Signature("object_point", (("f", ()), ("x", (3,))), ((3,),), twin=ufunc("optics_object_point"))
 
 
 def scale(f: ArrayLike, x3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -253,7 +254,7 @@ def _scale(
     return (f / (f + x3),)
 
 
-_SCALE_SIGNATURE = Signature("scale", (("f", ()), ("x3", ())), ((),))
+_SCALE_SIGNATURE = Signature("scale", (("f", ()), ("x3", ())), ((),), twin=ufunc("optics_scale"))
 
 
 def plane_homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -312,7 +313,7 @@ def _plane_homography(
     return mu0, mu1 - mu0, mu2 - mu0, 0, mu1, 0, 0, 0, mu2
 
 
-_PLANE_HOMOGRAPHY_SIGNATURE = Signature("plane_homography", (("mu", (3,)),), ((3, 3),))
+_PLANE_HOMOGRAPHY_SIGNATURE = Signature("plane_homography", (("mu", (3,)),), ((3, 3),), twin=ufunc("optics_plane_homography"))
 
 
 def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -352,7 +353,8 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0*u1 + mu0*u2 - mu0 - mu1*u1 -
     mu2*u2``.
 
-    Operations: 9 (2 +, 2 -, 3 *, 2 /); the derived expression as written takes 16.  With the double-double operations for sums that may cancel: 116.
+    Operations: 9 (2 +, 2 -, 3 *, 2 /); the derived expression as written takes 16.
+    With double-double operations for sums that may cancel: 116.
 
     Examples
     --------
@@ -371,7 +373,7 @@ def _map_plane_points(
     return rounded(t6) / weighted, rounded(t10) / weighted
 
 
-_MAP_PLANE_POINTS_SIGNATURE = Signature("map_plane_points", (("mu", (3,)), ("u", (2,))), ((2,),))
+_MAP_PLANE_POINTS_SIGNATURE = Signature("map_plane_points", (("mu", (3,)), ("u", (2,))), ((2,),), twin=ufunc("optics_map_plane_points"))
 
 
 def vanishing_line(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -424,4 +426,4 @@ def _vanishing_line(
     return mu0, mu1 - mu0, mu2 - mu0
 
 
-_VANISHING_LINE_SIGNATURE = Signature("vanishing_line", (("mu", (3,)),), ((3,),))
+_VANISHING_LINE_SIGNATURE = Signature("vanishing_line", (("mu", (3,)),), ((3,),), twin=ufunc("optics_vanishing_line"))

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
@@ -62,7 +63,8 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u01*u32*yA1 + u01*u32*yA2 -
     u01*yA2 - u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1``, ``yA3``.
 
-    Operations: 27 (12 -, 13 *, 2 /); the derived expression as written takes 99.  With the double-double operations for sums that may cancel: 336.
+    Operations: 27 (12 -, 13 *, 2 /); the derived expression as written takes 99.
+    With double-double operations for sums that may cancel: 336.
 
     Examples
     --------
@@ -83,7 +85,7 @@ def _left_bundle(
     return t20, t20, yA0 * rounded(wide(u02) * yA1 - wide(u01) * yA2) / (D * yA3)
 
 
-_LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),))
+_LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_left_bundle"))
 
 
 def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -133,7 +135,8 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-y01*yA3 + y03*yA1``, ``-y02*yA3
     + y03*yA2``, ``u01 + u02 - 1``, ``u01*u32 - u02*u31 + u02 - u32``.
 
-    Operations: 34 (4 +, 11 -, 16 *, 3 /); the derived expression as written takes 209.  With the double-double operations for sums that may cancel: 377.
+    Operations: 34 (4 +, 11 -, 16 *, 3 /); the derived expression as written takes 209.
+    With double-double operations for sums that may cancel: 377.
 
     Examples
     --------
@@ -157,7 +160,7 @@ def _right_bundle(
     return p03 * u01 / (p13 * u00), p03 * u02 / (p23 * u00), p02 * u02 / (n2 * p23)
 
 
-_RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),))
+_RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_right_bundle"))
 
 
 def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -233,7 +236,8 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``d03**2 + d13**2 + d23**2 +
     d33**2``.
 
-    Operations: 203 (24 +, 52 -, 120 *, 3 /, 4 neg); the derived expression as written takes 377.  With the double-double operations for sums that may cancel: 3388.
+    Operations: 203 (24 +, 52 -, 120 *, 3 /, 4 neg); the derived expression as written takes 377.
+    With double-double operations for sums that may cancel: 3388.
 
     Examples
     --------
@@ -305,4 +309,4 @@ def _intersect(
     )
 
 
-_INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),))
+_INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),), twin=ufunc("orientation_intersect"))

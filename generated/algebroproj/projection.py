@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
@@ -87,7 +88,7 @@ def _camera_matrix(
     return 1, mu1 - 1, mu2 - 1, mu3 - 1, 0, mu1, 0, mu3 * u31, 0, 0, mu2, mu3 * u32
 
 
-_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),))
+_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"))
 
 
 def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -129,7 +130,8 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
     ``y02``, ``y03``.
 
-    Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.  With the double-double operations for sums that may cancel: 56.
+    Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.
+    With double-double operations for sums that may cancel: 56.
 
     Examples
     --------
@@ -147,7 +149,7 @@ def _mu_from_center(
     return u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -(y00 / (u30 * y03))
 
 
-_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),))
+_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"))
 
 
 def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -188,7 +190,8 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*mu2*mu3*u31 +
     mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``.
 
-    Operations: 18 (1 +, 4 -, 9 *, 3 /, 1 neg); the derived expression as written takes 47.  With the double-double operations for sums that may cancel: 203.
+    Operations: 18 (1 +, 4 -, 9 *, 3 /, 1 neg); the derived expression as written takes 47.
+    With double-double operations for sums that may cancel: 203.
 
     Examples
     --------
@@ -208,7 +211,7 @@ def _center_from_mu(
     return rounded(t23) * mu3 / delta, rounded(t20) * mu3 / delta, -(rounded(t11) / delta)
 
 
-_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),))
+_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"))
 
 
 def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -262,7 +265,8 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
     ``y02``, ``y03``.
 
-    Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.  With the double-double operations for sums that may cancel: 310.
+    Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.
+    With double-double operations for sums that may cancel: 310.
 
     Examples
     --------
@@ -296,7 +300,7 @@ def _projection_matrix(
     )
 
 
-_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),))
+_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"))
 
 
 def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -357,7 +361,7 @@ def _projection_matrix_from_mu(
     return mu1 - 1, mu2 - 1, mu3 - 1, mu1, 0, mu3 * u31, 0, mu2, mu3 * u32
 
 
-_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),))
+_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"))
 
 
 def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -397,7 +401,8 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
     ``y02``, ``y03``.
 
-    Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.  With the double-double operations for sums that may cancel: 56.
+    Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.
+    With double-double operations for sums that may cancel: 245.
 
     Examples
     --------
@@ -410,12 +415,12 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
 def _projection_determinant(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    y00 = rounded(1 - wide(y01) - y02 - y03)
-    u30 = rounded(1 - wide(u31) - u32)
-    return (-(u31 * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03)),)
+    y00 = 1 - wide(y01) - y02 - y03
+    u30 = 1 - wide(u31) - u32
+    return (rounded(-(wide(u31) * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03))),)
 
 
-_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),))
+_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"))
 
 
 def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -452,7 +457,8 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
 
     Polynomial: no input is singular.
 
-    Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.  With the double-double operations for sums that may cancel: 197.
+    Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.
+    With double-double operations for sums that may cancel: 197.
 
     Examples
     --------
@@ -469,7 +475,7 @@ def _projection_determinant_from_mu(
     return (rounded(t18),)
 
 
-_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),))
+_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"))
 
 
 def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -523,7 +529,8 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u31 + u32 - 1``,
     ``u32``, ``y01``, ``y01 + y02 + y03 - 1``, ``y02``, ``y03``.
 
-    Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.  With the double-double operations for sums that may cancel: 378.
+    Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.
+    With double-double operations for sums that may cancel: 378.
 
     Examples
     --------
@@ -554,7 +561,7 @@ def _reconstruction_matrix(
     )
 
 
-_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),))
+_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"))
 
 
 def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -604,7 +611,8 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*mu2*mu3*u31 +
     mu1*mu2*mu3*u32 - mu1*mu2*mu3 + mu1*mu2 - mu1*mu3*u32 - mu2*mu3*u31``.
 
-    Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.  With the double-double operations for sums that may cancel: 346.
+    Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.
+    With double-double operations for sums that may cancel: 346.
 
     Examples
     --------
@@ -638,7 +646,7 @@ def _reconstruction_matrix_from_mu(
     )
 
 
-_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),))
+_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"))
 
 
 def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -680,7 +688,8 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu1*y1 + mu2*y2 + mu3*y3 - y1 -
     y2 - y3 + 1``.
 
-    Operations: 18 (5 +, 3 -, 8 *, 2 /); the derived expression as written takes 28.  With the double-double operations for sums that may cancel: 255.
+    Operations: 18 (5 +, 3 -, 8 *, 2 /); the derived expression as written takes 28.
+    With double-double operations for sums that may cancel: 255.
 
     Examples
     --------
@@ -698,4 +707,4 @@ def _project(
     return rounded(wide(mu1) * y1 + t10 * u31) / delta, rounded(wide(mu2) * y2 + t10 * u32) / delta
 
 
-_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),))
+_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"))

@@ -9,6 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._backend import ufunc
 from ._double_double import rounded, wide
 from ._evaluation import Signature, evaluate
 
@@ -83,7 +84,7 @@ def _homography(
     return mu0, mu1 - mu0, mu2 - mu0, mu3 - mu0, 0, mu1, 0, 0, 0, 0, mu2, 0, 0, 0, 0, mu3
 
 
-_HOMOGRAPHY_SIGNATURE = Signature("homography", (("mu", (4,)),), ((4, 4),))
+_HOMOGRAPHY_SIGNATURE = Signature("homography", (("mu", (4,)),), ((4, 4),), twin=ufunc("space_homography"))
 
 
 def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -126,7 +127,8 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | Non
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``y41``, ``y41 + y42 + y43 - 1``,
     ``y42``, ``y43``.
 
-    Operations: 10 (6 -, 4 /); the derived expression as written takes 24.  With the double-double operations for sums that may cancel: 62.
+    Operations: 10 (6 -, 4 /); the derived expression as written takes 24.
+    With double-double operations for sums that may cancel: 62.
 
     Examples
     --------
@@ -144,7 +146,7 @@ def _mu_from_fifth_point(
     return u0 / y0, u41 / y41, u42 / y42, u43 / y43
 
 
-_MU_FROM_FIFTH_POINT_SIGNATURE = Signature("mu_from_fifth_point", (("y4", (3,)), ("u4", (3,))), ((4,),))
+_MU_FROM_FIFTH_POINT_SIGNATURE = Signature("mu_from_fifth_point", (("y4", (3,)), ("u4", (3,))), ((4,),), twin=ufunc("space_mu_from_fifth_point"))
 
 
 def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -185,7 +187,8 @@ def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0*y1 + mu0*y2 + mu0*y3 - mu0 -
     mu1*y1 - mu2*y2 - mu3*y3``.
 
-    Operations: 13 (4 +, 2 -, 4 *, 3 /); the derived expression as written takes 33.  With the double-double operations for sums that may cancel: 164.
+    Operations: 13 (4 +, 2 -, 4 *, 3 /); the derived expression as written takes 33.
+    With double-double operations for sums that may cancel: 164.
 
     Examples
     --------
@@ -205,7 +208,7 @@ def _map_points(
     return rounded(t9) / weighted, rounded(t14) / weighted, rounded(t16) / weighted
 
 
-_MAP_POINTS_SIGNATURE = Signature("map_points", (("mu", (4,)), ("y", (3,))), ((3,),))
+_MAP_POINTS_SIGNATURE = Signature("map_points", (("mu", (4,)), ("y", (3,))), ((3,),), twin=ufunc("space_map_points"))
 
 
 def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -247,7 +250,8 @@ def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0``, ``mu1``, ``mu2``,
     ``mu3``.
 
-    Operations: 10 (3 +, 3 -, 4 /); the derived expression as written takes 19.  With the double-double operations for sums that may cancel: 246.
+    Operations: 10 (3 +, 3 -, 4 /); the derived expression as written takes 19.
+    With double-double operations for sums that may cancel: 246.
 
     Examples
     --------
@@ -268,4 +272,4 @@ def _map_plane(
     )
 
 
-_MAP_PLANE_SIGNATURE = Signature("map_plane", (("mu", (4,)), ("a", (4,))), ((4,),))
+_MAP_PLANE_SIGNATURE = Signature("map_plane", (("mu", (4,)), ("a", (4,))), ((4,),), twin=ufunc("space_map_plane"))

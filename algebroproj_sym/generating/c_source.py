@@ -1,0 +1,231 @@
+"""Printing programs as C99: a function for each kernel, which a module makes a generalized ufunc of NumPy.
+
+Statement by statement the C source does what the NumPy source does, in the same order, so that without contraction of
+operations both give the same bits.  Kernels that call a function of the C library, whose last digit is not the same
+everywhere, are left to the NumPy source.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from hashlib import sha256
+from itertools import chain, count
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from algebroproj_sym.declaring import LINEAR, Kernel
+from algebroproj_sym.expressions import entries
+from algebroproj_sym.generating.c_elimination import null_vector_body, solve_body
+from algebroproj_sym.generating.expansion import SPLITTER, expanded
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.program import Call, Operand, Program, Step
+
+COMPILED = ("let", *LINEAR)
+"""The primitive functions of which there is a compiled version."""
+
+LONGEST = 4000
+"""How many statements a compiler is asked to optimise at once."""
+
+DIGEST = "DIGEST_OF_THE_SOURCE"
+"""What stands, in templates, for a digest of the C source."""
+
+DTYPES = ("float", "double", "longdouble")
+
+BLOCK = 64
+"""How many points are gathered at a time: few enough that all entries of a kernel stay in the first-level cache."""
+
+_SOLVERS = {"solve": solve_body, "null_vector": null_vector_body}
+
+_WORDS = """
+    auto break case char const continue default do double else enum extern float for goto if inline int long register
+    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+    in out i points real splitter absolute isgreater
+"""
+_RESERVED = frozenset(_WORDS.split())
+
+_TEMPLATES = Environment(
+    loader=PackageLoader("algebroproj_sym.generating"), undefined=StrictUndefined, keep_trailing_newline=True
+)
+
+
+def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
+    """Return the files of the compiled twin.
+
+    Parameters
+    ----------
+    lowered : sequence of Lowered
+        The kernels with their programs; those that cannot be compiled are left out.
+    notice : str
+        What every generated file says about itself.
+
+    Returns
+    -------
+    dict of str to str
+        The text of each file by its name: ``_kernels.h`` with the formulas, ``_loops.h`` and ``_compiled.c`` with what
+        makes ufuncs of them.
+    """
+    compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
+    calls = {(call.primitive, len(call.rows)) for low in compiled for call in _calls(low.program)}
+    return {
+        "_kernels.h": _rendered(
+            "kernels.h.j2",
+            notice=notice,
+            solvers=[
+                {
+                    "name": name,
+                    "height": height,
+                    "width": height + (name == "null_vector"),
+                    "body": _SOLVERS[name](height),
+                }
+                for name, height in sorted(calls)
+                if name in LINEAR
+            ],
+            kernels=[{"name": c_name(low.kernel), "statements": statements(expanded(low.program))} for low in compiled],
+        ),
+        "_loops.h": _rendered("loops.h.j2", notice=notice),
+        "_compiled.c": _rendered(
+            "compiled.c.j2",
+            notice=notice,
+            digest=DIGEST,
+            block=BLOCK,
+            dtypes=DTYPES,
+            kernels=[_table_row(low.kernel) for low in compiled],
+            operands=max((len(_operands(low.kernel)) for low in compiled), default=1),
+            inputs=max((len(low.kernel.symbols) for low in compiled), default=1),
+            outputs=max((len(entries(low.kernel.form)) for low in compiled), default=1),
+        ),
+    }
+
+
+def stamped(files: Mapping[str, str]) -> dict[str, str]:
+    """Return files with the digest of the C source wherever it is wanted.
+
+    Examples
+    --------
+    >>> stamped({"a.h": "", "b.py": f"{DIGEST!r}"})["b.py"]
+    "'e3b0c44298fc1c14'"
+    """
+    source = "".join(text for name, text in sorted(files.items()) if name.endswith((".c", ".h")))
+    digest = sha256(source.encode()).hexdigest()[:16]
+    return {name: text.replace(DIGEST, digest) for name, text in files.items()}
+
+
+def is_compiled(low: Lowered) -> bool:
+    """Whether a kernel has a compiled version: its program calls no function of the C library, and is not too long."""
+    short = len(expanded(low.program).steps) <= LONGEST
+    return short and all(stage.primitive in COMPILED for stage in low.kernel.stages)
+
+
+def c_name(kernel: Kernel) -> str:
+    """Return what the C function and the ufunc of a kernel are called."""
+    return f"{kernel.module}_{kernel.name}"
+
+
+def statements(program: Program) -> list[str]:
+    r"""Return the statements of a program for point ``i``, which reads rows of ``in`` and writes rows of ``out``.
+
+    Examples
+    --------
+    >>> program = Program(("x", "y"), (Step("t0", "-", ("x", "y")), Step("t1", "/", (1, "t0"))), ("t1",))
+    >>> print(*statements(program), sep="\n")
+    const real x = in[0][i];
+    const real y = in[1][i];
+    const real t0 = x - y;
+    const real t1 = 1 / t0;
+    out[0][i] = t1;
+    """
+    names = _c_names(program)
+    used = _used(program)
+    lines = [f"const real {names[name]} = in[{place}][i];" for place, name in enumerate(program.inputs) if name in used]
+    systems = count()
+    for step in program.steps:
+        if used.isdisjoint([step.name] if isinstance(step, Step) else step.names):
+            continue
+        if isinstance(step, Step):
+            lines.append(f"const real {names[step.name]} = {_operation(step, names)};")
+        elif step.primitive == "let":
+            lines += [
+                f"const real {names[n]} = {_operand(operand, names)};"
+                for n, operand in zip(step.names, step.rows[0], strict=True)
+                if n in used
+            ]
+        else:
+            lines += _solve(step, next(systems), names)
+    return lines + [f"out[{place}][i] = {_operand(output, names)};" for place, output in enumerate(program.outputs)]
+
+
+def _used(program: Program) -> set[Operand]:
+    """Return the operands on which an output depends."""
+    used = set(program.outputs)
+    for step in reversed(program.steps):
+        if not used.isdisjoint([step.name] if isinstance(step, Step) else step.names):
+            used.update(step.operands)
+    return used
+
+
+def _solve(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
+    size = len(call.rows)
+    written = [[_operand(operand, names) for operand in row] for row in call.rows]
+    padded = [[*row, *["0"] * (2 * size + 2 - len(row))] for row in written]
+    rows = [f"    {{{', '.join(row)}}}," for row in padded]
+    return [
+        f"const real system{place}[{size}][{2 * size + 2}] = {{",
+        *rows,
+        "};",
+        f"real solution{place}[{len(call.names)}];",
+        f"NAME({call.primitive}_{size})(system{place}, solution{place});",
+        *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names)),
+    ]
+
+
+def _operation(step: Step, names: Mapping[Operand, str]) -> str:
+    operands = [_operand(operand, names) for operand in step.operands]
+    return f"-{operands[0]}" if step.operator == "neg" else f" {step.operator} ".join(operands)
+
+
+def _operand(operand: Operand, names: Mapping[Operand, str]) -> str:
+    if isinstance(operand, int):
+        return str(operand) if operand >= 0 else f"({operand})"
+    return names[operand]
+
+
+def _c_names(program: Program) -> dict[Operand, str]:
+    """Return a C identifier for each name of a program: the name itself wherever C leaves it free."""
+    given = chain.from_iterable((step.name,) if isinstance(step, Step) else step.names for step in program.steps)
+    wanted = [*program.inputs, *given]
+    fresh = (name for place in count() if (name := f"value_{place}") not in wanted)
+    names: dict[Operand, str] = {SPLITTER: "splitter"}
+    return names | {name: name if _is_free(name) else next(fresh) for name in wanted}
+
+
+def _is_free(name: str) -> bool:
+    return name.isascii() and name not in _RESERVED and not name.startswith(("system", "solution"))
+
+
+def _calls(program: Program) -> list[Call]:
+    return [step for step in program.steps if isinstance(step, Call)]
+
+
+def _operands(kernel: Kernel) -> list[tuple[int, ...]]:
+    """Return the core shapes of arguments and results."""
+    return [*(argument.shape for argument in kernel.arguments), *(result.shape for result in kernel.results)]
+
+
+def _table_row(kernel: Kernel) -> dict[str, object]:
+    cores = [f"({','.join(map(str, shape))})" for shape in _operands(kernel)]
+    split = len(kernel.arguments)
+    return {
+        "name": c_name(kernel),
+        "signature": f"{','.join(cores[:split])}->{','.join(cores[split:])}",
+        "arguments": split,
+        "results": len(kernel.results),
+        "refined": any(stage.primitive in LINEAR for stage in kernel.stages),
+        "operands": [
+            {"dimensions": len(shape), "rows": shape[0] if len(shape) == 2 else 1, "columns": shape[-1] if shape else 1}
+            for shape in _operands(kernel)
+        ],
+    }
+
+
+def _rendered(template: str, **given: object) -> str:
+    return _TEMPLATES.get_template(template).render(**given)

@@ -1,0 +1,149 @@
+"""Generated functions with twice the digits, and with bounds of their errors.
+
+Both run the body of a function, the one source of its formula, on numbers of another kind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from ._double_double import DoubleDouble, Unrounded
+from ._error_bounds import Bounded
+from ._evaluation import Body, Signature, evaluate
+
+__all__ = ["bounds", "dd"]
+
+BLOCK = 1024
+
+
+def dd(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a generated function that computes with twice the digits.
+
+    Parameters
+    ----------
+    function : callable
+        A generated function of this package.
+
+    Returns
+    -------
+    callable
+        It takes the arguments of the function, arrays or `DoubleDouble` numbers, and returns `DoubleDouble` numbers
+        ``hi + lo``: about 31 digits for float64, where that many are not lost to cancellation.  Functions of one
+        signature for one precision would be as many again; a function of functions is one name, and follows the
+        source that is proved.
+
+    Raises
+    ------
+    TypeError
+        If the function is not a generated one, or an argument is not real.
+
+    Examples
+    --------
+    >>> from algebroproj.optics import scale
+    >>> third = dd(scale)(1.0, 2.0)
+    >>> float(third.hi), float(third.lo)
+    (0.3333333333333333, 1.850371707708594e-17)
+    """
+    signature, body = _parts(function, "dd")
+    names = [f"{name} (second part)" for name, _ in signature.arguments]
+    rests = tuple((name, core) for name, (_, core) in zip(names, signature.arguments, strict=True))
+    both = Signature(signature.name, (*signature.arguments, *rests), signature.results * 2, BLOCK)
+
+    def with_twice_the_digits(*arguments: Any) -> Any:
+        _require_count(signature, arguments)
+        pairs = [number if isinstance(number, DoubleDouble) else DoubleDouble(number) for number in arguments]
+        heads = [_real(signature, pair.hi) for pair in pairs]
+        tails = [0 * head if pair.lo is None else pair.lo for head, pair in zip(heads, pairs, strict=True)]
+        parts = evaluate(both, _on_pairs(body), [*heads, *tails])
+        count = len(signature.results)
+        results = tuple(map(DoubleDouble, parts[:count], parts[count:]))
+        return results[0] if count == 1 else results
+
+    return with_twice_the_digits
+
+
+def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a generated function that gives, beside each value, a guaranteed bound of its absolute error.
+
+    Parameters
+    ----------
+    function : callable
+        A generated function of this package.
+
+    Returns
+    -------
+    callable
+        It takes the arguments of the function, and returns the pair (value, bound), or one for each result.  The value
+        is what the function returns.  The arguments are taken for exact.  A bound is infinite where nothing can be
+        said.
+
+    Raises
+    ------
+    TypeError
+        If the function is not a generated one, or an argument is not real.
+
+    Examples
+    --------
+    >>> from algebroproj.optics import scale
+    >>> value, bound = bounds(scale)(1.0, 2.0)
+    >>> float(value), bool(2e-17 < bound < 2e-16)
+    (0.3333333333333333, True)
+    """
+    signature, body = _parts(function, "bounds")
+    both = Signature(signature.name, signature.arguments, signature.results * 2, BLOCK)
+
+    def with_bounds(*arguments: Any) -> Any:
+        _require_count(signature, arguments)
+        with np.errstate(all="ignore"):
+            parts = evaluate(both, _on_bounded(body), [_real(signature, argument) for argument in arguments])
+        count = len(signature.results)
+        results = tuple(zip(parts[:count], parts[count:], strict=True))
+        return results[0] if count == 1 else results
+
+    return with_bounds
+
+
+def _on_pairs(body: Body) -> Body:
+    def on_pairs(*parts: Any) -> tuple[Any, ...]:
+        count = len(parts) // 2
+        results = body(*map(Unrounded, parts[:count], parts[count:]))
+        pairs = [result if isinstance(result, DoubleDouble) else DoubleDouble(result) for result in results]
+        return (*(pair.hi for pair in pairs), *(0 if pair.lo is None else pair.lo for pair in pairs))
+
+    return on_pairs
+
+
+def _on_bounded(body: Body) -> Body:
+    def on_bounded(*entries: Any) -> tuple[Any, ...]:
+        results = body(*(Bounded(entry, 0 * entry) for entry in entries))
+        numbers = [result if isinstance(result, Bounded) else Bounded(result, 0) for result in results]
+        return (*(number.value for number in numbers), *(number.error for number in numbers))
+
+    return on_bounded
+
+
+def _parts(function: Callable[..., Any], asked: str) -> tuple[Signature, Body]:
+    """Return the signature and the body of a generated function."""
+    names = getattr(function, "__globals__", {})
+    name = getattr(function, "__name__", repr(function))
+    signature = names.get(f"_{name.upper()}_SIGNATURE")
+    if not isinstance(signature, Signature):
+        raise TypeError(f"{asked}: expected a generated function, got {name}")
+    body: Body = names[f"_{name}"]
+    return signature, body
+
+
+def _require_count(signature: Signature, arguments: Sequence[Any]) -> None:
+    if len(arguments) != len(signature.arguments):
+        expected = ", ".join(name for name, _ in signature.arguments)
+        raise TypeError(f"{signature.name}: expected the arguments {expected}, got {len(arguments)}")
+
+
+def _real(signature: Signature, value: Any) -> Any:
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiub":
+        raise TypeError(f"{signature.name}: expected real machine numbers, got dtype {array.dtype}")
+    return array if array.dtype.kind == "f" else array.astype(np.float64)

@@ -1,0 +1,276 @@
+"""Executing generated C source, statement by statement, on exact numbers of any kind.
+
+This is C as far as the generator writes it: functions of declarations, assignments, array entries, arithmetic, the
+conditional operator, calls, and one loop over points.  Anything else is refused, so that nothing is proved of a source
+that is not understood.  Of the preprocessor's macros those are known that head a function or name one for its type.
+"""
+
+from __future__ import annotations
+
+import operator
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+from pycparser import CParser, c_ast
+from pycparser.c_parser import ParseError
+
+_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_FUNCTION = re.compile(r"^(KERNEL|SOLVER|INLINE)(\(.*?\)+)\n(\{\n.*?^\})", re.DOTALL | re.MULTILINE)
+_NAME = re.compile(r"\bNAME\((\w+)\)")
+_TYPES = "typedef double real; typedef long npy_intp;\n"
+_POINTS = "for (npy_intp i = 0; i < points; i++)"
+
+_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+}
+
+
+class NotUnderstoodError(ValueError):
+    """The source is not what the generator writes."""
+
+
+@dataclass(frozen=True)
+class Absolute:
+    """The absolute value of a number, which only comparisons use."""
+
+    value: Any
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What the source does not say itself.
+
+    Attributes
+    ----------
+    constants : mapping of str to number
+        The values of names that are no variables.
+    is_greater : callable, optional
+        Whether one absolute value is greater than another; for numbers without an order, a choice.  Without it, the
+        conditional operator is refused.
+    equal : callable
+        Whether two numbers are equal.
+    call : callable, optional
+        What a function that solves a linear system gives: from its name and the rows of the system.
+    """
+
+    constants: Mapping[str, Any] = field(default_factory=dict)
+    is_greater: Callable[[Any, Any], bool] | None = None
+    equal: Callable[[Any, Any], bool] = operator.eq
+    call: Callable[[str, list[list[Any]]], Sequence[Any]] | None = None
+
+
+@dataclass(frozen=True)
+class Source:
+    """The functions of a source: the text of each body by its name, after the macro that heads it."""
+
+    kernels: Mapping[str, str]
+    solvers: Mapping[str, str]
+    inlines: Mapping[str, str]
+
+
+@cache
+def source_of(text: str) -> Source:
+    r"""Take a source apart into its functions.
+
+    Examples
+    --------
+    >>> list(source_of("KERNEL(f)\n{\n    out[0][i] = 1;\n}\n").kernels)
+    ['f']
+    """
+    bare = _COMMENT.sub("", text)
+    rest = _FUNCTION.sub("", bare).split()
+    if rest:
+        raise NotUnderstoodError(f"C source: expected nothing but functions, got {' '.join(rest[:5])}")
+    functions: dict[str, dict[str, str]] = {"KERNEL": {}, "SOLVER": {}, "INLINE": {}}
+    for head, name, body in _FUNCTION.findall(bare):
+        if name in functions[head]:
+            raise NotUnderstoodError(f"C source: expected one function {head}{name}, got two")
+        functions[head][name] = _NAME.sub(r"\1", body)
+    kernels = {name[1:-1]: body for name, body in functions["KERNEL"].items()}
+    solvers = {"_".join(name[1:-1].split(", ")[:2]): body for name, body in functions["SOLVER"].items()}
+    inlines = {name.split(")")[0][1:]: name.partition(")")[2] + body for name, body in functions["INLINE"].items()}
+    return Source(kernels, solvers, inlines)
+
+
+def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Meaning) -> list[Any]:
+    """Execute a kernel for one point; return its outputs.
+
+    Parameters
+    ----------
+    source : Source
+        The functions.
+    name : str
+        The kernel.
+    inputs : sequence of number
+        The entries of its arguments.
+    meaning : Meaning
+        What the source does not say itself.
+
+    Raises
+    ------
+    NotUnderstoodError
+        If there is no such kernel, it is more than one loop over points, or an output is not set.
+    """
+    if name not in source.kernels:
+        raise NotUnderstoodError(f"C source: expected a kernel {name}, there is none")
+    body = source.kernels[name]
+    if not body.lstrip("{\n ").startswith(_POINTS):
+        raise NotUnderstoodError(f"{name}: expected a loop over points")
+    statements = _parsed(f"void {name}(void)\n{body.replace(_POINTS, '', 1)}").body.block_items
+    if len(statements) != 1 or not isinstance(statements[0], c_ast.Compound):
+        raise NotUnderstoodError(f"{name}: expected one loop over points")
+    variables: dict[str, Any] = {"in": [[value] for value in inputs], "out": {}, "i": _POINT}
+    _run(statements[0], _Scope(variables, source, meaning))
+    outputs: dict[int, Any] = variables["out"]
+    if sorted(outputs) != list(range(len(outputs))):
+        raise NotUnderstoodError(f"{name}: expected all outputs to be set, got {sorted(outputs)}")
+    return [outputs[place] for place in range(len(outputs))]
+
+
+def solver_outputs(source: Source, name: str, system: list[list[Any]], meaning: Meaning) -> list[Any]:
+    """Execute a function that solves a linear system, given row by row; return its solution."""
+    if name not in source.solvers:
+        raise NotUnderstoodError(f"C source: expected a function {name}, there is none")
+    variables: dict[str, Any] = {"system": system, "solution": {}}
+    _run(_parsed(f"void {name}(void)\n{source.solvers[name]}").body, _Scope(variables, source, meaning))
+    return [variables["solution"][place] for place in range(len(variables["solution"]))]
+
+
+@dataclass(frozen=True)
+class _Scope:
+    """The variables of a function, in the order in which they are declared, and what they are used with."""
+
+    variables: dict[str, Any]
+    source: Source
+    meaning: Meaning
+
+
+_POINT = object()
+"""The index of the point: it may only choose the column of inputs and outputs."""
+
+
+@cache
+def _parsed(text: str) -> Any:
+    try:
+        return CParser().parse(_TYPES + text).ext[-1]
+    except ParseError as error:
+        raise NotUnderstoodError(f"C source: {error}") from error
+
+
+def _run(block: Any, scope: _Scope) -> Any:
+    """Execute the statements of a block; return the value of its return statement."""
+    for statement in block.block_items:
+        match statement:
+            case c_ast.Return():
+                return _value(statement.expr, scope)
+            case c_ast.Decl():
+                _declare(statement, scope)
+            case c_ast.Assignment(op="="):
+                _assign(statement, scope)
+            case c_ast.FuncCall():
+                _solve(statement, scope)
+            case _:
+                raise NotUnderstoodError(f"C source: unexpected {type(statement).__name__} at {statement.coord}")
+    return None
+
+
+def _declare(statement: Any, scope: _Scope) -> None:
+    if statement.name in scope.variables:
+        raise NotUnderstoodError(f"C source: {statement.name} is declared twice")
+    if isinstance(statement.type, c_ast.TypeDecl) and statement.init is None:
+        scope.variables[statement.name] = None
+    elif isinstance(statement.type, c_ast.TypeDecl):
+        value = _value(statement.init, scope)
+        if statement.type.type.names != (["int"] if isinstance(value, bool) else ["real"]):
+            raise NotUnderstoodError(f"C source: unexpected type of {statement.name}")
+        scope.variables[statement.name] = value
+    elif statement.init is None:
+        scope.variables[statement.name] = {}
+    else:
+        rows = statement.init.exprs
+        scope.variables[statement.name] = [[_value(e, scope) for e in row.exprs] for row in rows]
+
+
+def _assign(statement: Any, scope: _Scope) -> None:
+    value = _value(statement.rvalue, scope)
+    target = statement.lvalue
+    if isinstance(target, c_ast.ID) and target.name in scope.variables:
+        scope.variables[target.name] = value
+        return
+    match target:
+        case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name="out"), subscript=place), subscript=column):
+            if _value(column, scope) is not _POINT:
+                raise NotUnderstoodError("C source: expected outputs of the point of the loop")
+            scope.variables["out"][_index(place)] = value
+        case c_ast.ArrayRef(name=c_ast.ID(name=name), subscript=place) if isinstance(scope.variables.get(name), dict):
+            scope.variables[name][_index(place)] = value
+        case _:
+            raise NotUnderstoodError(f"C source: unexpected target at {target.coord}")
+
+
+def _solve(statement: Any, scope: _Scope) -> None:
+    """Let a linear system be solved by the function that a statement calls."""
+    system, solution = (argument.name for argument in statement.args.exprs)
+    if scope.meaning.call is None or scope.variables[solution] != {}:
+        raise NotUnderstoodError(f"C source: unexpected call of {statement.name.name}")
+    results = scope.meaning.call(statement.name.name, scope.variables[system])
+    scope.variables[solution] |= dict(enumerate(results))
+
+
+def _index(node: Any) -> int:
+    if not isinstance(node, c_ast.Constant) or node.type != "int":
+        raise NotUnderstoodError("C source: expected a number as index")
+    return int(node.value)
+
+
+def _value(node: Any, scope: _Scope) -> Any:
+    def value(part: Any) -> Any:
+        return _value(part, scope)
+
+    match node:
+        case c_ast.Constant(type="int"):
+            return int(node.value)
+        case c_ast.ID(name=name) if scope.variables.get(name) is not None:
+            return scope.variables[name]
+        case c_ast.ID(name=name) if name in scope.meaning.constants:
+            return scope.meaning.constants[name]
+        case c_ast.UnaryOp(op="-"):
+            return -value(node.expr)
+        case c_ast.TernaryOp() if scope.meaning.is_greater is not None:
+            return value(node.iftrue if value(node.cond) else node.iffalse)
+        case c_ast.BinaryOp():
+            return _operation(node.op, value(node.left), value(node.right), scope.meaning)
+        case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name="in"), subscript=place), subscript=column):
+            if value(column) is not _POINT:
+                raise NotUnderstoodError("C source: expected inputs of the point of the loop")
+            return scope.variables["in"][_index(place)][0]
+        case c_ast.ArrayRef():
+            return value(node.name)[_index(node.subscript)]
+        case c_ast.FuncCall(name=c_ast.ID(name="absolute")):
+            return Absolute(value(node.args.exprs[0]))
+        case c_ast.FuncCall(name=c_ast.ID(name="isgreater")) if scope.meaning.is_greater is not None:
+            left, right = map(value, node.args.exprs)
+            return scope.meaning.is_greater(left.value, right.value)
+        case c_ast.FuncCall(name=c_ast.ID(name=name)) if name in scope.source.inlines:
+            function = _parsed(f"real {name}{scope.source.inlines[name]}")
+            names = [parameter.name for parameter in function.decl.type.args.params]
+            local = dict(zip(names, map(value, node.args.exprs), strict=True))
+            return _run(function.body, _Scope(local, scope.source, scope.meaning))
+        case _:
+            raise NotUnderstoodError(f"C source: unexpected {type(node).__name__}")
+
+
+def _operation(sign: str, left: Any, right: Any, meaning: Meaning) -> Any:
+    if _POINT in (left, right) or (isinstance(left, int) and isinstance(right, int)):
+        raise NotUnderstoodError("C source: expected no arithmetic of integers, which C does in another way")
+    if sign == "==":
+        return meaning.equal(left, right)
+    if sign in _ARITHMETIC:
+        return _ARITHMETIC[sign](left, right)
+    raise NotUnderstoodError(f"C source: unexpected operator {sign}")

@@ -1,0 +1,205 @@
+"""Proving the shipped C source: executed on rational functions, it must give the derivation.
+
+Functions that solve linear systems are proved apart, once for each size; in the kernels they are replaced as the
+primitive functions of the NumPy source are.  What is proved is what the source says of real numbers: error terms of
+sums and products are then zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import sympy
+from flint.utils.flint_exceptions import DomainError
+from sympy.polys.polyerrors import ExactQuotientFailed
+
+from algebroproj_sym.declaring import LINEAR, Kernel
+from algebroproj_sym.generating import Lowered, c_name, is_compiled
+from algebroproj_sym.proving import RationalFunction, RationalFunctionField
+from algebroproj_sym.proving.engines import ring
+from algebroproj_sym.verifying.c_execution import (
+    Meaning,
+    NotUnderstoodError,
+    Source,
+    kernel_outputs,
+    solver_outputs,
+    source_of,
+)
+from algebroproj_sym.verifying.proof_of_source import expected_values
+
+KERNELS = "_kernels.h"
+_REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
+"""What a division of polynomials raises that leaves a remainder."""
+
+_SPLITTER = sympy.Symbol("splitter")
+
+
+def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "flint") -> bool:
+    """Whether the C source of a kernel, executed on rational functions, is identical to the derivation.
+
+    Parameters
+    ----------
+    lowered : Lowered
+        The kernel and its program.
+    package : module
+        In whose folder the source is.
+    engine : {"flint", "sympy"}
+        The polynomial arithmetic.
+
+    Returns
+    -------
+    bool
+        True also for a kernel that is left to the NumPy source.
+    """
+    if not is_compiled(lowered):
+        return True
+    kernel = lowered.kernel
+    path = Path(str(package.__file__)).parent / KERNELS
+    if not path.is_file():
+        return False
+    try:
+        source = source_of(path.read_text(encoding="utf-8"))
+        systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
+        return kernel_is_proved(kernel, source, engine) and all(
+            solver_is_proved(source, primitive, height, engine) for primitive, height in systems
+        )
+    except NotUnderstoodError:
+        return False
+
+
+def kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> bool:
+    """Whether a kernel gives the derivation, if what it calls solves linear systems."""
+    called = [stage for stage in kernel.stages if stage.primitive in LINEAR]
+    free = [symbol for stage in called for symbol in stage.results]
+    field = RationalFunctionField((*kernel.symbols, *free, _SPLITTER), engine)
+    stages = iter(called)
+    given: list[Any] = []
+
+    def call(name: str, rows: list[list[Any]]) -> Sequence[Any]:
+        stage = next(stages, None)
+        if stage is None or name != f"{stage.primitive}_{stage.derived.rows}":
+            raise NotUnderstoodError(f"{kernel.qualified_name}: unexpected call of {name}")
+        width = stage.derived.cols
+        if [len(row) for row in rows] != [2 * width] * stage.derived.rows:
+            raise NotUnderstoodError(f"{kernel.qualified_name}: expected rows of {width} entries, and as many rests")
+        given.extend(row[j] + row[width + j] for row in rows for j in range(width))
+        return [field.variables[symbol] for symbol in stage.results]
+
+    meaning = Meaning(constants={"splitter": field.variables[_SPLITTER]}, call=call)
+    inputs = [field.variables[symbol] for symbol in kernel.symbols]
+    outputs = kernel_outputs(source, c_name(kernel), inputs, meaning)
+    computed = [_element(value, field) for value in (*given, *outputs)]
+    expected = expected_values(kernel, field)
+    same_length = len(computed) == len(expected)
+    return same_length and all((value - got).is_zero for value, got in zip(expected, computed, strict=True))
+
+
+def _element(value: Any, field: RationalFunctionField) -> RationalFunction:
+    return value if isinstance(value, RationalFunction) else field.lift(Fraction(value))
+
+
+def solver_is_proved(source: Source, primitive: str, height: int, engine: str = "flint") -> bool:
+    """Whether a function solves the linear systems of one size.
+
+    It is executed on systems that are made backwards, from what elimination leaves of them: the triangle, the factors
+    and the solution are free, so that all systems with pivots are among them, and every division is one of polynomials
+    without a remainder.  This is done for no exchange of rows, for each single one, and for all of them; with the
+    refinement taken for finite, and without it.
+
+    Parameters
+    ----------
+    source : Source
+        The functions.
+    primitive : {"solve", "null_vector"}
+        Which function.
+    height : int
+        The number of equations.
+    engine : {"flint", "sympy"}
+        The polynomial arithmetic.
+    """
+    lines = height if primitive == "solve" else height + 1
+    places = [(k, i) for k in range(height) for i in range(k + 1, lines)]
+    chosen = [[], *([place] for place in places), places]
+    proved = _solves if primitive == "solve" else _spans
+    systems = (_system(primitive, height, places, exchanges, engine) for exchanges in chosen)
+    try:
+        return all(
+            proved(source, f"{primitive}_{height}", system, _meaning(system, finite))
+            for system in systems
+            for finite in (True, False)
+        )
+    except _REMAINDERS:
+        return False
+
+
+@dataclass(frozen=True)
+class _System:
+    """Rows of free entries, from which rounding took nothing; the exchanges that are made; free unknowns."""
+
+    rows: list[list[Any]]
+    exchanges: list[bool]
+    unknowns: list[Any]
+    splitter: Any
+
+
+def _system(
+    primitive: str, height: int, places: Sequence[tuple[int, int]], exchanges: Sequence[tuple[int, int]], engine: str
+) -> _System:
+    """Undo an elimination: of the rows of a system that is solved, of the columns where a vector is to be spanned."""
+    names = ["splitter", *(f"x{k}" for k in range(height))]
+    names += [f"f{k}_{i}" for k in range(height) for i in range(k + 1, height)]
+    names += [f"u{k}_{j}" for k in range(height) for j in range(k, height)]
+    free = dict(zip(names, ring(engine, names).generators, strict=True))
+    unknowns = [free[f"x{k}"] for k in range(height)]
+    upper = [[free.get(f"u{k}_{j}", 0) for j in range(height)] for k in range(height)]
+    sign = 1 if primitive == "solve" else -1
+    rests = [0] * (height + 1)
+    rows = [[*row, sign * _product(row, unknowns)] for row in upper]
+    for k in reversed(range(height)):
+        for i in range(k + 1, height):
+            rows[i] = [entry + free[f"f{k}_{i}"] * above for entry, above in zip(rows[i], rows[k], strict=True)]
+        for first, second in reversed([place for place in places if place[0] == k and place in exchanges]):
+            rows = _exchanged(rows, first, second, primitive)
+    return _System(
+        [[*row, *rests] for row in rows], [place in exchanges for place in places], unknowns, free["splitter"]
+    )
+
+
+def _exchanged(rows: list[list[Any]], first: int, second: int, primitive: str) -> list[list[Any]]:
+    """Exchange two rows, or two columns."""
+    lines = rows if primitive == "solve" else [list(column) for column in zip(*rows, strict=True)]
+    lines[first], lines[second] = lines[second], lines[first]
+    return lines if primitive == "solve" else [list(row) for row in zip(*lines, strict=True)]
+
+
+def _solves(source: Source, name: str, system: _System, meaning: Meaning) -> bool:
+    solution = solver_outputs(source, name, system.rows, meaning)
+    return len(solution) == len(system.unknowns) and all(
+        got - wanted == 0 for got, wanted in zip(solution, system.unknowns, strict=True)
+    )
+
+
+def _spans(source: Source, name: str, system: _System, meaning: Meaning) -> bool:
+    """Whether a vector spans the null space; the component that is 1 is taken for the largest."""
+    vector = solver_outputs(source, name, system.rows, meaning)
+    width = len(system.unknowns) + 1
+    zero = len(vector) == width and all(_product(row[:width], vector) == 0 for row in system.rows)
+    return zero and any(component == 1 for component in vector)
+
+
+def _meaning(system: _System, finite: bool) -> Meaning:
+    exchanges = iter(system.exchanges)
+    return Meaning(
+        constants={"splitter": system.splitter},
+        is_greater=lambda candidate, _: next(exchanges, candidate == 1),
+        equal=lambda left, right: finite,
+    )
+
+
+def _product(row: Sequence[Any], column: Sequence[Any]) -> Any:
+    return sum(left * right for left, right in zip(row, column, strict=True))

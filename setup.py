@@ -1,0 +1,25 @@
+"""The extension module of the compiled twin, which is left out where there is no C compiler; see pyproject.toml."""
+
+import sys
+
+import numpy
+from setuptools import Extension, setup
+
+# No contraction of operations and no option that changes values: the results are those of the NumPy source, bit by bit.
+# Loops over points are vectorised; to look for the like in thousands of lines without a loop takes a compiler minutes.
+VECTORISED = ["-O2", "-ftree-loop-vectorize", "-fvect-cost-model=dynamic", "-fno-tree-slp-vectorize"]
+OPTIONS = ["/fp:precise"] if sys.platform == "win32" else ["-std=c99", *VECTORISED, "-ffp-contract=off"]
+FOLDER = "generated/algebroproj"
+
+setup(
+    ext_modules=[
+        Extension(
+            "algebroproj._compiled",
+            [f"{FOLDER}/_compiled.c"],
+            depends=[f"{FOLDER}/_kernels.h", f"{FOLDER}/_loops.h"],
+            include_dirs=[numpy.get_include()],
+            extra_compile_args=OPTIONS,
+            optional=True,
+        )
+    ]
+)

@@ -1,0 +1,237 @@
+"""The C source says the same as the derivations, statement by statement; an error in it is found."""
+
+import re
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+import sympy
+
+from algebroproj_sym import Section
+from algebroproj_sym.declaring import kernels
+from algebroproj_sym.expressions import over, vector
+from algebroproj_sym.generating import PACKAGE, Program, Step, c_files, c_name, lower
+from algebroproj_sym.generating.c_source import LONGEST, stamped, statements
+from algebroproj_sym.generating.expansion import expanded
+from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, kernel_outputs, source_of
+from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved, kernel_is_proved, solver_is_proved
+
+FOLDER = Path(__file__).resolve().parent.parent / "generated" / PACKAGE
+SOURCE = source_of((FOLDER / "_kernels.h").read_text(encoding="utf-8"))
+COMPILED = {kernel.qualified_name: kernel for kernel in kernels() if c_name(kernel) in SOURCE.kernels}
+SOLVERS = [("solve", 5), ("null_vector", 8)]
+
+
+@pytest.fixture(scope="module")
+def text():
+    return (FOLDER / "_kernels.h").read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def source():
+    return SOURCE
+
+
+def kernel_of(source, name):
+    """Return the text of a kernel as a source of its own."""
+    return f"KERNEL({name})\n{source.kernels[name]}\n"
+
+
+def changed(text, old, new):
+    assert text.count(old) == 1, old
+    return source_of(text.replace(old, new))
+
+
+def demonstration(name="second.half", symbols="x y"):
+    x, y = sympy.symbols(symbols)
+    return Section("demo", "1", "Demonstration").kernel(
+        name,
+        "A function.",
+        arguments={str(x): x, "p": vector(y)},
+        derived=vector(over(x, y), x + y),
+        claims=["1.1"],
+        example={str(x): "0.5", "p": ("0.25",)},
+        describe={str(x): "A length in meters.", "p": "A point."},
+    )
+
+
+def test_only_long_kernels_and_those_that_call_functions_of_the_c_library_are_left_out(lowered):
+    left_out = {kernel.qualified_name for kernel in kernels()} - COMPILED.keys()
+    calling = {k.qualified_name for k in kernels() if {"cos_sin", "arctan2"} & {s.primitive for s in k.stages}}
+    assert calling <= left_out
+    for name in left_out - calling:
+        assert len(expanded(lowered(name).program).steps) > LONGEST
+
+
+def test_the_source_has_kernels_that_are_declared_and_no_other(source):
+    assert source.kernels.keys() == {c_name(kernel) for kernel in COMPILED.values()}
+    assert source.solvers.keys() == {f"{name}_{height}" for name, height in SOLVERS}
+
+
+@pytest.mark.parametrize("name", COMPILED)
+def test_every_kernel_is_proved(name, source):
+    assert kernel_is_proved(COMPILED[name], source)
+
+
+@pytest.mark.parametrize(("name", "height"), SOLVERS)
+def test_what_the_kernels_call_solves_linear_systems(name, height, source):
+    assert solver_is_proved(source, name, height)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("const real t0 = up1 * upp1;", "const real t0 = up1 + upp1;"),
+        ("const real up1 = in[0][i];", "const real up1 = in[1][i];"),
+        ("out[0][i]", "out[1][i]"),
+    ],
+)
+def test_a_planted_error_in_a_kernel_is_found(old, new):
+    x, y = sympy.symbols("up1 upp1")
+    kernel = Section("demo", "1", "Demonstration").kernel(
+        "first.product",
+        "A function.",
+        arguments={"p": vector(x, y)},
+        derived=vector(x * y, x),
+        claims=["1.1"],
+        example={"p": ("0.5", "0.25")},
+        describe={"p": "A point."},
+    )
+    text = c_files([lower(kernel)], "")["_kernels.h"]
+    assert kernel_is_proved(kernel, source_of(text))
+    wrong = changed(text, old, new)
+    try:
+        assert not kernel_is_proved(kernel, wrong)
+    except NotUnderstoodError:
+        assert new.startswith("out")
+
+
+@pytest.mark.parametrize("name", ["correlation.correlation_matrix", "projection.projection_matrix"])
+def test_each_exchange_of_one_operator_in_a_shipped_kernel_is_found(name, source):
+    text = kernel_of(source, c_name(COMPILED[name]))
+    for place in re.finditer(r" [-+*/] ", text):
+        sign = {"+": "-", "-": "+", "*": "/", "/": "*"}[place.group().strip()]
+        wrong = f"{text[: place.start()]} {sign} {text[place.end() :]}"
+        if "points" not in text[place.start() - 20 : place.end()]:
+            assert not kernel_is_proved(COMPILED[name], source_of(wrong)), place
+
+
+@pytest.mark.parametrize(
+    ("name", "height", "old", "new"),
+    [
+        ("solve", 5, "const real f0_1 = a1_0 / a0_0;", "const real f0_1 = a1_0 / a1_1;"),
+        ("solve", 5, "a4_4 = a4_4 - f0_4 * a0_4;", "a4_4 = a4_4 + f0_4 * a0_4;"),
+        ("solve", 5, "a0_3 = swap0_2 ? a2_3 : a0_3;", "a0_3 = swap0_1 ? a2_3 : a0_3;"),
+        ("solve", 5, "b3 = swap1_3 ? kept : b3;", "b3 = swap1_3 ? b3 : kept;"),
+        ("solve", 5, "h3 = s3_4;", "h3 = s3_3;"),
+        ("solve", 5, "real h2 = system[2][5];", "real h2 = system[2][4];"),
+        ("solve", 5, "solution[2] = y2;", "solution[2] = y3;"),
+        ("null_vector", 8, "x7 = x7 - a7_8 * x8;", "x7 = x7 + a7_8 * x8;"),
+        ("null_vector", 8, "solution[3] = y3 / largest;", "solution[3] = y4 / largest;"),
+    ],
+)
+def test_a_planted_error_in_a_solver_is_found(name, height, old, new, source):
+    body = source.solvers[f"{name}_{height}"]
+    assert body.count(old) == 1
+    wrong = replace(source, solvers={f"{name}_{height}": body.replace(old, new)})
+    assert not solver_is_proved(wrong, name, height)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("return (a - (s - t)) + (b - t);", "return (a - (s - t)) + (b + t);"),
+        ("const real a_low = a - a_high;", "const real a_low = a + a_high;"),
+        ("(((a_high * b_high - p)", "(((a_high * b_high + p)"),
+    ],
+)
+def test_an_error_term_that_is_not_zero_in_real_arithmetic_is_found(old, new, text):
+    assert not solver_is_proved(changed(text, old, new), "solve", 5)
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "out[0][i] = 1 / 2;",
+        "out[0][i] = in[0][0];",
+        "out[0][0] = in[0][i];",
+        "out[0][i] = in[0][i + 1];",
+        "const int x = in[0][i];\n        out[0][i] = x;",
+        "const real x = in[0][i];\n        const real x = in[0][i];\n        out[0][i] = x;",
+        "out[0][i] = sqrt(in[0][i]);",
+        "out[0][i] = x;",
+        "out[0][i] = in[0][i] ? in[0][i] : in[0][i];",
+        "out[1][i] = in[0][i];",
+        "out[0][i] = 0.5;",
+        "if (i) out[0][i] = in[0][i];",
+        "out[0][i] = in[0][i]",
+    ],
+)
+def test_what_is_not_understood_is_refused(body):
+    text = f"KERNEL(f)\n{{\n    for (npy_intp i = 0; i < points; i++) {{\n        {body}\n    }}\n}}\n"
+    with pytest.raises(NotUnderstoodError):
+        kernel_outputs(source_of(text), "f", [sympy.Symbol("x")], Meaning())
+
+
+@pytest.mark.parametrize("head", ["#define t0 0", "static int x;"])
+def test_nothing_stands_between_the_functions(head):
+    with pytest.raises(NotUnderstoodError, match="nothing but functions"):
+        source_of(f"{head}\nKERNEL(f)\n{{\n}}\n")
+
+
+def test_a_loop_over_other_points_is_refused():
+    text = "KERNEL(f)\n{\n    for (npy_intp i = 1; i < points; i++) {\n        out[0][i] = 1;\n    }\n}\n"
+    with pytest.raises(NotUnderstoodError, match="loop over points"):
+        kernel_outputs(source_of(text), "f", [], Meaning())
+
+
+def test_a_package_without_its_c_source_is_not_proved(tmp_path):
+    package = SimpleNamespace(__file__=str(tmp_path / "__init__.py"))
+    assert not c_source_is_proved(lower(demonstration()), package)
+    (tmp_path / "_kernels.h").write_text(c_files([lower(demonstration())], "")["_kernels.h"], encoding="utf-8")
+    assert c_source_is_proved(lower(demonstration()), package)
+
+
+def test_names_that_c_does_not_leave_free_are_changed():
+    kernel = demonstration(symbols="double value_0")
+    text = c_files([lower(kernel)], "")["_kernels.h"]
+    assert "const real double" not in text
+    assert kernel_is_proved(kernel, source_of(text))
+
+
+def test_what_no_output_needs_is_not_computed():
+    program = Program(("x", "y"), (Step("t0", "+", ("x", "y")), Step("t1", "neg", ("t0",))), ("x",))
+    assert statements(program) == ["const real x = in[0][i];", "out[0][i] = x;"]
+
+
+def test_the_digest_depends_on_every_c_file():
+    files = {"a.c": "1", "b.h": "2", "c.py": "DIGEST_OF_THE_SOURCE"}
+    digests = {stamped(files | change)["c.py"] for change in ({}, {"a.c": "3"}, {"b.h": "3"})}
+    assert len(digests) == 3
+
+
+@pytest.mark.parametrize("compiler", sorted({"cc", "clang"} & {name for name in ("cc", "clang") if shutil.which(name)}))
+def test_the_formulas_are_c99_without_warnings(compiler, text, tmp_path):
+    head = """
+        #include <math.h>
+        #include <stddef.h>
+        enum { BLOCK = 64 };
+        typedef ptrdiff_t npy_intp;
+        #define real double
+        #define splitter 134217729.0
+        #define absolute fabs
+        #define NAME(name) name
+        #define INLINE(name) static inline real name
+        #define SOLVER(name, height, width) \\
+            static inline void name##_##height(const real system[height][2 * height + 2], real solution[width])
+        #define KERNEL(name) \\
+            void name(const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK], const npy_intp points); \\
+            void name(const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK], const npy_intp points)
+    """
+    file = tmp_path / "kernels.c"
+    file.write_text(head + text, encoding="utf-8")
+    options = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"]
+    subprocess.run([compiler, *options, str(file)], check=True)

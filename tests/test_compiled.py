@@ -1,0 +1,206 @@
+"""The compiled functions give the same bits as the NumPy source, in any layout, and are chosen as the user wants."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import algebroproj
+from algebroproj_sym.declaring import kernels
+from algebroproj_sym.verifying import without_twin
+from algebroproj_sym.verifying.identity import SPECIAL, same_bits
+from algebroproj_sym.verifying.shipped import function_of
+
+pytestmark = pytest.mark.skipif(
+    algebroproj.backend() != "compiled", reason="the package was built without a C compiler"
+)
+
+
+def twin_of(kernel):
+    return function_of(kernel, algebroproj).__globals__[f"_{kernel.name.upper()}_SIGNATURE"].twin
+
+
+KERNELS = {kernel.qualified_name: kernel for kernel in kernels() if twin_of(kernel) is not None}
+DTYPES = (np.float32, np.float64, np.longdouble)
+POINTS = 20_000
+
+
+def numbers(shape, dtype, seed=0):
+    """Draw numbers, some of them special, with all digits of the dtype."""
+    generator = np.random.default_rng(seed)
+    drawn = generator.uniform(-4, 4, shape).astype(dtype)
+    drawn = drawn * (1 + generator.uniform(0, 1, shape).astype(dtype) * np.finfo(dtype).eps * 1024)
+    with np.errstate(over="ignore"):
+        special = generator.choice(np.array(SPECIAL), shape).astype(dtype)
+    return np.where(generator.random(shape) < 0.02, special, drawn)
+
+
+def arguments_of(kernel, dtype, batch=(POINTS,)):
+    return [numbers((*batch, *a.shape), dtype, seed) for seed, a in enumerate(kernel.arguments)]
+
+
+def both(kernel, arguments, **options):
+    """Return the results of the compiled function and of the NumPy source, as tuples."""
+    function = function_of(kernel, algebroproj)
+    with np.errstate(all="ignore"):
+        results = [version(*arguments, **options) for version in (function, without_twin(function))]
+    return [result if isinstance(result, tuple) else (result,) for result in results]
+
+
+def assert_same(kernel, arguments, **options):
+    compiled, source = both(kernel, arguments, **options)
+    assert len(compiled) == len(source)
+    assert all(same_bits(np.asarray(c), np.asarray(s)) for c, s in zip(compiled, source, strict=True))
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("name", KERNELS)
+def test_the_bits_are_those_of_the_numpy_source(name, dtype):
+    assert_same(KERNELS[name], arguments_of(KERNELS[name], dtype))
+
+
+def test_every_dtype_runs_compiled():
+    for kernel in KERNELS.values():
+        assert {types.split("->")[0][0] for types in twin_of(kernel).types} == {"f", "d", "g"}
+
+
+@pytest.fixture
+def kernel():
+    return KERNELS["projection.project"]
+
+
+@pytest.mark.parametrize("count", [0, 1, 63, 64, 65, 129])
+def test_batches_of_any_length(kernel, count):
+    assert_same(kernel, arguments_of(kernel, float, (count,)))
+
+
+def test_several_leading_dimensions_that_broadcast(kernel):
+    y, mu, u3 = arguments_of(kernel, float, (5, 7))
+    assert_same(kernel, [y, mu[:1], u3[0, 0]])
+    assert_same(kernel, [y[0, 0], mu[:, :1], u3[0]])
+
+
+def test_any_layout(kernel):
+    y, mu, u3 = arguments_of(kernel, float, (40, 6))
+    assert_same(
+        kernel, [y[::2, ::-1], np.asfortranarray(mu[1::2]), np.swapaxes(np.swapaxes(u3, 0, 1).copy(), 0, 1)[:20]]
+    )
+
+
+def test_scalars_lists_and_integers(kernel):
+    y, mu, u3 = arguments_of(kernel, float, ())
+    assert_same(kernel, [y.tolist(), mu, tuple(u3)])
+    assert_same(kernel, [[1, 2, 3], [4, 5, 6], [7, 9]])
+    assert_same(kernel, [np.array([1, 2, 3], np.int8), [4, 5, 6], np.array([7, 9], bool)])
+    assert_same(KERNELS["correlation.epipoles"], [[[1, 2, 3], [4, 5, 6], [7, 8, 10]]])
+    assert_same(KERNELS["optics.scale"], [2.0, np.float32([1, 2, 3])])
+    assert_same(KERNELS["optics.scale"], [np.float64(2.0), np.float32([1, 2, 3])])
+
+
+@pytest.mark.parametrize("dtype", [np.float16, np.complex64, np.complex128, object, ">f8"])
+def test_other_dtypes_run_the_numpy_source(kernel, dtype):
+    arguments = [np.array([1, 2, 3], dtype), np.array([3, 4, 7], dtype), np.array([2, 5], dtype)]
+    compiled, source = both(kernel, arguments)
+    assert compiled[0].dtype == source[0].dtype
+    assert compiled[0].tolist() == source[0].tolist()
+
+
+def test_results_go_where_the_caller_wants_them(kernel):
+    arguments = arguments_of(kernel, float, (200,))
+    out = np.full((200, 4), 7.0)[:, ::2]
+    function = function_of(kernel, algebroproj)
+    with np.errstate(all="ignore"):
+        returned = function(*arguments, out=out)
+        expected = without_twin(function)(*arguments)
+    assert returned is out
+    assert same_bits(out, expected)
+    assert (out.base.reshape(200, 4)[:, 1::2] == 7).all()
+
+
+def test_results_may_share_memory_with_arguments():
+    kernel = KERNELS["normal_case.map_points"]
+    tau, u = arguments_of(kernel, float, (300,))
+    function = function_of(kernel, algebroproj)
+    memory = np.concatenate([u, u])
+    with np.errstate(all="ignore"):
+        expected = without_twin(function)(tau, memory[10:310].copy())
+        function(tau, memory[10:310], out=memory[:300])
+    assert same_bits(memory[:300], expected)
+
+
+def test_errors_are_those_of_the_numpy_source(kernel):
+    y, mu, u3 = arguments_of(kernel, float, (3,))
+    function = function_of(kernel, algebroproj)
+    for arguments in ([y[:, :2], mu, u3], [y, mu[:2], u3], [y, np.array("a"), u3]):
+        messages = []
+        for version in (function, without_twin(function)):
+            with pytest.raises((TypeError, ValueError)) as caught:
+                version(*arguments)
+            messages.append(str(caught.value))
+        assert messages[0] == messages[1]
+    with pytest.raises(TypeError, match="out"):
+        function(y, mu, u3, out=np.empty((3, 2), np.float32))
+
+
+def test_singular_input_warns_and_regular_input_does_not():
+    scale = function_of(KERNELS["optics.scale"], algebroproj)
+    matrix = function_of(KERNELS["correlation.correlation_matrix"], algebroproj)
+    with pytest.warns(RuntimeWarning):
+        scale(np.array([1.0, 1.0]), np.array([2.0, -1.0]))
+    generator = np.random.default_rng(1)
+    with np.errstate(all="raise", under="ignore"):
+        assert np.isfinite(matrix(*generator.uniform(0.1, 0.9, (2, 300, 5, 2)))).all()
+        assert np.isfinite(matrix(*generator.uniform(0.1, 0.9, (2, 300, 5, 2)) * 1e60)).all()
+        assert np.isnan(scale(np.array([np.nan]), np.array([1.0]))).all()
+
+
+def run(backend, code="import algebroproj; print(algebroproj.backend())", **options):
+    environment = {**os.environ, "ALGEBROPROJ_BACKEND": backend}
+    command = [sys.executable, "-c", code]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, check=False, **options)
+
+
+@pytest.mark.parametrize("backend", ["numpy", "compiled"])
+def test_the_environment_chooses(backend):
+    assert run(backend).stdout.strip() == backend
+
+
+def test_an_unknown_backend_is_refused():
+    assert "ALGEBROPROJ_BACKEND: expected numpy or compiled, got 'cuda'" in run("cuda").stderr
+
+
+COPIED = """
+import shutil, sys
+from pathlib import Path
+import algebroproj
+source, target = Path(algebroproj.__file__).parent, Path("copied")
+shutil.copytree(source, target, ignore=shutil.ignore_patterns({ignored}))
+if {stale}:
+    text = (target / "_backend.py").read_text()
+    (target / "_backend.py").write_text(text.replace("DIGEST = \\"", "DIGEST = \\"0"))
+import os
+os.environ["ALGEBROPROJ_BACKEND"] = "{wanted}"
+sys.path.insert(0, ".")
+import copied
+print(copied.backend())
+"""
+
+
+@pytest.mark.parametrize(
+    ("ignored", "stale", "why"),
+    [('"_compiled.*"', False, "No module named"), ('"*.c"', True, "it was built from another source")],
+)
+def test_without_compiled_functions_of_this_source_numpy_runs(ignored, stale, why, tmp_path):
+    assert run("numpy", COPIED.format(ignored=ignored, stale=stale, wanted=""), cwd=tmp_path).stdout == "numpy\n"
+
+
+@pytest.mark.parametrize(
+    ("ignored", "stale", "why"),
+    [('"_compiled.*"', False, "No module named"), ('"*.c"', True, "it was built from another source")],
+)
+def test_compiled_functions_that_are_not_there_are_an_error_if_wanted(ignored, stale, why, tmp_path):
+    failed = run("numpy", COPIED.format(ignored=ignored, stale=stale, wanted="compiled"), cwd=tmp_path)
+    assert "ALGEBROPROJ_BACKEND: expected compiled functions, got none" in failed.stderr
+    assert why in failed.stderr

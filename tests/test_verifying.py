@@ -144,13 +144,27 @@ def test_samples_cover_every_stratum_and_come_as_near_as_they_say(name, lowered)
     samples = stratified(low, 28)
     strata = {sample.stratum for sample in samples}
     systems = {"near a singular system"} if low.determinants else set()
-    assert strata == {"ordinary", "badly scaled", *(f"near {factor}" for factor in low.input_hypotheses), *systems}
+    factors = {f"near {factor}" for factor in low.input_hypotheses}
+    assert strata - {"near several factors"} == {"ordinary", "badly scaled", *factors, *systems}
     for factor in low.input_hypotheses:
         near = [sample.values for sample in samples if sample.stratum == f"near {factor}"]
         points = ({s: Fraction(v[s.name]) for s in low.kernel.symbols} for v in near)
         distances = [abs(float(evaluate(factor, point)[0])) for point in points]
         assert min(distances) < 1e-11
         assert max(distances) > 1e-2
+
+
+@pytest.mark.parametrize("name", ["projection.projection_matrix", "space.mu_from_fifth_point"])
+def test_samples_come_near_several_factors_at_once(name, lowered):
+    low = lowered(name)
+    points = [
+        {symbol: Fraction(sample.values[symbol.name]) for symbol in low.kernel.symbols}
+        for sample in stratified(low, 40)
+        if sample.stratum == "near several factors"
+    ]
+    assert len(points) == 40
+    near = [sum(abs(evaluate(factor, point)[0]) < 0.11 for factor in low.input_hypotheses) for point in points]
+    assert min(near) >= 2
 
 
 def test_samples_are_repeatable(lowered):

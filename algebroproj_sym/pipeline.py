@@ -13,11 +13,12 @@ from multiprocessing import active_children, get_context
 from pathlib import Path
 from typing import TypeVar
 
-from algebroproj_sym.declaring import Claim, Judgement, Kernel, judge, numbered_with
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, judge, numbered_with
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
-from algebroproj_sym.reporting import derived_form
+from algebroproj_sym.remembering import Memory
+from algebroproj_sym.reporting import Notebook, derived_form, run_notebook
 from algebroproj_sym.verifying import Verification, load_package, verify
 
 Task = TypeVar("Task")
@@ -43,7 +44,9 @@ class UnprovedError(ValueError):
         self.selector = f"{kernel.paper}:{number}"
 
 
-def check(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iterator[Judgement]:
+def check(
+    claims: Sequence[Claim], engine: str = "flint", jobs: int = 1, memory: Memory | None = None
+) -> Iterator[Judgement]:
     """Judge claims, in order.
 
     Parameters
@@ -54,12 +57,24 @@ def check(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iter
         Which polynomial arithmetic to use.
     jobs : int
         How many processes.
+    memory : Memory, optional
+        What earlier runs have proved; without it, everything is proved.
 
     Yields
     ------
     Judgement
     """
-    return _mapped(partial(judge, engine=engine), claims, jobs)
+    known = [memory.recall(claim, engine) if memory else None for claim in claims]
+    changed = [claim for claim, judgement in zip(claims, known, strict=True) if judgement is None]
+    judged = _mapped(partial(judge, engine=engine), changed, jobs)
+    for judgement in known:
+        if judgement is not None:
+            yield judgement
+            continue
+        proved = next(judged)
+        if memory:
+            memory.keep(proved)
+        yield proved
 
 
 def derived_forms(claims: Sequence[Claim], jobs: int = 1) -> Iterator[Expression | None]:
@@ -154,6 +169,11 @@ def mutated_kernels(
     return _mapped(partial(_mutate, folder=folder, limit=limit, size=size, engine=engine), lowered, jobs)
 
 
+def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Notebook]:
+    """Run derivations as notebooks, each in processes of its own, which end with this one."""
+    return _in_processes(run_notebook, derivations, jobs)
+
+
 def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine: str) -> MutatedKernel:
     return mutate_kernel(lowered, load_package(folder), limit, size, engine)
 
@@ -165,7 +185,11 @@ def _verify(lowered: Lowered, folder: Path | None, size: int, engine: str, packa
 def _mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
     if jobs == 1:
         yield from map(function, tasks)
-        return
+    else:
+        yield from _in_processes(function, tasks, jobs)
+
+
+def _in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
     with ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_leave_interrupts_alone) as pool:
         futures = [pool.submit(function, task) for task in tasks]
         try:

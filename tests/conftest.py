@@ -13,6 +13,18 @@ settings.register_profile(
 settings.load_profile("repeatable")
 
 
+def pytest_addoption(parser):
+    parser.addoption("--site", type=Path, help="Check every page of this site in the browser, not of a small one.")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def memory(tmp_path_factory):
+    """Begin the session with an empty memory of its own."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("ALGEBROPROJ_CACHE", str(tmp_path_factory.mktemp("memory")))
+        yield
+
+
 @pytest.fixture(scope="session")
 def repository() -> Path:
     return Path(__file__).resolve().parent.parent

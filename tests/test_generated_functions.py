@@ -94,6 +94,13 @@ CONTRACT = {
     normal_case.from_orientation: ([(3,), (3,), (3,), (2,)], [(), (2,), (2,)]),
     normal_case.from_correlation: ([(3, 3)], [(), (2,), (2,)]),
     orientation.intersect: ([(2,), (2,), (3,), (2,), (3,), (2,)], [(3,)]),
+    correlation.epipoles_jacobian: ([(3, 3)], [(2, 9), (2, 9)]),
+    metric.from_normal_jacobian: ([(3, 3), (2,), ()], [(2, 12)]),
+    metric.to_normal_jacobian: ([(3, 3), (2,), ()], [(2, 12)]),
+    metric.reconstruct_jacobian: ([(2,), (2,), ()], [(3, 5)]),
+    normal_case.tau_jacobian: ([(2,), (2,)], [(2, 4)]),
+    projection.mu_from_center_jacobian: ([(3,), (2,)], [(3, 5)]),
+    projection.projection_matrix_jacobian: ([(3,), (2,)], [(9, 5)]),
 }
 FUNCTIONS = {function: arguments for function, (arguments, _) in CONTRACT.items()}
 RESULTS = {function: results for function, (_, results) in CONTRACT.items()}

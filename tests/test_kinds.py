@@ -421,3 +421,13 @@ def test_the_divisors_of_a_definition_are_hypotheses(engine):
 def test_a_definition_that_divides_by_zero_everywhere_defines_nothing(engine, divisor):
     with pytest.raises(ValueError, match="denominators that are not identically zero"):
         judged("definition", engine, over(x, divisor))
+
+
+@pytest.mark.parametrize("factors", [(x, sympy.Integer(0)), (x, x - x), (sympy.Integer(0),)])
+def test_a_factor_that_is_zero_everywhere_is_no_part_of_what_vanishes(factors):
+    assert judged("vanishing", "flint", factors, x).verdict == "false"
+
+
+@pytest.mark.parametrize("changed", [x**2 - x + y**2 + y, x**2 - 2 * x + y**2 - y, x**2 + y**2 - 1])
+def test_zeros_are_found_on_conics_too(changed):
+    assert judged("vanishing", "flint", (changed,), x**2 - x + y**2 - y).verdict == "false"

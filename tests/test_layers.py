@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 STAGES = (
-    *("files", "expressions", "proving", "declaring", "auditing", "generating", "verifying", "mutating"),
+    *("files", "expressions", "proving", "declaring", "auditing", "remembering", "generating", "verifying", "mutating"),
     *("reporting", "pipeline", "replaying", "exporting", "scaffolding", "cli", "plugin"),
 )
 

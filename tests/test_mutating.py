@@ -1,6 +1,7 @@
 """Mutation: the checks notice single changes of claims and of generated functions."""
 
 import json
+from dataclasses import replace
 from fractions import Fraction
 from types import SimpleNamespace
 
@@ -14,7 +15,18 @@ from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import kernels, select
 from algebroproj_sym.expressions import Matrix, vector
 from algebroproj_sym.generating import lower
-from algebroproj_sym.mutating import mutants, mutate_claim, mutate_kernel, source_mutants
+from algebroproj_sym.mutating import (
+    Explanation,
+    MutantFate,
+    MutatedClaim,
+    explanations,
+    mutants,
+    mutate_claim,
+    mutate_kernel,
+    source_mutants,
+    superfluous,
+    with_reasons,
+)
 from algebroproj_sym.verifying import load_package
 
 x, y, u1, u2, up1, upp1 = sympy.symbols("x y u1 u2 up1 upp1")
@@ -175,3 +187,40 @@ def test_the_command_reports_scores():
 
 def test_a_selector_that_names_nothing_is_wrong_usage():
     assert run("nobody").exit_code == 2
+
+
+def surviving(form="0.34"):
+    return MutatedClaim("demo", "1.1", "numeric", 1, (MutantFate("last digit, one more", form, "survived", ""),))
+
+
+def test_only_the_change_that_is_explained_is_explained():
+    known = [Explanation("demo:1.1", "0.34", "A third, cut off.")]
+    assert [fate.fate for fate in with_reasons([surviving()], known)[0].fates] == ["explained"]
+    for other in (surviving("0.35"), replace(surviving(), number="1.2"), replace(surviving(), paper="other")):
+        assert [fate.fate for fate in with_reasons([other], known)[0].fates] == ["survived"]
+    refuted = replace(surviving(), fates=(MutantFate("last digit, one more", "0.34", "refuted"),))
+    assert with_reasons([refuted], known) == [refuted]
+
+
+def test_an_explanation_of_what_does_not_survive_is_superfluous():
+    known = [Explanation("demo:1.1", "0.34", "A third, cut off.")]
+    assert superfluous(with_reasons([surviving()], known), known) == []
+    assert superfluous([replace(surviving(), fates=(MutantFate("sign", "0.34", "refuted"),))], known) == known
+    assert superfluous([replace(surviving(), fates=(), total=1)], known) == []
+
+
+def test_every_explanation_names_a_change_of_a_claim_and_gives_a_reason_of_its_own():
+    claims = {f"{claim.paper}:{claim.number}": claim for claim in select()}
+    for entry in explanations():
+        claim = claims[entry.claim]
+        assert entry.form in {str(mutant.form) for mutant in mutants(claim)}
+        assert len(entry.why) > 60
+    assert len({(entry.claim, entry.form) for entry in explanations()}) == len(explanations())
+
+
+def test_the_command_knows_what_is_explained():
+    explained = next(entry for entry in explanations() if entry.claim.startswith("fundamentals1996:4/i#"))
+    result = run(explained.claim, "--limit", "0", "--only", "claims", "--format", "json")
+    assert result.exit_code == 0
+    fates = {fate["form"]: fate for fate in json.loads(result.stdout)["claims"][0]["fates"]}
+    assert fates[explained.form] | {"fate": "explained", "reason": explained.why} == fates[explained.form]

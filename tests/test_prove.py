@@ -586,3 +586,12 @@ def test_a_witness_is_exact(value):
 def test_a_witness_at_a_pole_of_a_constraint_is_no_witness():
     with pytest.raises(ValueError, match="witness: expected a point"):
         prove(x, x, constraints=[1 / x], witness={x: 0})
+
+
+def test_a_system_that_is_not_triangular_has_counterexamples_too():
+    conics = [x**2 + y**2 - 25, x * y - 12]
+    proof = prove(x, y, constraints=conics, witness={x: 3, y: 4})
+    assert proof.verdict == "refuted"
+    proof = prove(x + y, 7, constraints=conics, witness={x: 3, y: 4})
+    assert proof.verdict == "refuted"
+    assert sum(proof.counterexample.values()) == -7

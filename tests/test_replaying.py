@@ -123,6 +123,28 @@ def test_real_sections_are_replayed(real):
     assert len(real["claims"]) > 60
 
 
+def replayed(claim):
+    return replay_claim(ledger([judge(claim)], timed=False)["claims"][0]).status
+
+
+def test_a_symbol_that_cancels_when_its_meaning_is_put_in_has_a_value_at_the_counterexample():
+    meaning = {a: over(x, y) + b}
+    printed, corrected = vector(a - b, x - c), vector(a - b, x)
+    claim = declared(
+        "demo", "1", "1.1", "shift", "identity", printed, vector(over(x, y), x),
+        corrected=corrected, expect="misprint", where=meaning,
+    )  # fmt: skip
+    assert judge(claim).counterexample[b] == 1
+    assert replayed(claim) == "replayed"
+
+
+def test_a_divisor_of_many_terms_is_replayed():
+    divisor = sum(sympy.symbols("d:9")) ** 2
+    expanded = sympy.expand(divisor * sum(sympy.symbols("e:9")))
+    claim = declared("demo", "1", "1.1", "long", "identity", a / (expanded + 1), over(a, expanded + 1))
+    assert replayed(claim) == "replayed"
+
+
 def test_worker_processes_change_nothing(small):
     assert list(replay(small, jobs=2)) == list(replay(small))
 

@@ -402,6 +402,41 @@ def test_a_function_page_has_formula_claims_figures_and_plot(site):
     assert 'href="../functions/correlation.design_row.html"' in site["fundamentals1996/2.2.4.html"]
 
 
+def test_what_a_proof_assistant_accepted_and_how_long_functions_take_is_shown(tmp_path):
+    checked, speed = tmp_path / "checked.txt", tmp_path / "speed.json"
+    checked.write_text("rhodos1990:1.1.1 by coqc\n\n", encoding="utf-8")
+    times = {"affine.plane_frame": [{"batch": 1000, "nanoseconds": 1234.5}]}
+    speed.write_text(json.dumps({"machine": "an abacus", "functions": times}), encoding="utf-8")
+    out = tmp_path / "site"
+    arguments = ["rhodos1990:1.1", "fundamentals1996:1.4", "--out", out, "--checked", checked, "--speed", speed]
+    result = CliRunner().invoke(main, ["report", "--samples", "1", *map(str, arguments)])
+    assert result.exit_code == 0, result.output
+    assert "kernel-checked" in (out / "rhodos1990" / "1.1.1.html").read_text(encoding="utf-8")
+    assert "kernel-checked" not in (out / "rhodos1990" / "1.1_parameters.html").read_text(encoding="utf-8")
+    assert "1 of them are kernel-checked" in (out / "index.html").read_text(encoding="utf-8")
+    page = (out / "functions" / "affine.plane_frame.html").read_text(encoding="utf-8")
+    assert "an abacus" in page
+    assert re.search(r'<th scope="row">1,000</th><td>1,23[45]</td>', page)
+
+
+@pytest.mark.parametrize(
+    ("option", "text", "message"),
+    [
+        ("--checked", "rhodos1990:1.1.1\nrhodos1990:9.9\n", "line 2: expected a claim such as mypaper:1.2, got"),
+        ("--speed", "[]", "expected the times that benchmarks/functions.py writes"),
+        ("--speed", '{"machine": "m", "functions": {"f": [{}]}}', "expected the times"),
+    ],
+)
+def test_records_that_are_none_are_refused_before_any_work(tmp_path, option, text, message):
+    record = tmp_path / "record"
+    record.write_text(text, encoding="utf-8")
+    arguments = ["report", "rhodos1990:1.1", option, str(record), "--out", str(tmp_path / "site")]
+    result = CliRunner().invoke(main, arguments)
+    assert result.exit_code == 2
+    assert message in " ".join(result.output.split())
+    assert not (tmp_path / "site").exists()
+
+
 def test_papers_are_in_their_own_order_whatever_the_selectors():
     found = derivations("rhodos1990")
     claims = [(judge(claim), source) for source in reversed(found) for claim in source.section.claims[:2]]

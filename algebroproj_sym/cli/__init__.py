@@ -51,6 +51,8 @@ def main(context: click.Context, verbosity: str | None) -> None:
     context.obj = verbosity or "normal"
 
 
-COMMANDS = (new, check, explain, generate, verify, build, report, replay_command, export_group, mutate, audit_command)
-for command in COMMANDS:
+for command in (
+    *(new, check, explain, generate, verify, build, report),
+    *(replay_command, audit_command, export_group, mutate),
+):
     main.add_command(command)

@@ -40,14 +40,15 @@ from algebroproj_sym.verifying import verification_record
 @options.samples
 @options.engine
 @options.jobs
-def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int) -> None:
+@options.fresh
+def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int, fresh: bool) -> None:
     """Prove everything, generate, verify, and write ledger and report.
 
     Writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
     """
     claims, chosen = select(sources), kernels((), sources)
     elsewhere = [claim for claim in pipeline.claims_of(chosen, sources) if claim not in claims]
-    judgements = judged(claims, engine, jobs)
+    judgements = judged(claims, engine, jobs, fresh=fresh)
     derived(claims, jobs)
     write_json(ledger(judgements, timed=False), out / "ledger.json")
     console().print(summary_text(judgements))

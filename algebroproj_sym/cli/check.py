@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import judged, require_as_declared, say_what_is_wrong
+from algebroproj_sym.cli.steps import derived, judged, require_as_declared, say_what_is_wrong
 from algebroproj_sym.cli.terminal import console, progressing, verbosity
 from algebroproj_sym.declaring import Answer, identities, select
 from algebroproj_sym.proving import outcomes
@@ -27,9 +27,10 @@ from algebroproj_sym.reporting import (
 @options.selectors
 @options.engine
 @options.jobs
+@options.fresh
 @options.output_format
 @options.seconds
-def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, seconds: float) -> None:
+def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, output: str, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
     A SELECTOR is a paper key, paper:section or paper:number, or the path of a derivation module or folder, which may
@@ -44,8 +45,10 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, secon
             raise click.UsageError("expected either claims or files of identities, got both")
         _check_files(files, engine, jobs, output, seconds)
         return
-    judgements = judged(select(selectors), engine, jobs)
+    claims = select(selectors)
+    judgements = judged(claims, engine, jobs, fresh=fresh)
     if output == "json":
+        derived(claims, jobs)
         click.echo(json.dumps(ledger(judgements), indent=1, ensure_ascii=False))
     else:
         console().print(claims_table(judgements))

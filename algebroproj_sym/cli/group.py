@@ -13,6 +13,7 @@ from algebroproj_sym.expressions import NotRationalError
 from algebroproj_sym.generating import LoweringError
 from algebroproj_sym.pipeline import UnprovedError
 from algebroproj_sym.proving import UndefinedError
+from algebroproj_sym.reporting import NotebookError
 from algebroproj_sym.verifying import NotShippedError
 
 INTERRUPTED = 130
@@ -23,6 +24,7 @@ NEXT: dict[type[Exception], str] = {
     UndefinedError: "Look for a division by an expression that is identically zero.",
     UnprovedError: "See why with: algebroproj explain",
     LoweringError: "Give the kernel a form that equals its derived expression.",
+    NotebookError: "Open the module in Jupyter as a notebook, and run it from top to bottom.",
     NotShippedError: "Write the package with: algebroproj generate --out DIR; then verify it with --package DIR.",
 }
 _KNOWN = tuple(NEXT)

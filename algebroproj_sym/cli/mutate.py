@@ -17,7 +17,14 @@ from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels
 from algebroproj_sym.cli.terminal import console, progressing
 from algebroproj_sym.declaring import kernels, select
-from algebroproj_sym.mutating import Fate, MutatedClaim, MutatedKernel
+from algebroproj_sym.mutating import (
+    Fate,
+    MutatedClaim,
+    MutatedKernel,
+    explanations,
+    superfluous,
+    with_reasons,
+)
 
 FATES: tuple[Fate, ...] = get_args(Fate)
 
@@ -55,7 +62,8 @@ def mutate(
     """Change proved claims, and the generated functions that rest on them, in single places.
 
     A changed printed form (a sign, an index, a prime, a factor, a numerator against its denominator, an entry) must be
-    refuted by an exact counterexample, or be proved the same statement. A changed source (an operator, operands, an
+    refuted by an exact counterexample, be proved the same statement, or be one of the changes that the file
+    survivors.toml explains one by one. A changed source (an operator, operands, an
     index, a dropped term, a number) must be noticed by the proof of the source, and by the comparison with 50 digits.
     Exit status 1 if a change survives.
     """
@@ -65,7 +73,7 @@ def mutate(
     if only != "functions":
         proved = [claim for claim in chosen if claim.expected == "proved"]
         found = pipeline.mutated_claims(proved, limit, engine, jobs)
-        claims = list(progressing(found, len(proved), "changing claims"))
+        claims = with_reasons(list(progressing(found, len(proved), "changing claims")), explanations())
     if only != "claims":
         names = {(claim.paper, claim.number) for claim in chosen}
         resting = [kernel for kernel in kernels() if names & {(kernel.paper, number) for number in kernel.claims}]
@@ -77,7 +85,10 @@ def mutate(
     else:
         _print_claims(claims)
         _print_functions(functions)
-    if _survivors(claims) or any(_unnoticed(function) for function in functions):
+    stale = superfluous(claims, explanations())
+    for entry in stale:
+        click.echo(f"{entry.claim}  {entry.form}: is explained, but does not survive", err=True)
+    if stale or _survivors(claims) or any(_unnoticed(function) for function in functions):
         raise SystemExit(1)
 
 
@@ -107,9 +118,8 @@ def _print_claims(claims: Sequence[MutatedClaim]) -> None:
     console().print(table)
     counts = Counter(fate.fate for claim in claims for fate in claim.fates)
     wrong = counts["refuted"] + counts["undefined"] + counts["survived"]
-    console().print(
-        f"{wrong - counts['survived']} of {wrong} changed statements refuted; {counts['equivalent']} are equivalent"
-    )
+    told = f"{counts['equivalent']} are equivalent, {counts['explained']} survive for a known reason"
+    console().print(f"{wrong - counts['survived']} of {wrong} changed statements refuted; {told}")
 
 
 def _print_functions(functions: Sequence[MutatedKernel]) -> None:

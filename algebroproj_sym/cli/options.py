@@ -32,6 +32,7 @@ output_format = click.option(
     show_default=True,
     help="Form of the output.",
 )
+fresh = click.option("--fresh", is_flag=True, help="Prove everything, also what has not changed since an earlier run.")
 seconds = click.option(
     "--seconds",
     type=click.FloatRange(min=0, min_open=True),

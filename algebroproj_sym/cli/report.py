@@ -2,18 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import derived, judged, lowered_after, require_as_declared, say_what_is_wrong, verified
+from algebroproj_sym.cli.steps import (
+    derived,
+    judged,
+    lowered_after,
+    require_as_declared,
+    run_notebooks,
+    say_what_is_wrong,
+    verified,
+)
 from algebroproj_sym.cli.terminal import console
-from algebroproj_sym.declaring import drivers, kernels, located, split
+from algebroproj_sym.declaring import drivers, kernels, located, numbered_with, split
 from algebroproj_sym.generating import PACKAGE, render, write
 from algebroproj_sym.reporting import summary_text
-from algebroproj_sym.reporting.site import OccupiedError, catalogue, functions_of, render_site, replace, require_free
+from algebroproj_sym.reporting.site import (
+    OccupiedError,
+    RecordError,
+    Speed,
+    catalogue,
+    functions_of,
+    read_checked,
+    read_speed,
+    render_site,
+    replace,
+    require_free,
+)
 
 
 @click.command()
@@ -22,11 +42,35 @@ from algebroproj_sym.reporting.site import OccupiedError, catalogue, functions_o
 @options.samples
 @options.engine
 @options.jobs
-def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, jobs: int) -> None:
+@options.fresh
+@click.option("--notebooks", is_flag=True, help="Run the derivations as notebooks, and add them to the site.")
+@click.option(
+    "--checked",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Mark the claims that a proof assistant has accepted: a line each, such as mypaper:1.2.",
+)
+@click.option(
+    "--speed",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Show the times of functions that benchmarks/functions.py wrote.",
+)
+def report(
+    selectors: tuple[str, ...],
+    out: Path,
+    samples: int,
+    engine: str,
+    jobs: int,
+    notebooks: bool,
+    checked: Path | None,
+    speed: Path | None,
+    fresh: bool,
+) -> None:
     """Prove everything, generate, verify, and write a static site to DIR.
 
     The site has a page for each paper, claim and function, and the errata of each paper; open DIR/index.html.  DIR is
-    replaced as a whole.
+    replaced as a whole.  With --notebooks each derivation is run from top to bottom, and each claim links to its cell.
 
     With SELECTORs, as for check, the site has the selected claims, and the functions that rest on them alone.
     """
@@ -37,7 +81,8 @@ def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, job
         require_free(out)
     except OccupiedError as error:
         raise click.UsageError(f"--out: {error}") from error
-    judgements = judged(claims, engine, jobs)
+    accepted, times = records(checked, speed, sources)
+    judgements = judged(claims, engine, jobs, fresh=fresh)
     console().print(summary_text(judgements))
     derived(claims, jobs)
     say_what_is_wrong(judgements)
@@ -49,7 +94,21 @@ def report(selectors: tuple[str, ...], out: Path, samples: int, engine: str, job
         write(package, Path(folder) / PACKAGE)
         verifications = verified(lowered, Path(folder), samples, engine, jobs)
     modules = [derivation for derivation, _ in found]
-    site = render_site(catalogue(judgements, modules, functions_of(lowered, verifications, package)))
+    shown = run_notebooks({module.path: module for module in modules}.values(), jobs) if notebooks else []
+    functions = functions_of(lowered, verifications, package)
+    site = render_site(catalogue(judgements, modules, functions, shown, accepted, times))
     replace(site, out)
     console().print(f"written to {out}: {len(site)} files; open {out / 'index.html'}")
     require_as_declared(judgements, verifications, out / "index.html")
+
+
+def records(
+    checked: Path | None, speed: Path | None, sources: Sequence[str]
+) -> tuple[frozenset[tuple[str, str]], Speed | None]:
+    """Read what others found out about the claims of some sources, and about functions."""
+    claims = [claim for derivation in numbered_with(sources) for claim in derivation.section.claims]
+    known = {(claim.paper, claim.number) for claim in claims}
+    try:
+        return read_checked(checked, known) if checked else frozenset(), read_speed(speed) if speed else None
+    except RecordError as error:
+        raise click.UsageError(str(error)) from error

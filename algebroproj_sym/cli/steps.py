@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from importlib.util import find_spec
 from pathlib import Path
 
 import click
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli.terminal import progressing, verbosity
-from algebroproj_sym.declaring import Claim, Judgement, Kernel
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
-from algebroproj_sym.reporting import failure_text, remember
+from algebroproj_sym.remembering import Memory, cache_folder
+from algebroproj_sym.reporting import Notebook, failure_text, remember
 from algebroproj_sym.verifying import Verification
 
+NOTEBOOK_MODULES = ("ipykernel", "jupytext", "latex2mathml", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
 
-def judged(claims: Sequence[Claim], engine: str, jobs: int) -> list[Judgement]:
-    """Judge claims, in order."""
-    return list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
+
+def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = True) -> list[Judgement]:
+    """Judge claims, in order; unless it is to be done afresh, only those that have changed since an earlier run."""
+    memory = Memory(cache_folder(), fresh)
+    memory.forget_what_is_old()
+    return list(progressing(pipeline.check(claims, engine, jobs, memory), len(claims), "checking"))
 
 
 def derived(claims: Sequence[Claim], jobs: int) -> None:
@@ -58,6 +64,16 @@ def verified(
     """Verify the generated functions in a folder, or those of the installed package."""
     found = pipeline.verifications(lowered, folder, samples, engine, jobs, package)
     return list(progressing(found, len(lowered), "verifying"))
+
+
+def run_notebooks(derivations: Collection[Derivation], jobs: int) -> list[Notebook]:
+    """Run derivations as notebooks."""
+    missing = [name for name in NOTEBOOK_MODULES if find_spec(name) is None]
+    if missing:
+        raise click.ClickException(
+            f"--notebooks needs the module {missing[0]}.\nInstall it with: pip install 'algebroproj-sym[report]'"
+        )
+    return list(progressing(pipeline.notebooks(tuple(derivations), jobs), len(derivations), "running notebooks"))
 
 
 def say_what_is_wrong(judgements: Sequence[Judgement]) -> None:

@@ -28,7 +28,7 @@ from algebroproj_sym.declaring.discovery import (
 from algebroproj_sym.declaring.display import evidence_lines
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
-from algebroproj_sym.declaring.importing import BrokenModuleError, makes_section
+from algebroproj_sym.declaring.importing import BrokenModuleError, import_root, makes_section
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.quotes import UNPARSED, UNQUOTED, Quotations, Quote, quotations
@@ -82,6 +82,7 @@ __all__ = [
     "drivers",
     "evidence_lines",
     "identities",
+    "import_root",
     "in_derived_terms",
     "installed_papers",
     "judge",

@@ -12,7 +12,17 @@ from typing import Any, Literal, TypeAlias, TypedDict, cast, get_args
 
 import sympy
 
-from algebroproj_sym.expressions import Expression, divided, rational, remembered, shape, symbols_of, text
+from algebroproj_sym.expressions import (
+    Expression,
+    divided,
+    free_symbols,
+    rational,
+    remembered,
+    shape,
+    symbols_of,
+    text,
+    written,
+)
 
 Kind = Literal[
     "identity",
@@ -250,14 +260,15 @@ def _require_parsable(claim: Claim, where: str) -> None:
         claim.nonzero,
         tuple(claim.where.values()),
     )
-    symbols = {symbol for form in forms for expression in _expressions(form) for symbol in expression.free_symbols}
+    symbols = {symbol for form in forms for expression in expressions_of(form) for symbol in free_symbols(expression)}
     for symbol in sorted(symbols, key=str):
         if sympy.Symbol(symbol.name) != symbol or _parsed(symbol.name) != symbol:
             raise DeclarationError(f"{where}: SymPy does not read the name {symbol.name!r} back as a plain symbol")
 
 
-def _expressions(form: Statement | None) -> tuple[Expression, ...]:
-    if form is None or isinstance(form, Decimal):
+def expressions_of(form: Statement | None) -> tuple[Expression, ...]:
+    """Return the expressions of a printed, derived or corrected form; a decimal number or a missing form has none."""
+    if not isinstance(form, tuple | sympy.Expr | sympy.MatrixBase):
         return ()
     return form if isinstance(form, tuple) else (form,)
 
@@ -304,5 +315,5 @@ def statement_text(statement: Statement | None) -> str | None:
     if statement is None:
         return None
     if isinstance(statement, tuple):
-        return str(sympy.Tuple(*map(divided, statement)))
+        return written(sympy.Tuple(*map(divided, statement)))
     return f"{statement:f}" if isinstance(statement, Decimal) else text(statement)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
 from decimal import Decimal
 
 import sympy
@@ -9,10 +11,15 @@ import sympy
 from algebroproj_sym.declaring.claim import Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.names import latex_names
-from algebroproj_sym.expressions import Expression, divided
+from algebroproj_sym.expressions import Expression, divided, size
 from algebroproj_sym.proving import reduced
 
+LONGEST = 400
+"""Symbols and numbers of the largest expression that is shown as a formula."""
+
+_MARKDOWN = re.compile(r"[\\`*_\[\]<>#$|~]")
 _RELATION = {"identity up to scale": r"\sim", "vanishing": r"= 0 \iff", "numeric": r"\approx"}
+_NEGATED = {"identity up to scale": r"\nsim", "vanishing": r"= 0 \nLeftrightarrow", "numeric": r"\not\approx"}
 
 
 def markdown(claim: Claim) -> str:
@@ -32,48 +39,79 @@ def markdown(claim: Claim) -> str:
     """
     judgement = judge(claim)
     paragraphs = [
-        f"**({claim.number})** {claim.title}: **{judgement.verdict}**",
+        f"**({_escaped(claim.number)})** {_escaped(claim.title)}: **{_verdict(judgement)}**",
         f"$${_formula(claim, judgement.verdict)}$$",
     ]
     if claim.corrected is not None:
         label = "reconstructed" if claim.printed is None else "corrected"
-        paragraphs.append(f"{label}: ${_latex(claim.corrected)}$")
-    paragraphs += evidence_lines(judgement)
+        paragraphs.append(f"{label}:\n\n$${_latex(claim.corrected)}$$")
+    paragraphs += evidence_lines(judgement, _in_line)
     if claim.note:
-        paragraphs.append(f"note: {claim.note}")
+        paragraphs.append(f"note: {_escaped(claim.note)}")
     return "\n\n".join(paragraphs)
 
 
-def evidence_lines(judgement: Judgement) -> list[str]:
-    """Return the evidence for a verdict, a line each: method, hypotheses, counterexample, what is true instead."""
+def evidence_lines(judgement: Judgement, show: Callable[[object], str] = str) -> list[str]:
+    """Return the evidence for a verdict, a line each: method, hypotheses, counterexample, what is true instead.
+
+    Parameters
+    ----------
+    judgement : Judgement
+        A claim and its verdict.
+    show : callable
+        How symbols, expressions and numbers are written.
+    """
     lines = []
     if judgement.certificate:
         method = judgement.certificate["method"]
         lines.append(f"undecided: {judgement.certificate['reason']}" if method == "none" else f"by {method}")
     if judgement.hypotheses:
-        lines.append("holds where none of these vanishes: " + ", ".join(map(str, judgement.hypotheses)))
+        lines.append("holds where none of these vanishes: " + ", ".join(map(show, judgement.hypotheses)))
     if judgement.counterexample:
-        values = ", ".join(f"{symbol} = {value}" for symbol, value in judgement.counterexample.items())
+        values = ", ".join(f"{show(symbol)} = {show(value)}" for symbol, value in judgement.counterexample.items())
         lines.append(f"counterexample: {values}")
     if judgement.claim.instead:
         lines.append(f"true instead: ({judgement.claim.instead})")
     return lines
 
 
+def _in_line(expression: object) -> str:
+    return f"${_latex(sympy.sympify(expression))}$"
+
+
+def _escaped(text: str) -> str:
+    return _MARKDOWN.sub(r"\\\g<0>", text)
+
+
+def _verdict(judgement: Judgement) -> str:
+    declared = "" if judgement.as_declared else f", declared {judgement.claim.expected}"
+    return f"{judgement.verdict}{declared}"
+
+
 def _formula(claim: Claim, verdict: Verdict) -> str:
     if claim.derived is None:
         return _latex(claim.printed)
-    derived = _latex(claim.derived if claim.kind in ("count", "rank") else reduced(claim.derived))
+    as_written = claim.kind in ("count", "rank") or _is_long(claim.derived)
+    derived = _applied(claim, _latex(claim.derived if as_written else reduced(claim.derived)))
     if claim.kind == "vanishing":
-        return f"{derived} {_RELATION[claim.kind]} {_latex(claim.printed)}"
+        return f"{derived} {_relation(claim, verdict)} {_latex(claim.printed)}"
     if claim.printed is None:
         return derived
     return f"{_latex(claim.printed)} {_relation(claim, verdict)} {derived}"
 
 
+def _applied(claim: Claim, derived: str) -> str:
+    """Return what is compared with the printed form: of a rank, a count and a limit not the derived form itself."""
+    if claim.kind == "limit":
+        return rf"\lim_{{{_latex(claim.variable)} \to 0}} \left({derived}\right)"
+    operators = {"rank": r"\operatorname{rank} ", "count": r"\operatorname{rank} \partial "}
+    return operators.get(claim.kind, "") + derived
+
+
 def _relation(claim: Claim, verdict: Verdict) -> str:
-    relation = _RELATION.get(claim.kind, "=")
-    return rf"\not{relation}" if verdict in ("misprint", "false") else relation
+    if verdict in ("misprint", "false"):
+        return _NEGATED.get(claim.kind, r"\neq")
+    return _RELATION.get(claim.kind, "=")
 
 
 def _latex(statement: Statement | None) -> str:
@@ -81,8 +119,23 @@ def _latex(statement: Statement | None) -> str:
         return f"{statement:f}"
     if isinstance(statement, tuple):
         return r" \cdot ".join(rf"\left({_expression(factor)}\right)" for factor in statement) + " = 0"
-    return _expression(divided(statement)) if statement is not None else ""
+    return _expression(statement) if statement is not None else ""
 
 
 def _expression(expression: Expression) -> str:
-    return str(sympy.latex(expression, symbol_names=latex_names(expression.free_symbols)))
+    if _is_long(expression):
+        return rf"\text{{{_described(expression)}}}"
+    shown = divided(expression)
+    return str(sympy.latex(shown, symbol_names=latex_names(shown.free_symbols)))
+
+
+def _is_long(expression: Expression) -> bool:
+    return size(expression, LONGEST) > LONGEST
+
+
+def _described(expression: Expression) -> str:
+    if isinstance(expression, sympy.MatrixBase):
+        return f"a {expression.rows} × {expression.cols} matrix, too long to be read"
+    if isinstance(expression, sympy.Add):
+        return f"a sum of {len(expression.args)} terms, too long to be read"
+    return "an expression too long to be read"

@@ -94,6 +94,11 @@ def _imported(path: Path) -> ModuleType:
         sys.path.remove(str(root))
 
 
+def import_root(path: Path) -> Path:
+    """Return the folder from which a module is imported."""
+    return _full_name(path)[0]
+
+
 def _full_name(path: Path) -> tuple[Path, str]:
     """Return the folder from which a module is imported, and its name from there."""
     root = path.parent

@@ -10,8 +10,9 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim, Verdict, in_derived_terms
+from algebroproj_sym.declaring.claim import Claim, Verdict, expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
+from algebroproj_sym.expressions import free_symbols, symbols_of
 from algebroproj_sym.proving import Proof
 
 
@@ -87,10 +88,21 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
         verdict=verdict,
         hypotheses=evidence.hypotheses,
         certificate=evidence.certificate,
-        counterexample=None if printed is None else printed.counterexample,
+        counterexample=None if printed is None else _completed(claim, printed.counterexample),
         engine=engine,
         seconds=time.perf_counter() - start,
     )
+
+
+def _completed(claim: Claim, point: Mapping[sympy.Symbol, Fraction] | None) -> Mapping[sympy.Symbol, Fraction] | None:
+    """Give a value also to symbols that cancel when the meanings of others are put in, wherever a point has values."""
+    shown = {symbol for form in expressions_of(claim.printed) for symbol in free_symbols(form)}
+    meanings = [value for symbol, value in claim.where.items() if symbol in shown]
+    needed = shown.difference(claim.where).union(*map(free_symbols, meanings))
+    if not point or needed <= point.keys():
+        return point
+    completed = dict.fromkeys(needed, Fraction(1)) | {**point}
+    return {symbol: completed[symbol] for symbol in symbols_of(completed)}
 
 
 def _verdict(claim: Claim, printed: Proof | None, corrected: Proof | None) -> Verdict:

@@ -7,7 +7,9 @@ from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError, Kind, Options, decimal, declared, reference
 from algebroproj_sym.declaring.driver import Driver, declared_driver
+from algebroproj_sym.declaring.jacobian import jacobian_parts
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, declared_kernel
+from algebroproj_sym.declaring.notebook import show_in_notebook
 
 
 class Section:
@@ -38,6 +40,7 @@ class Section:
         self.claims: list[Claim] = []
         self.kernels: list[Kernel] = []
         self.drivers: list[Driver] = []
+        show_in_notebook(self)
 
     def identity(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
         """Declare that two scalars, vectors or matrices are equal, wherever the constraints hold."""
@@ -90,10 +93,19 @@ class Section:
         """Declare a notation."""
         return self._declare("definition", number, title, printed, None, **options)
 
-    def kernel(self, qualified_name: str, summary: str, **parts: Unpack[KernelParts]) -> Kernel:
-        """Declare a function to be generated; see `Kernel` for the parts."""
+    def kernel(
+        self, qualified_name: str, summary: str, *, jacobian: bool = False, **parts: Unpack[KernelParts]
+    ) -> Kernel:
+        """Declare a function to be generated, and with `jacobian` another one for its derivatives.
+
+        See `Kernel` for the parts.
+        """
         kernel = declared_kernel(self.paper, self.number, qualified_name, summary, **parts)
         self.kernels.append(kernel)
+        if jacobian:
+            about = f"Derivatives of the entries of `{kernel.name}`, row by row, by those of its arguments, in order."
+            slopes = jacobian_parts(kernel)
+            self.kernels.append(declared_kernel(self.paper, self.number, f"{qualified_name}_jacobian", about, **slopes))
         return kernel
 
     def driver(self, qualified_name: str, function: Callable[..., Any]) -> None:

@@ -8,6 +8,7 @@ from algebroproj_sym.expressions.grammar import (
     Scalar,
     divided,
     entries,
+    free_symbols,
     rational,
     shape,
     symbols_of,
@@ -29,7 +30,9 @@ from algebroproj_sym.expressions.linear import (
 )
 from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over, remembered
+from algebroproj_sym.expressions.size import size
 from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
+from algebroproj_sym.expressions.writing import written
 
 __all__ = [
     "Expression",
@@ -46,6 +49,7 @@ __all__ = [
     "dot",
     "entries",
     "evaluate",
+    "free_symbols",
     "homogeneous",
     "in_steps",
     "inverse",
@@ -58,8 +62,10 @@ __all__ = [
     "remembered",
     "rows",
     "shape",
+    "size",
     "solve",
     "symbols_of",
     "text",
     "vector",
+    "written",
 ]

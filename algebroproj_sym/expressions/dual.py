@@ -10,6 +10,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions.evaluation import evaluate
+from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.expressions.grammar import Expression
 
 
@@ -74,6 +75,9 @@ def derivatives(
     >>> derivatives(x**2 / y, {x: Fraction(3), y: Fraction(2)}, [x, y], [Fraction(1), Fraction(0)])
     (Fraction(3, 1),)
     """
+    if lift is Fraction:
+        exact = {symbol: fmpq(value) for symbol, value in point.items()}
+        return tuple(map(fraction, derivatives(expression, exact, variables, list(map(fmpq, direction)), fmpq)))
     zero = lift(Fraction(0))
     along = dict(zip(variables, direction, strict=True))
     dual = {symbol: Dual(value, along.get(symbol, zero)) for symbol, value in point.items()}

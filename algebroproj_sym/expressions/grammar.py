@@ -11,12 +11,14 @@ from typing import Any, TypeAlias
 import sympy
 
 from algebroproj_sym.expressions.quotient import over
+from algebroproj_sym.expressions.writing import written
 
 Scalar: TypeAlias = sympy.Expr
 Expression: TypeAlias = "sympy.Expr | sympy.ImmutableDenseMatrix"
 
 
 LONG = 300
+REMEMBERED = 1 << 18
 
 _ANY_REAL = sympy.Symbol("x", real=True).assumptions0.items()
 
@@ -115,7 +117,7 @@ def symbols_of(expressions: Iterable[Expression]) -> tuple[sympy.Symbol, ...]:
     ValueError
         If two different symbols share a name.
     """
-    found = {symbol for expression in expressions for symbol in expression.free_symbols}
+    found = {symbol for expression in expressions for symbol in free_symbols(expression)}
     ordered = sorted(found, key=lambda symbol: symbol.name)
     for first, second in pairwise(ordered):
         if first.name == second.name:
@@ -125,10 +127,37 @@ def symbols_of(expressions: Iterable[Expression]) -> tuple[sympy.Symbol, ...]:
     return tuple(ordered)
 
 
+def free_symbols(expression: Expression) -> frozenset[sympy.Symbol]:
+    """Return the symbols of an expression; each part that it shares is looked at once."""
+    return _symbols(entries(expression))
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _symbols(roots: tuple[Scalar, ...]) -> frozenset[sympy.Symbol]:
+    seen: set[Any] = set()
+    waiting: list[Any] = list(roots)
+    while waiting:
+        node = waiting.pop()
+        if node not in seen:
+            seen.add(node)
+            waiting += node.args
+    return frozenset(node for node in seen if isinstance(node, sympy.Symbol))
+
+
 def divided(expression: Expression) -> Expression:
     """Return the expression with every `over` carried out."""
-    result = expression.doit()
-    return sympy.ImmutableDenseMatrix(result) if isinstance(result, sympy.MatrixBase) else result
+    if isinstance(expression, sympy.MatrixBase):
+        return sympy.ImmutableDenseMatrix(*expression.shape, list(map(_divided, expression.flat())))
+    return _divided(expression)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _divided(node: Any) -> Any:
+    """Do what `doit` does, each part once."""
+    if not node.args:
+        return node
+    parts = map(_divided, node.args)
+    return next(parts) / next(parts) if isinstance(node, over) else node.func(*parts)
 
 
 def text(expression: Expression) -> str:
@@ -142,7 +171,7 @@ def text(expression: Expression) -> str:
     >>> text(over(x, 2))
     'x/2'
     """
-    written = divided(expression)
-    nodes = (node for entry in entries(written) for node in sympy.preorder_traversal(entry))
+    result = divided(expression)
+    nodes = (node for entry in entries(result) for node in sympy.preorder_traversal(entry))
     is_long = next(islice(nodes, LONG, None), None) is not None
-    return str(sympy.sstr(written, order="none")) if is_long else str(written)
+    return written(result, ordered=not is_long)

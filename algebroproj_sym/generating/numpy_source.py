@@ -83,7 +83,8 @@ def _call(call: Call, written: dict[Operand, _Text]) -> list[str]:
     if call.primitive == "let":
         return [f"{n} = {_operand(operand, written).text}" for n, operand in zip(call.names, call.rows[0], strict=True)]
     rows = [", ".join(_operand(operand, written).text for operand in row) for row in call.rows]
-    head = f"{', '.join(call.names)} = {call.primitive}("
+    single = "," if call.primitive in LINEAR and len(call.names) == 1 else ""
+    head = f"{', '.join(call.names)}{single} = {call.primitive}("
     if call.primitive not in LINEAR:
         return [f"{head}{rows[0]})"]
     return [head, *(f"    [{row}]," for row in rows), ")"]

@@ -10,16 +10,17 @@ import sympy
 from algebroproj_sym.declaring import Claim, DeclarationError, judge
 from algebroproj_sym.declaring.claim import in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
+from algebroproj_sym.expressions import written
 from algebroproj_sym.mutating.forms import Mutant, mutants, sampled
 from algebroproj_sym.proving import Proof, UndefinedError, seed_of
 
-Fate = Literal["refuted", "undefined", "equivalent", "survived"]
+Fate = Literal["refuted", "undefined", "equivalent", "explained", "survived"]
 
 
 @dataclass(frozen=True)
 class MutantFate:
     """What became of a mutant: ``refuted`` by an exact counterexample, ``undefined`` because a denominator is zero,
-    ``equivalent`` to the unchanged form by a proof, or ``survived`` with the reason.
+    ``equivalent`` to the unchanged form by a proof, or ``survived``, ``explained`` where it is known why it must.
     """  # noqa: D205
 
     change: str
@@ -78,7 +79,7 @@ def mutate_claim(claim: Claim, limit: int = 0, engine: str = "flint") -> Mutated
 
 
 def _fate(claim: Claim, mutant: Mutant, engine: str) -> MutantFate:
-    shown = str(mutant.form)
+    shown = _shown(mutant.form)
     try:
         proof = _compared(claim, mutant.form, engine)
     except (UndefinedError, DeclarationError, ZeroDivisionError) as error:
@@ -90,6 +91,12 @@ def _fate(claim: Claim, mutant: Mutant, engine: str) -> MutantFate:
     if _is_same(claim, mutant.form, engine):
         return MutantFate(mutant.change, shown, "equivalent")
     return MutantFate(mutant.change, shown, "survived", _tolerance(claim))
+
+
+def _shown(form: Any) -> str:
+    if isinstance(form, tuple):
+        return written(sympy.Tuple(*form))
+    return written(form) if isinstance(form, sympy.Basic | sympy.MatrixBase) else str(form)
 
 
 def _compared(claim: Claim, form: Any, engine: str) -> Proof:

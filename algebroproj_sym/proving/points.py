@@ -9,7 +9,9 @@ from fractions import Fraction
 
 import sympy
 
-from algebroproj_sym.expressions import evaluate
+from algebroproj_sym.expressions import evaluate, free_symbols
+from algebroproj_sym.proving.rational_function import RationalFunctionField
+from algebroproj_sym.proving.varieties import real_points
 
 Point = dict[sympy.Symbol, Fraction]
 
@@ -50,16 +52,36 @@ def points_on(
             yield point
 
 
+def rational_zeros(
+    expressions: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int, tries: int
+) -> Iterator[Point]:
+    """Yield rational points on which all expressions vanish, also where that takes a rational root or a resultant.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> point = next(rational_zeros([x**2 + y**2 - 25], [x, y], 1, 50))
+    >>> point[x]**2 + point[y]**2
+    Fraction(25, 1)
+    """
+    field = RationalFunctionField(symbols, "flint")
+    polynomials = [evaluate(expression, field.variables, field.lift)[0].numerator for expression in expressions]
+    for values in real_points(polynomials, polynomials[0].context(), seed, tries):
+        point: Point = dict(zip(symbols, values, strict=True))  # type: ignore[arg-type]
+        if _vanish(expressions, point):
+            yield point
+
+
 def _onto(constraints: Sequence[sympy.Expr], start: Point, generator: random.Random) -> Point | None:
     point, solved = dict(start), set[sympy.Symbol]()
     for constraint in constraints:
-        free = sorted(constraint.free_symbols - solved, key=str)
+        free = sorted(free_symbols(constraint) - solved, key=lambda symbol: symbol.name)
         generator.shuffle(free)
         for variable in free:
             root = _affine_root(constraint, point, variable)
             if root is not None:
                 point[variable] = root
-                solved |= constraint.free_symbols
+                solved |= free_symbols(constraint)
                 break
         else:
             return None

@@ -16,10 +16,10 @@ from typing import Any, Literal
 
 import sympy
 
-from algebroproj_sym.expressions import Expression, evaluate, rational, shape, symbols_of, text
+from algebroproj_sym.expressions import Expression, evaluate, rational, shape, symbols_of, text, written
 from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.membership import cofactors
-from algebroproj_sym.proving.points import Point, points_on, rational_points, seed_of
+from algebroproj_sym.proving.points import Point, points_on, rational_points, rational_zeros, seed_of
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
 from algebroproj_sym.proving.thorough import Problem
 
@@ -27,6 +27,7 @@ Decision = Literal["proved", "refuted", "open"]
 
 FILTER_POINTS = 3
 SEARCH_POINTS = 400
+FURTHER_POINTS = 100
 SATURATION = 2
 
 
@@ -151,7 +152,7 @@ class _Question:
 
     @property
     def seed(self) -> int:
-        return seed_of(text(self.left), text(self.right), *self.constraints)
+        return seed_of(text(self.left), text(self.right), *map(written, self.constraints))
 
     def differs_at(self, point: Point) -> bool | None:
         """Whether the sides differ at a point; None where a side is undefined or a hypothesis fails."""
@@ -219,12 +220,14 @@ def _prove_constrained(question: _Question) -> Proof:
     field, difference = _normal_form(question)
     witness = next((point for point in question.points() if question.differs_at(point) is False), None)
     if witness is None:
-        return _open(question, field, "no point was found that satisfies constraints and hypotheses")
+        return _refuted_further(question) or _open(
+            question, field, "no point was found that satisfies constraints and hypotheses"
+        )
     generators = [_numerator(field, constraint) for constraint in question.constraints]
     multiplier = _nonvanishing(field, question.nonzero)
     evidence = [_membership(field, entry, generators, multiplier) for entry in difference]
     if any(part is None for part in evidence):
-        return _open(question, field, "no cofactors were found")
+        return _refuted_further(question) or _open(question, field, "no cofactors were found")
     certificate = {
         "method": "ideal membership",
         "denominators": [text(factor) for factor in field.divisors()],
@@ -257,7 +260,7 @@ def _membership(
 ) -> dict[str, Any] | None:
     """Return the cofactors of the numerator times a power of the multiplier, and the denominator that was cleared."""
     cleared = () if entry.is_zero else entry.denominator
-    denominator = {str(field.expression(field.factors[place])): count for place, count in cleared if count}
+    denominator = {written(field.expression(field.factors[place])): count for place, count in cleared if count}
     for power in range(SATURATION + 1):
         found = cofactors(field.ring, entry.numerator * multiplier**power, generators)
         if found is not None:
@@ -296,6 +299,13 @@ def _nonvanishing(field: RationalFunctionField, nonzero: Iterable[sympy.Expr]) -
 def _first_difference(question: _Question, tries: int) -> Point | None:
     points = islice(question.points(), tries)
     return next((point for point in points if question.differs_at(point)), None)
+
+
+def _refuted_further(question: _Question) -> Proof | None:
+    """Look for a counterexample on constraints that are not triangular."""
+    points = rational_zeros(question.constraints, question.symbols, question.seed, FURTHER_POINTS)
+    refuting = next((point for point in points if question.differs_at(point)), None)
+    return None if refuting is None else _refuted(question, refuting)
 
 
 def _refuted(question: _Question, point: Point) -> Proof:

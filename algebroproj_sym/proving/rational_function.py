@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from math import gcd, lcm
 from typing import Any
 
 import sympy
 
+from algebroproj_sym.expressions import written
 from algebroproj_sym.proving.engines import Ring, ring
 
 Exponents = tuple[tuple[int, int], ...]
@@ -45,7 +45,6 @@ class RationalFunctionField:
         self.ring: Ring = ring(engine, [f"x{place}" for place in range(len(symbols))])
         self.symbols = tuple(symbols)
         self.factors: list[Any] = []
-        self._place: dict[tuple[Any, ...], int] = {}
         self.variables = {
             symbol: RationalFunction(self, generator, ())
             for symbol, generator in zip(self.symbols, self.ring.generators, strict=True)
@@ -57,35 +56,31 @@ class RationalFunctionField:
 
     def divisors(self) -> tuple[sympy.Expr, ...]:
         """Return the irreducible factors of all denominators met so far, as expressions sorted by text."""
-        return tuple(sorted(map(self.expression, self.factors), key=str))
+        return tuple(sorted(map(self.expression, self.factors), key=written))
 
     def expression(self, polynomial: Any) -> sympy.Expr:
         """Return a polynomial as a SymPy expression."""
-        return sympy.Add(
-            *(
-                sympy.Rational(value.numerator, value.denominator)
-                * sympy.Mul(*(s**e for s, e in zip(self.symbols, powers, strict=True)))
-                for powers, value in self.ring.terms(polynomial).items()
-            )
-        )
+        return sympy.Add(*(self._term(powers, value) for powers, value in self.ring.terms(polynomial).items()))
+
+    def _term(self, powers: tuple[int, ...], value: Fraction) -> sympy.Expr:
+        present = (s if e == 1 else s**e for s, e in zip(self.symbols, powers, strict=True) if e)
+        return sympy.Mul(sympy.Rational(value.numerator, value.denominator), *present)
 
     def irreducible(self, polynomial: Any) -> tuple[Fraction, list[tuple[Any, int]]]:
         """Factor into primitive integer polynomials with positive leading coefficient, and a rational content."""
         content, factors = self.ring.factor(polynomial)
         normalised = []
         for factor, multiplicity in factors:
-            unit = _unit(self.ring.terms(factor))
+            unit = self.ring.unit(factor)
             content *= unit**multiplicity
-            normalised.append((factor * self.ring.constant(1 / unit), multiplicity))
+            normalised.append((factor if unit == 1 else factor * self.ring.constant(1 / unit), multiplicity))
         return content, normalised
 
     def place(self, factor: Any) -> int:
         """Return the place of an irreducible factor in the list of denominators, entering it if it is new."""
-        key = tuple(sorted(self.ring.terms(factor).items()))
-        if key not in self._place:
-            self._place[key] = len(self.factors)
+        if factor not in self.factors:
             self.factors.append(factor)
-        return self._place[key]
+        return self.factors.index(factor)
 
     def product(self, exponents: Exponents) -> Any:
         """Return the product of powers of denominator factors."""
@@ -106,7 +101,7 @@ class RationalFunction:
     @property
     def is_zero(self) -> bool:
         """Whether this is the zero function: whether its numerator has no terms."""
-        return not self.field.ring.terms(self.numerator)
+        return not self.numerator
 
     def __add__(self, other: object) -> RationalFunction:
         right = self._coerce(other)
@@ -173,11 +168,6 @@ class RationalFunction:
         denominator = tuple(sorted((self.field.place(factor), count) for factor, count in factors))
         numerator = self.field.product(self.denominator) * self.field.ring.constant(1 / content)
         return RationalFunction(self.field, numerator, denominator)
-
-
-def _unit(terms: dict[tuple[int, ...], Fraction]) -> Fraction:
-    scale = Fraction(gcd(*(v.numerator for v in terms.values())), lcm(*(v.denominator for v in terms.values())))
-    return scale if terms[max(terms)] > 0 else -scale
 
 
 def _combine(left: Exponents, right: Exponents, join: Any) -> Exponents:

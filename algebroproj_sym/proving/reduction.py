@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy
 
-from algebroproj_sym.expressions import Expression, divided, entries, evaluate, symbols_of
+from algebroproj_sym.expressions import Expression, divided, entries, evaluate, symbols_of, written
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
 
 MOST_TERMS = 2000
@@ -42,7 +42,7 @@ def reduced(expression: Expression, engine: str = "flint") -> Expression:
 
 def _written(entry: sympy.Expr, value: RationalFunction) -> sympy.Expr:
     """Return the shorter of an entry and its lowest terms; an expanded form of very many terms is never shorter."""
-    if len(value.field.ring.terms(value.numerator)) > MOST_TERMS:
+    if len(value.numerator) > MOST_TERMS:
         return entry
     return _shorter(entry, _lowest_terms(value))
 
@@ -60,4 +60,4 @@ def _lowest_terms(value: RationalFunction) -> sympy.Expr:
 
 
 def _shorter(first: sympy.Expr, second: sympy.Expr) -> sympy.Expr:
-    return first if len(str(first)) <= len(str(second)) else second
+    return first if len(written(first)) <= len(written(second)) else second

@@ -15,6 +15,7 @@ from typing import Any
 
 import flint
 
+from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField, has_real_root
 
 Value = Fraction | Algebraic
@@ -77,11 +78,11 @@ def real_points(
 def value_at(polynomial: Any, point: Sequence[Value]) -> Value:
     """Return the exact value of a polynomial at a point."""
     if all(isinstance(value, Fraction) for value in point):
-        return _fraction(polynomial(*(flint.fmpq(v.numerator, v.denominator) for v in point)))  # type: ignore[union-attr]
+        return fraction(polynomial(*(flint.fmpq(v.numerator, v.denominator) for v in point)))  # type: ignore[union-attr]
     total: Value = point[0] * 0
     powers: dict[tuple[int, int], Value] = {}
     for exponents, coefficient in polynomial.to_dict().items():
-        term = point[0] * 0 + _fraction(coefficient)
+        term = point[0] * 0 + fraction(coefficient)
         for place, exponent in enumerate(map(int, exponents)):
             if exponent:
                 key = place, exponent
@@ -133,7 +134,7 @@ class _Start:
             if found is not None:
                 return [found, *constraints]
         variable = self._generator.choice(free or everywhere)
-        return self._assign(constraints, variable, self._context.constant(_fmpq(self._value())))
+        return self._assign(constraints, variable, self._context.constant(fmpq(self._value())))
 
     def _dependent(self, constraints: list[Any]) -> set[int]:
         """Choose, at random, a variable for each constraint that will be solved for."""
@@ -223,16 +224,14 @@ class _Start:
         names = {variable for variable, _ in self._known}
         for variable in range(size):
             if variable not in names and variable != self._root:
-                self._known.append((variable, self._context.constant(_fmpq(self._value()))))
+                self._known.append((variable, self._context.constant(fmpq(self._value()))))
         values: dict[int, Any] = {}
         for variable, value in reversed(self._known):
             for other in [i for i, degree in enumerate(value.degrees()) if degree > 0 and i != self._root]:
                 value = self._reduced(_replaced(value, other, values[other]))
             values[variable] = value
         if self._minimal is None:
-            return [
-                _fraction(values[i].leading_coefficient() if values[i] != 0 else flint.fmpq(0)) for i in range(size)
-            ]
+            return [fraction(values[i].leading_coefficient() if values[i] != 0 else flint.fmpq(0)) for i in range(size)]
         field = RealField(self._univariate(self._minimal))
         return [Algebraic(field, self._univariate(values[i])) for i in range(size)]
 
@@ -246,12 +245,3 @@ def _replaced(polynomial: Any, variable: int, value: Any) -> Any:
         return polynomial
     arguments[variable] = value
     return polynomial.compose(*arguments)
-
-
-def _fmpq(value: Fraction) -> Any:
-    return flint.fmpq(value.numerator, value.denominator)
-
-
-def _fraction(value: Any) -> Fraction:
-    value = flint.fmpq(value)
-    return Fraction(int(value.p), int(value.q))

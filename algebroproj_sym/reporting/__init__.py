@@ -4,6 +4,7 @@ from algebroproj_sym.reporting.answers import answers_record, answers_summary, a
 from algebroproj_sym.reporting.audits import audit_counts, audit_lines, audit_record, audit_table, audited_share
 from algebroproj_sym.reporting.forms import derived_form, remember
 from algebroproj_sym.reporting.ledger import claim_record, ledger, summary, write_json, write_text
+from algebroproj_sym.reporting.notebooks import Notebook, NotebookError, run_notebook
 from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
     claims_table,
@@ -15,6 +16,8 @@ from algebroproj_sym.reporting.tables import (
 )
 
 __all__ = [
+    "Notebook",
+    "NotebookError",
     "answers_record",
     "answers_summary",
     "answers_table",
@@ -33,6 +36,7 @@ __all__ = [
     "operations_table",
     "remember",
     "report",
+    "run_notebook",
     "summary",
     "summary_text",
     "verification_table",

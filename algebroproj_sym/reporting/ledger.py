@@ -69,7 +69,7 @@ def claim_record(judgement: Judgement, *, timed: bool = True) -> dict[str, Any]:
         "where": {symbol.name: statement_text(value) for symbol, value in claim.where.items()},
         "setting": _setting(claim),
         "divisions": _divisions(claim, derived),
-        "hypotheses": [str(factor) for factor in judgement.hypotheses],
+        "hypotheses": [text(factor) for factor in judgement.hypotheses],
         "counterexample": None if counterexample is None else {s.name: str(v) for s, v in counterexample.items()},
         "certificate": judgement.certificate,
         "instead": claim.instead or None,

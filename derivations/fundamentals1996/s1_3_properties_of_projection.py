@@ -504,6 +504,7 @@ section.kernel(
     where=BARYCENTRIC,
     claims=["1.3.5#mu1", "1.3.5#mu2", "1.3.5#mu3"],
     example=EXAMPLE_CENTER,
+    jacobian=True,
 )
 delta = mu1 * mu2 * (mu3 - 1) - mu3 * (u31 * mu2 * (mu1 - 1) + u32 * mu1 * (mu2 - 1))
 section.kernel(
@@ -535,6 +536,7 @@ section.kernel(
     where=BARYCENTRIC | DIFFERENCES,
     claims=["1.3.6#row0", "1.3.6#rows12"],
     example=EXAMPLE_CENTER,
+    jacobian=True,
 )
 section.kernel(
     "projection.projection_matrix_from_mu",

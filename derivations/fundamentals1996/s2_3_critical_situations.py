@@ -8,6 +8,7 @@
 # %%
 import sympy
 
+from algebroproj_derivations.figures import QuadricDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import (
     M_star,
@@ -553,6 +554,22 @@ section.rank(
     "A5 is regular.  The sentence is right if its quadric is the one of (2.3.3), on which the basic points lie.  "
     "Nor is a quadric necessary: 2.3/beyond/normalisation#A5.",
 )
+
+
+def named(positions: list[Matrix]) -> dict[str, Matrix]:
+    """Return both centers, the points 3 to 7 and the three basic points of the images by their names."""
+    names = ("C'", "C''", *(f"P{k}" for k in GENERAL))
+    return dict(zip(names, positions, strict=True)) | {"G0": e0, "G1": e1, "G2": e2}
+
+
+QuadricDrawing(
+    "Both centers C', C'' and the points P3 to P7 lie on the hyperbolic paraboloid y3 = y1 y2 + 1, a ruled quadric.  "
+    "The basic points G0, G1 and G2 lie below it, and the five equations are independent.",
+    Matrix([[2, 0, 0, -1], [0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0]]),
+    named(saddle),
+)
+
+# %%
 section.rank(
     "2.3/beyond/seven-points",
     "conditions that seven points impose on a quadric",
@@ -579,9 +596,14 @@ DIRECTIONS = [
 ]
 
 
+def points_on(quadric: Matrix) -> list[Matrix]:
+    """Return two centers and five points, homogeneous, on a quadric through G0."""
+    return [second_intersection(quadric, direction) for direction in DIRECTIONS]
+
+
 def on_quadric(quadric: Matrix) -> tuple[Matrix, Matrix, list[Matrix]]:
     """Return two cameras and five points with all centers and points on a quadric."""
-    first, second, *points = [second_intersection(quadric, direction) for direction in DIRECTIONS]
+    first, second, *points = points_on(quadric)
     return camera(first[1:, :], FOURTH_LEFT), camera(second[1:, :], FOURTH_RIGHT), points
 
 
@@ -608,6 +630,12 @@ section.rank(
     note="What it means that the critical surfaces are ruled.  Both centers, the basic points, G3 as point 3 and four "
     "further points lie on a sphere, with regular cameras: A5 has rank 4.  For relative orientation itself only ruled "
     "quadrics are critical, but the linear equations fail on every quadric: see 2.3/beyond/discriminant.",
+)
+QuadricDrawing(
+    "Both centers, the basic points and the points P3 to P7 lie on a sphere, which is not ruled, and yet the five "
+    "equations are dependent.  P3 is G3.",
+    diagonal(1, 1, 1),
+    named([y[1:, :] for y in points_on(diagonal(1, 1, 1))]),
 )
 
 # %% [markdown]

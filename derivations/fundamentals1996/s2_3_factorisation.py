@@ -12,6 +12,7 @@ from itertools import combinations
 import sympy
 
 from algebroproj_derivations.drivers import classify
+from algebroproj_derivations.figures import QuadricDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s2_2_correlation import differences, primed, q2
 from algebroproj_derivations.fundamentals1996.s2_3_critical_situations import (
@@ -41,7 +42,9 @@ from algebroproj_derivations.fundamentals1996.s2_3_critical_situations import (
     mupp1,
     mupp2,
     mupp3,
+    named,
     on_quadric,
+    points_on,
     quadric,
     six_forms,
     up32,
@@ -282,6 +285,14 @@ section.identity(
     "paraboloids: two other singular matrices of the pencil.  det(2Q) < 0 on ellipsoids, hyperboloids of two sheets "
     "and elliptic paraboloids: none.  det(2Q) = 0 on cones, cylinders and pairs of planes: a double one, which for a "
     "pair of planes may have rank 1 and then is no matrix of correlation.",
+)
+
+hyperboloid = diagonal(1, 1, -1)
+QuadricDrawing(
+    "Both centers, the basic points and the points P3 to P7 on a hyperboloid of one sheet, which two families of lines "
+    "cover.  Here the images themselves are ambiguous: nothing in them tells the true correlation from two others.",
+    hyperboloid,
+    named([y[1:, :] for y in points_on(hyperboloid)]),
 )
 
 # %% [markdown]

@@ -246,6 +246,7 @@ section.kernel(
     where=FOURTH,
     claims=["3.1.2#tau", "3.1.2#fourth-points"],
     example={"u3": ("0.2718578", "0.0577379"), "u3_normal": ("0.2718578", "0.0619863")},
+    jacobian=True,
 )
 section.kernel(
     "normal_case.transform",

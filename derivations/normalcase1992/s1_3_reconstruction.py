@@ -179,4 +179,5 @@ section.kernel(
     derived=over(1, xp - xpp) * x_left,
     claims=["1.3.1#left", "1.3.2", "1.3.3"],
     example={"x_left": ("12.5", "-3.25"), "x_right": ("-7.5", "-3.25"), "c": "50"},
+    jacobian=True,
 )

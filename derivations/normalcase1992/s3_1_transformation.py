@@ -144,6 +144,7 @@ section.kernel(
     derived=image_of(R_any * x_vector),
     claims=["1.1.4", "1.1.5#x", "1.1.5#y"],
     example={"R": EXAMPLE_R, "x": ("-10.62", "1.694"), "c": "51.18"},
+    jacobian=True,
 )
 section.kernel(
     "metric.from_normal",
@@ -153,4 +154,5 @@ section.kernel(
     derived=image_of(R_any.T * x_vector),
     claims=["3.1/inverse", "3.1.1"],
     example={"R": EXAMPLE_R, "x": ("-25.3", "1.75"), "c": "51.18"},
+    jacobian=True,
 )

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "07250ee7661c32e2"
+DIGEST = "66a46e35448dbba4"
 """What identifies the C source that belongs to this package."""
 
 

@@ -43,7 +43,7 @@ enum {
     BLOCK = 64,
     MOST_OPERANDS = 7,
     MOST_INPUTS = 32,
-    MOST_OUTPUTS = 30
+    MOST_OUTPUTS = 45
 };
 
 typedef npy_longdouble longdouble;
@@ -177,6 +177,9 @@ static struct kernel kernels[] = {
     {"correlation_epipoles", "(3,3)->(2),(2)", 1, 2, 0,
      {{2, 3, 3}, {1, 1, 2}, {1, 1, 2}},
      correlation_epipoles_float, correlation_epipoles_double, correlation_epipoles_longdouble},
+    {"correlation_epipoles_jacobian", "(3,3)->(2,9),(2,9)", 1, 2, 0,
+     {{2, 3, 3}, {2, 2, 9}, {2, 2, 9}},
+     correlation_epipoles_jacobian_float, correlation_epipoles_jacobian_double, correlation_epipoles_jacobian_longdouble},
     {"correlation_general_correlation_matrix", "(8,2),(8,2)->(3,3)", 2, 1, 1,
      {{2, 8, 2}, {2, 8, 2}, {2, 3, 3}},
      correlation_general_correlation_matrix_float, correlation_general_correlation_matrix_double, correlation_general_correlation_matrix_longdouble},
@@ -204,6 +207,9 @@ static struct kernel kernels[] = {
     {"metric_from_normal", "(3,3),(2),()->(2)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}},
      metric_from_normal_float, metric_from_normal_double, metric_from_normal_longdouble},
+    {"metric_from_normal_jacobian", "(3,3),(2),()->(2,12)", 3, 1, 0,
+     {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 12}},
+     metric_from_normal_jacobian_float, metric_from_normal_jacobian_double, metric_from_normal_jacobian_longdouble},
     {"metric_jacobian_angles", "(2),()->(2,3)", 2, 1, 0,
      {{1, 1, 2}, {0, 1, 1}, {2, 2, 3}},
      metric_jacobian_angles_float, metric_jacobian_angles_double, metric_jacobian_angles_longdouble},
@@ -219,9 +225,15 @@ static struct kernel kernels[] = {
     {"metric_reconstruct", "(2),(2),()->(3)", 3, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {1, 1, 3}},
      metric_reconstruct_float, metric_reconstruct_double, metric_reconstruct_longdouble},
+    {"metric_reconstruct_jacobian", "(2),(2),()->(3,5)", 3, 1, 0,
+     {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {2, 3, 5}},
+     metric_reconstruct_jacobian_float, metric_reconstruct_jacobian_double, metric_reconstruct_jacobian_longdouble},
     {"metric_to_normal", "(3,3),(2),()->(2)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}},
      metric_to_normal_float, metric_to_normal_double, metric_to_normal_longdouble},
+    {"metric_to_normal_jacobian", "(3,3),(2),()->(2,12)", 3, 1, 0,
+     {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 12}},
+     metric_to_normal_jacobian_float, metric_to_normal_jacobian_double, metric_to_normal_jacobian_longdouble},
     {"normal_case_frame", "(),(2)->(3,3)", 2, 1, 0,
      {{0, 1, 1}, {1, 1, 2}, {2, 3, 3}},
      normal_case_frame_float, normal_case_frame_double, normal_case_frame_longdouble},
@@ -243,6 +255,9 @@ static struct kernel kernels[] = {
     {"normal_case_tau", "(2),(2)->(2)", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
      normal_case_tau_float, normal_case_tau_double, normal_case_tau_longdouble},
+    {"normal_case_tau_jacobian", "(2),(2)->(2,4)", 2, 1, 0,
+     {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}},
+     normal_case_tau_jacobian_float, normal_case_tau_jacobian_double, normal_case_tau_jacobian_longdouble},
     {"normal_case_transform", "(2)->(3,3)", 1, 1, 0,
      {{1, 1, 2}, {2, 3, 3}},
      normal_case_transform_float, normal_case_transform_double, normal_case_transform_longdouble},
@@ -285,6 +300,9 @@ static struct kernel kernels[] = {
     {"projection_mu_from_center", "(3),(2)->(3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
      projection_mu_from_center_float, projection_mu_from_center_double, projection_mu_from_center_longdouble},
+    {"projection_mu_from_center_jacobian", "(3),(2)->(3,5)", 2, 1, 0,
+     {{1, 1, 3}, {1, 1, 2}, {2, 3, 5}},
+     projection_mu_from_center_jacobian_float, projection_mu_from_center_jacobian_double, projection_mu_from_center_jacobian_longdouble},
     {"projection_project", "(3),(3),(2)->(2)", 3, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}},
      projection_project_float, projection_project_double, projection_project_longdouble},
@@ -300,6 +318,9 @@ static struct kernel kernels[] = {
     {"projection_projection_matrix_from_mu", "(3),(2)->(3,3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
      projection_projection_matrix_from_mu_float, projection_projection_matrix_from_mu_double, projection_projection_matrix_from_mu_longdouble},
+    {"projection_projection_matrix_jacobian", "(3),(2)->(9,5)", 2, 1, 0,
+     {{1, 1, 3}, {1, 1, 2}, {2, 9, 5}},
+     projection_projection_matrix_jacobian_float, projection_projection_matrix_jacobian_double, projection_projection_matrix_jacobian_longdouble},
     {"projection_reconstruction_matrix", "(3),(2)->(3,3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
      projection_reconstruction_matrix_float, projection_reconstruction_matrix_double, projection_reconstruction_matrix_longdouble},
@@ -356,7 +377,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "07250ee7661c32e2");
+    return PyModule_AddStringConstant(module, "DIGEST", "66a46e35448dbba4");
 }
 
 static PyModuleDef_Slot slots[] = {

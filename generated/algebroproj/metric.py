@@ -16,13 +16,16 @@ from ._primitives import arctan2, cos_sin
 
 __all__ = [
     "reconstruct",
+    "reconstruct_jacobian",
     "rotation_left",
     "rotation_right",
     "correlation_matrix",
     "rotations_from_correlation",
     "coplanarity_row",
     "to_normal",
+    "to_normal_jacobian",
     "from_normal",
+    "from_normal_jacobian",
     "jacobian_angles",
     "jacobian_image",
     "normal_covariance",
@@ -97,6 +100,96 @@ def _reconstruct_factors(
 
 
 _RECONSTRUCT_FACTORS = (
+    "xp - xpp",
+)
+
+
+def reconstruct_jacobian(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+    """Derivatives of the entries of `reconstruct`, row by row, by those of its arguments, in order.
+
+    normalcase1992, section 1.3; proved by (1.3.1#left), (1.3.2), (1.3.3).
+
+    Parameters
+    ----------
+    x_left : array_like, shape (..., 2)
+        Left image point (x', y') of the normal case, in the unit of c.
+    x_right : array_like, shape (..., 2)
+        Right image point (x'', y'') of the normal case, in the unit of c; y'' = y' is not used.
+    c : array_like, shape (...)
+        Principal distance, in the unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 5)
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
+
+    Notes
+    -----
+    Formula::
+
+        result[0, 0] = 1/(xp - xpp) - xp/(xp - xpp)**2
+        result[0, 1] = 0
+        result[0, 2] = xp/(xp - xpp)**2
+        result[0, 3] = 0
+        result[0, 4] = 0
+        result[1, 0] = -yp/(xp - xpp)**2
+        result[1, 1] = 1/(xp - xpp)
+        result[1, 2] = yp/(xp - xpp)**2
+        result[1, 3] = 0
+        result[1, 4] = 0
+        result[2, 0] = c/(xp - xpp)**2
+        result[2, 1] = 0
+        result[2, 2] = -c/(xp - xpp)**2
+        result[2, 3] = 0
+        result[2, 4] = -1/(xp - xpp)
+
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
+    given by the function `hypotheses` of this package.
+
+    Operations: 10 (2 -, 3 *, 2 /, 3 neg); the derived expression as written takes 25.
+    With double-double operations for sums that may cancel: 134.
+
+    Examples
+    --------
+    >>> reconstruct_jacobian([12.5, -3.25], [-7.5, -3.25], 50).round(6).tolist()
+    [[0.01875, 0.0, 0.03125, 0.0, 0.0], [0.008125, 0.05, -0.008125, 0.0, 0.0], [0.125, 0.0, -0.125, 0.0, -0.05]]
+    """
+    return evaluate(_RECONSTRUCT_JACOBIAN_SIGNATURE, _reconstruct_jacobian, (x_left, x_right, c), out)
+
+
+def _reconstruct_jacobian(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any,
+) -> tuple[Any, ...]:
+    t0 = wide(xp) - xpp
+    t11 = 1 / t0
+    t1 = rounded(t11)
+    t12 = t11 / t0
+    t2 = rounded(t12)
+    t13 = wide(xp) * t12
+    t5 = yp * t2
+    t7 = c * t2
+    return rounded(t11 - t13), 0, rounded(t13), 0, 0, -t5, t1, t5, 0, 0, t7, 0, -t7, 0, -t1
+
+
+_RECONSTRUCT_JACOBIAN_SIGNATURE = Signature("reconstruct_jacobian", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3, 5),), twin=ufunc("metric_reconstruct_jacobian"))
+
+
+def _reconstruct_jacobian_factors(
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any,
+) -> tuple[Any, ...]:
+    return (xp - xpp,)
+
+
+_RECONSTRUCT_JACOBIAN_FACTORS = (
     "xp - xpp",
 )
 
@@ -608,6 +701,117 @@ _TO_NORMAL_FACTORS = (
 )
 
 
+def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+    """Derivatives of the entries of `to_normal`, row by row, by those of its arguments, in order.
+
+    normalcase1992, section 3.1; proved by (1.1.4), (1.1.5#x), (1.1.5#y).
+
+    Parameters
+    ----------
+    R : array_like, shape (..., 3, 3)
+        Matrix of orientation R = [i, j, k], a rotation from the image to the model system; dimensionless.
+    x : array_like, shape (..., 2)
+        Image point (x, y), centered at the principal point, in the unit of c.
+    c : array_like, shape (...)
+        Principal distance, in the unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+
+    Returns
+    -------
+    ndarray, shape (..., 2, 12)
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
+
+    Notes
+    -----
+    Formula::
+
+        result[0, 0] = -c*x/(i3*x + j3*y - c*k3)
+        result[0, 1] = -c*y/(i3*x + j3*y - c*k3)
+        result[0, 2] = c**2/(i3*x + j3*y - c*k3)
+        result[0, 3] = 0
+        result[0, 4] = 0
+        result[0, 5] = 0
+        result[0, 6] = c*x*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3)**2
+        result[0, 7] = c*y*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3)**2
+        result[0, 8] = -c**2*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3)**2
+        result[0, 9] = -c*(i1 - i3*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+        result[0, 10] = -c*(j1 - j3*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+        result[0, 11] = -(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3) - c*(-k1 + k3*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+        result[1, 0] = 0
+        result[1, 1] = 0
+        result[1, 2] = 0
+        result[1, 3] = -c*x/(i3*x + j3*y - c*k3)
+        result[1, 4] = -c*y/(i3*x + j3*y - c*k3)
+        result[1, 5] = c**2/(i3*x + j3*y - c*k3)
+        result[1, 6] = c*x*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3)**2
+        result[1, 7] = c*y*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3)**2
+        result[1, 8] = -c**2*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3)**2
+        result[1, 9] = -c*(i2 - i3*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+        result[1, 10] = -c*(j2 - j3*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+        result[1, 11] = -(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3) - c*(-k2 + k3*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
+
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
+    values are given by the function `hypotheses` of this package.
+
+    Operations: 70 (2 +, 12 -, 36 *, 17 /, 3 neg); the derived expression as written takes 270.
+    With double-double operations for sums that may cancel: 697.
+
+    Examples
+    --------
+    >>> to_normal_jacobian([[0.96, 0, -0.28], [0, 1, 0], [0.28, 0, 0.96]], [-10.62, 1.694], 51.18).round(6).tolist()
+    [[-10.431187, 1.663882, -50.27007, 0.0, 0.0, 0.0, -0.827826, 0.132047, -3.989468, 0.964758, -0.0, 0.279551], [0.0, 0.0, 0.0, -10.431187, 1.663882, -50.27007, -0.339122, 0.054093, -1.6343, 0.008941, 0.982221, 0.001855]]
+    """
+    return evaluate(_TO_NORMAL_JACOBIAN_SIGNATURE, _to_normal_jacobian, (R, x, c), out)
+
+
+def _to_normal_jacobian(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    t73 = wide(c) * k3 - wide(i3) * x - wide(j3) * y
+    t4 = rounded(t73)
+    t6 = c * (x / t4)
+    t8 = c * (y / t4)
+    t74 = -t73
+    t9 = rounded(t74)
+    t11 = c * (c / t9)
+    t78 = (wide(i1) * x + wide(j1) * y - wide(c) * k1) / t74
+    t17 = rounded(t78)
+    t85 = (wide(i2) * x + wide(j2) * y - wide(c) * k2) / t74
+    t46 = rounded(t85)
+    return (
+        t6, t8, t11, 0, 0, 0, c * (x * t17 / t9), c * (y * t17 / t9), -(c * (c * t17 / t9)),
+        c * (rounded(wide(i3) * t78 - i1) / t9), c * (rounded(wide(j3) * t78 - j1) / t9),
+        rounded(wide(c) * ((wide(k1) - wide(k3) * t78) / t74) - t78), 0, 0, 0, t6, t8, t11,
+        c * (x * t46 / t9), c * (y * t46 / t9), -(c * (c * t46 / t9)),
+        c * (rounded(wide(i3) * t85 - i2) / t9), c * (rounded(wide(j3) * t85 - j2) / t9),
+        rounded(wide(c) * ((wide(k2) - wide(k3) * t85) / t74) - t85),
+    )
+
+
+_TO_NORMAL_JACOBIAN_SIGNATURE = Signature("to_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_to_normal_jacobian"))
+
+
+def _to_normal_jacobian_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3),)
+
+
+_TO_NORMAL_JACOBIAN_FACTORS = (
+    "-c*k3 + i3*x + j3*y",
+)
+
+
 def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Image point of a point of the normal case.
 
@@ -679,6 +883,116 @@ def _from_normal_factors(
 
 
 _FROM_NORMAL_FACTORS = (
+    "-c*k3 + k1*x + k2*y",
+)
+
+
+def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+    """Derivatives of the entries of `from_normal`, row by row, by those of its arguments, in order.
+
+    normalcase1992, section 3.1; proved by (3.1/inverse), (3.1.1).
+
+    Parameters
+    ----------
+    R : array_like, shape (..., 3, 3)
+        Matrix of orientation R = [i, j, k], a rotation from the image to the model system; dimensionless.
+    x : array_like, shape (..., 2)
+        Image point (xN, yN) of the normal case, in the unit of c.
+    c : array_like, shape (...)
+        Principal distance, in the unit of the image coordinates.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+
+    Returns
+    -------
+    ndarray, shape (..., 2, 12)
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
+
+    Notes
+    -----
+    Formula::
+
+        result[0, 0] = -c*x/(k1*x + k2*y - c*k3)
+        result[0, 1] = 0
+        result[0, 2] = c*x*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3)**2
+        result[0, 3] = -c*y/(k1*x + k2*y - c*k3)
+        result[0, 4] = 0
+        result[0, 5] = c*y*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3)**2
+        result[0, 6] = c**2/(k1*x + k2*y - c*k3)
+        result[0, 7] = 0
+        result[0, 8] = -c**2*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3)**2
+        result[0, 9] = -c*(i1 - k1*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+        result[0, 10] = -c*(i2 - k2*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+        result[0, 11] = -(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3) - c*(-i3 + k3*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+        result[1, 0] = 0
+        result[1, 1] = -c*x/(k1*x + k2*y - c*k3)
+        result[1, 2] = c*x*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3)**2
+        result[1, 3] = 0
+        result[1, 4] = -c*y/(k1*x + k2*y - c*k3)
+        result[1, 5] = c*y*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3)**2
+        result[1, 6] = 0
+        result[1, 7] = c**2/(k1*x + k2*y - c*k3)
+        result[1, 8] = -c**2*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3)**2
+        result[1, 9] = -c*(j1 - k1*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+        result[1, 10] = -c*(j2 - k2*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+        result[1, 11] = -(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3) - c*(-j3 + k3*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
+
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``. Their
+    values are given by the function `hypotheses` of this package.
+
+    Operations: 71 (2 +, 12 -, 36 *, 17 /, 4 neg); the derived expression as written takes 270.
+    With double-double operations for sums that may cancel: 698.
+
+    Examples
+    --------
+    >>> from_normal_jacobian([[0.96, 0, -0.28], [0, 1, 0], [0.28, 0, 0.96]], [-25.3, 1.75], 51.18).round(6).tolist()
+    [[-30.794077, 0.0, 28.281853, 2.130025, 0.0, -1.956255, -62.294106, 0.0, 57.212065, 1.481472, -0.0, -0.186077], [0.0, -30.794077, -1.281597, 0.0, 2.130025, 0.088648, 0.0, -62.294106, -2.592575, -0.014184, 1.217157, -0.007011]]
+    """
+    return evaluate(_FROM_NORMAL_JACOBIAN_SIGNATURE, _from_normal_jacobian, (R, x, c), out)
+
+
+def _from_normal_jacobian(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    t74 = wide(c) * k3 - wide(k1) * x - wide(k2) * y
+    t6 = c * (x / rounded(t74))
+    t78 = -t74
+    t12 = rounded(t78)
+    t79 = (wide(i1) * x + wide(i2) * y - wide(c) * i3) / t78
+    t13 = rounded(t79)
+    t19 = -(c * (y / t12))
+    t24 = c * (c / t12)
+    t86 = (wide(j1) * x + wide(j2) * y - wide(c) * j3) / t78
+    t47 = rounded(t86)
+    return (
+        t6, 0, c * (x * t13 / t12), t19, 0, c * (y * t13 / t12), t24, 0, -(c * (c * t13 / t12)),
+        c * (rounded(wide(k1) * t79 - i1) / t12), c * (rounded(wide(k2) * t79 - i2) / t12),
+        rounded(wide(c) * ((wide(i3) - wide(k3) * t79) / t78) - t79), 0, t6, c * (x * t47 / t12), 0, t19,
+        c * (y * t47 / t12), 0, t24, -(c * (c * t47 / t12)), c * (rounded(wide(k1) * t86 - j1) / t12),
+        c * (rounded(wide(k2) * t86 - j2) / t12),
+        rounded(wide(c) * ((wide(j3) - wide(k3) * t86) / t78) - t86),
+    )
+
+
+_FROM_NORMAL_JACOBIAN_SIGNATURE = Signature("from_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_from_normal_jacobian"))
+
+
+def _from_normal_jacobian_factors(
+    i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
+    c: Any,
+) -> tuple[Any, ...]:
+    return (rounded(wide(k1) * x + wide(k2) * y - wide(c) * k3),)
+
+
+_FROM_NORMAL_JACOBIAN_FACTORS = (
     "-c*k3 + k1*x + k2*y",
 )
 

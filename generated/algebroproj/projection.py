@@ -16,8 +16,10 @@ from ._evaluation import Signature, evaluate
 __all__ = [
     "camera_matrix",
     "mu_from_center",
+    "mu_from_center_jacobian",
     "center_from_mu",
     "projection_matrix",
+    "projection_matrix_jacobian",
     "projection_matrix_from_mu",
     "projection_determinant",
     "projection_determinant_from_mu",
@@ -159,6 +161,112 @@ def _mu_from_center_factors(
 
 
 _MU_FROM_CENTER_FACTORS = (
+    "u31 + u32 - 1", "y01", "y02", "y03",
+)
+
+
+def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+    """Derivatives of the entries of `mu_from_center`, row by row, by those of its arguments, in order.
+
+    fundamentals1996, section 1.3; proved by (1.3.5#mu1), (1.3.5#mu2), (1.3.5#mu3).
+
+    Parameters
+    ----------
+    y0 : array_like, shape (..., 3)
+        Center of projection (y01, y02, y03) in affine coordinates; dimensionless.
+    u3 : array_like, shape (..., 2)
+        Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 5)
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
+
+    Notes
+    -----
+    Formula::
+
+        y00 = 1 - y01 - y02 - y03
+        u30 = 1 - u31 - u32
+        result[0, 0] = -u31/(u30*y01) - u31*y00/(u30*y01**2)
+        result[0, 1] = -u31/(u30*y01)
+        result[0, 2] = -u31/(u30*y01)
+        result[0, 3] = y00/(u30*y01) + u31*y00/(u30**2*y01)
+        result[0, 4] = u31*y00/(u30**2*y01)
+        result[1, 0] = -u32/(u30*y02)
+        result[1, 1] = -u32/(u30*y02) - u32*y00/(u30*y02**2)
+        result[1, 2] = -u32/(u30*y02)
+        result[1, 3] = u32*y00/(u30**2*y02)
+        result[1, 4] = y00/(u30*y02) + u32*y00/(u30**2*y02)
+        result[2, 0] = 1/(u30*y03)
+        result[2, 1] = 1/(u30*y03)
+        result[2, 2] = 1/(u30*y03) + y00/(u30*y03**2)
+        result[2, 3] = -y00/(u30**2*y03)
+        result[2, 4] = -y00/(u30**2*y03)
+
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
+    ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
+
+    Operations: 40 (5 +, 5 -, 14 *, 11 /, 5 neg); the derived expression as written takes 535.
+    With double-double operations for sums that may cancel: 748.
+
+    Examples
+    --------
+    >>> mu_from_center_jacobian([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
+    [[1.025639, 0.379708, 0.379708, 3.566439, 1.028975], [0.379708, 3.42106, 0.379708, 1.028975, 12.976572], [0.362795, 0.362795, 0.202488, 0.983143, 0.983143]]
+    """
+    return evaluate(_MU_FROM_CENTER_JACOBIAN_SIGNATURE, _mu_from_center_jacobian, (y0, u3), out)
+
+
+def _mu_from_center_jacobian(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t4 = 1 - wide(y01) - y02 - y03
+    y00 = rounded(t4)
+    t41 = 1 - wide(u31) - u32
+    u30 = rounded(t41)
+    t5 = t41 * y01
+    t42 = wide(u31) / t5
+    t7 = wide(u31) * t4
+    t8 = wide(y01) * t41
+    t13 = -rounded(t42)
+    t44 = t7 / (t8 * t41)
+    t18 = t41 * y02
+    t46 = wide(u32) / t18
+    t20 = -rounded(t46)
+    t21 = wide(u32) * t4
+    t22 = wide(y02) * t41
+    t48 = t21 / (t22 * t41)
+    t50 = 1 / (t41 * y03)
+    t32 = rounded(t50)
+    t51 = wide(y03) * t41
+    t39 = -(y00 / (rounded(t51) * u30))
+    return (
+        -rounded(t42 + t7 / (t8 * y01)), t13, t13, rounded(t4 / t5 + t44), rounded(t44), t20,
+        -rounded(t46 + t21 / (t22 * y02)), t20, rounded(t48), rounded(t48 + t4 / t18), t32, t32,
+        rounded(t50 + t4 / (t51 * y03)), t39, t39,
+    )
+
+
+_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"))
+
+
+def _mu_from_center_jacobian_factors(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return rounded(wide(u31) + u32 - 1), y01, y02, y03
+
+
+_MU_FROM_CENTER_JACOBIAN_FACTORS = (
     "u31 + u32 - 1", "y01", "y02", "y03",
 )
 
@@ -335,6 +443,194 @@ def _projection_matrix_factors(
 
 
 _PROJECTION_MATRIX_FACTORS = (
+    "u31 + u32 - 1", "y01", "y02", "y03",
+)
+
+
+def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+    """Derivatives of the entries of `projection_matrix`, row by row, by those of its arguments, in order.
+
+    fundamentals1996, section 1.3; proved by (1.3.6#row0), (1.3.6#rows12).
+
+    Parameters
+    ----------
+    y0 : array_like, shape (..., 3)
+        Center of projection (y01, y02, y03) in affine coordinates; dimensionless.
+    u3 : array_like, shape (..., 2)
+        Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
+    out : ndarray, optional
+        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+
+    Returns
+    -------
+    ndarray, shape (..., 9, 5)
+        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, or `out` has another dtype.
+
+    Notes
+    -----
+    Formula::
+
+        y00 = 1 - y01 - y02 - y03
+        u30 = 1 - u31 - u32
+        a1 = 1 - y02 - y03
+        a2 = 1 - y01 - y03
+        b1 = 1 - u32
+        b2 = 1 - u31
+        w1 = a1*u31 - b1*y01
+        d_w1_y01 = -b1
+        d_w1_y02 = -u31
+        d_w1_y03 = -u31
+        d_w1_u31 = a1
+        d_w1_u32 = y01
+        w2 = a2*u32 - b2*y02
+        d_w2_y01 = -u32
+        d_w2_y02 = -b2
+        d_w2_y03 = -u32
+        d_w2_u31 = y02
+        d_w2_u32 = a2
+        result[0, 0] = d_w1_y01/(y01*(b1 - u31)) - w1/(y01**2*(b1 - u31))
+        result[0, 1] = d_w1_y02/(y01*(b1 - u31))
+        result[0, 2] = d_w1_y03/(y01*(b1 - u31))
+        result[0, 3] = d_w1_u31/(y01*(b1 - u31)) + w1/(y01*(b1 - u31)**2)
+        result[0, 4] = d_w1_u32/(y01*(b1 - u31)) + w1/(y01*(b1 - u31)**2)
+        result[1, 0] = d_w2_y01/(y02*(b2 - u32))
+        result[1, 1] = d_w2_y02/(y02*(b2 - u32)) - w2/(y02**2*(b2 - u32))
+        result[1, 2] = d_w2_y03/(y02*(b2 - u32))
+        result[1, 3] = d_w2_u31/(y02*(b2 - u32)) + w2/(y02*(b2 - u32)**2)
+        result[1, 4] = d_w2_u32/(y02*(b2 - u32)) + w2/(y02*(b2 - u32)**2)
+        result[2, 0] = 1/(y03*(1 - u31 - u32))
+        result[2, 1] = 1/(y03*(1 - u31 - u32))
+        result[2, 2] = (u31 + u32)/(y03*(1 - u31 - u32)) - (-1 + y01 + y02 + y03*(u31 + u32))/(y03**2*(1 - u31 - u32))
+        result[2, 3] = 1/(1 - u31 - u32) + (-1 + y01 + y02 + y03*(u31 + u32))/(y03*(1 - u31 - u32)**2)
+        result[2, 4] = 1/(1 - u31 - u32) + (-1 + y01 + y02 + y03*(u31 + u32))/(y03*(1 - u31 - u32)**2)
+        result[3, 0] = -u31/(u30*y01) - u31*y00/(u30*y01**2)
+        result[3, 1] = -u31/(u30*y01)
+        result[3, 2] = -u31/(u30*y01)
+        result[3, 3] = y00/(u30*y01) + u31*y00/(u30**2*y01)
+        result[3, 4] = u31*y00/(u30**2*y01)
+        result[4, 0] = 0
+        result[4, 1] = 0
+        result[4, 2] = 0
+        result[4, 3] = 0
+        result[4, 4] = 0
+        result[5, 0] = u31/(u30*y03)
+        result[5, 1] = u31/(u30*y03)
+        result[5, 2] = u31/(u30*y03) + u31*y00/(u30*y03**2)
+        result[5, 3] = -y00/(u30*y03) - u31*y00/(u30**2*y03)
+        result[5, 4] = -u31*y00/(u30**2*y03)
+        result[6, 0] = 0
+        result[6, 1] = 0
+        result[6, 2] = 0
+        result[6, 3] = 0
+        result[6, 4] = 0
+        result[7, 0] = -u32/(u30*y02)
+        result[7, 1] = -u32/(u30*y02) - u32*y00/(u30*y02**2)
+        result[7, 2] = -u32/(u30*y02)
+        result[7, 3] = u32*y00/(u30**2*y02)
+        result[7, 4] = y00/(u30*y02) + u32*y00/(u30**2*y02)
+        result[8, 0] = u32/(u30*y03)
+        result[8, 1] = u32/(u30*y03)
+        result[8, 2] = u32/(u30*y03) + u32*y00/(u30*y03**2)
+        result[8, 3] = -u32*y00/(u30**2*y03)
+        result[8, 4] = -y00/(u30*y03) - u32*y00/(u30**2*y03)
+
+    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
+    ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
+
+    Operations: 114 (11 +, 24 -, 30 *, 34 /, 15 neg); the derived expression as written takes 1275.
+    With double-double operations for sums that may cancel: 2200.
+
+    Examples
+    --------
+    >>> projection_matrix_jacobian([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
+    [[1.025639, 0.379708, 0.379708, 3.566439, 1.028975], [0.379708, 3.42106, 0.379708, 1.028975, 12.976572], [0.362795, 0.362795, 0.202488, 0.983143, 0.983143], [1.025639, 0.379708, 0.379708, 3.566439, 1.028975], [0.0, 0.0, 0.0, 0.0, 0.0], [0.098629, 0.098629, 0.055048, 0.926378, 0.267275], [0.0, 0.0, 0.0, 0.0, 0.0], [0.379708, 3.42106, 0.379708, 1.028975, 12.976572], [0.020947, 0.020947, 0.011691, 0.056765, 0.715868]]
+    """
+    return evaluate(_PROJECTION_MATRIX_JACOBIAN_SIGNATURE, _projection_matrix_jacobian, (y0, u3), out)
+
+
+def _projection_matrix_jacobian(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    t0 = 1 - wide(y01)
+    y00 = t0 - y02 - y03
+    t3 = wide(u31) + u32
+    t6 = 1 - t3
+    u30 = rounded(t6)
+    a1 = 1 - wide(y02) - y03
+    a2 = t0 - y03
+    b1 = 1 - wide(u32)
+    b2 = 1 - wide(u31)
+    w1 = a1 * u31 - b1 * y01
+    d_w1_y01 = -b1
+    d_w1_y02 = -u31
+    w2 = a2 * u32 - b2 * y02
+    d_w2_y01 = -u32
+    d_w2_y02 = -b2
+    t20 = wide(u31) - b1
+    t12 = wide(y01) * t20
+    t21 = rounded(t12)
+    t31 = w1 / (t12 * t20)
+    t39 = wide(u32) - b2
+    t19 = wide(y02) * t39
+    t48 = w2 / (t19 * t39)
+    t54 = 1 / (y03 * u30)
+    t58 = wide(y01) - 1 + y02 + wide(y03) * t3
+    t59 = t3 - 1
+    t60 = wide(y03) * t59
+    t68 = rounded(t58 / (t60 * t59) - 1 / t59)
+    t69 = t6 * y01
+    t120 = wide(u31) / t69
+    t71 = wide(u31) * y00
+    t72 = wide(y01) * t6
+    t77 = -rounded(t120)
+    t122 = t71 / (t72 * t6)
+    t82 = t6 * y03
+    t124 = wide(u31) / t82
+    t83 = rounded(t124)
+    t84 = wide(y03) * t6
+    t85 = t84 * y03
+    t88 = y00 / t82
+    t89 = t84 * t6
+    t126 = t71 / t89
+    t94 = t6 * y02
+    t128 = wide(u32) / t94
+    t96 = -rounded(t128)
+    t97 = wide(u32) * y00
+    t98 = wide(y02) * t6
+    t130 = t97 / (t98 * t6)
+    t132 = wide(u32) / t82
+    t107 = rounded(t132)
+    t134 = t97 / t89
+    return (
+        rounded(w1 / (t12 * y01) - d_w1_y01 / t12), -(d_w1_y02 / t21), -(d_w1_y02 / t21),
+        rounded(t31 - a1 / t12), rounded(t31 - wide(y01) / t12), d_w2_y01 / (y02 * rounded(b2 - u32)),
+        rounded(w2 / (t19 * y02) - d_w2_y02 / t19), -(d_w2_y01 / rounded(t19)),
+        rounded(t48 - wide(y02) / t19), rounded(t48 - a2 / t19), t54, t54,
+        rounded(t58 / (t60 * y03) - t3 / t60), t68, t68, -rounded(t120 + t71 / (t72 * y01)), t77, t77,
+        rounded(y00 / t69 + t122), rounded(t122), 0, 0, 0, 0, 0, t83, t83, rounded(t124 + t71 / t85),
+        -rounded(t88 + t126), -rounded(t126), 0, 0, 0, 0, 0, t96, -rounded(t128 + t97 / (t98 * y02)), t96,
+        rounded(t130), rounded(t130 + y00 / t94), t107, t107, rounded(t132 + t97 / t85), -rounded(t134),
+        -rounded(t88 + t134),
+    )
+
+
+_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"))
+
+
+def _projection_matrix_jacobian_factors(
+    y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
+) -> tuple[Any, ...]:
+    return rounded(wide(u31) + u32 - 1), y01, y02, y03
+
+
+_PROJECTION_MATRIX_JACOBIAN_FACTORS = (
     "u31 + u32 - 1", "y01", "y02", "y03",
 )
 

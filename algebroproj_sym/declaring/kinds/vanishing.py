@@ -7,15 +7,26 @@ not defined, or nothing is claimed.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import islice
 from typing import Any, TypeAlias
 
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.expressions import evaluate, symbols_of
-from algebroproj_sym.proving import Point, Proof, RationalFunction, RationalFunctionField, points_on, prove, seed_of
+from algebroproj_sym.expressions import evaluate, symbols_of, written
+from algebroproj_sym.proving import (
+    Point,
+    Proof,
+    RationalFunction,
+    RationalFunctionField,
+    points_on,
+    prove,
+    rational_points,
+    rational_zeros,
+    seed_of,
+)
 
 TRIES = 200
 
@@ -30,12 +41,13 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     if value.is_zero:
         raise DeclarationError(f"{claim.number}: expected a derived expression that is not identically zero")
     content, factors = field.irreducible(value.numerator)
-    zeros = {str(field.expression(f)): (field.expression(f), count) for f, count in factors}
-    excluded = {*map(str, field.divisors()), *_irreducible(claim.nonzero, field)}
+    zeros = {written(field.expression(f)): (field.expression(f), count) for f, count in factors}
+    excluded = {*map(written, field.divisors()), *_irreducible(claim.nonzero, field)}
     restricted = {name: entry for name, entry in zeros.items() if name not in excluded}
     parts = [_irreducible([factor], field) for factor in printed]
     claimed: Factors = {name: entry for part in parts for name, entry in part.items()}
-    if restricted.keys() == claimed.keys():
+    everywhere = any(_is_zero(factor, field) for factor in printed)
+    if restricted.keys() == claimed.keys() and not everywhere:
         denominator = field.expression(field.product(value.denominator))
         factored = sympy.Rational(content.numerator, content.denominator) * _product(zeros) / denominator
         certificate = {
@@ -52,10 +64,14 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     return _refutation(claim, sympy.Mul(*printed), suspects, engine)
 
 
+def _is_zero(expression: sympy.Expr, field: RationalFunctionField) -> bool:
+    return bool(evaluate(expression, field.variables, field.lift)[0].is_zero)
+
+
 def _irreducible(expressions: Sequence[sympy.Expr], field: RationalFunctionField) -> Factors:
     numerators = [evaluate(expression, field.variables, field.lift)[0].numerator for expression in expressions]
     factors = [factor for numerator in numerators for factor in field.irreducible(numerator)[1]]
-    return {str(field.expression(factor)): (field.expression(factor), count) for factor, count in factors}
+    return {written(field.expression(factor)): (field.expression(factor), count) for factor, count in factors}
 
 
 def _product(factors: Factors) -> sympy.Expr:
@@ -68,21 +84,29 @@ def _powers(factors: Factors) -> list[list[Any]]:
 
 def _exponents(value: RationalFunction) -> Factors:
     factors = [(value.field.expression(value.field.factors[place]), count) for place, count in value.denominator]
-    return {str(factor): (factor, count) for factor, count in factors if count}
+    return {written(factor): (factor, count) for factor, count in factors if count}
 
 
 def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr], engine: str) -> Proof:
     """Find a zero of one side that is none of the other, on the factors that only one side has."""
     derived: Any = claim.derived
     symbols = symbols_of((derived, product, *claim.nonzero))
-    for suspect in suspects:
-        for point in points_on([suspect], symbols, seed_of(derived, product), TRIES):
-            if _tells_apart(point, derived, product, claim.nonzero):
-                values = [str(evaluate(side, point)[0]) for side in (derived, product)]
-                certificate = {"method": "counterexample", "derived": values[0], "product of the factors": values[1]}
-                return Proof("refuted", (), certificate, point, engine)
+    for point in _candidates(suspects, symbols, seed_of(written(derived), written(product))):
+        if _tells_apart(point, derived, product, claim.nonzero):
+            values = [str(evaluate(side, point)[0]) for side in (derived, product)]
+            certificate = {"method": "counterexample", "derived": values[0], "product of the factors": values[1]}
+            return Proof("refuted", (), certificate, point, engine)
     reason = "the irreducible factors differ, but no rational point tells them apart"
     return Proof("open", (), {"method": "none", "reason": reason}, None, engine)
+
+
+def _candidates(suspects: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int) -> Iterator[Point]:
+    """Yield zeros of the factors, solved for a variable or with a rational root, then any points."""
+    for suspect in suspects:
+        yield from points_on([suspect], symbols, seed, TRIES)
+    for suspect in suspects:
+        yield from rational_zeros([suspect], symbols, seed, TRIES)
+    yield from islice(rational_points(symbols, seed), TRIES)
 
 
 def _tells_apart(point: Point, derived: sympy.Expr, product: sympy.Expr, nonzero: Sequence[sympy.Expr]) -> bool:

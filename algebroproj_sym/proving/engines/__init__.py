@@ -28,6 +28,9 @@ class Ring(Protocol):
     def factor(self, polynomial: Any) -> tuple[Fraction, list[tuple[Any, int]]]:
         """Return the content and the irreducible factors with their multiplicities."""
 
+    def unit(self, polynomial: Any) -> Fraction:
+        """Return the rational number that makes a polynomial primitive, with a positive leading coefficient."""
+
     def terms(self, polynomial: Any) -> dict[tuple[int, ...], Fraction]:
         """Return the coefficients by exponent vector."""
 

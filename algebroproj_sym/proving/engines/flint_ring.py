@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from math import gcd, lcm
 from typing import Any
 
 import flint
+
+from algebroproj_sym.expressions.exact import fmpq, fraction
 
 
 class FlintRing:
@@ -26,25 +29,23 @@ class FlintRing:
 
     def constant(self, value: Fraction) -> Any:
         """Return a rational number as a polynomial."""
-        return self._context.constant(_fmpq(value))
+        return self._context.constant(fmpq(value))
 
     def factor(self, polynomial: Any) -> tuple[Fraction, list[tuple[Any, int]]]:
         """Return the content and the irreducible factors with their multiplicities."""
         content, factors = polynomial.factor()
-        return _fraction(content), [(factor, int(multiplicity)) for factor, multiplicity in factors]
+        return fraction(content), [(factor, int(multiplicity)) for factor, multiplicity in factors]
+
+    def unit(self, polynomial: Any) -> Fraction:
+        """Return the rational number that makes a polynomial primitive, with a positive leading coefficient."""
+        values = polynomial.coeffs()
+        scale = Fraction(gcd(*(int(v.p) for v in values)), lcm(*(int(v.q) for v in values)))
+        return scale if values[0] > 0 else -scale
 
     def terms(self, polynomial: Any) -> dict[tuple[int, ...], Fraction]:
         """Return the coefficients by exponent vector."""
-        return {tuple(map(int, powers)): _fraction(value) for powers, value in polynomial.to_dict().items()}
+        return {tuple(map(int, powers)): fraction(value) for powers, value in polynomial.to_dict().items()}
 
     def polynomial(self, terms: Mapping[tuple[int, ...], Fraction]) -> Any:
         """Return the polynomial with the given coefficients by exponent vector."""
-        return self._context.from_dict({powers: _fmpq(value) for powers, value in terms.items()})
-
-
-def _fmpq(value: Fraction) -> Any:
-    return flint.fmpq(value.numerator, value.denominator)
-
-
-def _fraction(value: Any) -> Fraction:
-    return Fraction(int(value.p), int(value.q))
+        return self._context.from_dict({powers: fmpq(value) for powers, value in terms.items()})

@@ -37,6 +37,11 @@ class SympyRing:
         content, factors = polynomial.factor_list()
         return _fraction(content), [(factor, int(multiplicity)) for factor, multiplicity in factors]
 
+    def unit(self, polynomial: Any) -> Fraction:
+        """Return the rational number that makes a polynomial primitive, with a positive leading coefficient."""
+        scale = _fraction(polynomial.content())
+        return scale if polynomial.LC > 0 else -scale
+
     def terms(self, polynomial: Any) -> dict[tuple[int, ...], Fraction]:
         """Return the coefficients by exponent vector."""
         return {tuple(powers): _fraction(value) for powers, value in polynomial.terms()}

@@ -62,6 +62,11 @@ def function_page(qualified_name: str) -> str:
     return f"functions/{qualified_name}.html"
 
 
+def notebook_page(module: str) -> str:
+    """Return the address of the notebook of a derivation module."""
+    return f"notebooks/{module}.html"
+
+
 def relative(address: str, page: str) -> str:
     """Return an address as seen from a page.
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 
 from algebroproj_sym.declaring import Derivation, Judgement, Publication, publication
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.reporting.ledger import summary
-from algebroproj_sym.reporting.site.addresses import claim_page, function_page
+from algebroproj_sym.reporting.notebooks import Notebook
+from algebroproj_sym.reporting.site.addresses import claim_page, function_page, notebook_page, slug
+from algebroproj_sym.reporting.site.records import Speed, Timing
 from algebroproj_sym.verifying import Verification
 
 
@@ -121,10 +123,19 @@ class Catalogue:
         With at least one claim each.
     functions : tuple of Function
         In the order of the kernels.
+    notebooks : tuple of Notebook
+        The derivations, run; none unless they are wanted.
+    checked : set of pair of str
+        Paper and number of the claims that the kernel of a proof assistant has accepted.
+    speed : Speed or None
+        How long the functions take, if it was measured.
     """
 
     papers: tuple[Paper, ...]
     functions: tuple[Function, ...]
+    notebooks: tuple[Notebook, ...] = ()
+    checked: Set[tuple[str, str]] = frozenset()
+    speed: Speed | None = None
 
     @property
     def entries(self) -> tuple[Entry, ...]:
@@ -135,6 +146,20 @@ class Catalogue:
     def by_number(self) -> Mapping[tuple[str, str], Entry]:
         """The claims by paper and number."""
         return {(entry.paper, entry.number): entry for entry in self.entries}
+
+    def cell_of(self, entry: Entry) -> str | None:
+        """Return the address of the cell that derives a claim, if the notebook was run."""
+        module = entry.derivation.module
+        ran = any(notebook.module == module for notebook in self.notebooks)
+        return f"{notebook_page(module)}#{slug(entry.number)}" if ran else None
+
+    def is_checked(self, entry: Entry) -> bool:
+        """Whether the kernel of a proof assistant has accepted a claim."""
+        return (entry.paper, entry.number) in self.checked
+
+    def timings(self, function: Function) -> tuple[Timing, ...]:
+        """Return how long a function takes, as far as it was measured."""
+        return self.speed.functions.get(function.name, ()) if self.speed else ()
 
     def functions_on(self, entry: Entry) -> tuple[Function, ...]:
         """Return the functions that rest on a claim."""
@@ -154,6 +179,9 @@ def catalogue(
     judgements: Sequence[Judgement],
     derivations: Sequence[Derivation],
     functions: Sequence[Function] = (),
+    notebooks: Sequence[Notebook] = (),
+    checked: Set[tuple[str, str]] = frozenset(),
+    speed: Speed | None = None,
 ) -> Catalogue:
     """Return what the site is about.
 
@@ -165,10 +193,17 @@ def catalogue(
         Where each of their claims is declared.
     functions : sequence of Function
         The generated functions.
+    notebooks : sequence of Notebook
+        The derivations, run.
+    checked : set of pair of str
+        Paper and number of the claims that the kernel of a proof assistant has accepted.
+    speed : Speed, optional
+        How long the functions take.
     """
     entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
-    papers = _grouped(sorted(entries, key=_place), lambda entry: entry.paper)
-    return Catalogue(tuple(Paper(publication(key), _chapters(group)) for key, group in papers), tuple(functions))
+    groups = _grouped(sorted(entries, key=_place), lambda entry: entry.paper)
+    papers = tuple(Paper(publication(key), _chapters(group)) for key, group in groups)
+    return Catalogue(papers, tuple(functions), tuple(notebooks), checked, speed)
 
 
 def _place(entry: Entry) -> tuple[str, str, int]:

@@ -49,6 +49,8 @@ def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: M
         instead=catalogue.by_number.get((entry.paper, claim.instead)),
         functions=catalogue.functions_on(entry),
         quote=quotations(entry.derivation.path.parent).quotes.get(entry.number),
+        cell=catalogue.cell_of(entry),
+        checked=catalogue.is_checked(entry),
         previous=paper.entries[place - 1] if place else None,
         following=paper.entries[place + 1] if place + 1 < len(paper.entries) else None,
         record=record,

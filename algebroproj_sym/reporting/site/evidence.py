@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from algebroproj_sym.declaring import Claim, Judgement
 from algebroproj_sym.declaring.claim import in_derived_terms
-from algebroproj_sym.expressions import evaluate, shape
+from algebroproj_sym.expressions import evaluate, shape, text
 from algebroproj_sym.reporting.site.formulas import bullet, symbol
 from algebroproj_sym.reporting.site.tables import Table
 
@@ -162,7 +162,7 @@ def _cofactors(claim: Claim, certificate: Mapping[str, Any]) -> list[Table]:
 
 
 def _rest(certificate: Mapping[str, Any], judgement: Judgement) -> Mapping[str, Any]:
-    known = {str(factor) for factor in judgement.hypotheses}
+    known = {text(factor) for factor in judgement.hypotheses}
     return {
         key: value
         for key, value in certificate.items()

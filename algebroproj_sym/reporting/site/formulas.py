@@ -12,7 +12,7 @@ from markupsafe import Markup, escape
 
 from algebroproj_sym.declaring import Claim, Statement, statement_text
 from algebroproj_sym.declaring.names import letter, parts
-from algebroproj_sym.expressions import entries
+from algebroproj_sym.expressions import entries, size
 from algebroproj_sym.reporting.site.addresses import claim_record_file
 from algebroproj_sym.reporting.site.differences import NOTHING, WHOLE, Marks
 from algebroproj_sym.reporting.site.mathml import MARK, math, presentation, relation
@@ -42,25 +42,6 @@ class Form:
     complete: bool = True
 
 
-def size(expression: Any, most: int = LARGEST_FORMULA) -> int:
-    """Return how many symbols and numbers an expression has; counting ends soon after `most`.
-
-    Examples
-    --------
-    >>> x, y = sympy.symbols("x y")
-    >>> size(x**2 + 3 * x * y)
-    5
-    """
-    count, pending = 0, [*entries(expression)] if isinstance(expression, sympy.MatrixBase) else [expression]
-    while pending and count <= most:
-        node = pending.pop()
-        if node.args:
-            pending.extend(node.args)
-        else:
-            count += 1
-    return count
-
-
 def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "formula") -> Form:
     """Return a form as a block of its own.
 
@@ -83,7 +64,8 @@ def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "for
         pieces = [equation(presentation(factor), sympy.Integer(0), extent=size(factor)) for factor in statement]
         return Form(Markup("<p>or</p>").join(pieces))
     if _is_formula(statement):
-        return Form(_scrolling(math(presentation(statement, marks), block=True), label, size(statement)))
+        shown = math(presentation(statement, marks), block=True)
+        return Form(scrolling(shown, label, focusable=size(statement) > SMALL))
     return _as_text(statement, label)
 
 
@@ -113,7 +95,7 @@ def equation(left: str, expression: Any, extent: int = 1) -> Markup:
     """
     if _is_formula(expression):
         content = math(left, relation("="), presentation(expression), block=True)
-        return _scrolling(content, "formula", extent + size(expression))
+        return scrolling(content, "formula", focusable=extent + size(expression) > SMALL)
     return Markup("<p>{} =</p>{}").format(math(left), _as_text(expression, "formula").html)
 
 
@@ -121,7 +103,7 @@ def bullet(expression: Any) -> Markup:
     """Return a factor in a list of factors, as a formula that scrolls or as text."""
     if size(expression) > LARGEST_ENTRY:
         return Markup("<code>{}</code>").format(_shortened(str(expression)))
-    return _scrolling(math(presentation(expression)), "factor", size(expression))
+    return scrolling(math(presentation(expression)), "factor", focusable=size(expression) > SMALL)
 
 
 def listed(statement: Statement | None, marks: Marks = NOTHING) -> Markup | None:
@@ -129,7 +111,7 @@ def listed(statement: Statement | None, marks: Marks = NOTHING) -> Markup | None
     shown = inline(statement, marks)
     if shown is None or isinstance(statement, Decimal | tuple) or size(statement) <= SMALL:
         return shown
-    return _scrolling(shown, "formula", size(statement))
+    return scrolling(shown, "formula", focusable=size(statement) > SMALL)
 
 
 def symbol(name: str) -> Markup:
@@ -214,6 +196,23 @@ def record_link(claim: Claim) -> Markup:
     return Markup('<a href="{}">ledger record</a>').format(address)
 
 
+def scrolling(content: Markup, label: str, *, focusable: bool) -> Markup:
+    """Return a block that scrolls sideways; by keyboard if it is wide enough to need it.
+
+    Parameters
+    ----------
+    content : Markup
+        What is shown.
+    label : str
+        What a screen reader calls a block that takes the focus.
+    focusable : bool
+        Whether it takes the focus.
+    """
+    if not focusable:
+        return Markup('<div class="formula">{}</div>').format(content)
+    return Markup('<div class="formula" tabindex="0" role="group" aria-label="{}">{}</div>').format(label, content)
+
+
 def _shortened(text: str) -> str:
     return text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]} …"
 
@@ -229,12 +228,6 @@ def _vanishing(piece: Markup | None) -> Markup:
 def _is_formula(expression: Any) -> bool:
     pieces = entries(expression) if isinstance(expression, sympy.MatrixBase) else (expression,)
     return size(expression) <= LARGEST_FORMULA and all(size(piece) <= LARGEST_ENTRY for piece in pieces)
-
-
-def _scrolling(content: Markup, label: str, extent: int) -> Markup:
-    if extent <= SMALL:
-        return Markup('<div class="formula">{}</div>').format(content)
-    return Markup('<div class="formula" tabindex="0" role="group" aria-label="{}">{}</div>').format(label, content)
 
 
 def _as_text(statement: Any, label: str) -> Form:

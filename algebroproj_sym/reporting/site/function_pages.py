@@ -16,6 +16,7 @@ from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
 from algebroproj_sym.reporting.site.formulas import block, bullet, equation, inline
 from algebroproj_sym.reporting.site.mathml import presentation
 from algebroproj_sym.reporting.site.plots import accuracy_plot
+from algebroproj_sym.reporting.site.records import Timing
 from algebroproj_sym.reporting.site.tables import Table
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.verifying import BOUND, Stratum, Verification
@@ -77,6 +78,8 @@ def _page(catalogue: Catalogue, function: Function) -> str:
         accuracy=_accuracy(figures),
         plot=accuracy_plot(figures.accuracy),
         operations=_operations(low),
+        speed=_speed(catalogue.timings(function)),
+        machine=catalogue.speed.machine if catalogue.speed else "",
         bound=f"{BOUND:g}",
     )
 
@@ -131,6 +134,11 @@ def _figures(stratum: Stratum) -> tuple[str, ...]:
         f"{stratum.max_ratio:.2f}",
         str(stratum.undetermined),
     )
+
+
+def _speed(timings: Sequence[Timing]) -> Table | None:
+    rows = [(f"{timing.batch:,}", f"{timing.nanoseconds:,.0f}") for timing in timings]
+    return Table("Time", ("formulas in a call", "nanoseconds a formula"), rows, numeric=True) if rows else None
 
 
 def _operations(low: Lowered) -> Table:

@@ -11,6 +11,7 @@ from algebroproj_sym.reporting.site.catalogue import Catalogue
 from algebroproj_sym.reporting.site.claim_pages import claim_files, paper_files
 from algebroproj_sym.reporting.site.folder import MARKER
 from algebroproj_sym.reporting.site.function_pages import function_files
+from algebroproj_sym.reporting.site.notebook_pages import notebook_files
 from algebroproj_sym.reporting.site.search import search_script
 from algebroproj_sym.reporting.site.templating import page, static
 
@@ -25,7 +26,13 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
     """
     record = ledger([entry.judgement for entry in catalogue.entries], timed=False)
     files = {
-        START: page("start", START, catalogue=catalogue, verdicts=VERDICTS),
+        START: page(
+            "start",
+            START,
+            catalogue=catalogue,
+            verdicts=VERDICTS,
+            checked=sum(map(catalogue.is_checked, catalogue.entries)),
+        ),
         SEARCH: page("search", SEARCH, catalogue=catalogue),
         MARKER: search_script(catalogue),
         LEDGER: json.dumps(record, indent=1, ensure_ascii=False) + "\n",
@@ -37,4 +44,4 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
         files |= paper_files(catalogue, paper)
         for place in range(len(paper.entries)):
             files |= claim_files(catalogue, paper, place, next(records))
-    return files | function_files(catalogue)
+    return files | function_files(catalogue) | notebook_files(catalogue)

@@ -1,0 +1,24 @@
+"""Rational numbers of FLINT, in which long computations are made, and of the standard library."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import flint
+
+
+def fmpq(value: Fraction) -> Any:
+    """Return a fraction as FLINT's rational number."""
+    return flint.fmpq(value.numerator, value.denominator)
+
+
+def fraction(value: Any) -> Fraction:
+    """Return FLINT's rational number as a fraction.
+
+    Examples
+    --------
+    >>> fraction(fmpq(Fraction(1, 3)) + 1)
+    Fraction(4, 3)
+    """
+    return Fraction(int(value.p), int(value.q))

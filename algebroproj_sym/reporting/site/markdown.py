@@ -1,0 +1,66 @@
+"""Markdown with LaTeX as HTML with MathML: no script, no network, and no markup but that of Markdown."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+from markupsafe import Markup
+
+from algebroproj_sym.reporting.site.formulas import scrolling
+
+SHORT = 40
+_SCROLLING_INLINE = Markup('<span class="line-formula" tabindex="0" role="group" aria-label="formula">{}</span>')
+_GROUP = r"\{[^{}]*\}|\\[A-Za-z]+|[^\s{}]"
+_PRIMES = re.compile(rf"(?P<primes>'+)(?P<below>_(?:{_GROUP}))?\^(?P<above>{_GROUP})")
+
+
+def markdown_html(text: str) -> Markup:
+    """Return a text as HTML.
+
+    Examples
+    --------
+    >>> print(markdown_html("The *center*, see $x$."), end="")  # doctest: +ELLIPSIS
+    <p>The <em>center</em>, see <span class="math inline"><math ...<mi>x</mi>...</math></span>.</p>
+    """
+    return Markup(_renderer().render(text))
+
+
+def latex_html(formula: str, *, block: bool) -> Markup:
+    """Return a LaTeX formula as MathML; a block that is too wide for the page scrolls."""
+    from latex2mathml.converter import convert
+
+    mathml = Markup(convert(_primed(formula), display="block" if block else "inline"))
+    if block:
+        return scrolling(mathml, "formula", focusable=len(formula) > SHORT)
+    return mathml if len(formula) <= SHORT else _SCROLLING_INLINE.format(mathml)
+
+
+def _primed(formula: str) -> str:
+    r"""Write primes before a superscript into the superscript, which the converter does not do itself.
+
+    Examples
+    --------
+    >>> _primed("u''^T M'^{-1} x'_1^2")
+    'u^{\\prime\\prime T} M^{\\prime -1} x_1^{\\prime 2}'
+    """
+    return _PRIMES.sub(_with_primes_above, formula)
+
+
+def _with_primes_above(match: re.Match[str]) -> str:
+    primes = r"\prime" * len(match["primes"])
+    return f"{match['below'] or ''}^{{{primes} {match['above'].strip('{}')}}}"
+
+
+@cache
+def _renderer() -> Any:
+    from markdown_it import MarkdownIt
+    from mdit_py_plugins.dollarmath import dollarmath_plugin
+
+    return MarkdownIt("commonmark", {"html": False}).enable("table").use(dollarmath_plugin, renderer=_formula)
+
+
+def _formula(formula: str, options: Mapping[str, Any]) -> Markup:
+    return latex_html(formula, block=options["display_mode"])

@@ -8,7 +8,7 @@ from setuptools import Extension, setup
 # No contraction of operations and no option that changes values: the results are those of the NumPy source, bit by bit.
 # Loops over points are vectorised; to look for the like in thousands of lines without a loop takes a compiler minutes.
 VECTORISED = ["-O2", "-ftree-loop-vectorize", "-fvect-cost-model=dynamic", "-fno-tree-slp-vectorize"]
-OPTIONS = ["/fp:precise"] if sys.platform == "win32" else ["-std=c99", *VECTORISED, "-ffp-contract=off"]
+OPTIONS = ["/fp:precise"] if sys.platform == "win32" else ["-std=c99", "-g0", *VECTORISED, "-ffp-contract=off"]
 FOLDER = "generated/algebroproj"
 
 setup(

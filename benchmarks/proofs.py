@@ -76,7 +76,8 @@ def by_singular(claim: Claim) -> bool:
         lines.append(f'if (p{place} - d{place} != 0) {{ "differs"; }}')
     program = "\n".join([*lines, '"end";', "quit;"])
     done = subprocess.run(["Singular", "-q"], input=program, capture_output=True, text=True, check=True)
-    if done.stdout.split() != ["end"]:
+    answers = [line for line in done.stdout.splitlines() if line.strip() and not line.startswith("//")]
+    if answers != ["end"]:
         raise ValueError(done.stdout[:300])
     return True
 

@@ -94,7 +94,6 @@ CONTRACT = {
     normal_case.from_orientation: ([(3,), (3,), (3,), (2,)], [(), (2,), (2,)]),
     normal_case.from_correlation: ([(3, 3)], [(), (2,), (2,)]),
     orientation.intersect: ([(2,), (2,), (3,), (2,), (3,), (2,)], [(3,)]),
-    correlation.epipoles_jacobian: ([(3, 3)], [(2, 9), (2, 9)]),
     metric.from_normal_jacobian: ([(3, 3), (2,), ()], [(2, 12)]),
     metric.to_normal_jacobian: ([(3, 3), (2,), ()], [(2, 12)]),
     metric.reconstruct_jacobian: ([(2,), (2,), ()], [(3, 5)]),

@@ -887,5 +887,4 @@ section.kernel(
     where={D: D_printed},
     claims=["2.2.6", "2.2.7", "2.2/D"],
     example={"Z": EXAMPLE_Z},
-    jacobian=True,
 )

@@ -565,4 +565,5 @@ section.kernel(
         *("2.1/beyond/normal-equations", "2.1/beyond/exact", "2.1/beyond/rays"),
     ],
     normwise=True,
+    throughout=True,
 )

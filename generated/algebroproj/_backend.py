@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "66a46e35448dbba4"
+DIGEST = "01583d97bd64ad7d"
 """What identifies the C source that belongs to this package."""
 
 

@@ -804,7 +804,7 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     d44**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.
-    With double-double operations for sums that may cancel: 5268.
+    With double-double operations for sums that may cancel: 5515.
 
     Examples
     --------
@@ -850,13 +850,11 @@ def _intersect(
     t172 = ray2_1 + wide(A1_10) * ray2_3 - wide(A1_9) * ray2_5
     d13 = wide(A1_6) * ray2_3 + wide(A1_8) * ray2_1 - wide(yc1) * t172 - wide(A1_5) * ray2_5
     t181 = wide(A1_11) * ray2_1 + wide(A1_9) * ray2_4 - wide(A1_10) * ray2_2
-    t353 = wide(yc1) * t181 + wide(A1_6) * ray2_2 - wide(A1_5) * ray2_4 - wide(A1_7) * ray2_1
-    d14 = rounded(t353)
+    d14 = wide(yc1) * t181 + wide(A1_6) * ray2_2 - wide(A1_5) * ray2_4 - wide(A1_7) * ray2_1
     d21 = wide(A1_3) * ray2_5 + wide(A1_4) * ray2_4 - wide(xc1) * t150 - wide(A1_2) * ray2_6
     d22 = wide(A1_1) * ray2_6 + wide(xc1) * t158 - wide(A1_3) * ray2_3 - wide(A1_4) * ray2_2
     d23 = wide(A1_2) * ray2_3 + wide(A1_4) * ray2_1 - wide(xc1) * t172 - wide(A1_1) * ray2_5
-    t354 = wide(A1_2) * ray2_2 + wide(xc1) * t181 - wide(A1_1) * ray2_4 - wide(A1_3) * ray2_1
-    d24 = rounded(t354)
+    d24 = wide(A1_2) * ray2_2 + wide(xc1) * t181 - wide(A1_1) * ray2_4 - wide(A1_3) * ray2_1
     t223 = ray1_4 + wide(A2_11) * ray1_5 - wide(A2_10) * ray1_6
     d31 = wide(A2_7) * ray1_5 + wide(A2_8) * ray1_4 - wide(yc2) * t223 - wide(A2_6) * ray1_6
     t231 = ray1_2 + wide(A2_11) * ray1_3 - wide(A2_9) * ray1_6
@@ -864,18 +862,16 @@ def _intersect(
     t245 = ray1_1 + wide(A2_10) * ray1_3 - wide(A2_9) * ray1_5
     d33 = wide(A2_6) * ray1_3 + wide(A2_8) * ray1_1 - wide(yc2) * t245 - wide(A2_5) * ray1_5
     t254 = wide(A2_11) * ray1_1 + wide(A2_9) * ray1_4 - wide(A2_10) * ray1_2
-    t355 = wide(yc2) * t254 + wide(A2_6) * ray1_2 - wide(A2_5) * ray1_4 - wide(A2_7) * ray1_1
-    d34 = rounded(t355)
+    d34 = wide(yc2) * t254 + wide(A2_6) * ray1_2 - wide(A2_5) * ray1_4 - wide(A2_7) * ray1_1
     d41 = wide(A2_3) * ray1_5 + wide(A2_4) * ray1_4 - wide(xc2) * t223 - wide(A2_2) * ray1_6
     d42 = wide(A2_1) * ray1_6 + wide(xc2) * t231 - wide(A2_3) * ray1_3 - wide(A2_4) * ray1_2
     d43 = wide(A2_2) * ray1_3 + wide(A2_4) * ray1_1 - wide(xc2) * t245 - wide(A2_1) * ray1_5
-    t356 = wide(A2_2) * ray1_2 + wide(xc2) * t254 - wide(A2_1) * ray1_4 - wide(A2_3) * ray1_1
-    d44 = rounded(t356)
+    d44 = wide(A2_2) * ray1_2 + wide(xc2) * t254 - wide(A2_1) * ray1_4 - wide(A2_3) * ray1_1
     t303 = d14 * d14 + d24 * d24 + d34 * d34 + d44 * d44
     return (
-        rounded(d11 * t353 + d21 * t354 + d31 * t355 + d41 * t356) / t303,
-        rounded(d12 * t353 + d22 * t354 + d32 * t355 + d42 * t356) / t303,
-        rounded(d13 * t353 + d23 * t354 + d33 * t355 + d43 * t356) / t303,
+        rounded((d11 * d14 + d21 * d24 + d31 * d34 + d41 * d44) / t303),
+        rounded((d12 * d14 + d22 * d24 + d32 * d34 + d42 * d44) / t303),
+        rounded((d13 * d14 + d23 * d24 + d33 * d34 + d43 * d44) / t303),
     )
 
 

@@ -1,7 +1,8 @@
 """Generating: from a kernel to a straight-line program to NumPy and C source.
 
 graph (expressions without signs and repetitions) → sharing (common pairs) → lowering (a proved program)
-→ numpy_source, c_source and package (text).
+→ compensation (twice the digits where sums may cancel) → numpy_source; expansion (single numbers again) → c_source;
+package (all files).  runtime has what the generated package brings along.
 """
 
 from algebroproj_sym.generating.c_source import c_files, c_name, is_compiled

@@ -36,7 +36,7 @@ def erased(program):
 @pytest.mark.parametrize("throughout", [False, True])
 @pytest.mark.parametrize("name", [name for name in NAMES if name != "critical.quadric"])
 def test_without_changes_of_digits_the_program_is_the_one_it_was(name, throughout, lowered):
-    program = lowered(name).program
+    program = lowered(name).plain
     result = compensated(program, throughout)
     names = [n for step in result.steps for n in (step.names if isinstance(step, Call) else (step.name,))]
     assert len(names) == len(set(names)), "each name is assigned once"
@@ -80,7 +80,7 @@ def test_sums_that_cannot_cancel_stay_as_they_are():
 
 @pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.epipoles", "metric.to_normal"])
 def test_expanded_programs_give_the_same_bits(name, lowered):
-    program = compensated(lowered(name).program)
+    program = compensated(lowered(name).plain)
     rng = np.random.default_rng(5)
     inputs = {symbol: rng.uniform(-3, 3, 200) for symbol in program.inputs}
     single = expanded(program)

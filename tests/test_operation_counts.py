@@ -101,7 +101,7 @@ def test_negations_of_the_program_are_counted():
 def test_a_program_takes_no_more_operations_than_the_derived_expression_but_for_guards_and_signs(name, lowered):
     low = lowered(name)
     counts = operation_counts(low)
-    entries = len(low.program.outputs)
-    negations = low.program.operations()["neg"]
+    entries = len(low.plain.outputs)
+    negations = low.plain.operations()["neg"]
     assert counts.sympy_cse <= counts.derived
     assert counts.program - negations <= counts.derived + len(low.guarded) * 3 + entries * bool(low.guarded)

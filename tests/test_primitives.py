@@ -54,7 +54,7 @@ def drawn(*shape, dtype=np.float64, seed=3):
 
 
 def test_the_functions_are_exported_by_name():
-    assert set(primitives.__all__) == {"arctan2", "cos_sin", "null_vector", "solve", "splitter_of"}
+    assert set(primitives.__all__) == {"arctan2", "cos_sin", "null_vector", "solve"}
 
 
 # Linear systems

@@ -104,8 +104,8 @@ def test_another_primitive_function_is_not_proved(tmp_path):
 
 def test_rows_that_are_grouped_in_another_way_are_not_proved(tmp_path):
     kernel = of_xy(vector(a, b), [solution([a, b], Matrix([[x, y], [y + 1, x]]), vector(1, 2 * x))])
-    regrouped = "        [x, y], [1, y + 1], [x, 2 * x],"
-    package = shipped(tmp_path, kernel, ("        [x, y, 1],\n        [y + 1, x, 2 * x],", regrouped))
+    regrouped = "        [x, y], [1, wide(y) + 1], [x, 2 * wide(x)],"
+    package = shipped(tmp_path, kernel, ("        [x, y, 1],\n        [wide(y) + 1, x, 2 * wide(x)],", regrouped))
     assert not source_is_proved(kernel, package)
 
 

@@ -189,10 +189,10 @@ def test_an_interpretation_gives_as_many_results_as_there_are_names(results):
 
 
 def test_names_cost_nothing_and_other_calls_count_as_operations():
-    assert LOWERED["plane.turn"].program.operations() == {"cos_sin": 1, "*": 4, "+": 1, "-": 1}
-    assert LOWERED["plane.heading"].program.operations() == {"arctan2": 1, "*": 2, "+": 1, "-": 2}
-    assert LOWERED["plane.meet"].program.operations() == {"solve": 1, "*": 1}
-    assert LOWERED["space.normal"].program.operations() == {"null_vector": 1}
+    assert LOWERED["plane.turn"].plain.operations() == {"cos_sin": 1, "*": 4, "+": 1, "-": 1}
+    assert LOWERED["plane.heading"].plain.operations() == {"arctan2": 1, "*": 2, "+": 1, "-": 2}
+    assert LOWERED["plane.meet"].plain.operations() == {"solve": 1, "*": 1}
+    assert LOWERED["space.normal"].plain.operations() == {"null_vector": 1}
 
 
 fractions = st.fractions(-6, 6, max_denominator=5)
@@ -212,7 +212,7 @@ def value_at(expression, point):
 def test_a_program_is_exact_at_rational_points(declared, data):
     point = {symbol: data.draw(fractions, symbol.name) for symbol in declared.symbols}
     inputs = {symbol.name: value for symbol, value in point.items()}
-    program = LOWERED[declared.qualified_name].program
+    program = LOWERED[declared.qualified_name].plain
     try:
         for stage in declared.stages:
             rows = [tuple(value_at(entry, point) for entry in stage.derived.row(i)) for i in range(stage.derived.rows)]
@@ -238,7 +238,7 @@ polynomials = st.lists(st.tuples(st.integers(-4, 4), monomials), min_size=1, max
 def test_a_chain_of_stages_is_computed_link_by_link(first, second, last, point):
     first = first.xreplace({u: x, c: y, s: x})
     second = second.xreplace({c: u, s: x})
-    program = lower(of_xy(vector(last, u), [let({u: first}), cos_sin(c, s, second)])).program
+    program = lower(of_xy(vector(last, u), [let({u: first}), cos_sin(c, s, second)])).plain
     at = dict(zip((x, y), point, strict=True))
     at[u] = value_at(first, at)
     at[c], at[s] = exactly(Call((), "cos_sin", ()), ((value_at(second, at),),))
@@ -249,7 +249,7 @@ def test_a_chain_of_stages_is_computed_link_by_link(first, second, last, point):
 @given(polynomials, polynomials, polynomials)
 def test_every_name_is_assigned_once_and_before_its_use(first, second, last):
     through = [let({u: first.xreplace({u: x, c: y, s: x})}), cos_sin(c, s, second.xreplace({c: u, s: x}))]
-    program = lower(of_xy(vector(last, first.xreplace({c: x})), through)).program
+    program = lower(of_xy(vector(last, first.xreplace({c: x})), through)).plain
     known = set(program.inputs)
     for step in program.steps:
         names = step.names if isinstance(step, Call) else (step.name,)
@@ -261,12 +261,12 @@ def test_every_name_is_assigned_once_and_before_its_use(first, second, last):
 
 def test_stages_and_results_share_what_they_have_in_common():
     through = [cos_sin(c, s, x + y), let({u: c * (x + y)})]
-    program = lower(of_xy(vector(u, s * (x + y) ** 2, x + y), through)).program
+    program = lower(of_xy(vector(u, s * (x + y) ** 2, x + y), through)).plain
     assert program.operations() == {"+": 1, "*": 3, "cos_sin": 1}
 
 
 def test_sums_that_stages_have_in_common_are_summed_once():
-    program = lower(of_xy(vector(u, v), [let({u: x + y + 1, v: x * y + x + y})])).program
+    program = lower(of_xy(vector(u, v), [let({u: x + y + 1, v: x * y + x + y})])).plain
     assert program.operations() == {"+": 3, "*": 1}
 
 
@@ -335,7 +335,7 @@ def test_a_form_that_is_equal_for_any_cosine_and_sine_is_accepted(engine):
     derived = {"first": (c + s) ** 2, "second": over(c * s, c)}
     form = {"first": c * (c + 2 * s) + s**2, "second": s}
     lowered = lower(of_xy(derived, [cos_sin(c, s, x)], form=form), engine)
-    assert run(lowered.program, {"x": 1, "y": 2}, lambda call, rows: (Fraction(3), Fraction(5))) == (64, 5)
+    assert run(lowered.plain, {"x": 1, "y": 2}, lambda call, rows: (Fraction(3), Fraction(5))) == (64, 5)
     assert (lowered.hypotheses, lowered.input_hypotheses) == ((c,), ())
 
 
@@ -349,11 +349,11 @@ def test_a_divisor_that_the_form_of_a_stage_hides_is_guarded():
     hidden = of_xy({"first": u, "second": v}, [let({u: over(x * y, x), v: y}, form={u: y, v: y})])
     lowered = lower(hidden)
     assert (lowered.guarded, lowered.hypotheses, lowered.input_hypotheses) == ((x,), (x,), (x,))
-    assert run(lowered.program, {"x": Fraction(2), "y": Fraction(3)}, exactly) == (3, 3)
+    assert run(lowered.plain, {"x": Fraction(2), "y": Fraction(3)}, exactly) == (3, 3)
     with pytest.raises(ZeroDivisionError):
-        run(lowered.program, {"x": Fraction(0), "y": Fraction(3)}, exactly)
+        run(lowered.plain, {"x": Fraction(0), "y": Fraction(3)}, exactly)
     with np.errstate(all="ignore"):
-        assert not np.isfinite(run(lowered.program, {"x": np.float64(0), "y": np.float64(3)}, exactly)).any()
+        assert not np.isfinite(run(lowered.plain, {"x": np.float64(0), "y": np.float64(3)}, exactly)).any()
 
 
 def test_hypotheses_on_the_inputs_are_told_from_those_on_the_way():
@@ -489,7 +489,7 @@ def test_short_calls_stand_in_a_line_and_systems_in_a_line_for_each_row():
 @every_kernel
 def test_lines_of_staged_kernels_stay_readable(declared):
     lowered = lower(declared)
-    assert max(map(len, statements(lowered.program))) <= 2 * LINE
+    assert max(map(len, statements(lowered.plain))) <= 2 * LINE
 
 
 # The package

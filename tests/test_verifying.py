@@ -27,6 +27,7 @@ from algebroproj_sym.verifying import (
     stratified,
     truths,
     verify,
+    without_twin,
 )
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
@@ -38,7 +39,7 @@ every_kernel = pytest.mark.parametrize("name", NAMES)
 
 def planted(name, old, new):
     """Return a package with one function whose source has one change."""
-    function = function_of(KERNELS[name], load_package())
+    function = without_twin(function_of(KERNELS[name], load_package()))
     source = inspect.getsource(function.__globals__[f"_{function.__name__}"])
     assert source.count(old) >= 1, source
     namespace = dict(function.__globals__)
@@ -78,7 +79,8 @@ def test_drawn_inputs_stay_within_the_bound(name, lowered, data):
     known = truths_or_none(low, samples)
     assume(known is not None)
     found = measured(low, function_of(low.kernel, load_package()), samples, known)
-    assert found.within_bound, found.overall
+    assert found.overall.max_ratio <= BOUND
+    assert found.backward or found.overall.within_ulps, found.overall
 
 
 def truths_or_none(low, samples):
@@ -108,11 +110,11 @@ def test_every_kernel_has_values_at_inputs_without_structure(lowered):
     ("name", "old", "new"),
     [
         ("projection.mu_from_center", "u31 * y00 / (u30 * y01)", "u32 * y00 / (u30 * y01)"),
-        ("projection.projection_determinant_from_mu", "(mu3 - 1)", "(mu3 + 1)"),
+        ("projection.projection_determinant_from_mu", "(wide(mu3) - 1)", "(wide(mu3) + 1)"),
         ("projection.project", "/ delta", "/ (delta + 1e-9)"),
         ("space.map_points", "return ", "return -"),
         ("optics.scale", "f / (f + x3)", "(f + x3) / f"),
-        ("affine.plane_coordinates", ", (c11", ", 1e-12 + (c11"),
+        ("affine.plane_coordinates", "rounded(c11 * d2", "1e-12 + rounded(c11 * d2"),
     ],
 )
 def test_a_planted_error_is_caught_by_the_proof_and_by_the_samples(name, old, new, lowered):
@@ -124,7 +126,7 @@ def test_a_planted_error_is_caught_by_the_proof_and_by_the_samples(name, old, ne
 
 def test_an_unstable_but_equal_formula_is_proved_and_still_caught_by_the_samples(lowered):
     package = planted(
-        "projection.mu_from_center", "y00 = 1 - y01 - y02 - y03", "y00 = 1 + y01**3 - y02 - y03 - y01 - y01**3"
+        "projection.mu_from_center", "y00 = rounded(1 - wide(y01) - y02 - y03)", "y00 = 1 - y01 - y02 - y03"
     )
     assert source_is_proved(KERNELS["projection.mu_from_center"], package)
     assert not accuracy(lowered("projection.mu_from_center"), package, size=40).within_bound

@@ -31,7 +31,8 @@ def cos_sin(angle: Any) -> tuple[Any, Any]:
     if isinstance(angle, Bounded):
         return cos_sin_with_bounds(angle, cos_sin)
     if isinstance(angle, DoubleDouble):
-        return cos_sin_of_pair(angle)
+        cosine, sine = cos_sin_of_pair(angle)
+        return type(angle)(cosine.hi, cosine.lo), type(angle)(sine.hi, sine.lo)
     xp = namespace([angle])
     return xp.cos(angle), xp.sin(angle)
 
@@ -40,8 +41,10 @@ def arctan2(y: Any, x: Any) -> Any:
     """Return the angle, in radians between -pi and pi, of the direction (x, y), with as many digits as these have."""
     if isinstance(y, Bounded) or isinstance(x, Bounded):
         return arctan2_with_bound(y, x, arctan2)
-    if isinstance(y, DoubleDouble) and isinstance(x, DoubleDouble):
-        return arctan2_of_pair(y, x)
+    kind = next((type(number) for number in (y, x) if isinstance(number, DoubleDouble)), None)
+    if kind is not None:
+        angle = arctan2_of_pair(*(number if isinstance(number, DoubleDouble) else kind(number) for number in (y, x)))
+        return kind(angle.hi, angle.lo)
     return namespace([y, x]).atan2(y, x)
 
 

@@ -1,7 +1,7 @@
 """Guaranteed bounds for cosines, angles and linear systems of numbers that carry bounds themselves.
 
 A solution is bounded after the fact: an approximate inverse R of the matrix A and the residual r of the solution x, in
-twice the digits, give ``|x - exact| <= |R| |r| + g / (1 - g) max(|R| |r|)`` wherever the norm g of ``R A - 1`` is less
+twice the digits, give ``|x - exact| <= |R r| + g / (1 - g) max |R r|`` wherever the norm g of ``R A - 1`` is less
 than 1; all uncertainties of the entries enter r and g.  Of cosine, sine and arctangent of the array library it is
 assumed that they err by less than four units in the last place.
 
@@ -109,7 +109,7 @@ def _errors(system: list[list[Bounded]], unknowns: Sequence[Any], solve: Functio
     tails = [[entry.error + _tail(entry.value) for entry in row[:-1]] for row in system]
     inverse = list(zip(*(solve(*_with_right(heads, k)) for k in range(size)), strict=True))
     residuals = [_residual(row, unknowns, unit) for row in system]
-    corrections = [_total(abs(a) * b for a, b in zip(row, residuals, strict=True)) for row in inverse]
+    corrections = [_correction(row, residuals, unit) for row in inverse]
     norm = _norm(heads, tails, inverse, unit)
     largest = np.max(np.broadcast_arrays(*corrections), axis=0)
     spread = np.where(norm < 1, norm / np.where(norm < 1, 1 - norm, 1), np.inf) * largest
@@ -124,15 +124,22 @@ def _with_right(matrix: list[list[Any]], place: int) -> list[list[Any]]:
     return [[*row, 1.0 if i == place else 0.0] for i, row in enumerate(matrix)]
 
 
-def _residual(row: list[Bounded], unknowns: Sequence[Any], unit: Any) -> Any:
-    """Return an upper bound of what an equation leaves, whatever its entries are within their bounds."""
+def _residual(row: list[Bounded], unknowns: Sequence[Any], unit: Any) -> tuple[Any, Any]:
+    """Return what an equation leaves, and how far off that may be, whatever its entries are within their bounds."""
     right = row[-1]
     rest, scale, inherited = wide(right.value), magnitude(right.value), right.error
     for entry, unknown in zip(row[:-1], unknowns, strict=True):
         rest = rest - wide(entry.value) * unknown
         scale = scale + magnitude(entry.value) * abs(unknown)
         inherited = inherited + entry.error * abs(unknown)
-    return magnitude(rest) + (len(row) + 2) * DOUBLED * unit * unit * scale + inherited
+    return rest.hi, _tail(rest) + (len(row) + 2) * DOUBLED * unit * unit * scale + inherited
+
+
+def _correction(row: Sequence[Any], residuals: Sequence[tuple[Any, Any]], unit: Any) -> Any:
+    """Return an upper bound of what the approximate inverse makes of the residuals."""
+    moved = abs(_total(a * rest for a, (rest, _) in zip(row, residuals, strict=True)))
+    rounding = (len(row) + 2) * unit
+    return moved + _total(abs(a) * (rounding * abs(rest) + off) for a, (rest, off) in zip(row, residuals, strict=True))
 
 
 def _norm(heads: list[list[Any]], tails: list[list[Any]], inverse: Sequence[Sequence[Any]], unit: Any) -> Any:

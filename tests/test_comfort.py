@@ -29,6 +29,14 @@ Path(__file__).with_suffix(".read").touch()
 """
 
 
+@pytest.fixture(autouse=True)
+def _interruptible():
+    """Be interrupted as at a terminal, also where the tests run in the background, which ignores Ctrl-C."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 def run(*arguments, **options):
     return CliRunner().invoke(main, [str(argument) for argument in arguments], **options)
 

@@ -33,6 +33,8 @@ UNIT_ROUNDOFF = 2.0**-53
 BOUND = 16.0
 MEDIAN_ULP = 0.6
 MAX_ULP = 4.0
+LEAST_SAMPLES = 100
+"""Of fewer samples the median says little, and nothing is asked of it."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +92,8 @@ class Accuracy:
     @property
     def within_bound(self) -> bool:
         """Whether the errors are as small as they must be."""
-        few_ulps = self.overall.median_ulp <= MEDIAN_ULP and self.overall.within_ulps
+        small_median = self.overall.samples < LEAST_SAMPLES or self.overall.median_ulp <= MEDIAN_ULP
+        few_ulps = small_median and self.overall.within_ulps
         return self.overall.max_ratio <= BOUND and (self.backward or few_ulps)
 
 

@@ -21,7 +21,7 @@ import numpy as np
 
 from ._namespace import namespace
 
-__all__ = ["DoubleDouble", "Unrounded", "rounded", "splitter_of", "two_product", "two_sum", "wide"]
+__all__ = ["DoubleDouble", "Unrounded", "chosen", "rounded", "splitter_of", "two_product", "two_sum", "wide"]
 
 Number: TypeAlias = Any
 
@@ -131,6 +131,13 @@ def wide(number: Number) -> Number:
 def rounded(number: Number) -> Number:
     """Return the one number nearest to a sum of two."""
     return number.rounded()
+
+
+def chosen(condition: Any, first: DoubleDouble, second: DoubleDouble) -> DoubleDouble:
+    """Return one number where a condition holds, and another one elsewhere."""
+    xp = namespace([first.hi, second.hi])
+    low = (xp.zeros_like(xp.asarray(n.hi)) if n.lo is None else n.lo for n in (first, second))
+    return type(first)(xp.where(condition, first.hi, second.hi), xp.where(condition, *low))
 
 
 def two_sum(a: Number, b: Number) -> tuple[Number, Number]:

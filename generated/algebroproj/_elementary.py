@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from ._double_double import DoubleDouble, two_sum
+from ._double_double import DoubleDouble, chosen, two_sum
 from ._namespace import is_foreign, namespace
 
 __all__ = ["arctan2_of_pair", "cos_sin_of_pair"]
@@ -50,8 +50,8 @@ def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
     turn = quarters % 4
     swapped = (turn == 1) | (turn == 3)
     return (
-        _signed(_chosen(swapped, sine, cosine), (turn == 1) | (turn == 2)),
-        _signed(_chosen(swapped, cosine, sine), turn >= 2),
+        _signed(chosen(swapped, sine, cosine), (turn == 1) | (turn == 2)),
+        _signed(chosen(swapped, cosine, sine), turn >= 2),
     )
 
 
@@ -79,13 +79,8 @@ def _series(square: DoubleDouble, odd: int) -> DoubleDouble:
     return total
 
 
-def _chosen(condition: Any, first: DoubleDouble, second: DoubleDouble) -> DoubleDouble:
-    xp = namespace([first.hi])
-    return DoubleDouble(xp.where(condition, first.hi, second.hi), xp.where(condition, first.lo, second.lo))
-
-
 def _signed(number: DoubleDouble, negative: Any) -> DoubleDouble:
-    return _chosen(negative, -number, number)
+    return chosen(negative, -number, number)
 
 
 def _dtype(number: Any) -> Any:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ._double_double import DoubleDouble, wide
+from ._double_double import DoubleDouble, chosen, wide
 from ._error_bounds import DOUBLED, SLACK, Bounded, bounded, high, magnitude, unit_of
 
 __all__ = ["arctan2_with_bound", "cos_sin_with_bounds", "null_vector_with_bounds", "solution_with_bounds"]
@@ -93,9 +93,7 @@ def _system(rows: Sequence[Sequence[Any]]) -> list[list[Bounded]]:
 
 
 def _chosen(condition: Any, first: Bounded, second: Bounded) -> Bounded:
-    pair = [wide(number.value) for number in (first, second)]
-    low = (0.0 if number.lo is None else number.lo for number in pair)
-    value = DoubleDouble(np.where(condition, pair[0].hi, pair[1].hi), np.where(condition, *low))
+    value = chosen(condition, wide(first.value), wide(second.value))
     return Bounded(value, np.where(condition, first.error, second.error))
 
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, TypeAlias
 
-import numpy as np
-
-from ._double_double import DoubleDouble
+from ._double_double import DoubleDouble, chosen
 
 __all__ = ["null_vector_of_pairs", "solution_of_pairs"]
 
@@ -59,12 +57,6 @@ def null_vector_of_pairs(rows: Sequence[Sequence[Any]]) -> list[DoubleDouble]:
     for component in vector[1:]:
         largest = chosen(abs(component.hi) > abs(largest.hi), component, largest)
     return [component / largest for component in vector]
-
-
-def chosen(condition: Any, first: DoubleDouble, second: DoubleDouble) -> DoubleDouble:
-    """Return one number where a condition holds, and another one elsewhere."""
-    low = (0.0 if number.lo is None else number.lo for number in (first, second))
-    return type(first)(np.where(condition, first.hi, second.hi), np.where(condition, *low))
 
 
 def _pairs(rows: Sequence[Sequence[Any]]) -> list[Row]:

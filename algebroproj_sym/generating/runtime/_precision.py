@@ -42,8 +42,8 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
 
     Examples
     --------
-    >>> from algebroproj.optics import scale
-    >>> third = dd(scale)(1.0, 2.0)
+    >>> import algebroproj
+    >>> third = algebroproj.dd(algebroproj.optics.scale)(1.0, 2.0)
     >>> float(third.hi), float(third.lo)
     (0.3333333333333333, 1.850371707708594e-17)
     """
@@ -87,8 +87,8 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
 
     Examples
     --------
-    >>> from algebroproj.optics import scale
-    >>> value, bound = bounds(scale)(1.0, 2.0)
+    >>> import algebroproj
+    >>> value, bound = algebroproj.bounds(algebroproj.optics.scale)(1.0, 2.0)
     >>> float(value), bool(2e-17 < bound < 2e-16)
     (0.3333333333333333, True)
     """

@@ -138,4 +138,5 @@ def test_the_site_of_the_documentation_is_built_without_a_warning(repository, tm
 def test_every_generated_module_and_command_is_in_the_reference(repository):
     modules = {path.stem for path in (repository / "generated" / "algebroproj").glob("[!_]*.py")}
     text = (DOCS / "reference" / "functions.md").read_text(encoding="utf-8")
-    assert {*re.findall(r"^::: algebroproj\.(\w+)$", text, flags=re.MULTILINE)} == modules - {"drivers"}
+    named = set(re.findall(r"^::: algebroproj\.(\w+)$", text, flags=re.MULTILINE))
+    assert named == (modules - {"drivers"}) | {"_backend", "_hypotheses", "_precision"}

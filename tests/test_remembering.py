@@ -1,11 +1,12 @@
 """What is remembered is what would be proved again, byte by byte, or it is proved again."""
 
 import json
-from concurrent.futures import ProcessPoolExecutor
+import os
+import subprocess
+import sys
 from dataclasses import fields, replace
 from decimal import Decimal
 from fractions import Fraction
-from multiprocessing import get_context
 from pathlib import Path
 
 import pytest
@@ -164,16 +165,13 @@ def test_without_a_folder_to_write_to_everything_is_proved(tmp_path, counted):
     assert counted == ["1.1", "1.1"]
 
 
-def remember_all(folder):
-    claims = select(["rhodos1990"])
-    return [judgement.verdict for judgement in pipeline.check(claims, memory=Memory(folder, fresh=True))]
-
-
 def test_runs_at_the_same_time_do_not_disturb_each_other(tmp_path):
-    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
-        first, second = pool.map(remember_all, [tmp_path, tmp_path])
-    assert first == second
-    assert len(entries_in(tmp_path)) == len(first)
+    command = [sys.executable, "-m", "algebroproj_sym", "check", "rhodos1990", "--fresh", "--format", "json"]
+    environment = os.environ | {"ALGEBROPROJ_CACHE": str(tmp_path)}
+    runs = [subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True) for _ in range(2)]
+    verdicts = [[claim["verdict"] for claim in json.loads(run.communicate()[0])["claims"]] for run in runs]
+    assert verdicts[0] == verdicts[1]
+    assert len(entries_in(tmp_path)) == len(verdicts[0]) > 0
     assert [path for path in tmp_path.rglob("*") if path.is_file() and path.suffix != ".json"] == []
 
 

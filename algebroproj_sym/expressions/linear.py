@@ -67,12 +67,14 @@ def columns(*vectors: Matrix) -> Matrix:
     [1, 3],
     [2, 4]])
     """
-    return Matrix.hstack(*vectors)
+    joined: Matrix = Matrix.hstack(*vectors)
+    return joined
 
 
 def rows(*vectors: Matrix) -> Matrix:
     """Return the matrix whose rows are the given column vectors."""
-    return Matrix.hstack(*vectors).T
+    joined: Matrix = columns(*vectors).T
+    return joined
 
 
 def homogeneous(point: Matrix) -> Matrix:
@@ -130,7 +132,7 @@ def inverse(matrix: Matrix) -> Matrix:
     Matrix([[over(1, x)]])
     """
     divisor = determinant(matrix)
-    return adjugate(matrix).applyfunc(lambda entry: over(entry, divisor))
+    return Matrix(*matrix.shape, [over(entry, divisor) for entry in adjugate(matrix).flat()])
 
 
 def solve(matrix: Matrix, right_side: Matrix) -> Matrix:
@@ -142,7 +144,8 @@ def solve(matrix: Matrix, right_side: Matrix) -> Matrix:
     known = matrix.tolist()
 
     def replaced(column: int) -> Matrix:
-        return Matrix([[*row[:column], entry, *row[column + 1 :]] for row, entry in zip(known, right_side, strict=True)])
+        pairs = zip(known, right_side, strict=True)
+        return Matrix([[*row[:column], entry, *row[column + 1 :]] for row, entry in pairs])
 
     return vector(*(over(determinant(replaced(column)), divisor) for column in range(size)))
 

@@ -1,0 +1,15 @@
+"""Studies: what becomes of the formulas near critical configurations, with how many digits, for which uncertainty.
+
+A study is a declaration (`declaration`) of many independent members, whose random numbers are counted (`sampling`);
+a sweep computes them in chunks that survive a kill (`sweeping`) and become one labelled dataset (`datasets`), from
+which a report (`reductions`) and figures (`figures`) are made.  `stereo` holds the geometry of two images, `studies`
+the ready studies.
+
+The core of the package needs none of this: what is here needs the extra `study`.
+"""
+
+from __future__ import annotations
+
+from algebroproj_sym.study.declaration import MEMBER, Option, Study
+
+__all__ = ["MEMBER", "Option", "Study"]

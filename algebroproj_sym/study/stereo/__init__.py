@@ -1,1 +1,1 @@
-"""The geometry of two images: scenes, their images, and the quadrics on which the linear equations fail."""
+"""The geometry of two images: scenes, critical quadrics, and the chain from the images to a model of the object."""

@@ -1,4 +1,4 @@
-"""The critical quadric, exactly: what goes through given points and centers, its kind, where the next point may not lie.
+"""The critical quadric, exactly: through given points and centers, its kind, and where the next point may not lie.
 
 The five equations of five points beside the basic points G0, G1 and G2 are singular where these eight points and both
 centers lie on a quadric (and where an element of the correlation matrix vanishes by which they are divided, which is a
@@ -82,6 +82,11 @@ def monomials(points: ArrayLike) -> Exact:
     return np.stack([entries[i] * entries[j] for i, j in MONOMIALS], axis=-1)
 
 
+def rank(matrix: ArrayLike) -> int:
+    """Return the rank of a matrix exactly."""
+    return int(_matrix(exact(matrix)).rank())
+
+
 def conditions(points: ArrayLike) -> int:
     """Return how many conditions some points impose on a quadric, exactly.
 
@@ -100,7 +105,7 @@ def conditions(points: ArrayLike) -> int:
     >>> conditions([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]])
     3
     """
-    return int(_matrix(monomials(exact(points))).rank())
+    return rank(monomials(exact(points)))
 
 
 def through(points: ArrayLike) -> list[Exact]:

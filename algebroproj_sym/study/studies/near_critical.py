@@ -17,12 +17,12 @@ from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.reductions import Joint, joint
 from algebroproj_sym.study.sampling import uniform
+from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits
 from algebroproj_sym.study.stereo.aerial import aerial
 from algebroproj_sym.study.stereo.scenes import Scene, affine, images
 
 Numbers = NDArray[np.float64]
 
-UNIT_ROUNDOFF = 2.0**-53
 DISTANCES, STEPS = 3, 12
 MOVED = 7
 """The point that is moved towards the quadric of the others."""
@@ -112,51 +112,39 @@ def _members(scene: Scene) -> dict[str, NDArray[Any]]:
     value = algebroproj.dd(algebroproj.critical.algebraic_distance)(form, y).hi
     _, gradient = _surface(form.hi, scene.points[:, MOVED], scene.points[:, :4])
 
-    exact = images(scene, wide=True)
-    rounded = exact.hi[:, :, 3:]
-    z_true = algebroproj.dd(correlation.correlation_from_cameras)(*_cameras(scene))
-    scale = DoubleDouble(z_true.hi[:, 1:2, 0:1], z_true.lo[:, 1:2, 0:1])
-    z_true = z_true / scale
-    z_rounded = algebroproj.dd(correlation.correlation_matrix)(rounded[:, 0], rounded[:, 1])
-    z = correlation.correlation_matrix(rounded[:, 0], rounded[:, 1])
+    u = images(scene, wide=True).hi[:, :, 3:]
+    true = algebroproj.dd(correlation.correlation_from_cameras)(*_cameras(scene))
+    of_rounded_images = algebroproj.dd(correlation.correlation_matrix)(u[:, 0], u[:, 1])
+    found = correlation.correlation_matrix(u[:, 0], u[:, 1])
+    epipoles = zip(correlation.epipoles(found), algebroproj.dd(correlation.epipoles)(true), strict=True)
 
-    rows = correlation.system(rounded[:, 0], rounded[:, 1])[0]
+    rows = correlation.system(u[:, 0], u[:, 1])[0]
     rows = np.nan_to_num(rows / np.linalg.norm(rows, axis=-1, keepdims=True))
     return {
         "distance": np.abs(value) / np.linalg.norm(gradient, axis=-1),
         "smallest": np.linalg.svd(rows, compute_uv=False)[:, -1],
         "ruled": np.linalg.det(form.hi) >= 0,
-        "lost_total": _lost(_difference(DoubleDouble(z), z_true), z_true),
-        "lost_arithmetic": _lost(_difference(DoubleDouble(z), z_rounded), z_rounded),
-        "lost_images": _lost(_difference(z_rounded, z_true), z_true),
-        "lost_epipoles": _digits(_angle(correlation.epipoles(z), algebroproj.dd(correlation.epipoles)(z_true))),
+        "lost_total": lost_digits(_error(found, true)),
+        "lost_arithmetic": lost_digits(_error(found, of_rounded_images)),
+        "lost_images": lost_digits(_error(of_rounded_images, true)),
+        "lost_epipoles": lost_digits(np.max([_angle(*both) for both in epipoles], axis=0)),
     }
 
 
-def _difference(first: DoubleDouble, second: DoubleDouble) -> Numbers:
-    return np.asarray((first - second).hi)
+def _error(found: Any, reference: DoubleDouble) -> Numbers:
+    """Return by how much matrices of correlation are wrong."""
+    flat = DoubleDouble(found.hi.reshape(-1, 9), found.lo.reshape(-1, 9)) if _is_wide(found) else found.reshape(-1, 9)
+    return error_up_to_scale(flat, DoubleDouble(reference.hi.reshape(-1, 9), reference.lo.reshape(-1, 9)))
 
 
-def _lost(difference: Numbers, reference: DoubleDouble) -> Numbers:
-    """Return how many digits a matrix has lost: log10 of its relative error in units of the roundoff."""
-    return _digits(np.abs(difference).max(axis=(-2, -1)) / np.abs(reference.hi).max(axis=(-2, -1)))
+def _is_wide(number: Any) -> bool:
+    return isinstance(number, DoubleDouble)
 
 
-def _digits(relative: Numbers) -> Numbers:
-    digits: Numbers = np.log10(np.maximum(relative / UNIT_ROUNDOFF, 2.0**-4))
-    return digits
-
-
-def _angle(epipoles: tuple[Numbers, Numbers], reference: tuple[DoubleDouble, DoubleDouble]) -> Numbers:
-    """Return the larger of the two angles by which the directions (1, u1, u2) of the epipoles are wrong."""
-    angles = []
-    for found, true in zip(epipoles, reference, strict=True):
-        change = _difference(DoubleDouble(found), true)
-        direction = np.insert(true.hi, 0, 1.0, axis=-1)
-        across = np.cross(direction, np.insert(change, 0, 0.0, axis=-1))
-        lengths = np.linalg.norm(direction, axis=-1) * np.linalg.norm(np.insert(found, 0, 1.0, axis=-1), axis=-1)
-        angles.append(np.linalg.norm(across, axis=-1) / lengths)
-    return np.asarray(np.max(angles, axis=0))
+def _angle(found: Numbers, reference: DoubleDouble) -> Numbers:
+    """Return by how much the directions (1, u1, u2) of epipoles are wrong."""
+    true = DoubleDouble(np.insert(reference.hi, 0, 1.0, axis=-1), np.insert(reference.lo, 0, 0.0, axis=-1))
+    return error_up_to_scale(np.insert(found, 0, 1.0, axis=-1), true)
 
 
 def counted(dataset: xarray.Dataset) -> dict[str, Joint]:

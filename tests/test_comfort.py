@@ -89,6 +89,12 @@ def test_the_completion_that_help_documents_works(shell):
     assert "_ALGEBROPROJ_COMPLETE" in output
 
 
+def test_an_explanation_can_be_pasted_into_a_review(wrong):
+    output = run("explain", f"{wrong}:1.2", "--format", "markdown").output
+    assert output.startswith("**(1.2)** distance of the image: **false, declared proved**\n\n$$\\frac{")
+    assert r"counterexample: $" in output
+
+
 def test_quiet_says_nothing_where_everything_is_as_declared(right):
     result = run("--quiet", "check", right)
     assert (result.exit_code, result.output) == (0, "")

@@ -20,12 +20,12 @@ from algebroproj_sym import Section
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import Derivation, derivations, judge, publication, select
 from algebroproj_sym.declaring.bibliography import bibtex
+from algebroproj_sym.declaring.latex import NOTHING, latex
 from algebroproj_sym.declaring.names import latex_name, plain_name
 from algebroproj_sym.expressions import Matrix, entries, evaluate, over, symbols_of, vector
 from algebroproj_sym.reporting.site import OccupiedError, catalogue, render_site, replace
 from algebroproj_sym.reporting.site.addresses import claim_page, slug
-from algebroproj_sym.reporting.site.differences import NOTHING, difference
-from algebroproj_sym.reporting.site.latex import latex
+from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.search import search_index
 

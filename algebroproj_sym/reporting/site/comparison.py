@@ -12,11 +12,11 @@ import sympy
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import Claim, Judgement, differing_entries
+from algebroproj_sym.declaring.latex import NOTHING, WHOLE, Marks, latex
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.reporting.forms import derived_form
-from algebroproj_sym.reporting.site.differences import NOTHING, WHOLE, Marks, difference
+from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.formulas import Form, block, derived_number, described, digits_that_differ, inline
-from algebroproj_sym.reporting.site.latex import latex
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
 

@@ -11,11 +11,10 @@ import sympy
 from markupsafe import Markup, escape
 
 from algebroproj_sym.declaring import Claim, Statement, statement_text
+from algebroproj_sym.declaring.latex import MARK, NOTHING, WHOLE, Marks, latex
 from algebroproj_sym.declaring.names import letter, parts
 from algebroproj_sym.expressions import entries, size
 from algebroproj_sym.reporting.site.addresses import claim_record_file
-from algebroproj_sym.reporting.site.differences import NOTHING, WHOLE, Marks
-from algebroproj_sym.reporting.site.latex import MARK, latex
 from algebroproj_sym.reporting.site.mathml import math
 
 LARGEST_FORMULA = 400

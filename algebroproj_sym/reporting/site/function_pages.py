@@ -9,12 +9,12 @@ from typing import Any
 from markupsafe import Markup, escape
 
 from algebroproj_sym.declaring import Kernel, Stage
+from algebroproj_sym.declaring.latex import latex
 from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
 from algebroproj_sym.reporting.site.formulas import block, bullet, equation, inline
-from algebroproj_sym.reporting.site.latex import latex
 from algebroproj_sym.reporting.site.plots import accuracy_plot
 from algebroproj_sym.reporting.site.records import Timing
 from algebroproj_sym.reporting.site.tables import Table

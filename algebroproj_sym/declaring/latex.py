@@ -1,23 +1,50 @@
 r"""Rational expressions and matrices as LaTeX, in the order and with the brackets that they have.
 
 SymPy's own printers rearrange what they are given (``3*(x + y)/z`` loses its brackets); here a form is shown as it is
-declared.  What differs from another form is in ``\class{differs}{...}``.
+declared.  What is marked, because it differs from another form, is in ``\class{differs}{...}``.
 """
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
 
 from algebroproj_sym.declaring.names import latex_name, parts
 from algebroproj_sym.expressions import over
-from algebroproj_sym.reporting.site.differences import NOTHING, Marks
 
 MARK = "differs"
 ENTRY = "differing-entry"
 _TIMES = " "
 _DOT = r" \cdot "
+_TAKES_AN_EXPONENT = re.compile(r"[A-Za-z]|\d+|\\[A-Za-z]+|\\left\(.*\\right\)")
+
+
+@dataclass(frozen=True)
+class Marks:
+    """Marked parts of an expression.
+
+    Attributes
+    ----------
+    whole : bool
+        Whether all of it is marked.
+    inside : mapping
+        The marks of arguments of an expression, or, by place, of the entries of a matrix.
+    """
+
+    whole: bool = False
+    inside: Mapping[Any, Marks] = field(default_factory=dict)
+
+    def of(self, part: Any) -> Marks:
+        """Return the marks of an argument, or of the entry at a place."""
+        return self.inside.get(part, NOTHING)
+
+
+NOTHING = Marks()
+WHOLE = Marks(whole=True)
 
 
 def latex(expression: Any, marks: Marks = NOTHING) -> str:
@@ -27,7 +54,7 @@ def latex(expression: Any, marks: Marks = NOTHING) -> str:
     --------
     >>> x, y = sympy.symbols("x up31")
     >>> print(latex(-x / y), latex(sympy.Matrix([[x, y**2]])))
-    - \frac{x}{u^{\prime}_{31}} \left[\begin{matrix} x & {\left(u^{\prime}_{31}\right)}^{2} \end{matrix}\right]
+    -\frac{x}{u^{\prime}_{31}} \left[\begin{matrix} x & \left(u^{\prime}_{31}\right)^{2} \end{matrix}\right]
     """
     if isinstance(expression, sympy.MatrixBase):
         return _matrix(expression, marks)
@@ -59,7 +86,7 @@ def _marked(content: str, marks: Marks) -> str:
 def _signed(expression: Any, marks: Marks) -> tuple[str, str]:
     """Return a minus sign or nothing, and what follows it."""
     if isinstance(expression, sympy.Rational):
-        return ("- " if expression < 0 else ""), _number(abs(expression))
+        return ("-" if expression < 0 else ""), _number(abs(expression))
     if isinstance(expression, sympy.Mul) or (isinstance(expression, sympy.Pow) and expression.exp.is_negative):
         return _product(expression, marks)
     if isinstance(expression, sympy.Symbol):
@@ -79,8 +106,8 @@ def _sum(expression: Any, marks: Marks) -> str:
     for term in expression.as_ordered_terms():
         inside = marks.of(term)
         sign, body = ("", _parenthesised(term, inside)) if isinstance(term, sympy.Add) else _signed(term, inside)
-        sign = sign or ("+ " if content else "")
-        content.append(_marked(f"{sign}{body}", inside))
+        shown = f"{sign or '+'} {body}" if content else f"{sign}{body}"
+        content.append(_marked(shown, inside))
     return " ".join(content)
 
 
@@ -98,7 +125,7 @@ def _product(expression: Any, marks: Marks) -> tuple[str, str]:
             (above if factor.exp > 0 else below).append((factor.base, abs(int(factor.exp)), inside))
         else:
             above.append((factor, 1, inside))
-    sign = (rf"\class{{{MARK}}}{{-}} " if marked_sign else "- ") if negative else ""
+    sign = (rf"\class{{{MARK}}}{{-}}" if marked_sign else "-") if negative else ""
     body = _juxtaposed(above)
     return sign, rf"\frac{{{body}}}{{{_juxtaposed(below)}}}" if below else body
 
@@ -145,7 +172,7 @@ def _power(base: Any, exponent: int, marks: Marks) -> str:
     else:
         below = _parenthesised(base, marks.of(base))
     above = _marked(str(exponent), marks.of(sympy.Integer(exponent)))
-    return f"{{{below}}}^{{{above}}}"
+    return f"{below}^{{{above}}}" if _TAKES_AN_EXPONENT.fullmatch(below) else f"{{{below}}}^{{{above}}}"
 
 
 def _parenthesised(expression: Any, marks: Marks) -> str:

@@ -164,7 +164,7 @@ def pictures(scene: Scene) -> Numbers:
     first = first / np.linalg.norm(first, axis=-1, keepdims=True)
     rays = scene.points[..., None, :, :] - scene.centers[..., :, None, :]
     x, y, depth = (np.einsum("...snk,...sk->...sn", rays, each) for each in (first, np.cross(axis, first), axis))
-    return -np.stack([x, y], axis=-1) / depth[..., None]
+    return np.asarray(-np.stack([x, y], axis=-1) / depth[..., None])
 
 
 def components(value: Any, *, wide: bool = False) -> list[Any]:

@@ -37,6 +37,9 @@ FIRST, DETERMINING = 3, 5
 ELLIPSE = 5.991464547107979
 """Square of the half axes of an ellipse that holds 95 %, in standard deviations: the quantile of chi squared of two."""
 
+UNCHANGED = 1e-12
+"""Deviations of elements that do not depend on the images: rounding errors."""
+
 QUANTITIES = {
     "Z": "matrix of correlation",
     "epipole": "epipoles, left and right",
@@ -221,9 +224,8 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
             colour, dash = (COLOURS[0], DASHES[0]) if determining else (COLOURS[1], DASHES[1])
             _ellipse(left, points[place], found.covariance[place] * 10.0 ** (2 * exponent), colour, dash)
             left.plot(*points[place, :2], marker="o" if determining else "s", ms=2.5, color=colour)
-            left.annotate(
-                str(name), points[place, :2], xytext=(4, 4), textcoords="offset points", fontsize=7, color=INK
-            )
+            offset = (4, 4 - 12 * (place % 2))
+            left.annotate(str(name), points[place, :2], xytext=offset, textcoords="offset points", fontsize=7)
         left.plot([], [], color=COLOURS[0], marker="o", ms=2.5, label="determine the correlation")
         left.plot([], [], color=COLOURS[1], ls=DASHES[1], marker="s", ms=2.5, label="others")
         left.legend(loc="best")
@@ -233,16 +235,16 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
         names = list(QUANTITIES)
         deviations = [spread(dataset, name) for name in names]
         for place, each in enumerate(deviations):
-            values = each.deviation[each.deviation > 0]
+            values = each.deviation[each.deviation > UNCHANGED]
             across = place + 0.5 * (np.arange(values.size) + 0.5) / values.size - 0.25
             right.scatter(across, values, s=14, color=COLOURS[place], marker="os^D"[place], lw=0)
             printed = 0.5 * 10.0 ** -example().printed[names[place]]
             right.hlines(printed, place - 0.36, place + 0.36, color=INK, lw=1.2)
         right.hlines([], 0, 0, color=INK, lw=1.2, label="half a unit of the last\nprinted decimal")
-        right.set(yscale="log", title="standard deviations")
+        right.set(yscale="log", title="standard deviations", ylim=(1e-10, 0.1))
         right.set_xticks(range(len(names)), ["Z", "epipoles", "centers", "model"])
         right.grid(visible=False, axis="x")
-        right.legend(loc="upper left")
+        right.legend(loc="lower left")
         right.spines["bottom"].set_color(GREY)
     return {"error-ellipses": drawing}
 

@@ -19,6 +19,9 @@ from algebroproj_sym.study.reductions import Joint, joint
 from algebroproj_sym.study.sampling import uniform
 from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits
 from algebroproj_sym.study.stereo.aerial import aerial
+from algebroproj_sym.study.stereo.drawings import map_of_lost_digits, quadric_in_space
+from algebroproj_sym.study.stereo.maps import over_image, over_plane
+from algebroproj_sym.study.stereo.quadric import critical_quadric
 from algebroproj_sym.study.stereo.scenes import Scene, affine, images
 
 Numbers = NDArray[np.float64]
@@ -33,7 +36,10 @@ ERRORS = {
     "lost_images": "by rounding the images alone",
     "lost_epipoles": "in the epipoles",
 }
-X_EDGES, Y_EDGES = np.linspace(-16, 1, 69), np.linspace(-2, 20, 441)
+X_EDGES, Y_EDGES = np.linspace(-16, 1, 69), np.linspace(-2, 20, 221)
+TYPICAL = 3
+"""Seed of the stereo pair that is drawn."""
+
 FITTED = -12.0, -2.0
 """Range of log10(distance) of the regression lines: where neither the geometry at large nor full loss plays a part."""
 
@@ -175,7 +181,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
     """Draw the digits lost against the distance from the critical quadric."""
     distributions = counted(dataset)
     with style():
-        drawing = figure(PAGE, 3.3)
+        drawing = figure(PAGE, 3.6)
         left, right = drawing.subplots(1, 2, sharey=True)
         x = (X_EDGES[1:] + X_EDGES[:-1]) / 2
         total = distributions["lost_total"]
@@ -183,20 +189,35 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
         mesh = left.pcolormesh(10.0**X_EDGES, Y_EDGES, shown, norm="log", rasterized=True)
         for probability, median in zip((0.05, 0.5, 0.95), total.quantiles([0.05, 0.5, 0.95]), strict=True):
             left.plot(10.0**x, median, color=INK, lw=1.4 if probability == 0.5 else 0.8, ls=DASHES[probability != 0.5])
-        drawing.colorbar(mesh, ax=left, label="stereo pairs per cell", pad=0.02)
+        drawing.colorbar(mesh, ax=left, label="stereo pairs per cell", pad=0.02, location="bottom", aspect=40)
         left.set(title="Z from images rounded to float64", ylabel="decimal digits lost")
-        for place, (name, distribution) in enumerate(distributions.items()):
-            right.plot(
-                10.0**x, distribution.quantiles([0.5])[0], color=COLOURS[place], ls=DASHES[place], label=ERRORS[name]
-            )
+        for place, (name, about) in enumerate(ERRORS.items()):
+            median = distributions[name].quantiles([0.5])[0]
+            width = 3.0 if name == "lost_total" else 1.4
+            right.plot(10.0**x, median, color=COLOURS[(0, 1, 5, 3)[place]], ls=DASHES[place], lw=width, label=about)
         right.set(title="medians")
-        right.legend(loc="lower left")
+        right.legend(loc="upper right")
         for axes in (left, right):
             axes.axhline(-np.log10(UNIT_ROUNDOFF), color=GREY, lw=0.8, ls=":")
-            axes.set(xscale="log", xlabel="distance from the critical quadric [half width of the model]")
+            axes.set(xscale="log", xlabel="distance from the critical quadric [half widths]")
             axes.set(xlim=(1e-15, 1.0), ylim=(-1.5, 18))
-        left.text(2e-15, 16.3, "all digits of float64", color=GREY, fontsize=7)
-    return {"digits-against-distance": drawing}
+        left.text(0.5, 16.3, "all digits of float64", color=GREY, fontsize=7, ha="right")
+    return {"digits-against-distance": drawing} | _typical()
+
+
+def _typical() -> dict[str, Figure]:
+    """Draw the critical quadric of one stereo pair, and its maps over the ground and over the left image."""
+    batch = aerial(TYPICAL, [0])
+    scene = Scene(batch.points[0], batch.centers[0], batch.normals[0])
+    form = critical_quadric(scene.points[:MOVED], scene.centers)
+    ground = over_plane(scene, [0, 0, 0], [1.5, 0, 0], [0, 1.5, 0])
+    ground = ground.assign_coords(s=1.5 * ground.s, t=1.5 * ground.t)
+    seen = over_image(scene, 0.0, reach=0.6)
+    return {
+        "quadric": quadric_in_space(Scene(scene.points[:MOVED], scene.centers, scene.normals), form),
+        "map-of-the-ground": map_of_lost_digits(ground, "eighth point on the ground, $x_3 = 0$", "$x_1$", "$x_2$"),
+        "map-of-the-image": map_of_lost_digits(seen, "eighth point in the left image", "$x$", "$y$"),
+    }
 
 
 STUDY = Study(

@@ -33,8 +33,11 @@ those of the NumPy source.
 #define FUSED_IS_AVAILABLE 1
 #endif
 
-#if defined(__GNUC__)
+/* What is only there for processors that do not is kept small. */
+#if defined(FUSED)
 #define SPLIT __attribute__((noinline, cold))
+#elif defined(__GNUC__)
+#define SPLIT __attribute__((noinline))
 #else
 #define SPLIT
 #endif
@@ -43,6 +46,14 @@ those of the NumPy source.
 #define FORCED_INLINE inline __attribute__((always_inline))
 #else
 #define FORCED_INLINE inline
+#endif
+
+#if defined(__clang__)
+#define UNROLLED _Pragma("clang loop unroll_count(8)")
+#elif defined(__GNUC__)
+#define UNROLLED _Pragma("GCC unroll 8")
+#else
+#define UNROLLED
 #endif
 
 enum {
@@ -184,7 +195,7 @@ static void lay_out(struct layout *layouts, const struct kernel *kernel, const n
 #define multiply_add fmal
 #define headroom (LDBL_MAX / 2)
 #define splitter ((longdouble)((npy_ulonglong)1 << (LDBL_MANT_DIG + 1) / 2) + 1)
-#define VERSION SPLIT
+#define VERSION
 #define variant longdouble_split
 #define product_error NAME(split_product_error)
 #define within(range, operand) (range)
@@ -603,7 +614,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "52dec899641238ac");
+    return PyModule_AddStringConstant(module, "DIGEST", "38d31d84e8ecdd3b");
 }
 
 static PyModuleDef_Slot slots[] = {

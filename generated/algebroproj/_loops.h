@@ -12,6 +12,7 @@ static void TYPED(gather)(real (*restrict rows)[BLOCK], const char *data, const 
         for (int column = 0; column < layout.columns; column++) {
             const char *entry = data + row * layout.row_step + column * layout.column_step;
             real *restrict values = *rows++;
+            UNROLLED
             for (npy_intp i = 0; i < points; i++) {
                 values[i] = *(const real *)(entry + i * layout.point_step);
             }
@@ -26,6 +27,7 @@ static void TYPED(scatter)(const real (*restrict rows)[BLOCK], char *data, const
         for (int column = 0; column < layout.columns; column++) {
             char *entry = data + row * layout.row_step + column * layout.column_step;
             const real *restrict values = *rows++;
+            UNROLLED
             for (npy_intp i = 0; i < points; i++) {
                 *(real *)(entry + i * layout.point_step) = values[i];
             }

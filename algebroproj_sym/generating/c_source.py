@@ -98,7 +98,8 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
         "_kernels.h": _rendered(
             "kernels.h.j2",
             notice=notice,
-            errors=any(_products(expanded(low.program)) for low in compiled) or any(name in LINEAR for name, _ in calls),
+            errors=any(_products(expanded(low.program)) for low in compiled)
+            or any(name in LINEAR for name, _ in calls),
             solvers=[
                 {
                     "name": name,

@@ -14,6 +14,7 @@ from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
 from algebroproj_sym.generating.runtime._double_double import DoubleDouble
 
+
 @cache
 def expanded(program: Program) -> Program:
     """Return the program whose steps are the operations of double-double arithmetic on single numbers.

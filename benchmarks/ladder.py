@@ -25,7 +25,7 @@ from algebroproj_sym.study.precision import (
     radius,
 )
 from algebroproj_sym.study.stereo.chain import Configuration, images, simulated
-from algebroproj_sym.study.stereo.scenes import near_critical, ordinary
+from algebroproj_sym.study.stereo.configurations import near_critical, ordinary
 
 SAMPLE = 40
 CHECKED_BITS = 300

@@ -16,7 +16,7 @@ from algebroproj_sym.study.conditioning import condition_numbers, smallest_singu
 from algebroproj_sym.study.precision import apply, float64, float64_balls, lift, nearest, radius
 from algebroproj_sym.study.stereo.chain import CORRELATION_POINTS, Configuration, Images, images
 from algebroproj_sym.study.stereo.rounding import bound_of_correlation
-from algebroproj_sym.study.stereo.scenes import critical_quadric
+from algebroproj_sym.study.stereo.configurations import critical_quadric
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
 __all__ = ["Indicators", "diagnosis", "eight_point_matrix", "indicators"]
@@ -77,7 +77,7 @@ def indicators(configuration: Configuration) -> Indicators:
 
     Examples
     --------
-    >>> from algebroproj_sym.study.stereo.scenes import near_critical
+    >>> from algebroproj_sym.study.stereo.configurations import near_critical
     >>> near = indicators(near_critical(4, farthest=1e-6, nearest=1e-6))
     >>> bool((abs(near.sampson - 1e-6) < 1e-9).all())
     True
@@ -127,7 +127,7 @@ def diagnosis(both: Images, tolerance: float = 1e-6) -> NDArray[np.str_]:
 
     Examples
     --------
-    >>> from algebroproj_sym.study.stereo.scenes import near_critical, ordinary
+    >>> from algebroproj_sym.study.stereo.configurations import near_critical, ordinary
     >>> near = near_critical(2, farthest=1e-9, nearest=1e-10)
     >>> [str(diagnosis(images(float64(), scene))[0]) for scene in (ordinary(2), near)]
     ['regular', 'critical']

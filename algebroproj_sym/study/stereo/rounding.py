@@ -47,7 +47,7 @@ def bound_of_correlation(left: Array, right: Array, off_left: Array, off_right: 
     --------
     >>> from algebroproj_sym.study.precision import float64
     >>> from algebroproj_sym.study.stereo.chain import images
-    >>> from algebroproj_sym.study.stereo.scenes import ordinary
+    >>> from algebroproj_sym.study.stereo.configurations import ordinary
     >>> left, right = (u[0] for u in images(float64(), ordinary(1)))
     >>> Z, bound = bound_of_correlation(left, right, 1e-9 * abs(left), 1e-9 * abs(right))
     >>> bool(bound.max() < 1e-3)

@@ -10,9 +10,9 @@ import pytest
 from algebroproj import correlation, critical
 from algebroproj_sym.study.precision import apply, arb, float64, lift, rational
 from algebroproj_sym.study.stereo.chain import images
+from algebroproj_sym.study.stereo.configurations import BASIC, critical_quadric, near_critical, ordinary
 from algebroproj_sym.study.stereo.indicators import diagnosis, eight_point_matrix, indicators
 from algebroproj_sym.study.stereo.rounding import bound_of_correlation
-from algebroproj_sym.study.stereo.configurations import BASIC, critical_quadric, near_critical, ordinary
 
 
 def test_the_critical_quadric_goes_through_centers_and_points():

@@ -1,5 +1,19 @@
-"""What happens to the generated functions near singularities, with how many digits, for which uncertainty of the input.
+"""Studies: what becomes of the formulas near critical configurations, with how many digits, for which uncertainty.
 
-The modules are imported by name: `precision` and `ladder` (any arithmetic, certified values), `conditioning` and
-`propagation` (derivatives and errors), and the folders `stereo` (the chain from images to the model) and `studies`.
+A study is a declaration (`declaration`) of many independent members, whose random numbers are counted (`sampling`);
+a sweep computes them in chunks that survive a kill (`sweeping`) and become one labelled dataset (`datasets`), from
+which a report (`reductions`) and figures (`figures`) are made.  `stereo` holds the geometry of two images, `studies`
+the ready studies.
+
+Numbers come from `precision` (any generated function in any arithmetic), `ladder` (certified values for a batch),
+`taylor` and `conditioning` (exact derivatives, condition numbers), `propagation` and `sensitivity` (errors of the
+input).
+
+The core of the package needs none of this: what is here needs the extra `study`.
 """
+
+from __future__ import annotations
+
+from algebroproj_sym.study.declaration import MEMBER, Option, Study
+
+__all__ = ["MEMBER", "Option", "Study"]

@@ -79,7 +79,8 @@ class Taylor:
 
     def __truediv__(self, other: Any) -> Taylor:
         if not isinstance(other, Taylor):
-            return self * (1.0 / np.asarray(other, dtype=np.float64))
+            second = None if self.second is None else self.second / other
+            return Taylor(self.value / other, self.first / other, second)
         quotient = self.value / other.value
         first = (self.first - quotient * other.first) / other.value
         if self.second is None:

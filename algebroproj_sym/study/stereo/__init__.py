@@ -1,1 +1,1 @@
-"""The chain from two images to a model of the object, and how near it is to what makes it fail."""
+"""The geometry of two images: scenes, the chain to the model, and the quadrics on which the linear equations fail."""

@@ -15,8 +15,8 @@ from algebroproj import correlation, critical
 from algebroproj_sym.study.conditioning import condition_numbers, smallest_singular_values
 from algebroproj_sym.study.precision import apply, float64, float64_balls, lift, nearest, radius
 from algebroproj_sym.study.stereo.chain import CORRELATION_POINTS, Configuration, Images, images
-from algebroproj_sym.study.stereo.rounding import bound_of_correlation
 from algebroproj_sym.study.stereo.configurations import critical_quadric
+from algebroproj_sym.study.stereo.rounding import bound_of_correlation
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
 __all__ = ["Indicators", "diagnosis", "eight_point_matrix", "indicators"]

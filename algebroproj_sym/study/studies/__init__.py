@@ -1,0 +1,10 @@
+"""The ready studies, in the order in which a reader may want them."""
+
+from __future__ import annotations
+
+from algebroproj_sym.study.declaration import Study
+from algebroproj_sym.study.studies import indicators, near_critical
+
+STUDIES: tuple[Study, ...] = tuple(module.STUDY for module in (near_critical, indicators))
+
+__all__ = ["STUDIES"]

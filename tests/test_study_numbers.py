@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from algebroproj_sym.study.studies import indicators
+from algebroproj_sym.study.studies import indicators, propagation
 
-SMALL = {indicators: {}}
-MEMBERS = {indicators: 600}
+SMALL = {indicators: {}, propagation: {"draws": 1000}}
+MEMBERS = {indicators: 600, propagation: 25}
 
 
 def computed(module, indices, **options):
@@ -75,6 +75,34 @@ def test_no_error_is_larger_than_its_guaranteed_bound(nearness, output):
 
 def test_the_bound_of_z_is_within_a_decade_for_most(nearness):
     assert (nearness.z_bound <= 10 * nearness.z_largest).mean() > 0.85
+
+
+@pytest.fixture(scope="module")
+def propagated():
+    return computed(propagation, np.arange(60), draws=4000, smallest=1e-6, largest=1e-3)
+
+
+def test_linear_propagation_of_z_fails_as_a_quotient_does(propagated):
+    """With one divisor 1 + nu e the ends of the interval are off by about nu, its width by the square."""
+    nu, ends, width = (propagated[name].values for name in ("nu", "z_ends", "z_width"))
+    some = (nu > 0.03) & (nu < 0.3)
+    assert some.sum() > 5
+    assert 0.5 < np.median(ends[some] / nu[some]) < 2
+    assert np.median(abs(width[some])) < 0.5 * np.median(ends[some])
+    few = nu < 3e-3
+    assert few.sum() > 5
+    assert np.median(ends[few]) < 2e-2
+
+
+def test_random_samples_are_sure_enough(propagated):
+    assert (propagated.z_sure.values[propagated.nu < 0.1] < 0.1).all()
+
+
+def test_propagation_refuses_options_without_sense():
+    with pytest.raises(ValueError, match="draws: expected at least 100, got 5"):
+        propagation.STUDY.arguments({"draws": 5})
+    with pytest.raises(ValueError, match="smallest: expected 0 < smallest <= largest"):
+        propagation.STUDY.arguments({"smallest": 1.0})
 
 
 def test_indicators_refuse_options_without_sense():

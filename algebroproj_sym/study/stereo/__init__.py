@@ -1,1 +1,1 @@
-"""The geometry of two images: scenes, the chain to the model, and the quadrics on which the linear equations fail."""
+"""The geometry of two images: scenes, critical quadrics, and the chain from the images to a model of the object."""

@@ -268,7 +268,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
         for axes in panels[1]:
             axes.set_xlabel("dimensionless number")
         for axes in panels[:, 0]:
-            axes.set_ylabel("error of the ends / standard deviation")
+            axes.set_ylabel("error of the ends [std. dev.]")
     return {"propagation": drawing}
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from algebroproj_sym.study.declaration import Study
-from algebroproj_sym.study.studies import near_critical
+from algebroproj_sym.study.studies import indicators, near_critical, propagation
 
-STUDIES: tuple[Study, ...] = tuple(module.STUDY for module in (near_critical,))
+STUDIES: tuple[Study, ...] = tuple(module.STUDY for module in (near_critical, indicators, propagation))
 
 __all__ = ["STUDIES"]

@@ -8,8 +8,7 @@ import pytest
 
 STAGES = (
     *("files", "expressions", "proving", "declaring", "auditing", "remembering", "generating", "verifying", "mutating"),
-    "study",
-    *("reporting", "pipeline", "replaying", "exporting", "scaffolding", "cli", "plugin"),
+    *("study", "reporting", "pipeline", "replaying", "exporting", "scaffolding", "cli", "plugin"),
 )
 
 

@@ -5,6 +5,10 @@ a sweep computes them in chunks that survive a kill (`sweeping`) and become one 
 which a report (`reductions`) and figures (`figures`) are made.  `precision` evaluates the generated functions in any
 arithmetic.  `stereo` holds the geometry of two images and the chain from them to a model, `studies` the ready studies.
 
+Numbers come from `precision` (any generated function in any arithmetic), `ladder` (certified values for a batch),
+`taylor` and `conditioning` (exact derivatives, condition numbers), `propagation` and `sensitivity` (errors of the
+input).
+
 The core of the package needs none of this: what is here needs the extra `study`.
 """
 

@@ -44,7 +44,7 @@ __all__ = [
 Numbers: TypeAlias = NDArray[Any]
 Function: TypeAlias = Callable[..., Any]
 
-BLOCK = 2048
+BLOCK = 4096
 """How many members of a batch are computed at once, so that they stay in the cache."""
 
 

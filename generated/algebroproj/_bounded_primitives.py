@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from ._double_double import DoubleDouble, chosen, wide
-from ._error_bounds import DOUBLED, SLACK, Bounded, bounded, high, magnitude, unit_of
+from ._error_bounds import DOUBLED, SLACK, Bounded, bounded, guaranteed, high, magnitude, unit_of
 
 __all__ = ["arctan2_with_bound", "cos_sin_with_bounds", "null_vector_with_bounds", "solution_with_bounds"]
 
@@ -59,7 +59,7 @@ def solution_with_bounds(rows: Sequence[Sequence[Any]], solve: Function) -> list
     system = _system(rows)
     unknowns = solve(*([entry.value for entry in row] for row in system))
     errors = _errors(system, unknowns, solve)
-    return [bounded(value, error) for value, error in zip(unknowns, errors, strict=True)]
+    return [guaranteed(bounded(value, error)) for value, error in zip(unknowns, errors, strict=True)]
 
 
 def null_vector_with_bounds(rows: Sequence[Sequence[Any]], null_vector: Function, solve: Function) -> list[Bounded]:
@@ -87,7 +87,7 @@ def null_vector_with_bounds(rows: Sequence[Sequence[Any]], null_vector: Function
         result.append(bounded(vector[place], np.where(ones[place], np.where(alone, 0.0, np.inf), spread[place])))
     moved = [np.where(ones[place], spread[place], 0.0) for place in range(last)]
     result.append(bounded(vector[last], np.where(ones[last], np.where(alone, 0.0, np.inf), sum(moved))))
-    return result
+    return [guaranteed(component) for component in result]
 
 
 def _is_one(number: Any) -> Any:

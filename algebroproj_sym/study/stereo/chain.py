@@ -180,7 +180,8 @@ def images(arithmetic: Arithmetic, configuration: Configuration) -> Images:
 def _image(arithmetic: Arithmetic, y: Numbers, y0: Numbers, u3: Numbers) -> Numbers:
     mu = apply(arithmetic, projection.mu_from_center, y0, u3)
     u = apply(arithmetic, projection.project, y, mu[..., None, :], u3[..., None, :])
-    first = np.broadcast_to(u3[..., None, :], (*u.shape[:-2], 1, 2))
+    missing = (1,) * (u.ndim - u3.ndim - 1)
+    first = np.broadcast_to(u3.reshape(u3.shape[0], *missing, *u3.shape[1:-1], 1, 2), (*u.shape[:-2], 1, 2))
     return np.concatenate([first, u], axis=-2)
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from algebroproj_sym.study.declaration import Study
-from algebroproj_sym.study.studies import example, layouts, near_critical
+from algebroproj_sym.study.studies import example, indicators, layouts, near_critical, propagation
 
-STUDIES: tuple[Study, ...] = tuple(module.STUDY for module in (near_critical, layouts, example))
+STUDIES: tuple[Study, ...] = tuple(
+    module.STUDY for module in (near_critical, indicators, layouts, propagation, example)
+)
 
 __all__ = ["STUDIES"]

@@ -1,0 +1,112 @@
+"""The ready studies of numbers: members are functions of seed and index, and the reports say what must be true."""
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from algebroproj_sym.study.studies import indicators, propagation
+
+SMALL = {indicators: {}, propagation: {"draws": 1000}}
+MEMBERS = {indicators: 600, propagation: 25}
+
+
+def computed(module, indices, **options):
+    study = module.STUDY
+    return study.chunk(np.asarray(indices), 3, **study.arguments(SMALL[module] | options))
+
+
+@pytest.fixture(scope="module", params=SMALL, ids=lambda module: module.STUDY.name)
+def study(request):
+    module = request.param
+    return module, computed(module, np.arange(MEMBERS[module]))
+
+
+def test_members_do_not_depend_on_their_chunk(study):
+    module, dataset = study
+    some = np.array([5, 2, 7])
+    again = computed(module, some)
+    for name, values in again.items():
+        if "member" in values.dims:
+            np.testing.assert_allclose(values, dataset[name].isel(member=some), rtol=1e-6, err_msg=name)
+
+
+def test_every_variable_has_units_and_says_what_it_is(study):
+    _, dataset = study
+    assert dataset.sizes["member"] == len(dataset.member)
+    for name, values in dataset.data_vars.items():
+        assert values.attrs["units"], name
+        assert values.attrs["long_name"], name
+
+
+def test_reports_and_figures_are_made(study):
+    module, dataset = study
+    assert len(module.STUDY.report(dataset).splitlines()) > 3
+    drawn = module.STUDY.figures(dataset)
+    assert drawn
+    assert all(isinstance(figure, Figure) and figure.axes for figure in drawn.values())
+
+
+@pytest.fixture(scope="module")
+def nearness():
+    return computed(indicators, np.arange(1500))
+
+
+@pytest.mark.parametrize("output", ["z", "epipole"])
+def test_the_mean_condition_number_predicts_lost_digits_with_slope_one(nearness, output):
+    fit = indicators.fits(nearness, output)[f"{output}_mean"]
+    assert fit["slope"] == pytest.approx(1, abs=0.03)
+    assert fit["scatter"] < 0.3
+
+
+def test_one_rounding_scatters_as_the_logarithm_of_a_normal_variable(nearness):
+    """No indicator can do better: near criticality the error is one random number times a known one."""
+    spread = indicators.fits(nearness, "z", "single")["z_mean"]["scatter"]
+    assert spread == pytest.approx(np.pi / np.sqrt(8) / np.log(10), abs=0.08)
+
+
+@pytest.mark.parametrize("output", ["z", "epipole"])
+def test_no_error_is_larger_than_its_guaranteed_bound(nearness, output):
+    bound = nearness[f"{output}_bound"].values
+    largest = nearness[f"{output}_largest"].values
+    usable = np.isfinite(bound) & (bound < 2.0**53)
+    assert usable.mean() > 0.95
+    assert (largest[usable] <= bound[usable]).all()
+
+
+def test_the_bound_of_z_is_within_a_decade_for_most(nearness):
+    assert (nearness.z_bound <= 10 * nearness.z_largest).mean() > 0.85
+
+
+@pytest.fixture(scope="module")
+def propagated():
+    return computed(propagation, np.arange(60), draws=4000, smallest=1e-6, largest=1e-3)
+
+
+def test_linear_propagation_of_z_fails_as_a_quotient_does(propagated):
+    """With one divisor 1 + nu e the ends of the interval are off by about nu, its width by the square."""
+    nu, ends, width = (propagated[name].values for name in ("nu", "z_ends", "z_width"))
+    some = (nu > 0.03) & (nu < 0.3)
+    assert some.sum() > 5
+    assert 0.5 < np.median(ends[some] / nu[some]) < 2
+    assert np.median(abs(width[some])) < 0.5 * np.median(ends[some])
+    few = nu < 3e-3
+    assert few.sum() > 5
+    assert np.median(ends[few]) < 2e-2
+
+
+def test_random_samples_are_sure_enough(propagated):
+    assert (propagated.z_sure.values[propagated.nu < 0.1] < 0.1).all()
+
+
+def test_propagation_refuses_options_without_sense():
+    with pytest.raises(ValueError, match="draws: expected at least 100, got 5"):
+        propagation.STUDY.arguments({"draws": 5})
+    with pytest.raises(ValueError, match="smallest: expected 0 < smallest <= largest"):
+        propagation.STUDY.arguments({"smallest": 1.0})
+
+
+def test_indicators_refuse_options_without_sense():
+    with pytest.raises(ValueError, match="replicas: expected at least 1, got 0"):
+        indicators.STUDY.arguments({"replicas": 0})
+    with pytest.raises(ValueError, match=r"nearest: expected 0 < nearest <= farthest, got 1\.0 and"):
+        indicators.STUDY.arguments({"nearest": 1.0})

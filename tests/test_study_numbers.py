@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from algebroproj_sym.study.studies import indicators, propagation
+from algebroproj_sym.study.studies import indicators, normal_case, precision, propagation
 
-SMALL = {indicators: {}, propagation: {"draws": 1000}}
-MEMBERS = {indicators: 600, propagation: 25}
+SMALL = {indicators: {}, propagation: {"draws": 1000}, precision: {"timed": False}, normal_case: {}}
+MEMBERS = {indicators: 600, propagation: 25, precision: 24, normal_case: 40}
 
 
 def computed(module, indices, **options):
@@ -103,6 +103,75 @@ def test_propagation_refuses_options_without_sense():
         propagation.STUDY.arguments({"draws": 5})
     with pytest.raises(ValueError, match="smallest: expected 0 < smallest <= largest"):
         propagation.STUDY.arguments({"smallest": 1.0})
+
+
+def test_every_arithmetic_is_as_accurate_as_its_digits_say():
+    dataset = computed(precision, np.arange(24))
+    digits = np.array([arithmetic.digits for arithmetic in precision.ARITHMETICS])
+    ordinary = ~dataset.near.values
+    for output in ("z", "epipole", "model"):
+        lost = np.log10(dataset[f"{output}_error"].values) + digits
+        assert (np.median(lost[ordinary], axis=0) < 7).all(), output
+        assert (np.median(lost[~ordinary], axis=0) > np.median(lost[ordinary], axis=0)).all(), output
+
+
+def test_every_bound_of_every_arithmetic_holds():
+    dataset = computed(precision, np.arange(24))
+    for output in ("z", "epipole", "model"):
+        bound = dataset[f"{output}_bound"].values
+        finite = np.isfinite(bound)
+        assert (dataset[f"{output}_error"].values[finite] <= bound[finite]).all(), output
+    enclosing = [arithmetic.encloses for arithmetic in precision.ARITHMETICS]
+    assert np.isfinite(dataset.z_bound).any(dim="member").values.tolist() == enclosing
+
+
+@pytest.fixture(scope="module")
+def normal_cases():
+    return computed(normal_case, np.arange(60))
+
+
+def test_the_axis_point_does_not_change_what_noise_does(normal_cases):
+    """Another axis point transforms the model projectively; the residuals of its images stay what they are."""
+    axes = normal_cases.noise.values[:, normal_cases.choice.values == "y_a"]
+    for way in (0, 1):
+        relative = axes[..., way] / axes[:, :1, way] - 1
+        assert np.nanmedian(abs(relative)) < 1e-6
+
+
+def test_the_object_is_found_again_on_every_way(normal_cases):
+    lost = normal_cases.lost.values
+    assert np.isfinite(lost).all()
+    assert (np.median(lost, axis=(0, 1)) < 5).all()
+
+
+def test_the_noise_of_a_way_is_that_of_moved_images():
+    """Against differences, for one pair without a normal case."""
+    from algebroproj_sym.study.precision import float64
+    from algebroproj_sym.study.stereo.chain import Images, images
+    from algebroproj_sym.study.stereo.configurations import ordinary
+
+    dataset = computed(normal_case, [3])
+    scene = ordinary([3], 3, normal_case.FURTHER)
+    both = images(float64(), scene)
+    y_a, step = dataset.y_a.values[:, 0], 1e-7
+    base = normal_case._object(float64(), both, "direct", scene, y_a, np.array([0.5]))[0]
+    squares = 0.0
+    for side in (0, 1):
+        for place in np.ndindex(both[side].shape[2:]):
+            moved = [u.copy() for u in both]
+            moved[side][(0, 0, *place)] += step
+            found = normal_case._object(float64(), Images(*moved), "direct", scene, y_a, np.array([0.5]))[0]
+            squares += (((found - base) / step)[0, normal_case.CONTROL] ** 2).sum(axis=-1)
+    assert np.sqrt(np.mean(squares)) == pytest.approx(float(dataset.noise[0, 0, 0]), rel=1e-3)
+
+
+def test_the_other_studies_refuse_options_without_sense():
+    with pytest.raises(ValueError, match="choices: expected at least 2, got 1"):
+        normal_case.STUDY.arguments({"choices": 1})
+    with pytest.raises(ValueError, match="range: expected a positive number, got 0"):
+        normal_case.STUDY.arguments({"range": 0.0})
+    with pytest.raises(ValueError, match="nearest: expected 0 < nearest"):
+        precision.STUDY.arguments({"nearest": 1.0})
 
 
 def test_indicators_refuse_options_without_sense():

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from algebroproj_sym.study.declaration import Study
-from algebroproj_sym.study.studies import indicators, near_critical, propagation
+from algebroproj_sym.study.studies import indicators, near_critical, normal_case, precision, propagation
 
-STUDIES: tuple[Study, ...] = tuple(module.STUDY for module in (near_critical, indicators, propagation))
+STUDIES: tuple[Study, ...] = tuple(
+    module.STUDY for module in (near_critical, indicators, propagation, precision, normal_case)
+)
 
 __all__ = ["STUDIES"]

@@ -4,6 +4,9 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from algebroproj_sym.study.precision import float64
+from algebroproj_sym.study.stereo.chain import Images, images
+from algebroproj_sym.study.stereo.configurations import ordinary
 from algebroproj_sym.study.studies import indicators, normal_case, precision, propagation
 
 SMALL = {indicators: {}, propagation: {"draws": 1000}, precision: {"timed": False}, normal_case: {}}
@@ -144,25 +147,22 @@ def test_the_object_is_found_again_on_every_way(normal_cases):
     assert (np.median(lost, axis=(0, 1)) < 5).all()
 
 
-def test_the_noise_of_a_way_is_that_of_moved_images():
-    """Against differences, for one pair without a normal case."""
-    from algebroproj_sym.study.precision import float64
-    from algebroproj_sym.study.stereo.chain import Images, images
-    from algebroproj_sym.study.stereo.configurations import ordinary
-
+@pytest.mark.parametrize("way", normal_case.WAYS)
+def test_the_noise_of_a_way_is_that_of_moved_images(way):
     dataset = computed(normal_case, [3])
     scene = ordinary([3], 3, normal_case.FURTHER)
     both = images(float64(), scene)
-    y_a, step = dataset.y_a.values[:, 0], 1e-7
-    base = normal_case._object(float64(), both, "direct", scene, y_a, np.array([0.5]))[0]
+    y_a, u_n31, step = dataset.y_a.values[:, 0], dataset.u_n31.values[:, 0], 1e-7
+    base = normal_case._object(float64(), both, way, scene, y_a, u_n31)[0]
     squares = 0.0
     for side in (0, 1):
         for place in np.ndindex(both[side].shape[2:]):
             moved = [u.copy() for u in both]
             moved[side][(0, 0, *place)] += step
-            found = normal_case._object(float64(), Images(*moved), "direct", scene, y_a, np.array([0.5]))[0]
+            found = normal_case._object(float64(), Images(*moved), way, scene, y_a, u_n31)[0]
             squares += (((found - base) / step)[0, normal_case.CONTROL] ** 2).sum(axis=-1)
-    assert np.sqrt(np.mean(squares)) == pytest.approx(float(dataset.noise[0, 0, 0]), rel=1e-3)
+    noise = float(dataset.noise.sel(way=way)[0, 0])
+    assert np.sqrt(np.mean(squares)) == pytest.approx(noise, rel=1e-3)
 
 
 def test_the_other_studies_refuse_options_without_sense():

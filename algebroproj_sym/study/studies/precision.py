@@ -160,7 +160,8 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
                 left.loglog(spent, errors, marker=marker, ls="none", ms=4, color=colour)
                 if place == 0:
                     for name, x, y in zip(names, spent, errors, strict=True):
-                        left.annotate(_short(name), (x, y), (3, 3), textcoords="offset points", fontsize=5.5, color=INK)
+                        offset = (5, -6) if "enclosures" in name else (5, -1)
+                        left.annotate(_short(name), (x, y), offset, textcoords="offset points", fontsize=6, color=INK)
         right.semilogy(digits, 10.0**-digits, color=GREY, lw=0.8, ls=":", label="no digits lost")
         left.set(xlabel="CPU time of a stereo pair [us]", ylabel="median relative error of the model")
         right.set(xlabel="decimal digits of the arithmetic")

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from algebroproj_sym.study import sweeping
 from algebroproj_sym.study.precision import float64
 from algebroproj_sym.study.stereo.chain import Images, images
 from algebroproj_sym.study.stereo.configurations import ordinary
@@ -41,12 +42,29 @@ def test_every_variable_has_units_and_says_what_it_is(study):
         assert values.attrs["long_name"], name
 
 
-def test_reports_and_figures_are_made(study):
+def test_reports_and_figures_are_made_of_a_swept_dataset(study, tmp_path):
+    """Its values are read when they are needed, and it is the same dataset."""
     module, dataset = study
-    assert len(module.STUDY.report(dataset).splitlines()) > 3
-    drawn = module.STUDY.figures(dataset)
+    members = MEMBERS[module]
+    options = module.STUDY.arguments(SMALL[module])
+    sweep = sweeping.Sweep(module.STUDY, tmp_path / "sweep", options, members, members // 2 + 1, 3)
+    sweeping.prepare(sweep)
+    assert len(list(sweeping.run(sweep))) == 2
+    swept = sweeping.assemble(sweep)
+    for name, values in dataset.items():
+        np.testing.assert_allclose(swept[name], values, rtol=1e-6, err_msg=name)
+    assert len(module.STUDY.report(swept).splitlines()) > 3
+    drawn = module.STUDY.figures(swept)
     assert drawn
     assert all(isinstance(figure, Figure) and figure.axes for figure in drawn.values())
+
+
+def test_times_are_in_the_report_if_they_are_measured():
+    dataset = computed(precision, np.arange(4), timed=True)
+    assert (dataset.time > 0).all()
+    assert dataset.time.attrs["units"] == "s"
+    timed, untimed = (precision.STUDY.report(each) for each in (dataset, dataset.drop_vars("time")))
+    assert timed != untimed
 
 
 @pytest.fixture(scope="module")

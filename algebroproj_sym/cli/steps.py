@@ -10,7 +10,7 @@ import click
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli.terminal import progressing, verbosity
-from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, modules_of_papers, require_consistent
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
 from algebroproj_sym.remembering import Memory, cache_folder
 from algebroproj_sym.reporting import Notebook, failure_text, remember
@@ -25,6 +25,22 @@ def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = Tru
     memory = Memory(cache_folder(), fresh)
     memory.forget_what_is_old()
     return list(progressing(pipeline.check(claims, engine, jobs, memory), len(claims), "checking"))
+
+
+def judged_where_declared(
+    papers: Sequence[str], engine: str, jobs: int, *, fresh: bool, reduce: bool = False
+) -> list[Judgement]:
+    """Judge all claims of installed papers in the processes that import them; `reduce` does what `derived` does."""
+    memory = Memory(cache_folder(), fresh)
+    memory.forget_what_is_old()
+    names = modules_of_papers(papers)
+    modules = pipeline.check_modules(names, engine, jobs, memory, reduce=reduce)
+    checked = list(progressing(modules, len(names), "checking modules"))
+    require_consistent([outline for module in checked for outline in module.outlines])
+    judgements = [judgement for module in checked for judgement in module.judgements]
+    if reduce:
+        remember([judgement.claim for judgement in judgements], [form for module in checked for form in module.derived])
+    return judgements
 
 
 def derived(claims: Sequence[Claim], jobs: int) -> None:

@@ -124,7 +124,7 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     g01*g20 + g10*g21 - g11*g20``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 17 (9 -, 6 *, 2 /); the derived expression as written takes 30.
-    With double-double operations for sums that may cancel: 220.
+    With double-double operations for sums that may cancel: 154.
 
     Examples
     --------
@@ -289,7 +289,7 @@ def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     of 24 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 54 (8 +, 18 -, 24 *, 3 /, 1 neg); the derived expression as written takes 177.
-    With double-double operations for sums that may cancel: 819.
+    With double-double operations for sums that may cancel: 579.
 
     Examples
     --------

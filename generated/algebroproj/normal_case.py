@@ -142,7 +142,7 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 28 (4 +, 4 -, 8 *, 8 /, 4 neg); the derived expression as written takes 198.
-    With double-double operations for sums that may cancel: 600.
+    With double-double operations for sums that may cancel: 408.
 
     Examples
     --------
@@ -282,7 +282,7 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (2 +, 2 -, 4 *, 2 /); the derived expression as written takes 16.
-    With double-double operations for sums that may cancel: 88.
+    With double-double operations for sums that may cancel: 58.
 
     Examples
     --------
@@ -372,7 +372,7 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     given by the function `hypotheses` of this package.
 
     Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
-    With double-double operations for sums that may cancel: 832.
+    With double-double operations for sums that may cancel: 492.
 
     Examples
     --------
@@ -474,7 +474,7 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     of this package.
 
     Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
-    With double-double operations for sums that may cancel: 127.
+    With double-double operations for sums that may cancel: 86.
 
     Examples
     --------
@@ -558,7 +558,7 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
-    With double-double operations for sums that may cancel: 802.
+    With double-double operations for sums that may cancel: 491.
 
     Examples
     --------

@@ -390,7 +390,7 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = 
     mu2*u2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 9 (2 +, 2 -, 3 *, 2 /); the derived expression as written takes 16.
-    With double-double operations for sums that may cancel: 114.
+    With double-double operations for sums that may cancel: 69.
 
     Examples
     --------

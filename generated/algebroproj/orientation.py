@@ -65,7 +65,7 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
     function `hypotheses` of this package.
 
     Operations: 27 (12 -, 13 *, 2 /); the derived expression as written takes 99.
-    With double-double operations for sums that may cancel: 328.
+    With double-double operations for sums that may cancel: 210.
 
     Examples
     --------
@@ -153,7 +153,7 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     `hypotheses` of this package.
 
     Operations: 34 (4 +, 11 -, 16 *, 3 /); the derived expression as written takes 209.
-    With double-double operations for sums that may cancel: 365.
+    With double-double operations for sums that may cancel: 239.
 
     Examples
     --------
@@ -268,7 +268,7 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     d33**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 203 (24 +, 52 -, 120 *, 3 /, 4 neg); the derived expression as written takes 377.
-    With double-double operations for sums that may cancel: 3382.
+    With double-double operations for sums that may cancel: 2302.
 
     Examples
     --------

@@ -217,7 +217,7 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 40 (5 +, 5 -, 14 *, 11 /, 5 neg); the derived expression as written takes 535.
-    With double-double operations for sums that may cancel: 748.
+    With double-double operations for sums that may cancel: 508.
 
     Examples
     --------
@@ -311,7 +311,7 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     function `hypotheses` of this package.
 
     Operations: 18 (1 +, 4 -, 9 *, 3 /, 1 neg); the derived expression as written takes 47.
-    With double-double operations for sums that may cancel: 201.
+    With double-double operations for sums that may cancel: 104.
 
     Examples
     --------
@@ -399,7 +399,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 38 (1 +, 15 -, 13 *, 7 /, 2 neg); the derived expression as written takes 121.
-    With double-double operations for sums that may cancel: 294.
+    With double-double operations for sums that may cancel: 219.
 
     Examples
     --------
@@ -545,7 +545,7 @@ def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 114 (11 +, 24 -, 30 *, 34 /, 15 neg); the derived expression as written takes 1275.
-    With double-double operations for sums that may cancel: 2200.
+    With double-double operations for sums that may cancel: 1574.
 
     Examples
     --------
@@ -734,7 +734,7 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.
-    With double-double operations for sums that may cancel: 240.
+    With double-double operations for sums that may cancel: 128.
 
     Examples
     --------
@@ -801,7 +801,7 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
     Polynomial: no input is singular.
 
     Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.
-    With double-double operations for sums that may cancel: 195.
+    With double-double operations for sums that may cancel: 98.
 
     Examples
     --------
@@ -874,7 +874,7 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     `hypotheses` of this package.
 
     Operations: 54 (12 +, 16 -, 16 *, 10 /); the derived expression as written takes 1539.
-    With double-double operations for sums that may cancel: 364.
+    With double-double operations for sums that may cancel: 260.
 
     Examples
     --------
@@ -968,7 +968,7 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     function `hypotheses` of this package.
 
     Operations: 39 (7 -, 19 *, 9 /, 4 neg); the derived expression as written takes 153.
-    With double-double operations for sums that may cancel: 342.
+    With double-double operations for sums that may cancel: 202.
 
     Examples
     --------
@@ -1058,7 +1058,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     y2 - y3 + 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 18 (5 +, 3 -, 8 *, 2 /); the derived expression as written takes 28.
-    With double-double operations for sums that may cancel: 249.
+    With double-double operations for sums that may cancel: 145.
 
     Examples
     --------

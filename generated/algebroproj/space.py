@@ -199,7 +199,7 @@ def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) 
     mu1*y1 - mu2*y2 - mu3*y3``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 13 (4 +, 2 -, 4 *, 3 /); the derived expression as written takes 33.
-    With double-double operations for sums that may cancel: 162.
+    With double-double operations for sums that may cancel: 102.
 
     Examples
     --------
@@ -274,7 +274,7 @@ def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -
     ``mu3``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (3 +, 3 -, 4 /); the derived expression as written takes 19.
-    With double-double operations for sums that may cancel: 232.
+    With double-double operations for sums that may cancel: 172.
 
     Examples
     --------

@@ -106,7 +106,7 @@ def interleaved(runs: dict[str, Run], rounds: int) -> dict[str, list[float]]:
 
 
 def once(run: Run, repeats: int) -> float:
-    """Return the processor time that a run takes, in the mean of some repetitions after a first one that is not counted."""
+    """Return the processor time of a run, in the mean of some repetitions after one that is not counted."""
     run()
     start = time.process_time()
     for _ in range(repeats):

@@ -17,7 +17,12 @@ from algebroproj_sym.generating import PACKAGE, Program, Step, c_files, c_name, 
 from algebroproj_sym.generating.c_source import LONGEST, stamped, statements
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, kernel_outputs, source_of
-from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved, kernel_is_proved, solver_is_proved
+from algebroproj_sym.verifying.proof_of_c_source import (
+    c_source_is_proved,
+    kernel_is_proved,
+    product_errors_are_proved,
+    solver_is_proved,
+)
 
 FOLDER = Path(__file__).resolve().parent.parent / "generated" / PACKAGE
 SOURCE = source_of((FOLDER / "_kernels.h").read_text(encoding="utf-8"))
@@ -144,10 +149,17 @@ def test_a_planted_error_in_a_solver_is_found(name, height, old, new, source):
         ("return (a - (s - t)) + (b - t);", "return (a - (s - t)) + (b + t);"),
         ("const real a_low = a - a_high;", "const real a_low = a + a_high;"),
         ("(((a_high * b_high - p)", "(((a_high * b_high + p)"),
+        ("multiply_add(a, b, -p)", "multiply_add(a, b, p)"),
     ],
 )
 def test_an_error_term_that_is_not_zero_in_real_arithmetic_is_found(old, new, text):
-    assert not solver_is_proved(changed(text, old, new), "solve", 5)
+    wrong = changed(text, old, new)
+    assert not (product_errors_are_proved(wrong) and solver_is_proved(wrong, "solve", 5))
+
+
+def test_the_errors_of_products_are_proved(source):
+    assert {"fused_product_error", "split_product_error"} < source.inlines.keys()
+    assert product_errors_are_proved(source)
 
 
 @pytest.mark.parametrize(
@@ -172,6 +184,42 @@ def test_what_is_not_understood_is_refused(body):
     text = f"KERNEL(f)\n{{\n    for (npy_intp i = 0; i < points; i++) {{\n        {body}\n    }}\n}}\n"
     with pytest.raises(NotUnderstoodError):
         kernel_outputs(source_of(text), "f", [sympy.Symbol("x")], Meaning())
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("product_error(up1, upp1, t1)", "product_error(up1, up1, t1)"),
+        ("range = within(range, up1);", "range = up1;"),
+        ("range = within(range, up1);", "const real x = range;"),
+        ("range = within(range, up1);", "range = within(up1, range);"),
+        ("ranges[i] = range;", "out[1][i] = range;"),
+        ("real range = headroom;", "real range = up1;"),
+    ],
+)
+def test_the_range_of_operands_and_errors_of_other_products_are_refused_elsewhere(old, new):
+    text = "KERNEL(f)\n{\n    for (npy_intp i = 0; i < points; i++) {\n        STATEMENTS\n    }\n}\n"
+    lines = ["real range = headroom;", "const real up1 = in[0][i];", "const real upp1 = in[1][i];"]
+    lines += ["const real t1 = up1 * upp1;", "const real t2 = product_error(up1, upp1, t1);", "out[0][i] = t2;"]
+    right = text.replace("STATEMENTS", " ".join([*lines, "range = within(range, up1);", "ranges[i] = range;"]))
+    symbols = [sympy.Symbol("x"), sympy.Symbol("y")]
+    assert kernel_outputs(source_of(right), "f", symbols, Meaning()) == [0]
+    with pytest.raises(NotUnderstoodError):
+        kernel_outputs(changed(right, old, new), "f", symbols, Meaning())
+
+
+@pytest.mark.parametrize("name", COMPILED)
+def test_the_range_of_every_operand_of_a_product_whose_error_is_taken_is_kept(name, source):
+    body = source.kernels[c_name(COMPILED[name])]
+    operands = {operand for pair in re.findall(r"product_error\((.+?), (.+?), .+?\)", body) for operand in pair}
+    assert operands - set(re.findall(r"within\(range, (.+?)\)", body)) <= {"0", "1", "2", "3", "4"}
+
+
+@pytest.mark.parametrize(("name", "height"), SOLVERS)
+def test_the_range_of_every_operand_of_a_product_in_a_solver_is_kept(name, height, source):
+    body = source.solvers[f"{name}_{height}"]
+    operands = {operand for pair in re.findall(r"product_error\((.+?), (.+?), .+?\)", body) for operand in pair}
+    assert operands == set(re.findall(r"within\(range, (.+?)\)", body))
 
 
 @pytest.mark.parametrize("head", ["#define t0 0", "static int x;"])
@@ -214,20 +262,27 @@ def test_the_digest_depends_on_every_c_file():
 @pytest.mark.parametrize("compiler", sorted({"cc", "clang"} & {name for name in ("cc", "clang") if shutil.which(name)}))
 def test_the_formulas_are_c99_without_warnings(compiler, text, tmp_path):
     head = """
+        #include <float.h>
         #include <math.h>
         #include <stddef.h>
         enum { BLOCK = 64 };
         typedef ptrdiff_t npy_intp;
         #define real double
         #define splitter 134217729.0
+        #define headroom (DBL_MAX / 2)
+        #define multiply_add fma
+        #define product_error NAME(split_product_error)
+        #define within(range, operand) multiply_add(operand, operand, range)
         #define absolute fabs
         #define NAME(name) name
         #define INLINE(name) static inline real name
         #define SOLVER(name, height, width) \\
-            static inline void name##_##height(const real system[height][2 * height + 2], real solution[width])
+            static inline real name##_##height( \\
+                const real system[height][2 * height + 2], real solution[width], real range)
         #define KERNEL(name) \\
-            void name(const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK], const npy_intp points); \\
-            void name(const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK], const npy_intp points)
+            void name(const real (*restrict)[BLOCK], real (*restrict)[BLOCK], real *restrict, const npy_intp); \\
+            void name(const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK], real *restrict ranges, \\
+                      const npy_intp points)
     """
     file = tmp_path / "kernels.c"
     file.write_text(head + text, encoding="utf-8")

@@ -61,6 +61,45 @@ def test_the_bits_are_those_of_the_numpy_source(name, dtype):
     assert_same(KERNELS[name], arguments_of(KERNELS[name], dtype))
 
 
+def extremes(shape, dtype, seed):
+    """Draw numbers of every size, a few of them in each row of ordinary ones, and some rows of them alone."""
+    generator = np.random.default_rng(seed)
+    limits = np.finfo(dtype)
+    exponents = generator.integers(limits.minexp - limits.nmant, limits.maxexp, shape)
+    with np.errstate(under="ignore"):
+        large_and_small = np.ldexp(generator.uniform(-1, 1, shape).astype(dtype), exponents)
+    some = generator.random(shape) < generator.choice([0, 0.02, 0.2, 1], shape[0]).reshape(-1, *(1 for _ in shape[1:]))
+    return np.where(some, large_and_small, generator.uniform(-4, 4, shape).astype(dtype))
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("name", KERNELS)
+def test_the_bits_are_the_same_where_products_and_halves_overflow_and_underflow(name, dtype):
+    kernel = KERNELS[name]
+    assert_same(kernel, [extremes((3000, *a.shape), dtype, seed) for seed, a in enumerate(kernel.arguments)])
+
+
+@pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.correlation_matrix"])
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_floating_point_exceptions_are_those_of_a_block_alone_and_of_all_blocks_together(name, dtype):
+    kernel = KERNELS[name]
+    function = function_of(kernel, algebroproj)
+    generator = np.random.default_rng(0)
+    ordinary = [generator.uniform(0.1, 0.9, (128, *a.shape)).astype(dtype) for a in kernel.arguments]
+    extreme = [extremes((512, *a.shape), dtype, seed) for seed, a in enumerate(kernel.arguments)]
+    arguments = [np.concatenate(parts) for parts in zip(ordinary, extreme, strict=True)]
+
+    def raised(given):
+        kinds = []
+        with np.errstate(all="call", call=lambda kind, flag: kinds.append(kind)):
+            function(*given)
+        return set(kinds)
+
+    alone = [raised([a[start : start + 64] for a in arguments]) for start in range(0, 640, 64)]
+    assert raised(arguments) == set().union(*alone)
+    assert len(set(map(frozenset, alone))) > 1
+
+
 def test_every_dtype_runs_compiled():
     for kernel in KERNELS.values():
         assert {types.split("->")[0][0] for types in twin_of(kernel).types} == {"f", "d", "g"}

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from algebroproj_sym.generating.runtime._double_double import (
     DoubleDouble,
     Unrounded,
+    product_error,
     rounded,
     two_product,
     two_sum,
@@ -37,6 +38,25 @@ def test_sums_and_products_lose_nothing(a, b):
     product, rest = two_product(a, b)
     assert product == a * b
     assert fraction(product) + fraction(rest) == Fraction(a) * Fraction(b)
+
+
+any_numbers = st.builds(
+    lambda mantissa, exponent: float(np.ldexp(mantissa, exponent)),
+    st.floats(-1, 1) | st.integers(-(2**12), 2**12).map(float),
+    st.integers(-1080, 511),
+).filter(lambda number: abs(number) <= 2.0**511)
+
+
+@given(any_numbers, any_numbers)
+def test_the_remainder_of_a_product_is_exact_wherever_it_is_a_number(a, b):
+    """So it is what a fused multiply-add gives, which rounds the exact remainder: compiled functions rely on it."""
+    product = a * b
+    remainder = Fraction(a) * Fraction(b) - Fraction(product)
+    nearest = float(remainder)
+    if Fraction(nearest) == remainder:
+        rest = product_error(a, b, product)
+        assert rest == nearest
+        assert not (rest == 0 and np.signbit(rest))
 
 
 @pytest.mark.parametrize("dtype", DTYPES)

@@ -1,9 +1,13 @@
 """The generated package alone: a wheel of it installs and runs with NumPy and nothing else."""
 
 import ast
+import os
+import re
+import shutil
 import subprocess
 import sys
 import tomllib
+import zipfile
 
 import pytest
 
@@ -17,6 +21,13 @@ import algebroproj
 from algebroproj import correlation, projection
 assert algebroproj.__file__.startswith(sys.argv[1]), algebroproj.__file__
 print(projection.projection_matrix([0.5, 0.25, 2.0], [0.25, 0.5]).shape, len(correlation.epipoles.__doc__) > 0)
+"""
+
+ALONE = """
+import sys
+sys.meta_path = [finder for finder in sys.meta_path if "editable" not in str(finder)]
+import algebroproj
+print(algebroproj.backend(), algebroproj.optics.scale(1.0, 2.0))
 """
 
 
@@ -49,3 +60,28 @@ def test_it_runs_where_there_is_nothing_but_numpy(repository):
         [sys.executable, "-c", program, folder], capture_output=True, text=True, check=True, env={"PYTHONPATH": folder}
     )
     assert done.stdout == "(3, 3) True\n"
+
+
+def test_it_is_compiled_as_the_whole_project_is(repository):
+    texts = [(folder / "setup.py").read_text(encoding="utf-8") for folder in (repository, repository / "generated")]
+    options = [re.findall(r"^(?:VECTORISED|OPTIONS) = .*$", text, re.MULTILINE) for text in texts]
+    assert len(options[0]) == 2
+    assert options[0] == options[1]
+
+
+def test_without_a_c_compiler_it_is_built_all_the_same_and_runs_the_numpy_source(repository, tmp_path):
+    tree = shutil.copytree(
+        repository / "generated", tmp_path / "tree", ignore=shutil.ignore_patterns("*.so", "*.pyd", "__pycache__")
+    )
+    command = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", str(tmp_path), str(tree)]
+    no_compiler = {"CC": str(tmp_path / "no-compiler"), "CXX": str(tmp_path / "no-compiler")}
+    subprocess.run(command, check=True, capture_output=True, env=os.environ | no_compiler)
+    (wheel,) = tmp_path.glob("*.whl")
+    names = zipfile.ZipFile(wheel).namelist()
+    assert {name.split("/")[0].partition("-")[0] for name in names} == {PACKAGE}
+    assert f"{PACKAGE}/_kernels.h" in names
+    assert not [name for name in names if name.endswith((".so", ".pyd"))]
+    installed = tmp_path / "installed"
+    zipfile.ZipFile(wheel).extractall(installed)
+    done = subprocess.run([sys.executable, "-c", ALONE], cwd=installed, capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("numpy 0.333")

@@ -16,7 +16,8 @@ from algebroproj_sym.remembering import Memory, cache_folder
 from algebroproj_sym.reporting import Notebook, failure_text, remember
 from algebroproj_sym.verifying import Verification
 
-NOTEBOOK_MODULES = ("ipykernel", "jupytext", "latex2mathml", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
+SITE_MODULES = ("latex2mathml",)
+NOTEBOOK_MODULES = ("ipykernel", "jupytext", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
 
 
 def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = True) -> list[Judgement]:
@@ -82,13 +83,17 @@ def verified(
     return list(progressing(found, len(lowered), "verifying"))
 
 
-def run_notebooks(derivations: Collection[Derivation], jobs: int) -> list[Notebook]:
-    """Run derivations as notebooks."""
-    missing = [name for name in NOTEBOOK_MODULES if find_spec(name) is None]
+def require_modules(names: Sequence[str], purpose: str) -> None:
+    """Refuse to begin what needs the extra `report` where that is not installed."""
+    missing = [name for name in names if find_spec(name) is None]
     if missing:
         raise click.ClickException(
-            f"--notebooks needs the module {missing[0]}.\nInstall it with: pip install 'algebroproj-sym[report]'"
+            f"{purpose} needs the module {missing[0]}.\nInstall it with: pip install 'algebroproj-sym[report]'"
         )
+
+
+def run_notebooks(derivations: Collection[Derivation], jobs: int) -> list[Notebook]:
+    """Run derivations as notebooks."""
     return list(progressing(pipeline.notebooks(tuple(derivations), jobs), len(derivations), "running notebooks"))
 
 

@@ -31,7 +31,7 @@ from algebroproj_sym.declaring.discovery import (
     select,
     split,
 )
-from algebroproj_sym.declaring.display import evidence_lines
+from algebroproj_sym.declaring.display import evidence_lines, markdown
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
 from algebroproj_sym.declaring.importing import BrokenModuleError, import_root, makes_section
@@ -98,6 +98,7 @@ __all__ = [
     "let",
     "located",
     "makes_section",
+    "markdown",
     "modules_of_papers",
     "needed_by",
     "null_vector",

@@ -140,8 +140,9 @@ class Claim:
 
     def _repr_markdown_(self) -> str:
         from algebroproj_sym.declaring.display import markdown
+        from algebroproj_sym.declaring.judging import judge
 
-        return markdown(self)
+        return markdown(judge(self))
 
 
 def declared(

@@ -34,6 +34,7 @@ def solve_body(size: int) -> list[str]:
         *_upper_solved("d", "r", size),
         *_refined(size),
         *(f"solution[{k}] = y{k};" for k in range(size)),
+        *_guards(size, size),
     ]
 
 
@@ -65,6 +66,7 @@ def null_vector_body(height: int) -> list[str]:
         "real largest = y0;",
         *(f"largest = isgreater(absolute(y{k}), absolute(largest)) ? y{k} : largest;" for k in range(1, width)),
         *(f"solution[{k}] = y{k} / largest;" for k in range(width)),
+        *_guards(height, width),
     ]
 
 
@@ -152,13 +154,20 @@ def _residual(right_sides: Sequence[tuple[str, str]], height: int, unknowns: int
             at, entry, rest = f"{i}_{j}", f"system[{i}][{j}]", f"system[{i}][{height + 1 + j}]"
             lines += [
                 f"const real p{at} = {entry} * x{j};",
-                f"const real e{at} = NAME(product_error)({entry}, x{j}, p{at}) + {rest} * x{j};",
+                f"const real e{at} = product_error({entry}, x{j}, p{at}) + {rest} * x{j};",
                 f"const real s{at} = h{i} + -p{at};",
                 f"l{i} = l{i} + (NAME(sum_error)(h{i}, -p{at}, s{at}) - e{at});",
                 f"h{i} = s{at};",
             ]
         lines.append(f"real r{i} = h{i} + l{i};")
     return lines
+
+
+def _guards(height: int, unknowns: int) -> list[str]:
+    """Keep the range of the operands of products whose errors are taken."""
+    operands = [f"system[{i}][{j}]" for i in range(height) for j in range(unknowns)]
+    operands += [f"x{j}" for j in range(unknowns)]
+    return [*(f"range = within(range, {operand});" for operand in operands), "return range;"]
 
 
 def _refined(size: int) -> list[str]:

@@ -1,8 +1,10 @@
 """Printing programs as C99: a function for each kernel, which a module makes a generalized ufunc of NumPy.
 
 Statement by statement the C source does what the NumPy source does, in the same order, so that without contraction of
-operations both give the same bits.  Kernels that call a function of the C library, whose last digit is not the same
-everywhere, are left to the NumPy source.
+operations both give the same bits.  The errors of products, which are numbers as long as nothing underflows, may come
+from halves, as in NumPy, or from one operation that does not round in between; where operands are so large or products
+so small that the two might differ, floating-point exceptions tell.  Kernels that call a function of the C library,
+whose last digit is not the same everywhere, are left to the NumPy source.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from algebroproj_sym.declaring import LINEAR, Kernel
 from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating.c_elimination import null_vector_body, solve_body
-from algebroproj_sym.generating.expansion import SPLITTER, expanded
+from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
 
@@ -29,7 +31,33 @@ LONGEST = 4000
 DIGEST = "DIGEST_OF_THE_SOURCE"
 """What stands, in templates, for a digest of the C source."""
 
-DTYPES = ("float", "double", "longdouble")
+TYPES = (
+    {
+        "name": "float",
+        "absolute": "fabsf",
+        "multiply_add": "fmaf",
+        "headroom": "(FLT_MAX / 2)",
+        "splitter": "4097.0f",
+        "has_fused": True,
+    },
+    {
+        "name": "double",
+        "absolute": "fabs",
+        "multiply_add": "fma",
+        "headroom": "(DBL_MAX / 2)",
+        "splitter": "134217729.0",
+        "has_fused": True,
+    },
+    {
+        "name": "longdouble",
+        "absolute": "fabsl",
+        "multiply_add": "fmal",
+        "headroom": "(LDBL_MAX / 2)",
+        "splitter": "((longdouble)((npy_ulonglong)1 << (LDBL_MANT_DIG + 1) / 2) + 1)",
+        "has_fused": False,
+    },
+)
+"""The types of numbers, and what belongs to each; where it pays, there is a version for fused multiply-add."""
 
 BLOCK = 64
 """How many points are gathered at a time: few enough that all entries of a kernel stay in the first-level cache."""
@@ -39,7 +67,7 @@ _SOLVERS = {"solve": solve_body, "null_vector": null_vector_body}
 _WORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    in out i points real splitter absolute isgreater
+    in out i points real range ranges absolute headroom multiply_add isgreater product_error splitter variant within
 """
 _RESERVED = frozenset(_WORDS.split())
 
@@ -70,6 +98,8 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
         "_kernels.h": _rendered(
             "kernels.h.j2",
             notice=notice,
+            errors=any(_products(expanded(low.program)) for low in compiled)
+            or any(name in LINEAR for name, _ in calls),
             solvers=[
                 {
                     "name": name,
@@ -80,7 +110,11 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
                 for name, height in sorted(calls)
                 if name in LINEAR
             ],
-            kernels=[{"name": c_name(low.kernel), "statements": statements(expanded(low.program))} for low in compiled],
+            kernels=[
+                {"name": c_name(low.kernel), "statements": statements(program), "guards": guards(program)}
+                for low in compiled
+                for program in [expanded(low.program)]
+            ],
         ),
         "_loops.h": _rendered("loops.h.j2", notice=notice),
         "_compiled.c": _rendered(
@@ -88,7 +122,7 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             notice=notice,
             digest=DIGEST,
             block=BLOCK,
-            dtypes=DTYPES,
+            types=TYPES,
             kernels=[_table_row(low.kernel) for low in compiled],
             operands=max((len(_operands(low.kernel)) for low in compiled), default=1),
             inputs=max((len(low.kernel.symbols) for low in compiled), default=1),
@@ -154,6 +188,26 @@ def statements(program: Program) -> list[str]:
     return lines + [f"out[{place}][i] = {_operand(output, names)};" for place, output in enumerate(program.outputs)]
 
 
+def guards(program: Program) -> list[str]:
+    r"""Return the statements that keep the range of the operands of products whose errors are taken.
+
+    Examples
+    --------
+    >>> steps = (Step("t0", "*", ("x", "y")), Step("t1", "product_error", ("x", "y", "t0")))
+    >>> print(*guards(Program(("x", "y"), steps, ("t0", "t1"))), sep="\n")
+    range = within(range, x);
+    range = within(range, y);
+    """
+    names, used = _c_names(program), _used(program)
+    operands = [operand for step in _products(program) if step.name in used for operand in step.operands[:2]]
+    return [f"range = within(range, {names[operand]});" for operand in dict.fromkeys(operands) if operand in names]
+
+
+def _products(program: Program) -> list[Step]:
+    """Return the steps that take the error of a product."""
+    return [step for step in program.steps if isinstance(step, Step) and step.operator == "product_error"]
+
+
 def _used(program: Program) -> set[Operand]:
     """Return the operands on which an output depends."""
     used = set(program.outputs)
@@ -173,13 +227,15 @@ def _solve(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
         *rows,
         "};",
         f"real solution{place}[{len(call.names)}];",
-        f"NAME({call.primitive}_{size})(system{place}, solution{place});",
+        f"range = NAME({call.primitive}_{size})(system{place}, solution{place}, range);",
         *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names)),
     ]
 
 
 def _operation(step: Step, names: Mapping[Operand, str]) -> str:
     operands = [_operand(operand, names) for operand in step.operands]
+    if step.operator == "product_error":
+        return f"product_error({', '.join(operands)})"
     return f"-{operands[0]}" if step.operator == "neg" else f" {step.operator} ".join(operands)
 
 
@@ -194,8 +250,7 @@ def _c_names(program: Program) -> dict[Operand, str]:
     given = chain.from_iterable((step.name,) if isinstance(step, Step) else step.names for step in program.steps)
     wanted = [*program.inputs, *given]
     fresh = (name for place in count() if (name := f"value_{place}") not in wanted)
-    names: dict[Operand, str] = {SPLITTER: "splitter"}
-    return names | {name: name if _is_free(name) else next(fresh) for name in wanted}
+    return {name: name if _is_free(name) else next(fresh) for name in wanted}
 
 
 def _is_free(name: str) -> bool:

@@ -14,9 +14,6 @@ from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
 from algebroproj_sym.generating.runtime._double_double import DoubleDouble
 
-SPLITTER = "splitter"
-"""An operand of this name is 2**s + 1, where s is half of the binary digits of the dtype, rounded up."""
-
 
 @cache
 def expanded(program: Program) -> Program:
@@ -95,10 +92,9 @@ class _Recorded:
         self.recorder = recorder
         self.name = name
 
-    @property
-    def splitter(self) -> _Recorded:
-        """What splits the number into halves."""
-        return _Recorded(self.recorder, SPLITTER)
+    def product_error(self, left: Any, right: Any) -> _Recorded:
+        """Return what rounding took from the number, a product."""
+        return self.recorder.step("product_error", left, right, self)
 
     def __neg__(self) -> _Recorded:
         return self.recorder.step("neg", self)

@@ -14,9 +14,9 @@ from operator import add, mul, neg, sub, truediv
 from typing import Any, Literal, TypeAlias
 
 from algebroproj_sym.declaring import Primitive
-from algebroproj_sym.generating.runtime._double_double import rounded, wide
+from algebroproj_sym.generating.runtime._double_double import product_error, rounded, wide
 
-Operator = Literal["+", "-", "*", "/", "neg", "wide", "rounded"]
+Operator = Literal["+", "-", "*", "/", "neg", "wide", "rounded", "product_error"]
 Operand: TypeAlias = "str | int"
 
 _MEANING: dict[Operator, Callable[..., Any]] = {
@@ -27,12 +27,16 @@ _MEANING: dict[Operator, Callable[..., Any]] = {
     "neg": neg,
     "wide": wide,
     "rounded": rounded,
+    "product_error": product_error,
 }
 
 
 @dataclass(frozen=True)
 class Step:
-    """One operation: ``name = left operator right``, ``name = -left``, or a change of the number of digits."""
+    """One operation: ``name = left operator right``, ``name = -left``, or one that knows of rounding.
+
+    These are changes of the number of digits, and ``product_error left right product``: what rounding took.
+    """
 
     name: str
     operator: Operator

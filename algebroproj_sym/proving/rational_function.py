@@ -107,6 +107,8 @@ class RationalFunction:
         right = self._coerce(other)
         if right is None:
             return NotImplemented
+        if self.is_zero or right.is_zero:
+            return right if self.is_zero else self
         common = _union(self.denominator, right.denominator)
         numerator = self.numerator * self.field.product(_missing(common, self.denominator))
         numerator = numerator + right.numerator * self.field.product(_missing(common, right.denominator))

@@ -3,6 +3,7 @@
 This is C as far as the generator writes it: functions of declarations, assignments, array entries, arithmetic, the
 conditional operator, calls, and one loop over points.  Anything else is refused, so that nothing is proved of a source
 that is not understood.  Of the preprocessor's macros those are known that head a function or name one for its type.
+The name ``range`` is no variable here: what keeps the range of operands can be read by nothing that computes.
 """
 
 from __future__ import annotations
@@ -22,6 +23,9 @@ _FUNCTION = re.compile(r"^(KERNEL|SOLVER|INLINE)(\(.*?\)+)\n(\{\n.*?^\})", re.DO
 _NAME = re.compile(r"\bNAME\((\w+)\)")
 _TYPES = "typedef double real; typedef long npy_intp;\n"
 _POINTS = "for (npy_intp i = 0; i < points; i++)"
+
+PRODUCT_ERRORS = ("fused_product_error", "split_product_error")
+"""The functions one of which is meant by ``product_error``: zero, in real arithmetic, for the product itself."""
 
 _ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
     "+": operator.add,
@@ -57,12 +61,15 @@ class Meaning:
         Whether two numbers are equal.
     call : callable, optional
         What a function that solves a linear system gives: from its name and the rows of the system.
+    is_zero : callable
+        Whether a number is zero.
     """
 
     constants: Mapping[str, Any] = field(default_factory=dict)
     is_greater: Callable[[Any, Any], bool] | None = None
     equal: Callable[[Any, Any], bool] = operator.eq
     call: Callable[[str, list[list[Any]]], Sequence[Any]] | None = None
+    is_zero: Callable[[Any], bool] = operator.not_
 
 
 @dataclass(frozen=True)
@@ -142,6 +149,11 @@ def solver_outputs(source: Source, name: str, system: list[list[Any]], meaning: 
     return [variables["solution"][place] for place in range(len(variables["solution"]))]
 
 
+def inline_value(source: Source, name: str, arguments: Sequence[Any], meaning: Meaning) -> Any:
+    """Return what an inline function gives."""
+    return _inline(name, arguments, _Scope({}, source, meaning))
+
+
 @dataclass(frozen=True)
 class _Scope:
     """The variables of a function, in the order in which they are declared, and what they are used with."""
@@ -167,17 +179,47 @@ def _run(block: Any, scope: _Scope) -> Any:
     """Execute the statements of a block; return the value of its return statement."""
     for statement in block.block_items:
         match statement:
-            case c_ast.Return():
+            case c_ast.Return() if not _is_range(statement.expr):
                 return _value(statement.expr, scope)
-            case c_ast.Decl():
+            case c_ast.Decl() if statement.name != "range":
                 _declare(statement, scope)
-            case c_ast.Assignment(op="="):
+            case c_ast.Assignment(op="=", lvalue=target) if not _is_range(target):
                 _assign(statement, scope)
-            case c_ast.FuncCall():
-                _solve(statement, scope)
             case _:
-                raise NotUnderstoodError(f"C source: unexpected {type(statement).__name__} at {statement.coord}")
+                _keep_range(statement, scope)
     return None
+
+
+def _is_range(node: Any) -> bool:
+    """Whether a node is the range of operands, or where that of the point of the loop is written."""
+    name = node.name if isinstance(node, c_ast.ArrayRef) else node
+    return isinstance(name, c_ast.ID) and name.name in ("range", "ranges")
+
+
+def _keep_range(statement: Any, scope: _Scope) -> None:
+    """Execute a statement about the range of operands, which changes nothing else but what a called function solves."""
+    match statement:
+        case c_ast.Return(expr=c_ast.ID(name="range")):
+            pass
+        case c_ast.Decl(name="range", init=c_ast.ID(name="headroom")):
+            pass
+        case c_ast.Assignment(
+            lvalue=c_ast.ArrayRef(name=c_ast.ID(name="ranges"), subscript=c_ast.ID(name="i")),
+            rvalue=c_ast.ID(name="range"),
+        ):
+            pass
+        case c_ast.Assignment(
+            lvalue=c_ast.ID(name="range"),
+            rvalue=c_ast.FuncCall(name=c_ast.ID(name="within"), args=c_ast.ExprList(exprs=[before, operand])),
+        ) if _is_range(before):
+            _value(operand, scope)
+        case c_ast.Assignment(
+            lvalue=c_ast.ID(name="range"),
+            rvalue=c_ast.FuncCall(name=c_ast.ID(name=name), args=c_ast.ExprList(exprs=[system, solution, before])),
+        ) if _is_range(before):
+            _solve(name, system.name, solution.name, scope)
+        case _:
+            raise NotUnderstoodError(f"C source: unexpected {type(statement).__name__} at {statement.coord}")
 
 
 def _declare(statement: Any, scope: _Scope) -> None:
@@ -214,12 +256,11 @@ def _assign(statement: Any, scope: _Scope) -> None:
             raise NotUnderstoodError(f"C source: unexpected target at {target.coord}")
 
 
-def _solve(statement: Any, scope: _Scope) -> None:
-    """Let a linear system be solved by the function that a statement calls."""
-    system, solution = (argument.name for argument in statement.args.exprs)
+def _solve(name: str, system: str, solution: str, scope: _Scope) -> None:
+    """Let a linear system be solved by the function of some name."""
     if scope.meaning.call is None or scope.variables[solution] != {}:
-        raise NotUnderstoodError(f"C source: unexpected call of {statement.name.name}")
-    results = scope.meaning.call(statement.name.name, scope.variables[system])
+        raise NotUnderstoodError(f"C source: unexpected call of {name}")
+    results = scope.meaning.call(name, scope.variables[system])
     scope.variables[solution] |= dict(enumerate(results))
 
 
@@ -257,13 +298,28 @@ def _value(node: Any, scope: _Scope) -> Any:
         case c_ast.FuncCall(name=c_ast.ID(name="isgreater")) if scope.meaning.is_greater is not None:
             left, right = map(value, node.args.exprs)
             return scope.meaning.is_greater(left.value, right.value)
-        case c_ast.FuncCall(name=c_ast.ID(name=name)) if name in scope.source.inlines:
-            function = _parsed(f"real {name}{scope.source.inlines[name]}")
-            names = [parameter.name for parameter in function.decl.type.args.params]
-            local = dict(zip(names, map(value, node.args.exprs), strict=True))
-            return _run(function.body, _Scope(local, scope.source, scope.meaning))
+        case c_ast.FuncCall(name=c_ast.ID(name="multiply_add")):
+            left, right, term = map(value, node.args.exprs)
+            return _operation("+", _operation("*", left, right, scope.meaning), term, scope.meaning)
+        case c_ast.FuncCall(name=c_ast.ID(name="product_error")):
+            left, right, product = map(value, node.args.exprs)
+            error = left * right - product
+            if not scope.meaning.is_zero(error):
+                raise NotUnderstoodError(f"C source: expected the error of the product itself at {node.coord}")
+            return error
+        case c_ast.FuncCall(name=c_ast.ID(name=name)):
+            return _inline(name, list(map(value, node.args.exprs)), scope)
         case _:
             raise NotUnderstoodError(f"C source: unexpected {type(node).__name__}")
+
+
+def _inline(name: str, arguments: Sequence[Any], scope: _Scope) -> Any:
+    """Return what an inline function gives."""
+    if name not in scope.source.inlines:
+        raise NotUnderstoodError(f"C source: unexpected call of {name}")
+    function = _parsed(f"real {name}{scope.source.inlines[name]}")
+    names = [parameter.name for parameter in function.decl.type.args.params]
+    return _run(function.body, _Scope(dict(zip(names, arguments, strict=True)), scope.source, scope.meaning))
 
 
 def _operation(sign: str, left: Any, right: Any, meaning: Meaning) -> Any:

@@ -14,7 +14,6 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import sympy
 from flint.utils.flint_exceptions import DomainError
 from sympy.polys.polyerrors import ExactQuotientFailed
 
@@ -23,9 +22,11 @@ from algebroproj_sym.generating import Lowered, c_name, is_compiled
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 from algebroproj_sym.proving.engines import ring
 from algebroproj_sym.verifying.c_execution import (
+    PRODUCT_ERRORS,
     Meaning,
     NotUnderstoodError,
     Source,
+    inline_value,
     kernel_outputs,
     solver_outputs,
     source_of,
@@ -35,8 +36,6 @@ from algebroproj_sym.verifying.proof_of_source import expected_values
 KERNELS = "_kernels.h"
 _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""
-
-_SPLITTER = sympy.Symbol("splitter")
 
 
 def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "flint") -> bool:
@@ -65,18 +64,25 @@ def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "fli
     try:
         source = source_of(path.read_text(encoding="utf-8"))
         systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
-        return kernel_is_proved(kernel, source, engine) and all(
-            solver_is_proved(source, primitive, height, engine) for primitive, height in systems
-        )
+        solved = all(solver_is_proved(source, primitive, height, engine) for primitive, height in systems)
+        return solved and product_errors_are_proved(source, engine) and kernel_is_proved(kernel, source, engine)
     except NotUnderstoodError:
         return False
 
 
+def product_errors_are_proved(source: Source, engine: str = "flint") -> bool:
+    """Whether the functions for the error of a product are zero in real arithmetic, wherever they are defined."""
+    a, b, splitter = ring(engine, ["a", "b", "splitter"]).generators
+    meaning = Meaning(constants={"splitter": splitter})
+    defined = [name for name in PRODUCT_ERRORS if name in source.inlines]
+    return all(inline_value(source, name, [a, b, a * b], meaning) == 0 for name in defined)
+
+
 def kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> bool:
-    """Whether a kernel gives the derivation, if what it calls solves linear systems."""
+    """Whether a kernel gives the derivation, if what it calls solves linear systems and takes errors of products."""
     called = [stage for stage in kernel.stages if stage.primitive in LINEAR]
     free = [symbol for stage in called for symbol in stage.results]
-    field = RationalFunctionField((*kernel.symbols, *free, _SPLITTER), engine)
+    field = RationalFunctionField((*kernel.symbols, *free), engine)
     stages = iter(called)
     given: list[Any] = []
 
@@ -90,7 +96,7 @@ def kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> b
         given.extend(row[j] + row[width + j] for row in rows for j in range(width))
         return [field.variables[symbol] for symbol in stage.results]
 
-    meaning = Meaning(constants={"splitter": field.variables[_SPLITTER]}, call=call)
+    meaning = Meaning(call=call, is_zero=lambda value: _element(value, field).is_zero)
     inputs = [field.variables[symbol] for symbol in kernel.symbols]
     outputs = kernel_outputs(source, c_name(kernel), inputs, meaning)
     computed = [_element(value, field) for value in (*given, *outputs)]
@@ -144,14 +150,13 @@ class _System:
     rows: list[list[Any]]
     exchanges: list[bool]
     unknowns: list[Any]
-    splitter: Any
 
 
 def _system(
     primitive: str, height: int, places: Sequence[tuple[int, int]], exchanges: Sequence[tuple[int, int]], engine: str
 ) -> _System:
     """Undo an elimination: of the rows of a system that is solved, of the columns where a vector is to be spanned."""
-    names = ["splitter", *(f"x{k}" for k in range(height))]
+    names = [f"x{k}" for k in range(height)]
     names += [f"f{k}_{i}" for k in range(height) for i in range(k + 1, height)]
     names += [f"u{k}_{j}" for k in range(height) for j in range(k, height)]
     free = dict(zip(names, ring(engine, names).generators, strict=True))
@@ -165,9 +170,7 @@ def _system(
             rows[i] = [entry + free[f"f{k}_{i}"] * above for entry, above in zip(rows[i], rows[k], strict=True)]
         for first, second in reversed([place for place in places if place[0] == k and place in exchanges]):
             rows = _exchanged(rows, first, second, primitive)
-    return _System(
-        [[*row, *rests] for row in rows], [place in exchanges for place in places], unknowns, free["splitter"]
-    )
+    return _System([[*row, *rests] for row in rows], [place in exchanges for place in places], unknowns)
 
 
 def _exchanged(rows: list[list[Any]], first: int, second: int, primitive: str) -> list[list[Any]]:
@@ -195,7 +198,6 @@ def _spans(source: Source, name: str, system: _System, meaning: Meaning) -> bool
 def _meaning(system: _System, finite: bool) -> Meaning:
     exchanges = iter(system.exchanges)
     return Meaning(
-        constants={"splitter": system.splitter},
         is_greater=lambda candidate, _: next(exchanges, candidate == 1),
         equal=lambda left, right: finite,
     )

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "01583d97bd64ad7d"
+DIGEST = "38d31d84e8ecdd3b"
 """What identifies the C source that belongs to this package."""
 
 

@@ -24,13 +24,22 @@ those of the NumPy source.
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-/* Versions for processors with wider registers, one of which is chosen when the module is loaded. */
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
-#define WIDE __attribute__((noinline, target_clones("arch=x86-64-v3", "default")))
+/* Versions for processors that multiply and add without rounding in between, and whether this is one of those. */
+#if defined(__GNUC__) && defined(__x86_64__)
+#define FUSED __attribute__((noinline, target("avx2,fma")))
+#define FUSED_IS_AVAILABLE (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+#elif defined(__GNUC__) && defined(__aarch64__)
+#define FUSED __attribute__((noinline))
+#define FUSED_IS_AVAILABLE 1
+#endif
+
+/* What is only there for processors that do not is kept small. */
+#if defined(FUSED)
+#define SPLIT __attribute__((noinline, cold))
 #elif defined(__GNUC__)
-#define WIDE __attribute__((noinline))
+#define SPLIT __attribute__((noinline))
 #else
-#define WIDE
+#define SPLIT
 #endif
 
 #if defined(__GNUC__)
@@ -39,7 +48,16 @@ those of the NumPy source.
 #define FORCED_INLINE inline
 #endif
 
+#if defined(__clang__)
+#define UNROLLED _Pragma("clang loop unroll_count(8)")
+#elif defined(__GNUC__)
+#define UNROLLED _Pragma("GCC unroll 8")
+#else
+#define UNROLLED
+#endif
+
 enum {
+    EXCEPTIONS = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW,
     BLOCK = 64,
     MOST_OPERANDS = 7,
     MOST_INPUTS = 32,
@@ -59,15 +77,25 @@ struct shape {
     int dimensions, rows, columns;
 };
 
+/* A kernel for each type.  What it writes to ranges overflows if the error of a product might. */
+typedef void evaluate_float(const float (*restrict in)[BLOCK], float (*restrict out)[BLOCK],
+                            float *restrict ranges, npy_intp points);
+typedef void evaluate_double(const double (*restrict in)[BLOCK], double (*restrict out)[BLOCK],
+                             double *restrict ranges, npy_intp points);
+typedef void evaluate_longdouble(const longdouble (*restrict in)[BLOCK], longdouble (*restrict out)[BLOCK],
+                                 longdouble *restrict ranges, npy_intp points);
+
 struct kernel {
     const char *name, *signature;
     int arguments, results;
     int refined;
     struct shape shapes[MOST_OPERANDS];
-    void (*evaluate_float)(const float (*restrict in)[BLOCK], float (*restrict out)[BLOCK], npy_intp points);
-    void (*evaluate_double)(const double (*restrict in)[BLOCK], double (*restrict out)[BLOCK], npy_intp points);
-    void (*evaluate_longdouble)(const longdouble (*restrict in)[BLOCK], longdouble (*restrict out)[BLOCK], npy_intp points);
+    evaluate_float *split_float, *fused_float;
+    evaluate_double *split_double, *fused_double;
+    evaluate_longdouble *split_longdouble, *fused_longdouble;
 };
+
+static int fused_is_available = 0;
 
 /* Read the steps of a generalized ufunc: first those of the points, then those of the core dimensions. */
 static void lay_out(struct layout *layouts, const struct kernel *kernel, const npy_intp *steps)
@@ -86,256 +114,465 @@ static void lay_out(struct layout *layouts, const struct kernel *kernel, const n
 
 #define JOINED_(name, type) name##_##type
 #define JOINED(name, type) JOINED_(name, type)
-#define NAME(name) JOINED(name, real)
+#define NAME(name) JOINED(name, variant)
+#define TYPED(name) JOINED(name, real)
 #define INLINE(name) static FORCED_INLINE real NAME(name)
 #define SOLVER(name, height, width) \
-    static FORCED_INLINE void NAME(name##_##height)(const real system[height][2 * height + 2], real solution[width])
+    static FORCED_INLINE real NAME(name##_##height)(const real system[height][2 * height + 2], real solution[width], \
+                                                    real range)
 #define KERNEL(name) \
-    static VERSIONS void NAME(name)(const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK], const npy_intp points)
+    static VERSION void NAME(name)(const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK], \
+                                   real *restrict ranges, const npy_intp points)
 
-/* The factor that splits a number into halves, whose products are exact. */
-#define VERSIONS WIDE
+/* What is half of the largest power of two, so that the squares of what it is increased by must stay below it; and the
+   factor that splits a number into halves, whose products are exact. */
 #define real float
 #define absolute fabsf
+#define multiply_add fmaf
+#define headroom (FLT_MAX / 2)
 #define splitter 4097.0f
+#define VERSION SPLIT
+#define variant float_split
+#define product_error NAME(split_product_error)
+#define within(range, operand) (range)
 #include "_kernels.h"
+#undef variant
+#undef product_error
+#undef within
+#undef VERSION
+#ifdef FUSED
+#define VERSION FUSED
+#define variant float_fused
+#define product_error NAME(fused_product_error)
+#define within(range, operand) multiply_add(operand, operand, range)
+#include "_kernels.h"
+#undef variant
+#undef product_error
+#undef within
+#undef VERSION
+#endif
 #include "_loops.h"
 #undef real
 #undef absolute
+#undef multiply_add
+#undef headroom
 #undef splitter
 
 #define real double
 #define absolute fabs
+#define multiply_add fma
+#define headroom (DBL_MAX / 2)
 #define splitter 134217729.0
+#define VERSION SPLIT
+#define variant double_split
+#define product_error NAME(split_product_error)
+#define within(range, operand) (range)
 #include "_kernels.h"
+#undef variant
+#undef product_error
+#undef within
+#undef VERSION
+#ifdef FUSED
+#define VERSION FUSED
+#define variant double_fused
+#define product_error NAME(fused_product_error)
+#define within(range, operand) multiply_add(operand, operand, range)
+#include "_kernels.h"
+#undef variant
+#undef product_error
+#undef within
+#undef VERSION
+#endif
 #include "_loops.h"
 #undef real
 #undef absolute
+#undef multiply_add
+#undef headroom
 #undef splitter
-#undef VERSIONS
 
-#define VERSIONS
 #define real longdouble
 #define absolute fabsl
+#define multiply_add fmal
+#define headroom (LDBL_MAX / 2)
 #define splitter ((longdouble)((npy_ulonglong)1 << (LDBL_MANT_DIG + 1) / 2) + 1)
+#define VERSION
+#define variant longdouble_split
+#define product_error NAME(split_product_error)
+#define within(range, operand) (range)
 #include "_kernels.h"
+#undef variant
+#undef product_error
+#undef within
+#undef VERSION
 #include "_loops.h"
 #undef real
 #undef absolute
+#undef multiply_add
+#undef headroom
 #undef splitter
-#undef VERSIONS
+
+#ifdef FUSED
+#define FUSED_VERSION(name) name
+#else
+#define FUSED_VERSION(name) NULL
+#endif
 
 static struct kernel kernels[] = {
     {"affine_plane_coordinates", "(2),(3,2)->(2)", 2, 1, 0,
      {{1, 1, 2}, {2, 3, 2}, {1, 1, 2}},
-     affine_plane_coordinates_float, affine_plane_coordinates_double, affine_plane_coordinates_longdouble},
+     affine_plane_coordinates_float_split, FUSED_VERSION(affine_plane_coordinates_float_fused),
+     affine_plane_coordinates_double_split, FUSED_VERSION(affine_plane_coordinates_double_fused),
+     affine_plane_coordinates_longdouble_split, NULL},
     {"affine_plane_frame", "(3,2)->(3,3)", 1, 1, 0,
      {{2, 3, 2}, {2, 3, 3}},
-     affine_plane_frame_float, affine_plane_frame_double, affine_plane_frame_longdouble},
+     affine_plane_frame_float_split, FUSED_VERSION(affine_plane_frame_float_fused),
+     affine_plane_frame_double_split, FUSED_VERSION(affine_plane_frame_double_fused),
+     affine_plane_frame_longdouble_split, NULL},
     {"affine_space_coordinates", "(3),(4,3)->(3)", 2, 1, 0,
      {{1, 1, 3}, {2, 4, 3}, {1, 1, 3}},
-     affine_space_coordinates_float, affine_space_coordinates_double, affine_space_coordinates_longdouble},
+     affine_space_coordinates_float_split, FUSED_VERSION(affine_space_coordinates_float_fused),
+     affine_space_coordinates_double_split, FUSED_VERSION(affine_space_coordinates_double_fused),
+     affine_space_coordinates_longdouble_split, NULL},
     {"affine_space_frame", "(4,3)->(4,4)", 1, 1, 0,
      {{2, 4, 3}, {2, 4, 4}},
-     affine_space_frame_float, affine_space_frame_double, affine_space_frame_longdouble},
+     affine_space_frame_float_split, FUSED_VERSION(affine_space_frame_float_fused),
+     affine_space_frame_double_split, FUSED_VERSION(affine_space_frame_double_fused),
+     affine_space_frame_longdouble_split, NULL},
     {"collinearity_coplanarity_determinant", "(11),(11),(2),(2)->()", 4, 1, 0,
      {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
-     collinearity_coplanarity_determinant_float, collinearity_coplanarity_determinant_double, collinearity_coplanarity_determinant_longdouble},
+     collinearity_coplanarity_determinant_float_split, FUSED_VERSION(collinearity_coplanarity_determinant_float_fused),
+     collinearity_coplanarity_determinant_double_split, FUSED_VERSION(collinearity_coplanarity_determinant_double_fused),
+     collinearity_coplanarity_determinant_longdouble_split, NULL},
+    {"collinearity_intersect", "(11),(11),(2),(2)->(3)", 4, 1, 0,
+     {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     collinearity_intersect_float_split, FUSED_VERSION(collinearity_intersect_float_fused),
+     collinearity_intersect_double_split, FUSED_VERSION(collinearity_intersect_double_fused),
+     collinearity_intersect_longdouble_split, NULL},
     {"collinearity_intersect_three", "(11),(11),(2),(2)->(3)", 4, 1, 0,
      {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
-     collinearity_intersect_three_float, collinearity_intersect_three_double, collinearity_intersect_three_longdouble},
+     collinearity_intersect_three_float_split, FUSED_VERSION(collinearity_intersect_three_float_fused),
+     collinearity_intersect_three_double_split, FUSED_VERSION(collinearity_intersect_three_double_fused),
+     collinearity_intersect_three_longdouble_split, NULL},
     {"collinearity_model_point", "(3),(3),()->(3)", 3, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {0, 1, 1}, {1, 1, 3}},
-     collinearity_model_point_float, collinearity_model_point_double, collinearity_model_point_longdouble},
+     collinearity_model_point_float_split, FUSED_VERSION(collinearity_model_point_float_fused),
+     collinearity_model_point_double_split, FUSED_VERSION(collinearity_model_point_double_fused),
+     collinearity_model_point_longdouble_split, NULL},
     {"collinearity_project", "(11),(3)->(2)", 2, 1, 0,
      {{1, 1, 11}, {1, 1, 3}, {1, 1, 2}},
-     collinearity_project_float, collinearity_project_double, collinearity_project_longdouble},
+     collinearity_project_float_split, FUSED_VERSION(collinearity_project_float_fused),
+     collinearity_project_double_split, FUSED_VERSION(collinearity_project_double_fused),
+     collinearity_project_longdouble_split, NULL},
     {"collinearity_project_jacobian_parameters", "(11),(3)->(2,11)", 2, 1, 0,
      {{1, 1, 11}, {1, 1, 3}, {2, 2, 11}},
-     collinearity_project_jacobian_parameters_float, collinearity_project_jacobian_parameters_double, collinearity_project_jacobian_parameters_longdouble},
+     collinearity_project_jacobian_parameters_float_split, FUSED_VERSION(collinearity_project_jacobian_parameters_float_fused),
+     collinearity_project_jacobian_parameters_double_split, FUSED_VERSION(collinearity_project_jacobian_parameters_double_fused),
+     collinearity_project_jacobian_parameters_longdouble_split, NULL},
     {"collinearity_project_jacobian_point", "(11),(3)->(2,3)", 2, 1, 0,
      {{1, 1, 11}, {1, 1, 3}, {2, 2, 3}},
-     collinearity_project_jacobian_point_float, collinearity_project_jacobian_point_double, collinearity_project_jacobian_point_longdouble},
+     collinearity_project_jacobian_point_float_split, FUSED_VERSION(collinearity_project_jacobian_point_float_fused),
+     collinearity_project_jacobian_point_double_split, FUSED_VERSION(collinearity_project_jacobian_point_double_fused),
+     collinearity_project_jacobian_point_longdouble_split, NULL},
     {"collinearity_space_map", "(15),(3)->(3)", 2, 1, 0,
      {{1, 1, 15}, {1, 1, 3}, {1, 1, 3}},
-     collinearity_space_map_float, collinearity_space_map_double, collinearity_space_map_longdouble},
+     collinearity_space_map_float_split, FUSED_VERSION(collinearity_space_map_float_fused),
+     collinearity_space_map_double_split, FUSED_VERSION(collinearity_space_map_double_fused),
+     collinearity_space_map_longdouble_split, NULL},
     {"correlation_correlation_from_cameras", "(3),(2),(3),(2)->(3,3)", 4, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
-     correlation_correlation_from_cameras_float, correlation_correlation_from_cameras_double, correlation_correlation_from_cameras_longdouble},
+     correlation_correlation_from_cameras_float_split, FUSED_VERSION(correlation_correlation_from_cameras_float_fused),
+     correlation_correlation_from_cameras_double_split, FUSED_VERSION(correlation_correlation_from_cameras_double_fused),
+     correlation_correlation_from_cameras_longdouble_split, NULL},
     {"correlation_correlation_matrix", "(5,2),(5,2)->(3,3)", 2, 1, 1,
      {{2, 5, 2}, {2, 5, 2}, {2, 3, 3}},
-     correlation_correlation_matrix_float, correlation_correlation_matrix_double, correlation_correlation_matrix_longdouble},
+     correlation_correlation_matrix_float_split, FUSED_VERSION(correlation_correlation_matrix_float_fused),
+     correlation_correlation_matrix_double_split, FUSED_VERSION(correlation_correlation_matrix_double_fused),
+     correlation_correlation_matrix_longdouble_split, NULL},
     {"correlation_design_row", "(2),(2)->(5)", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 5}},
-     correlation_design_row_float, correlation_design_row_double, correlation_design_row_longdouble},
+     correlation_design_row_float_split, FUSED_VERSION(correlation_design_row_float_fused),
+     correlation_design_row_double_split, FUSED_VERSION(correlation_design_row_double_fused),
+     correlation_design_row_longdouble_split, NULL},
     {"correlation_epipolar_line_left", "(3,3),(2)->(3)", 2, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {1, 1, 3}},
-     correlation_epipolar_line_left_float, correlation_epipolar_line_left_double, correlation_epipolar_line_left_longdouble},
+     correlation_epipolar_line_left_float_split, FUSED_VERSION(correlation_epipolar_line_left_float_fused),
+     correlation_epipolar_line_left_double_split, FUSED_VERSION(correlation_epipolar_line_left_double_fused),
+     correlation_epipolar_line_left_longdouble_split, NULL},
     {"correlation_epipolar_line_right", "(3,3),(2)->(3)", 2, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {1, 1, 3}},
-     correlation_epipolar_line_right_float, correlation_epipolar_line_right_double, correlation_epipolar_line_right_longdouble},
+     correlation_epipolar_line_right_float_split, FUSED_VERSION(correlation_epipolar_line_right_float_fused),
+     correlation_epipolar_line_right_double_split, FUSED_VERSION(correlation_epipolar_line_right_double_fused),
+     correlation_epipolar_line_right_longdouble_split, NULL},
     {"correlation_epipoles", "(3,3)->(2),(2)", 1, 2, 0,
      {{2, 3, 3}, {1, 1, 2}, {1, 1, 2}},
-     correlation_epipoles_float, correlation_epipoles_double, correlation_epipoles_longdouble},
+     correlation_epipoles_float_split, FUSED_VERSION(correlation_epipoles_float_fused),
+     correlation_epipoles_double_split, FUSED_VERSION(correlation_epipoles_double_fused),
+     correlation_epipoles_longdouble_split, NULL},
     {"correlation_general_correlation_matrix", "(8,2),(8,2)->(3,3)", 2, 1, 1,
      {{2, 8, 2}, {2, 8, 2}, {2, 3, 3}},
-     correlation_general_correlation_matrix_float, correlation_general_correlation_matrix_double, correlation_general_correlation_matrix_longdouble},
+     correlation_general_correlation_matrix_float_split, FUSED_VERSION(correlation_general_correlation_matrix_float_fused),
+     correlation_general_correlation_matrix_double_split, FUSED_VERSION(correlation_general_correlation_matrix_double_fused),
+     correlation_general_correlation_matrix_longdouble_split, NULL},
     {"correlation_rhs", "(2),(2)->()", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
-     correlation_rhs_float, correlation_rhs_double, correlation_rhs_longdouble},
+     correlation_rhs_float_split, FUSED_VERSION(correlation_rhs_float_fused),
+     correlation_rhs_double_split, FUSED_VERSION(correlation_rhs_double_fused),
+     correlation_rhs_longdouble_split, NULL},
     {"correlation_system", "(5,2),(5,2)->(5,5),(5)", 2, 2, 0,
      {{2, 5, 2}, {2, 5, 2}, {2, 5, 5}, {1, 1, 5}},
-     correlation_system_float, correlation_system_double, correlation_system_longdouble},
+     correlation_system_float_split, FUSED_VERSION(correlation_system_float_fused),
+     correlation_system_double_split, FUSED_VERSION(correlation_system_double_fused),
+     correlation_system_longdouble_split, NULL},
     {"critical_algebraic_distance", "(4,4),(3)->()", 2, 1, 0,
      {{2, 4, 4}, {1, 1, 3}, {0, 1, 1}},
-     critical_algebraic_distance_float, critical_algebraic_distance_double, critical_algebraic_distance_longdouble},
+     critical_algebraic_distance_float_split, FUSED_VERSION(critical_algebraic_distance_float_fused),
+     critical_algebraic_distance_double_split, FUSED_VERSION(critical_algebraic_distance_double_fused),
+     critical_algebraic_distance_longdouble_split, NULL},
     {"critical_determinant", "(5,2),(5,2)->()", 2, 1, 0,
      {{2, 5, 2}, {2, 5, 2}, {0, 1, 1}},
-     critical_determinant_float, critical_determinant_double, critical_determinant_longdouble},
+     critical_determinant_float_split, FUSED_VERSION(critical_determinant_float_fused),
+     critical_determinant_double_split, FUSED_VERSION(critical_determinant_double_fused),
+     critical_determinant_longdouble_split, NULL},
     {"critical_invariants", "(4,4)->(4),(3)", 1, 2, 0,
      {{2, 4, 4}, {1, 1, 4}, {1, 1, 3}},
-     critical_invariants_float, critical_invariants_double, critical_invariants_longdouble},
+     critical_invariants_float_split, FUSED_VERSION(critical_invariants_float_fused),
+     critical_invariants_double_split, FUSED_VERSION(critical_invariants_double_fused),
+     critical_invariants_longdouble_split, NULL},
     {"metric_coplanarity_row", "(2),(2),(3,3),(3,3),()->(5)", 5, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {2, 3, 3}, {2, 3, 3}, {0, 1, 1}, {1, 1, 5}},
-     metric_coplanarity_row_float, metric_coplanarity_row_double, metric_coplanarity_row_longdouble},
+     metric_coplanarity_row_float_split, FUSED_VERSION(metric_coplanarity_row_float_fused),
+     metric_coplanarity_row_double_split, FUSED_VERSION(metric_coplanarity_row_double_fused),
+     metric_coplanarity_row_longdouble_split, NULL},
     {"metric_correlation_matrix", "(3,3),(3,3),(3)->(3,3)", 3, 1, 0,
      {{2, 3, 3}, {2, 3, 3}, {1, 1, 3}, {2, 3, 3}},
-     metric_correlation_matrix_float, metric_correlation_matrix_double, metric_correlation_matrix_longdouble},
+     metric_correlation_matrix_float_split, FUSED_VERSION(metric_correlation_matrix_float_fused),
+     metric_correlation_matrix_double_split, FUSED_VERSION(metric_correlation_matrix_double_fused),
+     metric_correlation_matrix_longdouble_split, NULL},
     {"metric_from_normal", "(3,3),(2),()->(2)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}},
-     metric_from_normal_float, metric_from_normal_double, metric_from_normal_longdouble},
+     metric_from_normal_float_split, FUSED_VERSION(metric_from_normal_float_fused),
+     metric_from_normal_double_split, FUSED_VERSION(metric_from_normal_double_fused),
+     metric_from_normal_longdouble_split, NULL},
     {"metric_from_normal_jacobian", "(3,3),(2),()->(2,12)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 12}},
-     metric_from_normal_jacobian_float, metric_from_normal_jacobian_double, metric_from_normal_jacobian_longdouble},
+     metric_from_normal_jacobian_float_split, FUSED_VERSION(metric_from_normal_jacobian_float_fused),
+     metric_from_normal_jacobian_double_split, FUSED_VERSION(metric_from_normal_jacobian_double_fused),
+     metric_from_normal_jacobian_longdouble_split, NULL},
     {"metric_jacobian_angles", "(2),()->(2,3)", 2, 1, 0,
      {{1, 1, 2}, {0, 1, 1}, {2, 2, 3}},
-     metric_jacobian_angles_float, metric_jacobian_angles_double, metric_jacobian_angles_longdouble},
+     metric_jacobian_angles_float_split, FUSED_VERSION(metric_jacobian_angles_float_fused),
+     metric_jacobian_angles_double_split, FUSED_VERSION(metric_jacobian_angles_double_fused),
+     metric_jacobian_angles_longdouble_split, NULL},
     {"metric_jacobian_image", "(3,3),(2),()->(2,2)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 2}},
-     metric_jacobian_image_float, metric_jacobian_image_double, metric_jacobian_image_longdouble},
+     metric_jacobian_image_float_split, FUSED_VERSION(metric_jacobian_image_float_fused),
+     metric_jacobian_image_double_split, FUSED_VERSION(metric_jacobian_image_double_fused),
+     metric_jacobian_image_longdouble_split, NULL},
     {"metric_model_covariance", "(2),(2),(),(2,2),(2,2),(2,2)->(3,3)", 6, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {2, 2, 2}, {2, 2, 2}, {2, 2, 2}, {2, 3, 3}},
-     metric_model_covariance_float, metric_model_covariance_double, metric_model_covariance_longdouble},
+     metric_model_covariance_float_split, FUSED_VERSION(metric_model_covariance_float_fused),
+     metric_model_covariance_double_split, FUSED_VERSION(metric_model_covariance_double_fused),
+     metric_model_covariance_longdouble_split, NULL},
     {"metric_normal_covariance", "(3,3),(2),(),(3,3),()->(2,2)", 5, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 3, 3}, {0, 1, 1}, {2, 2, 2}},
-     metric_normal_covariance_float, metric_normal_covariance_double, metric_normal_covariance_longdouble},
+     metric_normal_covariance_float_split, FUSED_VERSION(metric_normal_covariance_float_fused),
+     metric_normal_covariance_double_split, FUSED_VERSION(metric_normal_covariance_double_fused),
+     metric_normal_covariance_longdouble_split, NULL},
     {"metric_reconstruct", "(2),(2),()->(3)", 3, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {1, 1, 3}},
-     metric_reconstruct_float, metric_reconstruct_double, metric_reconstruct_longdouble},
+     metric_reconstruct_float_split, FUSED_VERSION(metric_reconstruct_float_fused),
+     metric_reconstruct_double_split, FUSED_VERSION(metric_reconstruct_double_fused),
+     metric_reconstruct_longdouble_split, NULL},
     {"metric_reconstruct_jacobian", "(2),(2),()->(3,5)", 3, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {2, 3, 5}},
-     metric_reconstruct_jacobian_float, metric_reconstruct_jacobian_double, metric_reconstruct_jacobian_longdouble},
+     metric_reconstruct_jacobian_float_split, FUSED_VERSION(metric_reconstruct_jacobian_float_fused),
+     metric_reconstruct_jacobian_double_split, FUSED_VERSION(metric_reconstruct_jacobian_double_fused),
+     metric_reconstruct_jacobian_longdouble_split, NULL},
     {"metric_to_normal", "(3,3),(2),()->(2)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}},
-     metric_to_normal_float, metric_to_normal_double, metric_to_normal_longdouble},
+     metric_to_normal_float_split, FUSED_VERSION(metric_to_normal_float_fused),
+     metric_to_normal_double_split, FUSED_VERSION(metric_to_normal_double_fused),
+     metric_to_normal_longdouble_split, NULL},
     {"metric_to_normal_jacobian", "(3,3),(2),()->(2,12)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 12}},
-     metric_to_normal_jacobian_float, metric_to_normal_jacobian_double, metric_to_normal_jacobian_longdouble},
+     metric_to_normal_jacobian_float_split, FUSED_VERSION(metric_to_normal_jacobian_float_fused),
+     metric_to_normal_jacobian_double_split, FUSED_VERSION(metric_to_normal_jacobian_double_fused),
+     metric_to_normal_jacobian_longdouble_split, NULL},
     {"normal_case_frame", "(),(2)->(3,3)", 2, 1, 0,
      {{0, 1, 1}, {1, 1, 2}, {2, 3, 3}},
-     normal_case_frame_float, normal_case_frame_double, normal_case_frame_longdouble},
+     normal_case_frame_float_split, FUSED_VERSION(normal_case_frame_float_fused),
+     normal_case_frame_double_split, FUSED_VERSION(normal_case_frame_double_fused),
+     normal_case_frame_longdouble_split, NULL},
     {"normal_case_from_correlation", "(3,3)->(),(2),(2)", 1, 3, 0,
      {{2, 3, 3}, {0, 1, 1}, {1, 1, 2}, {1, 1, 2}},
-     normal_case_from_correlation_float, normal_case_from_correlation_double, normal_case_from_correlation_longdouble},
+     normal_case_from_correlation_float_split, FUSED_VERSION(normal_case_from_correlation_float_fused),
+     normal_case_from_correlation_double_split, FUSED_VERSION(normal_case_from_correlation_double_fused),
+     normal_case_from_correlation_longdouble_split, NULL},
     {"normal_case_from_orientation", "(3),(3),(3),(2)->(),(2),(2)", 4, 3, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}, {1, 1, 2}},
-     normal_case_from_orientation_float, normal_case_from_orientation_double, normal_case_from_orientation_longdouble},
+     normal_case_from_orientation_float_split, FUSED_VERSION(normal_case_from_orientation_float_fused),
+     normal_case_from_orientation_double_split, FUSED_VERSION(normal_case_from_orientation_double_fused),
+     normal_case_from_orientation_longdouble_split, NULL},
     {"normal_case_map_points", "(2),(2)->(2)", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
-     normal_case_map_points_float, normal_case_map_points_double, normal_case_map_points_longdouble},
+     normal_case_map_points_float_split, FUSED_VERSION(normal_case_map_points_float_fused),
+     normal_case_map_points_double_split, FUSED_VERSION(normal_case_map_points_double_fused),
+     normal_case_map_points_longdouble_split, NULL},
     {"normal_case_mu_left", "(3),(2),()->(3)", 3, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 3}},
-     normal_case_mu_left_float, normal_case_mu_left_double, normal_case_mu_left_longdouble},
+     normal_case_mu_left_float_split, FUSED_VERSION(normal_case_mu_left_float_fused),
+     normal_case_mu_left_double_split, FUSED_VERSION(normal_case_mu_left_double_fused),
+     normal_case_mu_left_longdouble_split, NULL},
     {"normal_case_mu_right", "(3),(3),(2),()->(3)", 4, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 3}},
-     normal_case_mu_right_float, normal_case_mu_right_double, normal_case_mu_right_longdouble},
+     normal_case_mu_right_float_split, FUSED_VERSION(normal_case_mu_right_float_fused),
+     normal_case_mu_right_double_split, FUSED_VERSION(normal_case_mu_right_double_fused),
+     normal_case_mu_right_longdouble_split, NULL},
     {"normal_case_tau", "(2),(2)->(2)", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
-     normal_case_tau_float, normal_case_tau_double, normal_case_tau_longdouble},
+     normal_case_tau_float_split, FUSED_VERSION(normal_case_tau_float_fused),
+     normal_case_tau_double_split, FUSED_VERSION(normal_case_tau_double_fused),
+     normal_case_tau_longdouble_split, NULL},
     {"normal_case_tau_jacobian", "(2),(2)->(2,4)", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}},
-     normal_case_tau_jacobian_float, normal_case_tau_jacobian_double, normal_case_tau_jacobian_longdouble},
+     normal_case_tau_jacobian_float_split, FUSED_VERSION(normal_case_tau_jacobian_float_fused),
+     normal_case_tau_jacobian_double_split, FUSED_VERSION(normal_case_tau_jacobian_double_fused),
+     normal_case_tau_jacobian_longdouble_split, NULL},
     {"normal_case_transform", "(2)->(3,3)", 1, 1, 0,
      {{1, 1, 2}, {2, 3, 3}},
-     normal_case_transform_float, normal_case_transform_double, normal_case_transform_longdouble},
+     normal_case_transform_float_split, FUSED_VERSION(normal_case_transform_float_fused),
+     normal_case_transform_double_split, FUSED_VERSION(normal_case_transform_double_fused),
+     normal_case_transform_longdouble_split, NULL},
     {"optics_image_point", "(),(3)->(3)", 2, 1, 0,
      {{0, 1, 1}, {1, 1, 3}, {1, 1, 3}},
-     optics_image_point_float, optics_image_point_double, optics_image_point_longdouble},
+     optics_image_point_float_split, FUSED_VERSION(optics_image_point_float_fused),
+     optics_image_point_double_split, FUSED_VERSION(optics_image_point_double_fused),
+     optics_image_point_longdouble_split, NULL},
     {"optics_lens_matrix", "()->(4,4)", 1, 1, 0,
      {{0, 1, 1}, {2, 4, 4}},
-     optics_lens_matrix_float, optics_lens_matrix_double, optics_lens_matrix_longdouble},
+     optics_lens_matrix_float_split, FUSED_VERSION(optics_lens_matrix_float_fused),
+     optics_lens_matrix_double_split, FUSED_VERSION(optics_lens_matrix_double_fused),
+     optics_lens_matrix_longdouble_split, NULL},
     {"optics_map_plane_points", "(3),(2)->(2)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 2}},
-     optics_map_plane_points_float, optics_map_plane_points_double, optics_map_plane_points_longdouble},
+     optics_map_plane_points_float_split, FUSED_VERSION(optics_map_plane_points_float_fused),
+     optics_map_plane_points_double_split, FUSED_VERSION(optics_map_plane_points_double_fused),
+     optics_map_plane_points_longdouble_split, NULL},
     {"optics_object_point", "(),(3)->(3)", 2, 1, 0,
      {{0, 1, 1}, {1, 1, 3}, {1, 1, 3}},
-     optics_object_point_float, optics_object_point_double, optics_object_point_longdouble},
+     optics_object_point_float_split, FUSED_VERSION(optics_object_point_float_fused),
+     optics_object_point_double_split, FUSED_VERSION(optics_object_point_double_fused),
+     optics_object_point_longdouble_split, NULL},
     {"optics_plane_homography", "(3)->(3,3)", 1, 1, 0,
      {{1, 1, 3}, {2, 3, 3}},
-     optics_plane_homography_float, optics_plane_homography_double, optics_plane_homography_longdouble},
+     optics_plane_homography_float_split, FUSED_VERSION(optics_plane_homography_float_fused),
+     optics_plane_homography_double_split, FUSED_VERSION(optics_plane_homography_double_fused),
+     optics_plane_homography_longdouble_split, NULL},
     {"optics_scale", "(),()->()", 2, 1, 0,
      {{0, 1, 1}, {0, 1, 1}, {0, 1, 1}},
-     optics_scale_float, optics_scale_double, optics_scale_longdouble},
+     optics_scale_float_split, FUSED_VERSION(optics_scale_float_fused),
+     optics_scale_double_split, FUSED_VERSION(optics_scale_double_fused),
+     optics_scale_longdouble_split, NULL},
     {"optics_vanishing_line", "(3)->(3)", 1, 1, 0,
      {{1, 1, 3}, {1, 1, 3}},
-     optics_vanishing_line_float, optics_vanishing_line_double, optics_vanishing_line_longdouble},
+     optics_vanishing_line_float_split, FUSED_VERSION(optics_vanishing_line_float_fused),
+     optics_vanishing_line_double_split, FUSED_VERSION(optics_vanishing_line_double_fused),
+     optics_vanishing_line_longdouble_split, NULL},
     {"orientation_intersect", "(2),(2),(3),(2),(3),(2)->(3)", 6, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
-     orientation_intersect_float, orientation_intersect_double, orientation_intersect_longdouble},
+     orientation_intersect_float_split, FUSED_VERSION(orientation_intersect_float_fused),
+     orientation_intersect_double_split, FUSED_VERSION(orientation_intersect_double_fused),
+     orientation_intersect_longdouble_split, NULL},
     {"orientation_left_bundle", "(3),(2),(2)->(3)", 3, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
-     orientation_left_bundle_float, orientation_left_bundle_double, orientation_left_bundle_longdouble},
+     orientation_left_bundle_float_split, FUSED_VERSION(orientation_left_bundle_float_fused),
+     orientation_left_bundle_double_split, FUSED_VERSION(orientation_left_bundle_double_fused),
+     orientation_left_bundle_longdouble_split, NULL},
     {"orientation_right_bundle", "(3),(3),(2),(2)->(3)", 4, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
-     orientation_right_bundle_float, orientation_right_bundle_double, orientation_right_bundle_longdouble},
+     orientation_right_bundle_float_split, FUSED_VERSION(orientation_right_bundle_float_fused),
+     orientation_right_bundle_double_split, FUSED_VERSION(orientation_right_bundle_double_fused),
+     orientation_right_bundle_longdouble_split, NULL},
     {"projection_camera_matrix", "(3),(2)->(3,4)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 4}},
-     projection_camera_matrix_float, projection_camera_matrix_double, projection_camera_matrix_longdouble},
+     projection_camera_matrix_float_split, FUSED_VERSION(projection_camera_matrix_float_fused),
+     projection_camera_matrix_double_split, FUSED_VERSION(projection_camera_matrix_double_fused),
+     projection_camera_matrix_longdouble_split, NULL},
     {"projection_center_from_mu", "(3),(2)->(3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
-     projection_center_from_mu_float, projection_center_from_mu_double, projection_center_from_mu_longdouble},
+     projection_center_from_mu_float_split, FUSED_VERSION(projection_center_from_mu_float_fused),
+     projection_center_from_mu_double_split, FUSED_VERSION(projection_center_from_mu_double_fused),
+     projection_center_from_mu_longdouble_split, NULL},
     {"projection_mu_from_center", "(3),(2)->(3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
-     projection_mu_from_center_float, projection_mu_from_center_double, projection_mu_from_center_longdouble},
+     projection_mu_from_center_float_split, FUSED_VERSION(projection_mu_from_center_float_fused),
+     projection_mu_from_center_double_split, FUSED_VERSION(projection_mu_from_center_double_fused),
+     projection_mu_from_center_longdouble_split, NULL},
     {"projection_mu_from_center_jacobian", "(3),(2)->(3,5)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 5}},
-     projection_mu_from_center_jacobian_float, projection_mu_from_center_jacobian_double, projection_mu_from_center_jacobian_longdouble},
+     projection_mu_from_center_jacobian_float_split, FUSED_VERSION(projection_mu_from_center_jacobian_float_fused),
+     projection_mu_from_center_jacobian_double_split, FUSED_VERSION(projection_mu_from_center_jacobian_double_fused),
+     projection_mu_from_center_jacobian_longdouble_split, NULL},
     {"projection_project", "(3),(3),(2)->(2)", 3, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}},
-     projection_project_float, projection_project_double, projection_project_longdouble},
+     projection_project_float_split, FUSED_VERSION(projection_project_float_fused),
+     projection_project_double_split, FUSED_VERSION(projection_project_double_fused),
+     projection_project_longdouble_split, NULL},
     {"projection_projection_determinant", "(3),(2)->()", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {0, 1, 1}},
-     projection_projection_determinant_float, projection_projection_determinant_double, projection_projection_determinant_longdouble},
+     projection_projection_determinant_float_split, FUSED_VERSION(projection_projection_determinant_float_fused),
+     projection_projection_determinant_double_split, FUSED_VERSION(projection_projection_determinant_double_fused),
+     projection_projection_determinant_longdouble_split, NULL},
     {"projection_projection_determinant_from_mu", "(3),(2)->()", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {0, 1, 1}},
-     projection_projection_determinant_from_mu_float, projection_projection_determinant_from_mu_double, projection_projection_determinant_from_mu_longdouble},
+     projection_projection_determinant_from_mu_float_split, FUSED_VERSION(projection_projection_determinant_from_mu_float_fused),
+     projection_projection_determinant_from_mu_double_split, FUSED_VERSION(projection_projection_determinant_from_mu_double_fused),
+     projection_projection_determinant_from_mu_longdouble_split, NULL},
     {"projection_projection_matrix", "(3),(2)->(3,3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
-     projection_projection_matrix_float, projection_projection_matrix_double, projection_projection_matrix_longdouble},
+     projection_projection_matrix_float_split, FUSED_VERSION(projection_projection_matrix_float_fused),
+     projection_projection_matrix_double_split, FUSED_VERSION(projection_projection_matrix_double_fused),
+     projection_projection_matrix_longdouble_split, NULL},
     {"projection_projection_matrix_from_mu", "(3),(2)->(3,3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
-     projection_projection_matrix_from_mu_float, projection_projection_matrix_from_mu_double, projection_projection_matrix_from_mu_longdouble},
+     projection_projection_matrix_from_mu_float_split, FUSED_VERSION(projection_projection_matrix_from_mu_float_fused),
+     projection_projection_matrix_from_mu_double_split, FUSED_VERSION(projection_projection_matrix_from_mu_double_fused),
+     projection_projection_matrix_from_mu_longdouble_split, NULL},
     {"projection_projection_matrix_jacobian", "(3),(2)->(9,5)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 9, 5}},
-     projection_projection_matrix_jacobian_float, projection_projection_matrix_jacobian_double, projection_projection_matrix_jacobian_longdouble},
+     projection_projection_matrix_jacobian_float_split, FUSED_VERSION(projection_projection_matrix_jacobian_float_fused),
+     projection_projection_matrix_jacobian_double_split, FUSED_VERSION(projection_projection_matrix_jacobian_double_fused),
+     projection_projection_matrix_jacobian_longdouble_split, NULL},
     {"projection_reconstruction_matrix", "(3),(2)->(3,3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
-     projection_reconstruction_matrix_float, projection_reconstruction_matrix_double, projection_reconstruction_matrix_longdouble},
+     projection_reconstruction_matrix_float_split, FUSED_VERSION(projection_reconstruction_matrix_float_fused),
+     projection_reconstruction_matrix_double_split, FUSED_VERSION(projection_reconstruction_matrix_double_fused),
+     projection_reconstruction_matrix_longdouble_split, NULL},
     {"projection_reconstruction_matrix_from_mu", "(3),(2)->(3,3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
-     projection_reconstruction_matrix_from_mu_float, projection_reconstruction_matrix_from_mu_double, projection_reconstruction_matrix_from_mu_longdouble},
+     projection_reconstruction_matrix_from_mu_float_split, FUSED_VERSION(projection_reconstruction_matrix_from_mu_float_fused),
+     projection_reconstruction_matrix_from_mu_double_split, FUSED_VERSION(projection_reconstruction_matrix_from_mu_double_fused),
+     projection_reconstruction_matrix_from_mu_longdouble_split, NULL},
     {"space_homography", "(4)->(4,4)", 1, 1, 0,
      {{1, 1, 4}, {2, 4, 4}},
-     space_homography_float, space_homography_double, space_homography_longdouble},
+     space_homography_float_split, FUSED_VERSION(space_homography_float_fused),
+     space_homography_double_split, FUSED_VERSION(space_homography_double_fused),
+     space_homography_longdouble_split, NULL},
     {"space_map_plane", "(4),(4)->(4)", 2, 1, 0,
      {{1, 1, 4}, {1, 1, 4}, {1, 1, 4}},
-     space_map_plane_float, space_map_plane_double, space_map_plane_longdouble},
+     space_map_plane_float_split, FUSED_VERSION(space_map_plane_float_fused),
+     space_map_plane_double_split, FUSED_VERSION(space_map_plane_double_fused),
+     space_map_plane_longdouble_split, NULL},
     {"space_map_points", "(4),(3)->(3)", 2, 1, 0,
      {{1, 1, 4}, {1, 1, 3}, {1, 1, 3}},
-     space_map_points_float, space_map_points_double, space_map_points_longdouble},
+     space_map_points_float_split, FUSED_VERSION(space_map_points_float_fused),
+     space_map_points_double_split, FUSED_VERSION(space_map_points_double_fused),
+     space_map_points_longdouble_split, NULL},
     {"space_mu_from_fifth_point", "(3),(3)->(4)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 4}},
-     space_mu_from_fifth_point_float, space_mu_from_fifth_point_double, space_mu_from_fifth_point_longdouble},
+     space_mu_from_fifth_point_float_split, FUSED_VERSION(space_mu_from_fifth_point_float_fused),
+     space_mu_from_fifth_point_double_split, FUSED_VERSION(space_mu_from_fifth_point_double_fused),
+     space_mu_from_fifth_point_longdouble_split, NULL},
 };
 
 enum { KERNELS = sizeof kernels / sizeof kernels[0], TYPES = 3 };
@@ -369,12 +606,15 @@ static int execute(PyObject *module)
     if (_import_array() < 0 || _import_umath() < 0) {
         return -1;
     }
+#ifdef FUSED
+    fused_is_available = FUSED_IS_AVAILABLE;
+#endif
     for (int place = 0; place < KERNELS; place++) {
         if (add_ufunc(module, place) < 0) {
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "01583d97bd64ad7d");
+    return PyModule_AddStringConstant(module, "DIGEST", "38d31d84e8ecdd3b");
 }
 
 static PyModuleDef_Slot slots[] = {

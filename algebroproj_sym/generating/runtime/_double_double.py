@@ -19,7 +19,17 @@ import numpy as np
 
 from ._namespace import namespace
 
-__all__ = ["DoubleDouble", "Unrounded", "chosen", "rounded", "splitter_of", "two_product", "two_sum", "wide"]
+__all__ = [
+    "DoubleDouble",
+    "Unrounded",
+    "chosen",
+    "product_error",
+    "rounded",
+    "splitter_of",
+    "two_product",
+    "two_sum",
+    "wide",
+]
 
 Number: TypeAlias = Any
 
@@ -162,10 +172,21 @@ def two_product(a: Number, b: Number) -> tuple[Number, Number]:
     (1.0000000018626451, 8.673617379884035e-19)
     """
     product = a * b
+    return product, product_error(a, b, product)
+
+
+def product_error(a: Number, b: Number, product: Number) -> Number:
+    """Return what the rounded product of two numbers is short of the exact one.
+
+    >>> product_error(1.0 + 2.0**-30, 1.0 + 2.0**-30, 1.0000000018626451)
+    8.673617379884035e-19
+    """
+    if hasattr(product, "product_error"):
+        return product.product_error(a, b)
     splitter = splitter_of(product)
     a_high, a_low = _halves(a, splitter)
     b_high, b_low = _halves(b, splitter)
-    return product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
+    return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
 
 
 def _halves(number: Number, splitter: int) -> tuple[Number, Number]:
@@ -187,8 +208,6 @@ def splitter_of(value: Number) -> Number:
     """
     if isinstance(value, float):
         return _DOUBLE
-    if hasattr(value, "splitter"):
-        return value.splitter
     return _splitter_of_dtype(namespace([value]), value.dtype) if hasattr(value, "dtype") else 1
 
 

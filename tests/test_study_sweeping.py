@@ -73,7 +73,7 @@ def reference(tmp_path_factory):
 
 def test_the_whole_is_what_one_chunk_would_be(reference):
     dataset, _ = reference
-    at_once = computed(study(), np.arange(95), 4, {"scale": 2.0, "unit": "m"})
+    at_once = computed(chunk, np.arange(95), 4, {"scale": 2.0, "unit": "m"})
     xarray.testing.assert_equal(dataset, at_once.drop_indexes(MEMBER))
     assert dataset[MEMBER].values.tolist() == list(range(95))
     assert {name: dataset[name].attrs["units"] for name in ("length", "step", "even")} == {
@@ -197,7 +197,7 @@ def test_chunks_with_different_units_do_not_become_one_dataset(tmp_path):
 
 def test_a_study_that_gives_other_members_is_an_error():
     with pytest.raises(RuntimeError, match="expected the members 0 to 4 in order"):
-        computed(study(others), np.arange(5), 0, {"scale": 1.0})
+        computed(others, np.arange(5), 0, {"scale": 1.0})
 
 
 COMMAND = (sys.executable, "-m", "algebroproj_sym")

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass
 from pathlib import Path
@@ -151,14 +151,16 @@ def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iter
     """
     if executor is None:
         for chunk in missing(sweep):
-            yield keep(sweep, chunk, computed(sweep.study, sweep.indices(chunk), sweep.seed, dict(sweep.options)))
+            yield keep(sweep, chunk, computed(sweep.study.chunk, sweep.indices(chunk), sweep.seed, dict(sweep.options)))
         return
     waiting = iter(missing(sweep))
     running: dict[Future[xarray.Dataset], int] = {}
     try:
         while True:
             for chunk in _next(waiting, window - len(running)):
-                task = executor.submit(computed, sweep.study, sweep.indices(chunk), sweep.seed, dict(sweep.options))
+                task = executor.submit(
+                    computed, sweep.study.chunk, sweep.indices(chunk), sweep.seed, dict(sweep.options)
+                )
                 running[task] = chunk
             if not running:
                 return
@@ -170,17 +172,19 @@ def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iter
             task.cancel()
 
 
-def computed(study: Study, indices: Indices, seed: int, options: Mapping[str, Any]) -> xarray.Dataset:
-    """Compute some members of a study, wherever this is called.
+def computed(
+    chunk: Callable[..., xarray.Dataset], indices: Indices, seed: int, options: Mapping[str, Any]
+) -> xarray.Dataset:
+    """Compute some members of a study by its function, wherever this is called.
 
     Raises
     ------
     RuntimeError
-        If the study gives other members than it was asked for.
+        If the function gives other members than it was asked for.
     """
-    dataset = study.chunk(indices, seed, **options)
+    dataset = chunk(indices, seed, **options)
     if MEMBER not in dataset.coords or not np.array_equal(dataset[MEMBER].values, indices):
-        raise RuntimeError(f"{study.name}: expected the members {indices[0]} to {indices[-1]} in order, got others")
+        raise RuntimeError(f"study: expected the members {indices[0]} to {indices[-1]} in order, got others")
     return dataset
 
 

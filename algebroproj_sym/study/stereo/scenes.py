@@ -115,10 +115,10 @@ def images(scene: Scene, *, wide: bool = False) -> Any:
 
     Notes
     -----
-    With barycentric coordinates b of a point and c of a center, the ray has the direction of the sum of
-    (c3 bi - b3 ci) (Gi - C) for i = 0, 1, 2; where it meets the image plane, these coefficients are multiplied by the
-    distances di of Gi along the optical axis.  There is no division but by their sum, and no exception where a center
-    lies in a plane of basic points other than that of G0, G1 and G2.
+    With ai = Gi - C the ray to a point P has the coefficients det(P - C, aj, ak) in the directions ai, for cyclic i, j,
+    k and but for one factor; where it meets the image plane, these are multiplied by the distances of Gi along the
+    optical axis.  There is no division but by their sum: no exception where a center lies in a plane of basic points
+    other than that of G0, G1 and G2, or where all points are coplanar.
 
     Examples
     --------
@@ -129,18 +129,42 @@ def images(scene: Scene, *, wide: bool = False) -> Any:
     [Fraction(1, 1), Fraction(1, 1)]
     """
     points, centers, normals = (np.asarray(part) for part in (scene.points, scene.centers, scene.normals))
-    basic = points[..., None, None, :BASIC, :]
-    center, normal = centers[..., :, None, :], normals[..., :, None, :]
-    b = _barycentric(affine(points[..., None, :, :], basic, wide=wide))
-    c = _barycentric(affine(center, basic, wide=wide))
-    normal_entries, center_entries = components(normal, wide=wide), components(center, wide=wide)
-    scaled = []
-    for i in range(BASIC - 1):
-        arm = [g - o for g, o in zip(components(basic[..., i, :], wide=wide), center_entries, strict=True)]
-        depth = normal_entries[0] * arm[0] + normal_entries[1] * arm[1] + normal_entries[2] * arm[2]
-        scaled.append((c[3] * b[i] - b[3] * c[i]) * depth)
-    total = scaled[0] + scaled[1] + scaled[2]
-    return together([scaled[1] / total, scaled[2] / total])
+    center, axis = (components(part[..., :, None, :], wide=wide) for part in (centers, normals))
+    arms = [_less(components(points[..., None, None, i, :], wide=wide), center) for i in range(3)]
+    rays = _less(components(points[..., None, :, :], wide=wide), center)
+    weights = [
+        _dot(rays, _cross(arms[j], arms[k])) * _dot(arms[i], axis) for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+    ]
+    total = weights[0] + weights[1] + weights[2]
+    return together([weights[1] / total, weights[2] / total])
+
+
+def pictures(scene: Scene) -> Numbers:
+    """Return rectangular image coordinates for the principal distance 1, float64.
+
+    Parameters
+    ----------
+    scene : Scene
+        Or a batch of scenes.
+
+    Returns
+    -------
+    ndarray of float64, shape (..., 2, n, 2)
+        Referred to the principal points; the plane of the first axis and the optical axis contains that of space.
+
+    Examples
+    --------
+    >>> pictures(Scene(np.array([[1.0, 2.0, 0.0]]), np.array([[0.0, 0, 4], [1, 0, 4]]), np.ones((2, 3)) * [0, 0, 1]))
+    array([[[0.25, 0.5 ]],
+    <BLANKLINE>
+           [[0.  , 0.5 ]]])
+    """
+    axis = scene.normals / np.linalg.norm(scene.normals, axis=-1, keepdims=True)
+    first = np.array([1.0, 0.0, 0.0]) - axis[..., :1] * axis
+    first = first / np.linalg.norm(first, axis=-1, keepdims=True)
+    rays = scene.points[..., None, :, :] - scene.centers[..., :, None, :]
+    x, y, depth = (np.einsum("...snk,...sk->...sn", rays, each) for each in (first, np.cross(axis, first), axis))
+    return np.asarray(-np.stack([x, y], axis=-1) / depth[..., None])
 
 
 def components(value: Any, *, wide: bool = False) -> list[Any]:
@@ -159,9 +183,16 @@ def together(entries: Sequence[Any]) -> Any:
     return np.stack(np.broadcast_arrays(*entries), axis=-1)
 
 
-def _barycentric(y: Any) -> list[Any]:
-    y1, y2, y3 = components(y)
-    return [1 - y1 - y2 - y3, y1, y2, y3]
+def _less(first: list[Any], second: list[Any]) -> list[Any]:
+    return [a - b for a, b in zip(first, second, strict=True)]
+
+
+def _dot(first: list[Any], second: list[Any]) -> Any:
+    return first[0] * second[0] + first[1] * second[1] + first[2] * second[2]
+
+
+def _cross(first: list[Any], second: list[Any]) -> list[Any]:
+    return [first[j] * second[k] - first[k] * second[j] for j, k in ((1, 2), (2, 0), (0, 1))]
 
 
 def _require_basic_points(basic: Numbers) -> None:

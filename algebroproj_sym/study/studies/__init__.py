@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 from algebroproj_sym.study.declaration import Study
-from algebroproj_sym.study.studies import indicators, near_critical, normal_case, precision, propagation
+from algebroproj_sym.study.studies import (
+    example,
+    indicators,
+    layouts,
+    near_critical,
+    normal_case,
+    precision,
+    propagation,
+)
 
 STUDIES: tuple[Study, ...] = tuple(
-    module.STUDY for module in (near_critical, indicators, propagation, precision, normal_case)
+    module.STUDY for module in (near_critical, indicators, layouts, propagation, precision, normal_case, example)
 )
 
 __all__ = ["STUDIES"]

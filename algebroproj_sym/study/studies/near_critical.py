@@ -17,12 +17,15 @@ from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.reductions import Joint, joint
 from algebroproj_sym.study.sampling import uniform
+from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits
 from algebroproj_sym.study.stereo.aerial import aerial
+from algebroproj_sym.study.stereo.drawings import map_of_lost_digits, quadric_in_space
+from algebroproj_sym.study.stereo.maps import over_image, over_plane
+from algebroproj_sym.study.stereo.quadric import critical_quadric
 from algebroproj_sym.study.stereo.scenes import Scene, affine, images
 
 Numbers = NDArray[np.float64]
 
-UNIT_ROUNDOFF = 2.0**-53
 DISTANCES, STEPS = 3, 12
 MOVED = 7
 """The point that is moved towards the quadric of the others."""
@@ -33,7 +36,10 @@ ERRORS = {
     "lost_images": "by rounding the images alone",
     "lost_epipoles": "in the epipoles",
 }
-X_EDGES, Y_EDGES = np.linspace(-16, 1, 69), np.linspace(-2, 20, 441)
+X_EDGES, Y_EDGES = np.linspace(-16, 1, 69), np.linspace(-2, 20, 221)
+TYPICAL = 3
+"""Seed of the stereo pair that is drawn."""
+
 FITTED = -12.0, -2.0
 """Range of log10(distance) of the regression lines: where neither the geometry at large nor full loss plays a part."""
 
@@ -112,51 +118,39 @@ def _members(scene: Scene) -> dict[str, NDArray[Any]]:
     value = algebroproj.dd(algebroproj.critical.algebraic_distance)(form, y).hi
     _, gradient = _surface(form.hi, scene.points[:, MOVED], scene.points[:, :4])
 
-    exact = images(scene, wide=True)
-    rounded = exact.hi[:, :, 3:]
-    z_true = algebroproj.dd(correlation.correlation_from_cameras)(*_cameras(scene))
-    scale = DoubleDouble(z_true.hi[:, 1:2, 0:1], z_true.lo[:, 1:2, 0:1])
-    z_true = z_true / scale
-    z_rounded = algebroproj.dd(correlation.correlation_matrix)(rounded[:, 0], rounded[:, 1])
-    z = correlation.correlation_matrix(rounded[:, 0], rounded[:, 1])
+    u = images(scene, wide=True).hi[:, :, 3:]
+    true = algebroproj.dd(correlation.correlation_from_cameras)(*_cameras(scene))
+    of_rounded_images = algebroproj.dd(correlation.correlation_matrix)(u[:, 0], u[:, 1])
+    found = correlation.correlation_matrix(u[:, 0], u[:, 1])
+    epipoles = zip(correlation.epipoles(found), algebroproj.dd(correlation.epipoles)(true), strict=True)
 
-    rows = correlation.system(rounded[:, 0], rounded[:, 1])[0]
+    rows = correlation.system(u[:, 0], u[:, 1])[0]
     rows = np.nan_to_num(rows / np.linalg.norm(rows, axis=-1, keepdims=True))
     return {
         "distance": np.abs(value) / np.linalg.norm(gradient, axis=-1),
         "smallest": np.linalg.svd(rows, compute_uv=False)[:, -1],
         "ruled": np.linalg.det(form.hi) >= 0,
-        "lost_total": _lost(_difference(DoubleDouble(z), z_true), z_true),
-        "lost_arithmetic": _lost(_difference(DoubleDouble(z), z_rounded), z_rounded),
-        "lost_images": _lost(_difference(z_rounded, z_true), z_true),
-        "lost_epipoles": _digits(_angle(correlation.epipoles(z), algebroproj.dd(correlation.epipoles)(z_true))),
+        "lost_total": lost_digits(_error(found, true)),
+        "lost_arithmetic": lost_digits(_error(found, of_rounded_images)),
+        "lost_images": lost_digits(_error(of_rounded_images, true)),
+        "lost_epipoles": lost_digits(np.max([_angle(*both) for both in epipoles], axis=0)),
     }
 
 
-def _difference(first: DoubleDouble, second: DoubleDouble) -> Numbers:
-    return np.asarray((first - second).hi)
+def _error(found: Any, reference: DoubleDouble) -> Numbers:
+    """Return by how much matrices of correlation are wrong."""
+    flat = DoubleDouble(found.hi.reshape(-1, 9), found.lo.reshape(-1, 9)) if _is_wide(found) else found.reshape(-1, 9)
+    return error_up_to_scale(flat, DoubleDouble(reference.hi.reshape(-1, 9), reference.lo.reshape(-1, 9)))
 
 
-def _lost(difference: Numbers, reference: DoubleDouble) -> Numbers:
-    """Return how many digits a matrix has lost: log10 of its relative error in units of the roundoff."""
-    return _digits(np.abs(difference).max(axis=(-2, -1)) / np.abs(reference.hi).max(axis=(-2, -1)))
+def _is_wide(number: Any) -> bool:
+    return isinstance(number, DoubleDouble)
 
 
-def _digits(relative: Numbers) -> Numbers:
-    digits: Numbers = np.log10(np.maximum(relative / UNIT_ROUNDOFF, 2.0**-4))
-    return digits
-
-
-def _angle(epipoles: tuple[Numbers, Numbers], reference: tuple[DoubleDouble, DoubleDouble]) -> Numbers:
-    """Return the larger of the two angles by which the directions (1, u1, u2) of the epipoles are wrong."""
-    angles = []
-    for found, true in zip(epipoles, reference, strict=True):
-        change = _difference(DoubleDouble(found), true)
-        direction = np.insert(true.hi, 0, 1.0, axis=-1)
-        across = np.cross(direction, np.insert(change, 0, 0.0, axis=-1))
-        lengths = np.linalg.norm(direction, axis=-1) * np.linalg.norm(np.insert(found, 0, 1.0, axis=-1), axis=-1)
-        angles.append(np.linalg.norm(across, axis=-1) / lengths)
-    return np.asarray(np.max(angles, axis=0))
+def _angle(found: Numbers, reference: DoubleDouble) -> Numbers:
+    """Return by how much the directions (1, u1, u2) of epipoles are wrong."""
+    true = DoubleDouble(np.insert(reference.hi, 0, 1.0, axis=-1), np.insert(reference.lo, 0, 0.0, axis=-1))
+    return error_up_to_scale(np.insert(found, 0, 1.0, axis=-1), true)
 
 
 def counted(dataset: xarray.Dataset) -> dict[str, Joint]:
@@ -187,7 +181,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
     """Draw the digits lost against the distance from the critical quadric."""
     distributions = counted(dataset)
     with style():
-        drawing = figure(PAGE, 3.3)
+        drawing = figure(PAGE, 3.6)
         left, right = drawing.subplots(1, 2, sharey=True)
         x = (X_EDGES[1:] + X_EDGES[:-1]) / 2
         total = distributions["lost_total"]
@@ -195,20 +189,35 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
         mesh = left.pcolormesh(10.0**X_EDGES, Y_EDGES, shown, norm="log", rasterized=True)
         for probability, median in zip((0.05, 0.5, 0.95), total.quantiles([0.05, 0.5, 0.95]), strict=True):
             left.plot(10.0**x, median, color=INK, lw=1.4 if probability == 0.5 else 0.8, ls=DASHES[probability != 0.5])
-        drawing.colorbar(mesh, ax=left, label="stereo pairs per cell", pad=0.02)
+        drawing.colorbar(mesh, ax=left, label="stereo pairs per cell", pad=0.02, location="bottom", aspect=40)
         left.set(title="Z from images rounded to float64", ylabel="decimal digits lost")
-        for place, (name, distribution) in enumerate(distributions.items()):
-            right.plot(
-                10.0**x, distribution.quantiles([0.5])[0], color=COLOURS[place], ls=DASHES[place], label=ERRORS[name]
-            )
+        for place, (name, about) in enumerate(ERRORS.items()):
+            median = distributions[name].quantiles([0.5])[0]
+            width = 3.0 if name == "lost_total" else 1.4
+            right.plot(10.0**x, median, color=COLOURS[(0, 1, 5, 3)[place]], ls=DASHES[place], lw=width, label=about)
         right.set(title="medians")
-        right.legend(loc="lower left")
+        right.legend(loc="upper right")
         for axes in (left, right):
             axes.axhline(-np.log10(UNIT_ROUNDOFF), color=GREY, lw=0.8, ls=":")
-            axes.set(xscale="log", xlabel="distance from the critical quadric [half width of the model]")
+            axes.set(xscale="log", xlabel="distance from the critical quadric [half widths]")
             axes.set(xlim=(1e-15, 1.0), ylim=(-1.5, 18))
-        left.text(2e-15, 16.3, "all digits of float64", color=GREY, fontsize=7)
-    return {"digits-against-distance": drawing}
+        left.text(0.5, 16.3, "all digits of float64", color=GREY, fontsize=7, ha="right")
+    return {"digits-against-distance": drawing} | _typical()
+
+
+def _typical() -> dict[str, Figure]:
+    """Draw the critical quadric of one stereo pair, and its maps over the ground and over the left image."""
+    batch = aerial(TYPICAL, [0])
+    scene = Scene(batch.points[0], batch.centers[0], batch.normals[0])
+    form = critical_quadric(scene.points[:MOVED], scene.centers)
+    ground = over_plane(scene, [0, 0, 0], [1.5, 0, 0], [0, 1.5, 0])
+    ground = ground.assign_coords(s=1.5 * ground.s, t=1.5 * ground.t)
+    seen = over_image(scene, 0.0, reach=0.6)
+    return {
+        "quadric": quadric_in_space(Scene(scene.points[:MOVED], scene.centers, scene.normals), form),
+        "map-of-the-ground": map_of_lost_digits(ground, "eighth point on the ground, $x_3 = 0$", "$x_1$", "$x_2$"),
+        "map-of-the-image": map_of_lost_digits(seen, "eighth point in the left image", "$x$", "$y$"),
+    }
 
 
 STUDY = Study(

@@ -203,6 +203,13 @@ def test_entries_may_be_exact_fractions(a):
     assert determinant(Matrix([[a, 1], [1, a]])) == a**2 - 1
 
 
+@given(squares)
+def test_a_matrix_equals_that_of_sympy_and_has_its_hash(matrix):
+    other = sympy.ImmutableDenseMatrix(*matrix.shape, matrix.flat())
+    assert matrix == other
+    assert hash(matrix) == hash(other)
+
+
 sparse = st.sampled_from([0, 0, 1, -2, x, x + y, over(x, y), 3 * z, sympy.Rational(2, 3)])
 shapes = st.tuples(st.integers(0, 4), st.integers(0, 4), st.integers(0, 4))
 

@@ -31,6 +31,10 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
     Matrix([[nan]])
     """
 
+    def __hash__(self) -> int:
+        """Return the hash of SymPy's matrix, to which this one is equal."""
+        return hash((sympy.ImmutableDenseMatrix.__name__, *self._hashable_content()))
+
     def _eval_matrix_mul(self, other: Any) -> Any:
         parts = {*self.flat(), *other.flat()}
         if all(part.is_Rational for part in parts) or any(map(_has_infinity, parts)):

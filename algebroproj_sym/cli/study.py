@@ -125,8 +125,8 @@ def _run(
     drawings = figures.save(study.figures(dataset), out / "figures")
     write_texts({"report.txt": text}, out)
     console().print(text.rstrip("\n"), markup=False)
-    files = [sweep.result, *drawings]
-    console().print(f"written to {out}: {', '.join(path.relative_to(out).as_posix() for path in files)}, report.txt")
+    names = sorted({path.stem for path in drawings})
+    console().print(f"written to {out}: {sweep.result.name}, report.txt, figures ({', '.join(names)})")
 
 
 def _compute(sweep: Sweep, executor: Executor | None, workers: int) -> None:

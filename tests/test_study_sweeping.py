@@ -32,6 +32,7 @@ def chunk(indices, seed, *, scale, unit="m"):
             "axis": variable(["place", MEMBER], np.stack([indices, -indices]), "1"),
             "even": variable([MEMBER], indices % 2 == 0),
             "step": variable(["place"], [1.5, 2.5], "m"),
+            "none": variable(["nothing"], np.empty(0)),
         },
         coords={MEMBER: indices},
     )

@@ -68,6 +68,8 @@ def _command(study: Study) -> click.Command:
 
 def _parameter(option: Option) -> click.Option:
     kind: Any = click.Choice(option.type) if isinstance(option.type, tuple) else option.type
+    if option.type is Path:
+        kind = click.Path(exists=True, dir_okay=False, path_type=Path)
     flags = f"--{option.name.replace('_', '-')}"
     return click.Option([flags, option.name], type=kind, default=option.default, show_default=True, help=option.help)
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from algebroproj_sym.study.declaration import Study
-from algebroproj_sym.study.studies import example, indicators, layouts, near_critical, propagation
+from algebroproj_sym.study.studies import example, indicators, layouts, near_critical, propagation, scene
 
 STUDIES: tuple[Study, ...] = tuple(
-    module.STUDY for module in (near_critical, indicators, layouts, propagation, example)
+    module.STUDY for module in (near_critical, indicators, layouts, propagation, example, scene)
 )
 
 __all__ = ["STUDIES"]

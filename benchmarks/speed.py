@@ -1,14 +1,15 @@
 """Time of the generated functions beside that of other ways to evaluate the same formulas, in one run.
 
-Run with ``python benchmarks/speed.py [N ...]``; what is not installed is left out, and said.  All take turns in every
-round, and the quartiles, over the rounds, of the ratio to the compiled function are printed: what the machine does
-besides then hits all of them alike.
+Run with ``python benchmarks/speed.py [N ...]``; what is not installed is left out, and said on standard error.  All
+take turns in every round, and the quartiles, over the rounds, of the ratio to the compiled function are printed as
+tables in Markdown: what the machine does besides then hits all of them alike.  It is processor time, of all threads.
 """
 
 from __future__ import annotations
 
 import ctypes
 import importlib
+import inspect
 import subprocess
 import sys
 import tempfile
@@ -16,7 +17,7 @@ import time
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
-from statistics import quantiles
+from statistics import median, quantiles
 from typing import Any
 
 import numpy as np
@@ -38,6 +39,10 @@ KERNELS = (
 )
 POINTS = (100, 10_000, 1_000_000)
 ROUNDS = 15
+FEWER_ROUNDS = 5
+MANY = 100_000
+"""From so many points on there are fewer rounds, and nothing that takes the same time for each point."""
+
 LEAST_SECONDS = 0.002
 
 DEKKER = """
@@ -59,44 +64,54 @@ def main() -> None:
     """Print a table for each number of points."""
     points = [int(argument) for argument in sys.argv[1:]] or POINTS
     chosen = [lower(kernel) for kernel in kernels() if kernel.qualified_name in KERNELS]
-    print(f"backend {algebroproj.backend()}; ratios of times to it: quartiles of {ROUNDS} rounds")
     for number in points:
-        for lowered in chosen:
-            report(lowered, number)
+        times = {lowered.kernel.qualified_name: measured(lowered, number) for lowered in chosen}
+        print(f"\nN = {number}, backend {algebroproj.backend()}:\n\n{table(times, number)}", flush=True)
 
 
-def report(lowered: Lowered, points: int) -> None:
-    """Print the ratios for one function."""
-    kernel = lowered.kernel
-    arguments = [
-        np.random.default_rng(seed).uniform(0.1, 0.9, (points, *a.shape)) for seed, a in enumerate(kernel.arguments)
-    ]
-    runs = dict(contestants(lowered, arguments))
-    times = interleaved(runs)
-    base = times["compiled" if "compiled" in times else "numpy"]
-    print(f"\n{kernel.qualified_name}, N = {points}: {1e9 * min(base) / points:.1f} ns a point")
-    for name, measured in times.items():
-        low, median, high = quantiles([t / b for t, b in zip(measured, base, strict=True)], n=4)
-        print(f"  {name:<20} {median:8.2f}  ({low:.2f} to {high:.2f})")
+def measured(lowered: Lowered, points: int) -> dict[str, list[float]]:
+    """Return the seconds of each contestant in each round."""
+    shapes = [argument.shape for argument in lowered.kernel.arguments]
+    arguments = [np.random.default_rng(seed).uniform(0.1, 0.9, (points, *s)) for seed, s in enumerate(shapes)]
+    return interleaved(dict(contestants(lowered, arguments)), ROUNDS if points < MANY else FEWER_ROUNDS)
 
 
-def interleaved(runs: dict[str, Run]) -> dict[str, list[float]]:
+def table(times: dict[str, dict[str, list[float]]], points: int) -> str:
+    """Return the ratios to the first contestant of each function: a row for each contestant."""
+    names = dict.fromkeys(name for measured in times.values() for name in measured)
+    heads = ["", *times]
+    lines = [heads, ["---"] * len(heads)]
+    bases = {function: next(iter(measured.values())) for function, measured in times.items()}
+    lines.append(["ns a point", *(f"{1e9 * median(base) / points:.1f}" for base in bases.values())])
+    for name in names:
+        measured = [(each.get(name), bases[function]) for function, each in times.items()]
+        lines.append([name, *("" if taken is None else ratio(taken, base) for taken, base in measured)])
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def ratio(times: list[float], base: list[float]) -> str:
+    """Return the median and the quartiles of ratios."""
+    low, middle, high = quantiles([time / of_base for time, of_base in zip(times, base, strict=True)], n=4)
+    return f"{middle:.2f} ({low:.2f} to {high:.2f})"
+
+
+def interleaved(runs: dict[str, Run], rounds: int) -> dict[str, list[float]]:
     """Return the seconds of each run in each round."""
     repeats = {name: max(1, round(LEAST_SECONDS / once(run, 1))) for name, run in runs.items()}
     times: dict[str, list[float]] = {name: [] for name in runs}
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         for name, run in runs.items():
             times[name].append(once(run, repeats[name]))
     return times
 
 
 def once(run: Run, repeats: int) -> float:
-    """Return the seconds that a run takes, in the mean of some repetitions after a first one that is not counted."""
+    """Return the processor time of a run, in the mean of some repetitions after one that is not counted."""
     run()
-    start = time.perf_counter()
+    start = time.process_time()
     for _ in range(repeats):
         run()
-    return (time.perf_counter() - start) / repeats
+    return (time.process_time() - start) / repeats
 
 
 def contestants(lowered: Lowered, arguments: list[np.ndarray]) -> Iterator[tuple[str, Run]]:
@@ -106,9 +121,13 @@ def contestants(lowered: Lowered, arguments: list[np.ndarray]) -> Iterator[tuple
     if algebroproj.backend() == "compiled":
         yield "compiled", partial(function, *arguments)
     yield "numpy", partial(without_twin(function), *arguments)
+    if len(arguments[0]) < MANY:
+        yield "dd", partial(algebroproj.dd(function), *arguments)
+        yield "bounds", partial(algebroproj.bounds(function), *arguments)
     result = function(*arguments)
     yield "memory copy", partial(copied, arguments, result, [a.copy() for a in arguments], result.copy())
     if any(stage.primitive != "let" for stage in kernel.stages):
+        yield "lambdify, LAPACK", with_lapack(kernel, arguments)
         return
     yield "C loop", c_loop(lowered.program, arguments, kernel)
     yield "C loop, plain", c_loop(lowered.plain, arguments, kernel)
@@ -117,7 +136,7 @@ def contestants(lowered: Lowered, arguments: list[np.ndarray]) -> Iterator[tuple
         try:
             yield name, make(kernel, columns)
         except ImportError as error:
-            print(f"  {name}: left out, {error}")
+            print(f"{name}: left out, {error}", file=sys.stderr)
 
 
 def copied(sources: list[np.ndarray], result: np.ndarray, targets: list[np.ndarray], target: np.ndarray) -> None:
@@ -181,6 +200,19 @@ def lambdified(cse: bool, kernel: Kernel, columns: Columns) -> Run:
     return partial(sympy.lambdify(symbols, expressions, "numpy", cse=cse), *columns)
 
 
+def with_lapack(kernel: Kernel, arguments: list[np.ndarray]) -> Run:
+    """Let SymPy print the linear system, and LAPACK solve it, for all points at once."""
+    (system,) = (stage.derived for stage in kernel.stages if stage.primitive == "solve")
+    assemble = sympy.lambdify(list(kernel.symbols), [divided(entry) for entry in entries(system)], "numpy", cse=True)
+    columns = [column for a in arguments for column in a.reshape(len(a), -1).T]
+
+    def run() -> np.ndarray:
+        rows = np.stack(np.broadcast_arrays(*assemble(*columns)), axis=-1).reshape(-1, *system.shape)
+        return np.linalg.solve(rows[..., :-1], rows[..., -1:])
+
+    return run
+
+
 def with_numexpr(kernel: Kernel, columns: Columns) -> Run:
     """Let numexpr evaluate entry by entry."""
     numexpr = importlib.import_module("numexpr")
@@ -191,10 +223,16 @@ def with_numexpr(kernel: Kernel, columns: Columns) -> Run:
 
 
 def with_numba(kernel: Kernel, columns: Columns) -> Run:
-    """Let numba compile what lambdify prints."""
+    """Let numba compile what lambdify prints, and a loop around it."""
     numba = importlib.import_module("numba")
     symbols, expressions = formula(kernel)
-    return partial(numba.njit(sympy.lambdify(symbols, tuple(expressions), "math", cse=True)), *columns)
+    names = {"point": numba.njit(sympy.lambdify(symbols, tuple(expressions), "math", cse=True))}
+    given = ", ".join(symbol.name for symbol in symbols)
+    of_point = ", ".join(f"{symbol.name}[i]" for symbol in symbols)
+    entries = ", ".join(f"out[i, {place}]" for place in range(len(expressions)))
+    exec(f"def loop(out, {given}):\n    for i in range(len(out)):\n        ({entries},) = point({of_point})", names)
+    loop = numba.njit(names["loop"])
+    return lambda: loop(np.empty((len(columns[0]), len(expressions))), *columns)
 
 
 def with_symengine(kernel: Kernel, columns: Columns) -> Run:
@@ -227,6 +265,39 @@ def with_casadi(kernel: Kernel, columns: Columns) -> Run:
     return lambda: function(*rows)
 
 
+def with_wrenfold(kernel: Kernel, columns: Columns) -> Run:
+    """Let wrenfold print a NumPy function."""
+    wrenfold = importlib.import_module("wrenfold")
+    symbols, expressions = formula(kernel)
+    evaluate = sympy.lambdify(symbols, expressions, "math")
+    names = [symbol.name for symbol in symbols]
+
+    def described(**values: Any) -> list[Any]:
+        entries = evaluate(*(values[name] for name in names))
+        constants = wrenfold.sym.integer
+        results = [constants(entry) if isinstance(entry, int) else entry for entry in entries]
+        return [wrenfold.OutputArg(result, f"entry_{place}") for place, result in enumerate(results)]
+
+    scalar = inspect.Parameter.POSITIONAL_OR_KEYWORD
+    parameters = [inspect.Parameter(name, scalar, annotation=wrenfold.FloatScalar) for name in names]
+    described.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    described.__annotations__ = dict.fromkeys(names, wrenfold.FloatScalar)
+    function, _ = wrenfold.generate_python(described, wrenfold.PythonGenerator())
+    return partial(function, *columns)
+
+
+def with_symforce(kernel: Kernel, columns: Columns) -> Run:
+    """Let SymForce share subexpressions, and print a NumPy function."""
+    symforce = importlib.import_module("symforce.symbolic")
+    symbols, expressions = formula(kernel)
+    shared, reduced = symforce.cse([symforce.sympify(expression) for expression in expressions])
+    lines = [f"{name} = {value}" for name, value in shared]
+    names: dict[str, Any] = {}
+    head = f"def function({', '.join(symbol.name for symbol in symbols)}):"
+    exec("\n    ".join([head, *lines, f"return [{', '.join(map(str, reduced))}]"]), names)
+    return partial(names["function"], *columns)
+
+
 PEERS: dict[str, Callable[[Kernel, Columns], Run]] = {
     "lambdify": partial(lambdified, False),
     "lambdify, cse": partial(lambdified, True),
@@ -235,6 +306,8 @@ PEERS: dict[str, Callable[[Kernel, Columns], Run]] = {
     "symengine": with_symengine,
     "jax": with_jax,
     "casadi": with_casadi,
+    "symforce": with_symforce,
+    "wrenfold": with_wrenfold,
 }
 
 

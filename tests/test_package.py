@@ -3,6 +3,7 @@
 import ast
 import sys
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 import sympy
@@ -10,7 +11,7 @@ import sympy
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import drivers, kernels
 from algebroproj_sym.expressions import over, vector
-from algebroproj_sym.generating import PACKAGE, drift, lower, render, write
+from algebroproj_sym.generating import PACKAGE, Measured, drift, lower, recorded_errors, render, write
 from algebroproj_sym.generating.package import LONGEST_FACTOR, runtime_modules
 
 SHARED = {
@@ -18,12 +19,13 @@ SHARED = {
     *("_compiled.c", "_kernels.h", "_loops.h"),
     *(path.name for path in runtime_modules()),
 }
+MEASURED = recorded_errors(Path(__file__).resolve().parent.parent / "generated" / "accuracy.json")
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
 
 
 @pytest.fixture(scope="module")
 def rendered(lowered):
-    return render([lowered(kernel.qualified_name) for kernel in kernels()], drivers())
+    return render([lowered(kernel.qualified_name) for kernel in kernels()], drivers(), MEASURED)
 
 
 @pytest.fixture
@@ -77,7 +79,7 @@ def test_every_function_is_exported(rendered):
 
 
 def test_rendering_twice_gives_the_same_text(rendered, lowered):
-    assert render([lowered(kernel.qualified_name) for kernel in kernels()], drivers()) == rendered
+    assert render([lowered(kernel.qualified_name) for kernel in kernels()], drivers(), MEASURED) == rendered
 
 
 def test_the_order_of_the_kernels_of_other_modules_does_not_matter(files):
@@ -229,3 +231,25 @@ def test_drift_does_not_mind_compiled_files(files, tmp_path):
 def test_the_example_of_a_docstring_is_its_result(files):
     docstring = ast.get_docstring(functions_of(files["first.py"])[0])
     assert ">>> double(0.5, [0.25]).round(6).tolist()\n[0.5, 0.75]" in docstring
+
+
+def test_docstrings_tell_the_errors_that_are_recorded(rendered):
+    assert len(MEASURED) == len(kernels())
+    for kernel in kernels():
+        body = rendered[f"{kernel.module}.py"]
+        assert MEASURED[kernel.qualified_name].sentence(False)[:50] in " ".join(body.split()), kernel.qualified_name
+
+
+def test_without_a_record_docstrings_tell_no_errors(files, tmp_path):
+    assert "Measured error" not in files["second.py"]
+    assert recorded_errors(tmp_path / "accuracy.json") == {}
+    known = {"second.half": Measured(7, 0.25, 0.5, 1.0)}
+    text = render([lower(kernel("second.half"))], measured=known)["second.py"]
+    assert "0.25 ULP in the median and 0.5 ULP at most (7 samples" in text
+
+
+@pytest.mark.parametrize("text", ["[]", "{}", '{"functions": [{"function": "f"}]}', "{"])
+def test_what_is_no_record_of_errors_is_refused(text, tmp_path):
+    (tmp_path / "accuracy.json").write_text(text, encoding="utf-8")
+    with pytest.raises(ValueError, match="expected a record of errors"):
+        recorded_errors(tmp_path / "accuracy.json")

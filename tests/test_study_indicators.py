@@ -12,7 +12,7 @@ from algebroproj_sym.study.precision import apply, arb, float64, lift, rational
 from algebroproj_sym.study.stereo.chain import images
 from algebroproj_sym.study.stereo.configurations import BASIC, critical_quadric, near_critical, ordinary
 from algebroproj_sym.study.stereo.indicators import diagnosis, eight_point_matrix, indicators
-from algebroproj_sym.study.stereo.rounding import bound_of_correlation
+from algebroproj_sym.study.stereo.rounding import bound_of_correlation, bound_of_epipoles
 
 
 def test_the_critical_quadric_goes_through_centers_and_points():
@@ -95,6 +95,33 @@ def test_no_images_within_the_bounds_break_the_bound(size):
                 if bound[place] > 0:
                     tight = max(tight, float(distance) / bound[place])
     assert tight > 0.3
+
+
+@pytest.mark.parametrize("size", [2.0**-53, 1e-9, 1e-5])
+def test_no_images_within_the_bounds_turn_an_epipole_farther(size):
+    scene = near_critical(40, seed=10, farthest=1e-1, nearest=1e-6)
+    left, right = (u[0] for u in images(float64(), scene))
+    off = size * abs(left), size * abs(right)
+    bounds = bound_of_epipoles(left, right, *off)
+    assert np.isfinite(bounds).mean() > 0.1
+    computed = correlation.epipoles(correlation.correlation_matrix(left, right))
+    generator, tight = np.random.default_rng(2), 0.0
+    balls = arb(300)
+    for kind in range(8):
+        signs = [generator.choice([-1.0, 1.0], u.shape) if kind else np.zeros(u.shape) for u in off]
+        with flint.ctx.workprec(300):
+            moved = [lift(balls, u) + lift(balls, s * o) for u, s, o in zip((left, right), signs, off, strict=True)]
+            exact = apply(balls, correlation.epipoles, apply(balls, correlation.correlation_matrix, *moved))
+            for bound, epipole, true in zip(bounds, computed, exact, strict=True):
+                for k in np.flatnonzero(np.isfinite(bound)):
+                    a = [flint.arb(1), *(flint.arb(float(x)) for x in epipole[k])]
+                    b = [flint.arb(1), *true[0, k]]
+                    cross = [a[i] * b[j] - a[j] * b[i] for i, j in ((1, 2), (2, 0), (0, 1))]
+                    lengths = [sum((x * x for x in v), flint.arb(0)).sqrt() for v in (a, b, cross)]
+                    angle = (lengths[2] / lengths[0] / lengths[1]).asin()
+                    assert angle <= flint.arb(float(bound[k]))
+                    tight = max(tight, float(angle) / bound[k])
+    assert tight > 0.2
 
 
 def test_the_bound_is_the_mixed_condition_to_first_order():

@@ -20,7 +20,7 @@ from algebroproj_sym.cli.steps import (
 )
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels, select
-from algebroproj_sym.generating import render, write
+from algebroproj_sym.generating import measured_errors, render, write
 from algebroproj_sym.reporting import (
     findings,
     ledger,
@@ -61,7 +61,9 @@ def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engin
     require_room(files, out / package, sources)
     write(files, out / package)
     verifications = verified(lowered, out, samples, engine, jobs, package)
-    write_json(verification_record(verifications), out / "accuracy.json")
+    record = verification_record(verifications)
+    write_json(record, out / "accuracy.json")
+    write(render(lowered, drivers(sources), measured_errors(record)), out / package)
     write_text(report(judgements, lowered, verifications), out / "report.md")
     console().print(verification_table(verifications))
     console().print(f"written to {out}: ledger.json, findings.md, {package}/, accuracy.json, report.md")

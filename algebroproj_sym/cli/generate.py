@@ -10,7 +10,7 @@ from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels, require_room
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels
-from algebroproj_sym.generating import drift, render, write
+from algebroproj_sym.generating import drift, recorded_errors, render, write
 from algebroproj_sym.reporting import operations_table
 
 
@@ -26,7 +26,11 @@ from algebroproj_sym.reporting import operations_table
 def generate(sources: tuple[str, ...], out: Path, package: str, only_check: bool, engine: str, jobs: int) -> None:
     """Lower the kernels and write the package NAME to DIR/NAME."""
     lowered = lowered_kernels(kernels((), sources), sources, engine, jobs)
-    files = render(lowered, drivers(sources))
+    try:
+        measured = recorded_errors(out / "accuracy.json")
+    except ValueError as error:
+        raise click.ClickException(str(error)) from error
+    files = render(lowered, drivers(sources), measured)
     folder = out / package
     changed = drift(files, folder)
     if only_check and changed:

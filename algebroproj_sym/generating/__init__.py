@@ -8,6 +8,7 @@ package (all files).  runtime has what the generated package brings along.
 from algebroproj_sym.generating.c_source import c_files, c_name, is_compiled
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.lowering import Lowered, LoweringError, lower
+from algebroproj_sym.generating.measured import Measured, measured_errors, recorded_errors
 from algebroproj_sym.generating.operation_counts import OperationCounts, operation_counts
 from algebroproj_sym.generating.package import PACKAGE, drift, render, superfluous, write
 from algebroproj_sym.generating.program import Call, Program, Step, run
@@ -17,6 +18,7 @@ __all__ = [
     "Call",
     "Lowered",
     "LoweringError",
+    "Measured",
     "OperationCounts",
     "Program",
     "Step",
@@ -26,7 +28,9 @@ __all__ = [
     "drift",
     "is_compiled",
     "lower",
+    "measured_errors",
     "operation_counts",
+    "recorded_errors",
     "render",
     "run",
     "superfluous",

@@ -63,6 +63,8 @@ def plane_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
 
     Operations: 4 (4 -); the derived expression as written takes 4.
 
+    Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+
     Examples
     --------
     >>> plane_frame([[-0.0451870, -0.6343754], [0.0202372, 0.8297962], [0.9728948, -0.4654293]]).round(6).tolist()
@@ -124,7 +126,9 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     g01*g20 + g10*g21 - g11*g20``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 17 (9 -, 6 *, 2 /); the derived expression as written takes 30.
-    With double-double operations for sums that may cancel: 154.
+    With double-double operations for sums that may cancel: 154, 6 of them errors of products.
+
+    Measured error in float64: 0.387 ULP in the median and 1.96 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -211,6 +215,8 @@ def space_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
 
     Operations: 9 (9 -); the derived expression as written takes 9.
 
+    Measured error in float64: 0.0193 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+
     Examples
     --------
     >>> space_frame([[292.50, 202.50, 120.00], [577.50, 2295.00, 91.50], [1537.50, 480.00, 772.50], [435.00, 900.00, 990.00]]).round(6).tolist()
@@ -289,7 +295,9 @@ def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     of 24 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 54 (8 +, 18 -, 24 *, 3 /, 1 neg); the derived expression as written takes 177.
-    With double-double operations for sums that may cancel: 579.
+    With double-double operations for sums that may cancel: 579, 24 of them errors of products.
+
+    Measured error in float64: 0.383 ULP in the median and 1.53 ULP at most (150 samples, near singularities too).
 
     Examples
     --------

@@ -97,7 +97,9 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     Zo*c_omega*c_phi``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
-    With double-double operations for sums that may cancel: 1160.
+    With double-double operations for sums that may cancel: 1160, 61 of them errors of products.
+
+    Measured error in float64: 0.329 ULP in the median and 1.71 ULP at most (100 samples, near singularities too).
 
     Examples
     --------
@@ -203,7 +205,9 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 20 (9 +, 9 *, 2 /); the derived expression as written takes 26.
-    With double-double operations for sums that may cancel: 164.
+    With double-double operations for sums that may cancel: 164, 9 of them errors of products.
+
+    Measured error in float64: 0.322 ULP in the median and 1.92 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -297,7 +301,9 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 42 (9 +, 15 *, 12 /, 6 neg); the derived expression as written takes 146.
-    With double-double operations for sums that may cancel: 186.
+    With double-double operations for sums that may cancel: 186, 9 of them errors of products.
+
+    Measured error in float64: 0.393 ULP in the median and 2.95 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -381,7 +387,9 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 67 (9 +, 18 -, 34 *, 6 /); the derived expression as written takes 138.
-    With double-double operations for sums that may cancel: 821.
+    With double-double operations for sums that may cancel: 821, 40 of them errors of products.
+
+    Measured error in float64: 0.25 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -466,7 +474,9 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 27 (12 +, 12 *, 3 /); the derived expression as written takes 39.
-    With double-double operations for sums that may cancel: 219.
+    With double-double operations for sums that may cancel: 219, 12 of them errors of products.
+
+    Measured error in float64: 0.373 ULP in the median and 1.94 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -554,7 +564,9 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     Polynomial: no input is singular.
 
     Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.
-    With double-double operations for sums that may cancel: 1612.
+    With double-double operations for sums that may cancel: 1612, 90 of them errors of products.
+
+    Measured error in float64: 0.218 ULP in the median and 0.492 ULP at most (100 samples, near singularities too).
 
     Examples
     --------
@@ -649,7 +661,9 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     of 36 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 120 (17 +, 33 -, 67 *, 3 /); the derived expression as written takes 252.
-    With double-double operations for sums that may cancel: 1320.
+    With double-double operations for sums that may cancel: 1320, 67 of them errors of products.
+
+    Measured error in float64: 0.38 ULP in the median and 9.61 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -804,7 +818,9 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     d44**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 321 (54 +, 82 -, 182 *, 3 /); the derived expression as written takes 329.
-    With double-double operations for sums that may cancel: 3860.
+    With double-double operations for sums that may cancel: 3860, 185 of them errors of products.
+
+    Measured error in float64: 0.249 ULP in the median and 0.497 ULP at most (100 samples, near singularities too).
 
     Examples
     --------
@@ -979,7 +995,9 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (1 -, 6 *, 3 /); the derived expression as written takes 18.
-    With double-double operations for sums that may cancel: 31.
+    With double-double operations for sums that may cancel: 31, 2 of them errors of products.
+
+    Measured error in float64: 0.412 ULP in the median and 2.36 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -1055,7 +1073,9 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     No input is singular.
 
     Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.
-    With double-double operations for sums that may cancel: 445.
+    With double-double operations for sums that may cancel: 445, 26 of them errors of products.
+
+    Measured error in float64: 0.233 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
 
     Examples
     --------

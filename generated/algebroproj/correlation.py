@@ -67,6 +67,8 @@ def design_row(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | Non
 
     Operations: 7 (3 -, 4 *); the derived expression as written takes 7.
 
+    Measured error in float64: 0.252 ULP in the median and 1.18 ULP at most (100 samples, near singularities too).
+
     Examples
     --------
     >>> design_row([0.625, 0.125], [0.65, 0.1]).round(6).tolist()
@@ -119,6 +121,8 @@ def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = Non
     Polynomial: no input is singular.
 
     Operations: 1 (1 -); the derived expression as written takes 1.
+
+    Measured error in float64: 0.22 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
 
     Examples
     --------
@@ -174,7 +178,9 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    With double-double operations for sums that may cancel: 96.
+    With double-double operations for sums that may cancel: 96, 6 of them errors of products.
+
+    Measured error in float64: 0.262 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
 
     Examples
     --------
@@ -235,7 +241,9 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    With double-double operations for sums that may cancel: 96.
+    With double-double operations for sums that may cancel: 96, 6 of them errors of products.
+
+    Measured error in float64: 0.252 ULP in the median and 0.498 ULP at most (100 samples, near singularities too).
 
     Examples
     --------
@@ -313,7 +321,9 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     mupp2*mupp3*upp31``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 71 (3 +, 17 -, 41 *, 8 /, 2 neg); the derived expression as written takes 2900.
-    With double-double operations for sums that may cancel: 777.
+    With double-double operations for sums that may cancel: 777, 49 of them errors of products.
+
+    Measured error in float64: 0.246 ULP in the median and 0.68 ULP at most (250 samples, near singularities too).
 
     Examples
     --------
@@ -438,6 +448,8 @@ def system(u_left: ArrayLike, u_right: ArrayLike, *, out: tuple[NDArray[Any], ND
 
     Operations: 40 (20 -, 20 *); the derived expression as written takes 40.
 
+    Measured error in float64: 0.25 ULP in the median and 1.33 ULP at most (100 samples, near singularities too).
+
     Examples
     --------
     >>> [result.round(6).tolist() for result in system([[0.2718578, 0.0577379], [0.6355182, 0.1372296], [0.3708332, 0.6469605], [0.6721215, 0.8655064], [0.9987487, 0.8349783]], [[0.3094497, -0.2327183], [0.6442013, 0.1043779], [0.3638478, 0.7763496], [0.6670692, 1.0009998], [1.0056120, 0.6733497]])]
@@ -513,7 +525,10 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
     arbitrarily large.
 
     Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.
-    With double-double operations for sums that may cancel: 225.
+    With double-double operations for sums that may cancel: 225, 20 of them errors of products.
+
+    Measured error in float64: 0.36 ULP in the median and 0.173 times what rounding the arguments changes at most
+    (150 samples, near singularities too).
 
     Examples
     --------
@@ -594,7 +609,10 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: ND
     arbitrarily large.
 
     Operations: 33 (32 *, 1 null_vector); the derived expression as written takes 32.
-    With double-double operations for sums that may cancel: 65.
+    With double-double operations for sums that may cancel: 65, 32 of them errors of products.
+
+    Measured error in float64: 0.217 ULP in the median and 0.0805 times what rounding the arguments changes at most
+    (100 samples, near singularities too).
 
     Examples
     --------
@@ -666,7 +684,9 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
     values are given by the function `hypotheses` of this package.
 
     Operations: 19 (5 -, 10 *, 4 /); the derived expression as written takes 28.
-    With double-double operations for sums that may cancel: 124.
+    With double-double operations for sums that may cancel: 124, 10 of them errors of products.
+
+    Measured error in float64: 0.361 ULP in the median and 1.82 ULP at most (150 samples, near singularities too).
 
     Examples
     --------

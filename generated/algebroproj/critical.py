@@ -57,7 +57,9 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | No
     Polynomial: no input is singular.
 
     Operations: 159 (13 +, 51 -, 95 *); the derived expression as written takes 3184.
-    With double-double operations for sums that may cancel: 1910.
+    With double-double operations for sums that may cancel: 1910, 95 of them errors of products.
+
+    Measured error in float64: 0.273 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
 
     Examples
     --------
@@ -155,7 +157,9 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None =
     Polynomial: no input is singular.
 
     Operations: 30 (15 +, 15 *); the derived expression as written takes 30.
-    With double-double operations for sums that may cancel: 303.
+    With double-double operations for sums that may cancel: 303, 15 of them errors of products.
+
+    Measured error in float64: 0.299 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
 
     Examples
     --------
@@ -234,7 +238,9 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     Polynomial: no input is singular.
 
     Operations: 854 (126 +, 213 -, 498 *, 6 /, 11 neg); the derived expression as written takes 99702.
-    With double-double operations for sums that may cancel: 11264.
+    With double-double operations for sums that may cancel: 11264, 496 of them errors of products.
+
+    Measured error in float64: 0.251 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
 
     Examples
     --------
@@ -495,7 +501,9 @@ def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = 
     Polynomial: no input is singular.
 
     Operations: 104 (19 +, 27 -, 55 *, 3 neg); the derived expression as written takes 191.
-    With double-double operations for sums that may cancel: 1148.
+    With double-double operations for sums that may cancel: 1148, 55 of them errors of products.
+
+    Measured error in float64: 0.25 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
 
     Examples
     --------

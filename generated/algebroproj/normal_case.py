@@ -67,6 +67,8 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
     Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
     With double-double operations for sums that may cancel: 38.
 
+    Measured error in float64: 0.474 ULP in the median and 2.1 ULP at most (300 samples, near singularities too).
+
     Examples
     --------
     >>> tau([0.2718578, 0.0577379], [0.2718578, 0.0619863]).round(6).tolist()
@@ -142,7 +144,9 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 28 (4 +, 4 -, 8 *, 8 /, 4 neg); the derived expression as written takes 198.
-    With double-double operations for sums that may cancel: 408.
+    With double-double operations for sums that may cancel: 408, 16 of them errors of products.
+
+    Measured error in float64: 0.253 ULP in the median and 0.5 ULP at most (300 samples, near singularities too).
 
     Examples
     --------
@@ -227,6 +231,8 @@ def transform(tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
 
     Operations: 2 (2 -); the derived expression as written takes 2.
 
+    Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+
     Examples
     --------
     >>> transform([1.0063775, 1.0804274]).round(6).tolist()
@@ -282,7 +288,9 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (2 +, 2 -, 4 *, 2 /); the derived expression as written takes 16.
-    With double-double operations for sums that may cancel: 58.
+    With double-double operations for sums that may cancel: 58, 2 of them errors of products.
+
+    Measured error in float64: 0.322 ULP in the median and 1.4 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -372,7 +380,9 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     given by the function `hypotheses` of this package.
 
     Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
-    With double-double operations for sums that may cancel: 492.
+    With double-double operations for sums that may cancel: 492, 28 of them errors of products.
+
+    Measured error in float64: 0.191 ULP in the median and 3.77 ULP at most (500 samples, near singularities too).
 
     Examples
     --------
@@ -474,7 +484,9 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     of this package.
 
     Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
-    With double-double operations for sums that may cancel: 86.
+    With double-double operations for sums that may cancel: 86, 3 of them errors of products.
+
+    Measured error in float64: 0.447 ULP in the median and 2.32 ULP at most (250 samples, near singularities too).
 
     Examples
     --------
@@ -558,7 +570,9 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
-    With double-double operations for sums that may cancel: 491.
+    With double-double operations for sums that may cancel: 491, 25 of them errors of products.
+
+    Measured error in float64: 0.258 ULP in the median and 0.5 ULP at most (350 samples, near singularities too).
 
     Examples
     --------
@@ -649,6 +663,8 @@ def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDA
 
     Operations: 10 (1 +, 2 *, 4 /, 3 neg); the derived expression as written takes 11.
 
+    Measured error in float64: 0.267 ULP in the median and 1.65 ULP at most (300 samples, near singularities too).
+
     Examples
     --------
     >>> [result.round(6).tolist() for result in from_correlation([[0, -0.975, -0.125], [1, -0.025, 0.075], [0.125, -0.083333, 0]])]
@@ -722,6 +738,9 @@ def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) ->
     given by the function `hypotheses` of this package.
 
     Operations: 3 (2 -, 1 /); the derived expression as written takes 3.
+
+    Measured error in float64: 0.000924 ULP in the median and 1.39 ULP at most (150 samples, near singularities
+    too).
 
     Examples
     --------

@@ -73,6 +73,8 @@ def lens_matrix(f: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
 
     Operations: 0 (none); the derived expression as written takes 0.
 
+    Measured error in float64: 0.0 ULP in the median and 0.0 ULP at most (100 samples, near singularities too).
+
     Examples
     --------
     >>> lens_matrix(0.15).round(6).tolist()
@@ -129,6 +131,8 @@ def image_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) 
     given by the function `hypotheses` of this package.
 
     Operations: 5 (1 +, 3 *, 1 /); the derived expression as written takes 9.
+
+    Measured error in float64: 0.356 ULP in the median and 1.36 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -199,6 +203,8 @@ def object_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None)
 
     Operations: 5 (1 -, 3 *, 1 /); the derived expression as written takes 9.
 
+    Measured error in float64: 0.359 ULP in the median and 1.82 ULP at most (150 samples, near singularities too).
+
     Examples
     --------
     >>> object_point(0.15, [-0.06, 0.0375, 0.175]).round(6).tolist()
@@ -264,6 +270,8 @@ def scale(f: ArrayLike, x3: ArrayLike, *, out: NDArray[Any] | None = None) -> ND
     by the function `hypotheses` of this package.
 
     Operations: 2 (1 +, 1 /); the derived expression as written takes 2.
+
+    Measured error in float64: 0.28 ULP in the median and 1.05 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -335,6 +343,8 @@ def plane_homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArr
 
     Operations: 2 (2 -); the derived expression as written takes 2.
 
+    Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+
     Examples
     --------
     >>> plane_homography([1, 0.75, 1.25]).round(6).tolist()
@@ -390,7 +400,9 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = 
     mu2*u2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 9 (2 +, 2 -, 3 *, 2 /); the derived expression as written takes 16.
-    With double-double operations for sums that may cancel: 69.
+    With double-double operations for sums that may cancel: 69, 3 of them errors of products.
+
+    Measured error in float64: 0.324 ULP in the median and 1.38 ULP at most (150 samples, near singularities too).
 
     Examples
     --------
@@ -458,6 +470,8 @@ def vanishing_line(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray
     Polynomial: no input is singular.
 
     Operations: 2 (2 -); the derived expression as written takes 2.
+
+    Measured error in float64: 0.000109 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
 
     Examples
     --------

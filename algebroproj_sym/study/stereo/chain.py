@@ -248,6 +248,7 @@ def normal(
     chain: Chain,
     transformation: Literal["centers", "correlation"],
     y_a: ArrayLike = AXIS_POINT,
+    u_n31: ArrayLike | None = None,
 ) -> NormalCase:
     """Transform the images to a normal case, and reconstruct the model from it.
 
@@ -264,6 +265,9 @@ def normal(
         the correlation matrix alone (section 3.3).
     y_a : array_like, shape (..., 3)
         The point assumed on the epipolar axis.
+    u_n31 : array_like, shape (...), optional
+        The first coordinate of the fourth basic point in the left image of the normal case, which the first
+        transformation may choose; by default that of the left image.
 
     Returns
     -------
@@ -287,7 +291,8 @@ def normal(
     u3_left = both.left[..., 0, :]
     if transformation == "centers":
         centers = chain.center_left, chain.center_right
-        _, n3_left, n3_right = apply(arithmetic, normal_case.from_orientation, axis, *centers, u3_left)
+        chosen = u3_left if u_n31 is None else _with_first(arithmetic, u3_left, u_n31)
+        _, n3_left, n3_right = apply(arithmetic, normal_case.from_orientation, axis, *centers, chosen)
         tau_left = apply(arithmetic, normal_case.tau, u3_left, n3_left)
         tau_right = apply(arithmetic, normal_case.tau, both.right[..., 0, :], n3_right)
         left, right = (_mapped(arithmetic, tau, u) for tau, u in ((tau_left, both.left), (tau_right, both.right)))
@@ -304,6 +309,13 @@ def normal(
         raise ValueError(f"normal: expected the transformation centers or correlation, got {transformation!r}")
     model = _model(arithmetic, left, right, mu_left, n3_left, mu_right, n3_right)
     return NormalCase(tau_left, tau_right, left, right, model)
+
+
+def _with_first(arithmetic: Arithmetic, u3: Numbers, first: ArrayLike) -> Numbers:
+    """Return points with another first coordinate."""
+    lifted = lift(arithmetic, first)
+    lifted = lifted.reshape(lifted.shape[0], *(1,) * (u3.ndim - 1 - lifted.ndim), *lifted.shape[1:])
+    return np.stack([np.broadcast_to(lifted, u3[..., 0].shape), u3[..., 1]], axis=-1)
 
 
 def _mapped(arithmetic: Arithmetic, tau: Numbers, u: Numbers) -> Numbers:

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from algebroproj import correlation, critical
 from algebroproj_sym.study.conditioning import condition_numbers, smallest_singular_values
-from algebroproj_sym.study.precision import apply, float64, float64_balls, lift, nearest, radius
+from algebroproj_sym.study.precision import apply, float64
 from algebroproj_sym.study.stereo.chain import CORRELATION_POINTS, Configuration, Images, images
 from algebroproj_sym.study.stereo.configurations import critical_quadric
-from algebroproj_sym.study.stereo.rounding import bound_of_correlation
+from algebroproj_sym.study.stereo.rounding import bound_of_correlation, bound_of_epipoles
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
 __all__ = ["Indicators", "diagnosis", "eight_point_matrix", "indicators"]
@@ -203,21 +203,9 @@ def _turned(epipole: Array, derivatives: Array) -> Array:
 
 def _bounds(left: Array, right: Array) -> tuple[Array, Array]:
     """Return guaranteed bounds for all images that round to the given ones, in units of roundoff."""
-    Z, bound = bound_of_correlation(left, right, abs(left) * UNIT, abs(right) * UNIT)  # noqa: N806 - the papers' name
+    off = abs(left) * UNIT, abs(right) * UNIT
+    Z, bound = bound_of_correlation(left, right, *off)  # noqa: N806 - the papers' name
     size, error = abs(Z).max(axis=(-2, -1)), bound.max(axis=(-2, -1))
-    bounded = np.isfinite(bound).all(axis=(-2, -1), keepdims=True)
-    balls = float64_balls()
-    lifted = lift(balls, np.where(bounded, Z, 0.0), np.where(bounded, bound, 0.0))
-    angles = [_angle(nearest(balls, e).hi, radius(balls, e)) for e in apply(balls, correlation.epipoles, lifted)]
     with np.errstate(all="ignore"):
-        return np.where(error < size, error / (size - error), np.inf) / UNIT, np.maximum(*angles) / UNIT
-
-
-def _angle(epipole: Array, off: Array) -> Array:
-    """Bound the angle between two directions (1, u) whose u differ by no more than so much.
-
-    The sine of the angle is at most the distance of the ends over the length of either.
-    """
-    with np.errstate(all="ignore"):
-        sine = np.linalg.norm(off, axis=-1) / np.sqrt(1 + (epipole**2).sum(axis=-1)) * (1 + 8 * UNIT)
-        return np.where(sine < 1, np.arcsin(np.minimum(sine, 1)) * (1 + 8 * UNIT), np.inf)
+        relative = np.where(error < size, error / (size - error), np.inf)
+    return relative / UNIT, np.maximum(*bound_of_epipoles(left, right, *off)) / UNIT

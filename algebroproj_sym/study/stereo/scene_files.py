@@ -1,9 +1,9 @@
 """Scenes of one's own, in TOML files: coordinates with their units.
 
 The tables ``[points]`` and ``[centers]`` have a ``unit`` of length and a triple of coordinates for each name.  The
-first four points are the basic points G0 to G3, the fourth to the eighth determine the correlation, and further ones are
-candidates for an exchange; the centers are ``left`` and ``right``.  A table ``[axes]`` may give the directions of the
-optical axes, which are vertical otherwise.
+first four points are the basic points G0 to G3, the fourth to the eighth determine the correlation, and further ones
+are candidates for an exchange; the centers are ``left`` and ``right``.  A table ``[axes]`` may give the directions of
+the optical axes, which are vertical otherwise.
 """
 
 from __future__ import annotations

@@ -249,8 +249,8 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
             shown = ("nu", "Z") if output == "z" else ("nu_epipole", words)
             for place, number in enumerate((shown[0], f"{output}_rho")):
                 axes.loglog(
-                    dataset[number],
-                    np.maximum(dataset[f"{output}_ends"], 1e-5),
+                    dataset[number].values,
+                    np.maximum(dataset[f"{output}_ends"].values, 1e-5),
                     ls="none",
                     marker="ox"[place],
                     ms=2.2,

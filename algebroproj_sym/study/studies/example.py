@@ -129,6 +129,7 @@ def chunk(indices: Indices, seed: int, *, decimals: int, **axis: float) -> xarra
     return xarray.Dataset(data, coords={MEMBER: indices})
 
 
+@cache
 def _unrounded(point: tuple[float, float, float]) -> Chain:
     exact = images(example().scene, wide=True)
     both = np.stack([exact.hi, exact.lo])[:, :, FIRST:]

@@ -595,3 +595,13 @@ def test_a_system_that_is_not_triangular_has_counterexamples_too():
     proof = prove(x + y, 7, constraints=conics, witness={x: 3, y: 4})
     assert proof.verdict == "refuted"
     assert sum(proof.counterexample.values()) == -7
+
+
+@each_engine
+def test_a_witness_refutes_with_other_values_of_what_it_leaves_free(engine):
+    vanishing = sympy.Mul(*(x - k for k in range(-5, 6)))
+    proof = prove(vanishing, 0, constraints=ORTHOGONAL, witness=TURNED, engine=engine)
+    assert proof.verdict == "refuted"
+    point = {s: sympy.Rational(str(value)) for s, value in proof.counterexample.items()}
+    assert all(constraint.subs(point) == 0 for constraint in ORTHOGONAL)
+    assert vanishing.subs(point) != 0

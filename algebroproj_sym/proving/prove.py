@@ -176,14 +176,18 @@ class _Question:
         return [point for point in self._given_witness() if self.differs_at(point) is not None]
 
     def _given_witness(self) -> Iterator[Point]:
-        if self.witness is None:
-            return
-        filling = next(rational_points(self.symbols, self.seed))
-        point = filling | {symbol: _exact(value) for symbol, value in self.witness.items()}
-        for constraint in self.constraints:
-            if not _vanishes(constraint, point):
-                raise ValueError(f"witness: expected a point with {constraint} = 0, got {dict(self.witness)}")
-        yield point
+        for point in islice(self.fillings(), 1):
+            for constraint in self.constraints:
+                if not _vanishes(constraint, point):
+                    raise ValueError(f"witness: expected a point with {constraint} = 0, got {dict(self.witness or {})}")
+            yield point
+
+    def fillings(self) -> Iterator[Point]:
+        """Points with the coordinates of the given witness, if there is one; the others are random."""
+        if self.witness is not None:
+            given = {symbol: _exact(value) for symbol, value in self.witness.items()}
+            for filling in rational_points(self.symbols, self.seed):
+                yield filling | given
 
 
 def _exact(value: Any) -> Fraction:
@@ -198,6 +202,10 @@ def _vanishes(constraint: sympy.Expr, point: Point) -> bool:
         return bool(evaluate(constraint, point)[0] == 0)
     except ZeroDivisionError:
         return False
+
+
+def _is_on(constraints: Sequence[sympy.Expr], point: Point) -> bool:
+    return all(_vanishes(constraint, point) for constraint in constraints)
 
 
 def _prove_identity(question: _Question) -> Proof:
@@ -302,7 +310,8 @@ def _first_difference(question: _Question, tries: int) -> Point | None:
 def _refuted_further(question: _Question, field: RationalFunctionField, reason: str) -> Proof:
     """Look for a counterexample among more points, and on constraints that are not triangular."""
     zeros = rational_zeros(question.constraints, question.symbols, question.seed, FURTHER_POINTS)
-    points = chain(islice(question.points(), SEARCH_POINTS), zeros)
+    fillings = (point for point in islice(question.fillings(), FURTHER_POINTS) if _is_on(question.constraints, point))
+    points = chain(islice(question.points(), SEARCH_POINTS), fillings, zeros)
     refuting = next(filter(question.differs_at, points), None)
     return _open(question, field, reason) if refuting is None else _refuted(question, refuting)
 

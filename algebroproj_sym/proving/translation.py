@@ -73,8 +73,8 @@ def frame_of(polynomials: Sequence[Any], context: Any) -> Frame:
     >>> context = flint.fmpq_mpoly_ctx.get(("x", "y", "z"), flint.Ordering.degrevlex)
     >>> x, y, z = context.gens()
     >>> frame = frame_of([(x - y) ** 2 + z, x - y + 2], context)
-    >>> frame.restricted((x - y) ** 2), frame.lifted(y**2)
-    (y^2, x^2 - 2*x*y + y^2)
+    >>> frame.restricted((x - y) ** 2), frame.lifted(x**2)
+    (x^2, x^2 - 2*x*y + y^2)
     """
     if sum(map(len, polynomials)) > MOST_TERMS:
         return Frame(context, {})

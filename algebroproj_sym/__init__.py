@@ -18,7 +18,12 @@ Examples
 from __future__ import annotations
 
 import importlib
+import os
 from typing import TYPE_CHECKING, Any
+
+# How many results SymPy keeps of each operation; it reads this once, when it is imported.  Derivations need more than
+# its thousand: the same products and sums are built again and again.
+os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")
 
 if TYPE_CHECKING:
     from algebroproj_sym.declaring import Section

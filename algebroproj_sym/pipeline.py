@@ -7,13 +7,25 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from dataclasses import dataclass
 from functools import partial
 from multiprocessing import active_children, get_context
 from pathlib import Path
 from typing import TypeVar
 
-from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, judge, numbered_with
+from algebroproj_sym.declaring import (
+    Claim,
+    Derivation,
+    Judgement,
+    Kernel,
+    Outline,
+    derivations_in,
+    judge,
+    needed_by,
+    numbered_with,
+    outline,
+)
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
@@ -75,6 +87,68 @@ def check(
         if memory:
             memory.keep(proved)
         yield proved
+
+
+@dataclass(frozen=True)
+class CheckedModule:
+    """A derivation module, imported and judged.
+
+    Attributes
+    ----------
+    outlines : tuple of Outline
+        What must fit the other modules.
+    judgements : tuple of Judgement
+        Of its claims, in order.
+    derived : tuple of Expression or None
+        What is derived in lowest terms, claim by claim, if that was asked for.
+    """
+
+    outlines: tuple[Outline, ...]
+    judgements: tuple[Judgement, ...]
+    derived: tuple[Expression | None, ...]
+
+
+def check_modules(
+    names: Sequence[str], engine: str, jobs: int, memory: Memory, *, reduce: bool = False
+) -> Iterator[CheckedModule]:
+    """Import derivation modules and judge their claims where they are imported, in worker processes.
+
+    Importing is half of the work.  A worker that is free is given the module for which it has least to import.
+
+    Parameters
+    ----------
+    names : sequence of str
+        The modules.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
+    jobs : int
+        How many processes.
+    memory : Memory
+        What earlier runs have proved.
+    reduce : bool
+        Whether to write also what is derived in lowest terms.
+
+    Yields
+    ------
+    CheckedModule
+        In the order of the names.
+    """
+    held: list[set[str]] = [set() for _ in range(jobs)]
+
+    def nearest(worker: int, pending: Sequence[str]) -> str:
+        """Return the module that needs least beside what a worker has; of several, what others have least of."""
+        others = set().union(*held[:worker], *held[worker + 1 :])
+
+        def distance(name: str) -> tuple[int, int, int]:
+            needed = needed_by(name)
+            new, foreign = needed.keys() - held[worker], needed.keys() & others
+            return sum(needed[module] for module in new), len(new) - len(needed), len(foreign)
+
+        chosen = min(pending, key=distance)
+        held[worker].update(needed_by(chosen))
+        return chosen
+
+    yield from _dealt(partial(_check_module, engine=engine, memory=memory, reduce=reduce), names, jobs, nearest)
 
 
 def derived_forms(claims: Sequence[Claim], jobs: int = 1) -> Iterator[Expression | None]:
@@ -174,6 +248,16 @@ def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Note
     return _in_processes(run_notebook, derivations, jobs)
 
 
+def _check_module(name: str, engine: str, memory: Memory, reduce: bool) -> CheckedModule:
+    sections = [derivation.section for derivation in derivations_in(name)]
+    claims = [claim for section in sections for claim in section.claims]
+    return CheckedModule(
+        tuple(map(outline, sections)),
+        tuple(check(claims, engine, memory=memory)),
+        tuple(map(derived_form, claims)) if reduce else (),
+    )
+
+
 def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine: str) -> MutatedKernel:
     return mutate_kernel(lowered, load_package(folder), limit, size, engine)
 
@@ -190,17 +274,60 @@ def _mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int
 
 
 def _in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
-    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_leave_interrupts_alone) as pool:
+    with _pool(jobs) as pool:
         futures = [pool.submit(function, task) for task in tasks]
         try:
             for future in futures:
                 yield future.result()
         except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            wait([future for future in futures if not future.cancelled()], GRACE)
-            for child in active_children():
-                child.terminate()
+            _end([pool], futures)
             raise
+
+
+def _dealt(
+    function: Callable[[Task], Result],
+    tasks: Sequence[Task],
+    jobs: int,
+    choose: Callable[[int, Sequence[Task]], Task],
+) -> Iterator[Result]:
+    """Yield results in order; each worker that is free is given the task that is chosen for it among those left."""
+    pools = [_pool(1) for _ in range(jobs)]
+    pending, running, known = list(tasks), dict[Future[Result], tuple[int, Task]](), dict[Task, Result]()
+
+    def give(worker: int) -> None:
+        if pending:
+            task = choose(worker, pending)
+            pending.remove(task)
+            running[pools[worker].submit(function, task)] = worker, task
+
+    try:
+        for worker in range(jobs):
+            give(worker)
+        for task in tasks:
+            while task not in known:
+                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                    worker, finished = running.pop(future)
+                    give(worker)
+                    known[finished] = future.result()
+            yield known.pop(task)
+    except BaseException:
+        _end(pools, list(running))
+        raise
+    finally:
+        for pool in pools:
+            pool.shutdown()
+
+
+def _pool(jobs: int) -> ProcessPoolExecutor:
+    return ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_leave_interrupts_alone)
+
+
+def _end(pools: Sequence[ProcessPoolExecutor], futures: Sequence[Future[Result]]) -> None:
+    for pool in pools:
+        pool.shutdown(wait=False, cancel_futures=True)
+    wait([future for future in futures if not future.cancelled()], GRACE)
+    for child in active_children():
+        child.terminate()
 
 
 def _leave_interrupts_alone() -> None:

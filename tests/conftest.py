@@ -1,3 +1,4 @@
+import os
 from functools import cache
 from pathlib import Path
 
@@ -19,9 +20,11 @@ def pytest_addoption(parser):
 
 @pytest.fixture(scope="session", autouse=True)
 def memory(tmp_path_factory):
-    """Begin the session with an empty memory of its own."""
+    """Begin the session with an empty memory of its own, which the workers of the session share."""
+    folder = tmp_path_factory.getbasetemp()
+    shared = folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("ALGEBROPROJ_CACHE", str(tmp_path_factory.mktemp("memory")))
+        patch.setenv("ALGEBROPROJ_CACHE", str(shared / "memory"))
         yield
 
 

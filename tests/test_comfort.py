@@ -11,7 +11,7 @@ import time
 import pytest
 from click.testing import CliRunner
 
-from algebroproj_sym.cli import main
+from algebroproj_sym.cli import main, steps
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.scaffolding import create
 
@@ -89,6 +89,12 @@ def test_the_completion_that_help_documents_works(shell):
     assert "_ALGEBROPROJ_COMPLETE" in output
 
 
+def test_an_explanation_can_be_pasted_into_a_review(wrong):
+    output = run("explain", f"{wrong}:1.2", "--format", "markdown").output
+    assert output.startswith("**(1.2)** distance of the image: **false, declared proved**\n\n$$\\frac{")
+    assert r"counterexample: $" in output
+
+
 def test_quiet_says_nothing_where_everything_is_as_declared(right):
     result = run("--quiet", "check", right)
     assert (result.exit_code, result.output) == (0, "")
@@ -138,6 +144,16 @@ def test_an_error_says_what_to_do_next(arguments, advice, right, wrong, tmp_path
     result = run(*(argument.format(**places) for argument in arguments))
     assert result.exit_code in (1, 2)
     assert advice in " ".join(result.output.split())
+
+
+@pytest.mark.parametrize(("options", "missing"), [((), "latex2mathml"), (("--notebooks",), "nbclient")])
+def test_a_report_without_what_it_needs_says_how_to_install_that(options, missing, right, tmp_path, monkeypatch):
+    monkeypatch.setattr(steps, "find_spec", lambda name: None if name == missing else name)
+    result = run("report", right, *options, "--out", tmp_path / "site")
+    assert result.exit_code == 1
+    assert missing in result.stderr
+    assert "pip install 'algebroproj-sym[report]'" in result.stderr
+    assert not (tmp_path / "site").exists()
 
 
 def test_a_build_that_is_not_as_declared_says_why_and_writes_the_ledger(wrong, tmp_path):

@@ -48,21 +48,75 @@ def refutes(item, counterexample):
 
 
 def multiplies_out(item, certificate):
-    """Whether the cofactors multiply out to a power of the claim times the multiplier, in the other engine."""
+    """Whether a certificate is right, step by step, in the other engine."""
     lhs, rhs, constraints, nonzero = read(item)
     field = RationalFunctionField(symbols_of((lhs, rhs, *constraints, *nonzero)), "sympy")
 
     def value(expression):
         return evaluate(expression, field.variables, field.lift)
 
-    claims = [a - b for a, b in zip(value(lhs), value(rhs), strict=True)]
-    tops = [RationalFunction(field, value(c)[0].numerator, ()) for c in constraints]
+    def top(expression):
+        return RationalFunction(field, value(expression)[0].numerator, ())
+
+    def read_top(text):
+        return top(parse(text))
+
+    claims = [RationalFunction(field, (a - b).numerator, ()) for a, b in zip(value(lhs), value(rhs), strict=True)]
+    zero = list(map(top, constraints))
+    units = [RationalFunction(field, polynomial, ()) for polynomial in field.factors] + list(map(top, nonzero))
+    moved = certificate.get("translations", [])
+    assert all(
+        is_translated(field, polynomial, along["along"]) for polynomial in claims + zero + units for along in moved
+    )
+    origin = field.variables | {sympy.Symbol(along["zero"]): field.lift(Fraction(0)) for along in moved}
+
+    def at_origin(polynomial):
+        return evaluate(field.expression(polynomial.numerator), origin, field.lift)[0]
+
+    def combined(texts):
+        terms = [read_top(text) * at_origin(g) for text, g in zip(texts, zero, strict=True)]
+        return sum(terms, field.lift(Fraction(0)))
+
+    def is_product_of_units(polynomial):
+        known = [factor for unit in units for factor, _ in field.irreducible(at_origin(unit).numerator)[1]]
+        factors = field.irreducible(polynomial.numerator)[1] if polynomial.numerator else [(None, 1)]
+        return all(factor in known for factor, _ in factors)
+
+    for step in certificate.get("steps", []):
+        squares = [(Fraction(weight), read_top(root)) for weight, root in step.get("squares", [])]
+        total = sum((weight * root * root for weight, root in squares), field.lift(Fraction(0)))
+        assert all(weight > 0 for weight, _ in squares)
+        if "product" in step:
+            unit, product = read_top(step["not zero"]), read_top(step["product"])
+            assert is_product_of_units(product)
+            assert (product - combined(step["cofactors"]) - read_top(step["factor"]) * unit).is_zero
+            units.append(unit)
+        elif "not zero" in step:
+            unit = read_top(step["not zero"])
+            assert (unit - total).is_zero
+            assert any(root.numerator.is_ground and root.numerator for _, root in squares)
+            units.append(unit)
+        else:
+            multiplier = read_top(step["multiplier"])
+            assert is_product_of_units(multiplier)
+            assert (multiplier * at_origin(total) - combined(step["cofactors"])).is_zero
+            assert all(is_translated(field, root, along["along"]) for _, root in squares for along in moved)
+            zero += [root for _, root in squares]
     multiplier = value(parse(certificate["multiplier"]))[0]
-    for claim, part in zip(claims, certificate["entries"], strict=True):
-        total = RationalFunction(field, claim.numerator, ()) ** part["exponent"] * multiplier ** part["power"]
-        for cofactor, top in zip(part["cofactors"], tops, strict=True):
-            total = total - value(parse(cofactor))[0] * top
-        if not total.is_zero:
+    assert is_product_of_units(multiplier)
+    return all(
+        (at_origin(claim) ** part["exponent"] * multiplier ** part["power"] - combined(part["cofactors"])).is_zero
+        for claim, part in zip(claims, certificate["entries"], strict=True)
+    )
+
+
+def is_translated(field, polynomial, along):
+    """Whether a polynomial does not change when all variables move along a direction by one, and by two."""
+    form = field.expression(polynomial.numerator)
+    for far in (1, 2):
+        steps = {sympy.Symbol(name): far * Fraction(value) for name, value in along.items()}
+        place = {symbol: value + steps.get(symbol, Fraction(0)) for symbol, value in field.variables.items()}
+        if not (evaluate(form, place, field.lift)[0] - polynomial).is_zero:
             return False
     return True
 

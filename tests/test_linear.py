@@ -201,3 +201,43 @@ def test_vectors_columns_and_rows():
 @given(st.fractions(-5, 5, max_denominator=5))
 def test_entries_may_be_exact_fractions(a):
     assert determinant(Matrix([[a, 1], [1, a]])) == a**2 - 1
+
+
+sparse = st.sampled_from([0, 0, 1, -2, x, x + y, over(x, y), 3 * z, sympy.Rational(2, 3)])
+shapes = st.tuples(st.integers(0, 4), st.integers(0, 4), st.integers(0, 4))
+
+
+def filled(draw, rows, columns, entry):
+    return Matrix(rows, columns, draw(st.lists(entry, min_size=rows * columns, max_size=rows * columns)))
+
+
+@given(st.data(), shapes)
+def test_a_product_is_letter_by_letter_that_of_sympy(data, sizes):
+    a, b, c = sizes
+    left, right = filled(data.draw, a, b, sparse), filled(data.draw, b, c, sparse)
+    product = left * right
+    assert isinstance(product, Matrix)
+    assert product == sympy.ImmutableDenseMatrix(a, b, left.flat()) * sympy.ImmutableDenseMatrix(b, c, right.flat())
+
+
+@pytest.mark.parametrize("infinite", [sympy.zoo, sympy.nan, sympy.oo * x, x + sympy.zoo * y])
+def test_zero_times_infinity_is_not_zero_in_a_product(infinite):
+    left, right = Matrix([[0, x]]), Matrix([[infinite], [y]])
+    assert left * right == Matrix([[sympy.nan]])
+    reverse = right.T * left.T
+    assert reverse == Matrix([[sympy.nan]])
+
+
+affine = st.recursive(
+    st.sampled_from([x, y, z, sympy.Integer(2), over(y, z), (y + z) ** 2, over(x, y + z), over(1, x)]),
+    lambda part: st.tuples(part, part).flatmap(lambda pair: st.sampled_from([pair[0] + pair[1], pair[0] * pair[1]])),
+    max_leaves=8,
+)
+
+
+@given(affine)
+def test_coefficients_of_unknowns_are_letter_by_letter_derivatives(expression):
+    derivative = sympy.diff(expression, x)
+    assume(x not in derivative.free_symbols)
+    matrix, _ = linear_system([expression], [x])
+    assert matrix == Matrix([[derivative]])

@@ -15,6 +15,7 @@ from algebroproj_sym.cli.mutate import mutate
 from algebroproj_sym.cli.new import new
 from algebroproj_sym.cli.replay import replay_command
 from algebroproj_sym.cli.report import report
+from algebroproj_sym.cli.study import study_group
 from algebroproj_sym.cli.verify import verify
 
 EPILOG = """
@@ -52,7 +53,7 @@ def main(context: click.Context, verbosity: str | None) -> None:
 
 
 for command in (
-    *(new, check, explain, generate, verify, build, report),
+    *(new, check, explain, generate, verify, build, report, study_group),
     *(replay_command, audit_command, export_group, mutate),
 ):
     main.add_command(command)

@@ -9,9 +9,9 @@ from pathlib import Path
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import derived, judged, require_as_declared, say_what_is_wrong
+from algebroproj_sym.cli.steps import derived, judged, judged_where_declared, require_as_declared, say_what_is_wrong
 from algebroproj_sym.cli.terminal import console, progressing, verbosity
-from algebroproj_sym.declaring import Answer, identities, select
+from algebroproj_sym.declaring import Answer, identities, installed_papers, select
 from algebroproj_sym.proving import outcomes
 from algebroproj_sym.reporting import (
     answers_record,
@@ -45,10 +45,15 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, outpu
             raise click.UsageError("expected either claims or files of identities, got both")
         _check_files(files, engine, jobs, output, seconds)
         return
-    claims = select(selectors)
-    judgements = judged(claims, engine, jobs, fresh=fresh)
+    papers = tuple(dict.fromkeys(selectors or installed_papers()))
+    if jobs > 1 and {*papers} <= {*installed_papers()}:
+        judgements = judged_where_declared(papers, engine, jobs, fresh=fresh, reduce=output == "json")
+    else:
+        claims = select(selectors)
+        judgements = judged(claims, engine, jobs, fresh=fresh)
+        if output == "json":
+            derived(claims, jobs)
     if output == "json":
-        derived(claims, jobs)
         click.echo(json.dumps(ledger(judgements), indent=1, ensure_ascii=False))
     else:
         console().print(claims_table(judgements))

@@ -7,14 +7,22 @@ import click
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console
-from algebroproj_sym.declaring import numbered_with, quotations, select, split
+from algebroproj_sym.declaring import markdown, numbered_with, quotations, select, split
 from algebroproj_sym.reporting import explanation
 
 
 @click.command()
 @click.argument("selector")
+@click.option(
+    "--format",
+    "output",
+    type=click.Choice(("text", "markdown")),
+    default="text",
+    show_default=True,
+    help="Form of the output; Markdown has its formulas in LaTeX, to be pasted into a review.",
+)
 @options.engine
-def explain(selector: str, engine: str) -> None:
+def explain(selector: str, output: str, engine: str) -> None:
     """Show what a claim prints, what is derived, the verdict, the evidence, and the functions that rest on it.
 
     A SELECTOR is that of the command check: mypaper:1.3.8, or a whole section, module or folder.
@@ -24,6 +32,9 @@ def explain(selector: str, engine: str) -> None:
     found = numbered_with((source,))
     for judgement in pipeline.check(claims, engine):
         claim = judgement.claim
+        if output == "markdown":
+            click.echo(f"{markdown(judgement)}\n")
+            continue
         kernels = [k for d in found for k in d.section.kernels if k.paper == claim.paper and claim.number in k.claims]
         derivation = next(d for d in found if claim in d.section.claims)
         quote = quotations(derivation.path.parent).quotes.get(claim.number)

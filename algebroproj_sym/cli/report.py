@@ -10,10 +10,13 @@ import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import (
+    NOTEBOOK_MODULES,
+    SITE_MODULES,
     derived,
     judged,
     lowered_after,
     require_as_declared,
+    require_modules,
     run_notebooks,
     say_what_is_wrong,
     verified,
@@ -74,6 +77,9 @@ def report(
 
     With SELECTORs, as for check, the site has the selected claims, and the functions that rest on them alone.
     """
+    require_modules(SITE_MODULES, "report")
+    if notebooks:
+        require_modules(NOTEBOOK_MODULES, "--notebooks")
     found = located(selectors)
     claims = [claim for _, claim in found]
     sources = [split(selector)[0] for selector in selectors]

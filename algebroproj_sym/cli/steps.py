@@ -10,13 +10,14 @@ import click
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli.terminal import progressing, verbosity
-from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, modules_of_papers, require_consistent
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
 from algebroproj_sym.remembering import Memory, cache_folder
 from algebroproj_sym.reporting import Notebook, failure_text, remember
 from algebroproj_sym.verifying import Verification
 
-NOTEBOOK_MODULES = ("ipykernel", "jupytext", "latex2mathml", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
+SITE_MODULES = ("latex2mathml",)
+NOTEBOOK_MODULES = ("ipykernel", "jupytext", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
 
 
 def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = True) -> list[Judgement]:
@@ -24,6 +25,22 @@ def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = Tru
     memory = Memory(cache_folder(), fresh)
     memory.forget_what_is_old()
     return list(progressing(pipeline.check(claims, engine, jobs, memory), len(claims), "checking"))
+
+
+def judged_where_declared(
+    papers: Sequence[str], engine: str, jobs: int, *, fresh: bool, reduce: bool = False
+) -> list[Judgement]:
+    """Judge all claims of installed papers in the processes that import them; `reduce` does what `derived` does."""
+    memory = Memory(cache_folder(), fresh)
+    memory.forget_what_is_old()
+    names = modules_of_papers(papers)
+    modules = pipeline.check_modules(names, engine, jobs, memory, reduce=reduce)
+    checked = list(progressing(modules, len(names), "checking modules"))
+    require_consistent([outline for module in checked for outline in module.outlines])
+    judgements = [judgement for module in checked for judgement in module.judgements]
+    if reduce:
+        remember([judgement.claim for judgement in judgements], [form for module in checked for form in module.derived])
+    return judgements
 
 
 def derived(claims: Sequence[Claim], jobs: int) -> None:
@@ -66,13 +83,17 @@ def verified(
     return list(progressing(found, len(lowered), "verifying"))
 
 
-def run_notebooks(derivations: Collection[Derivation], jobs: int) -> list[Notebook]:
-    """Run derivations as notebooks."""
-    missing = [name for name in NOTEBOOK_MODULES if find_spec(name) is None]
+def require_modules(names: Sequence[str], purpose: str) -> None:
+    """Refuse to begin what needs the extra `report` where that is not installed."""
+    missing = [name for name in names if find_spec(name) is None]
     if missing:
         raise click.ClickException(
-            f"--notebooks needs the module {missing[0]}.\nInstall it with: pip install 'algebroproj-sym[report]'"
+            f"{purpose} needs the module {missing[0]}.\nInstall it with: pip install 'algebroproj-sym[report]'"
         )
+
+
+def run_notebooks(derivations: Collection[Derivation], jobs: int) -> list[Notebook]:
+    """Run derivations as notebooks."""
     return list(progressing(pipeline.notebooks(tuple(derivations), jobs), len(derivations), "running notebooks"))
 
 

@@ -10,22 +10,28 @@ from algebroproj_sym.declaring.claim import (
     in_derived_terms,
     statement_text,
 )
+from algebroproj_sym.declaring.dependencies import needed_by
 from algebroproj_sym.declaring.difference import differing_entries
 from algebroproj_sym.declaring.discovery import (
     Derivation,
+    Outline,
     UnknownSelectorError,
     derivation_at,
     derivations,
+    derivations_in,
     derivations_of,
     drivers,
     installed_papers,
     kernels,
     located,
+    modules_of_papers,
     numbered_with,
+    outline,
+    require_consistent,
     select,
     split,
 )
-from algebroproj_sym.declaring.display import evidence_lines
+from algebroproj_sym.declaring.display import evidence_lines, markdown
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
 from algebroproj_sym.declaring.importing import BrokenModuleError, import_root, makes_section
@@ -62,6 +68,7 @@ __all__ = [
     "Judgement",
     "Kernel",
     "MalformedFileError",
+    "Outline",
     "Primitive",
     "Publication",
     "Quotations",
@@ -77,6 +84,7 @@ __all__ = [
     "cos_sin",
     "derivation_at",
     "derivations",
+    "derivations_in",
     "derivations_of",
     "differing_entries",
     "drivers",
@@ -90,10 +98,15 @@ __all__ = [
     "let",
     "located",
     "makes_section",
+    "markdown",
+    "modules_of_papers",
+    "needed_by",
     "null_vector",
     "numbered_with",
+    "outline",
     "publication",
     "quotations",
+    "require_consistent",
     "select",
     "solution",
     "split",

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import builtins
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 from functools import cache
+from keyword import iskeyword
 from typing import Any, Literal, TypeAlias, TypedDict, cast, get_args
 
 import sympy
@@ -43,6 +45,9 @@ VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
 
 _ENTRYWISE = ("identity", "identity up to scale", "identity under constraints", "structure", "limit")
+_READ_OTHERWISE = {*dir(sympy), *dir(builtins)}
+"""Names that SymPy may read as something else than a symbol."""
+
 _NUMBER = re.compile(r"(table:)?\d+[a-z]?(\.\d+)*(/[^\s/#]+)*(#[^\s/#]+)?")
 
 
@@ -135,8 +140,9 @@ class Claim:
 
     def _repr_markdown_(self) -> str:
         from algebroproj_sym.declaring.display import markdown
+        from algebroproj_sym.declaring.judging import judge
 
-        return markdown(self)
+        return markdown(judge(self))
 
 
 def declared(
@@ -279,6 +285,8 @@ def _shape(form: Statement | None) -> tuple[int, ...] | None:
 
 @cache
 def _parsed(name: str) -> Any:
+    if name.isascii() and name.isidentifier() and not iskeyword(name) and name not in _READ_OTHERWISE:
+        return sympy.Symbol(name)
     try:
         return sympy.sympify(name)
     except (sympy.SympifyError, SyntaxError, TypeError, AttributeError):

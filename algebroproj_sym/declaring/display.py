@@ -9,9 +9,9 @@ from decimal import Decimal
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, Statement, Verdict
-from algebroproj_sym.declaring.judging import Judgement, judge
-from algebroproj_sym.declaring.names import latex_names
-from algebroproj_sym.expressions import Expression, divided, size
+from algebroproj_sym.declaring.judging import Judgement
+from algebroproj_sym.declaring.latex import latex
+from algebroproj_sym.expressions import Expression, size
 from algebroproj_sym.proving import reduced
 
 LONGEST = 400
@@ -22,22 +22,22 @@ _RELATION = {"identity up to scale": r"\sim", "vanishing": r"= 0 \iff", "numeric
 _NEGATED = {"identity up to scale": r"\nsim", "vanishing": r"= 0 \nLeftrightarrow", "numeric": r"\not\approx"}
 
 
-def markdown(claim: Claim) -> str:
-    """Return the claim as Markdown with LaTeX: number, title, what is printed and derived, verdict and evidence.
+def markdown(judgement: Judgement) -> str:
+    """Return a claim as Markdown with LaTeX: number, title, what is printed and derived, verdict and evidence.
 
     Examples
     --------
-    >>> from algebroproj_sym.declaring.section import Section
+    >>> from algebroproj_sym.declaring import Section, judge
     >>> x = sympy.Symbol("x")
     >>> claim = Section("demo", "1", "Squares").identity("1.1", "square", printed=x**2, derived=x * x)
-    >>> print(markdown(claim))
+    >>> print(markdown(judge(claim)))
     **(1.1)** square: **proved**
     <BLANKLINE>
     $$x^{2} = x^{2}$$
     <BLANKLINE>
     by normal form
     """
-    judgement = judge(claim)
+    claim = judgement.claim
     paragraphs = [
         f"**({_escaped(claim.number)})** {_escaped(claim.title)}: **{_verdict(judgement)}**",
         f"$${_formula(claim, judgement.verdict)}$$",
@@ -125,8 +125,7 @@ def _latex(statement: Statement | None) -> str:
 def _expression(expression: Expression) -> str:
     if _is_long(expression):
         return rf"\text{{{_described(expression)}}}"
-    shown = divided(expression)
-    return str(sympy.latex(shown, symbol_names=latex_names(shown.free_symbols)))
+    return latex(expression)
 
 
 def _is_long(expression: Expression) -> bool:

@@ -7,11 +7,8 @@ p*_00.  Everything that shows mathematics asks here.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
-
-import sympy
 
 GREEK = {
     "alpha": "α",
@@ -126,11 +123,6 @@ def plain_name(name: str) -> str:
 def letter(word: str) -> str:
     """Return a Greek letter for its English name, and any other word as it is."""
     return GREEK.get(word, word)
-
-
-def latex_names(symbols: Iterable[sympy.Symbol]) -> dict[sympy.Symbol, str]:
-    """Return the names of symbols as `sympy.latex` takes them."""
-    return {symbol: latex_name(symbol.name) for symbol in symbols}
 
 
 def _latex_letter(word: str) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from algebroproj_sym.declaring.claim import Claim
 from algebroproj_sym.declaring.display import markdown
+from algebroproj_sym.declaring.judging import judge
 
 if TYPE_CHECKING:
     from algebroproj_sym.declaring.section import Section
@@ -54,5 +55,5 @@ def _running_shell() -> Any:
 def _publish(claim: Claim) -> None:
     from IPython.display import display
 
-    data = {"text/markdown": markdown(claim), "text/plain": f"({claim.number}) {claim.title}"}
+    data = {"text/markdown": markdown(judge(claim)), "text/plain": f"({claim.number}) {claim.title}"}
     display(data, raw=True, metadata={METADATA: {"claim": claim.number}})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -10,6 +10,8 @@ from typing import Any
 
 import flint
 import sympy
+
+_Y = sympy.Dummy("y")
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,39 @@ def has_real_root(polynomial: Any) -> bool:
     (True, False)
     """
     return bool(_sympy_poly(polynomial).count_roots())
+
+
+def roots_in_field(coefficients: Sequence[Any], minimal: Any) -> list[Any]:
+    """Return the roots of a polynomial over Q(r) that lie in Q(r).
+
+    Parameters
+    ----------
+    coefficients : sequence of flint.fmpq_poly
+        The coefficients, polynomials in r, that of the lowest power first.
+    minimal : flint.fmpq_poly
+        The irreducible polynomial of r.
+
+    Returns
+    -------
+    list of flint.fmpq_poly
+        The roots, as polynomials in r.
+
+    Examples
+    --------
+    >>> roots_in_field([flint.fmpq_poly([-2]), flint.fmpq_poly([]), flint.fmpq_poly([1])], flint.fmpq_poly([-2, 0, 1]))
+    [x, (-1)*x]
+    """
+    field = sympy.QQ.alg_field_from_poly(_sympy_poly(minimal))
+    polynomial = sympy.Poly([_element(field, coefficient) for coefficient in reversed(coefficients)], _Y, domain=field)
+    if polynomial.degree() < 1:
+        return []
+    linear = (factor.rep.to_list() for factor, _ in polynomial.factor_list()[1] if factor.degree() == 1)
+    roots = [(-constant / slope).to_list() for slope, constant in linear]
+    return [flint.fmpq_poly([flint.fmpq(int(c.numerator), int(c.denominator)) for c in root[::-1]]) for root in roots]
+
+
+def _element(field: Any, polynomial: Any) -> Any:
+    return field([sympy.QQ(int(c.p), int(c.q)) for c in reversed(polynomial.coeffs())] or [sympy.QQ(0)])
 
 
 @dataclass(frozen=True, eq=False)

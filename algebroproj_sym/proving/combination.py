@@ -20,7 +20,10 @@ MAX_EXPONENT = 12
 
 @dataclass(frozen=True)
 class Combination:
-    """``target**exponent * multiplier == sum(cofactors_i * constraint_i)``."""
+    """``target**exponent * multiplier == sum(cofactors_i * constraint_i)``, the multiplier a product of units.
+
+    Some of these may be units that the elimination has derived from the constraints.
+    """
 
     exponent: int
     multiplier: Any
@@ -74,8 +77,7 @@ class System:
         """Return a power of a polynomial, times units, as a combination of the constraints; None if none was found."""
         relation = self.elimination.relation(target)
         if relation.rest == 0:
-            multiplier, cofactors = self.elimination.discharged(target, relation.left, relation.cofactors)
-            return Combination(1, multiplier, cofactors)
+            return Combination(1, relation.left, relation.cofactors)
         if not self.members:
             return None
         for search in (self._single, self._plain, self._saturated, self._radical):
@@ -154,9 +156,7 @@ class System:
             units * c + claim.right**exponent * d
             for c, d in zip(_power_cofactors(claim, target, exponent, self._one), sums, strict=True)
         ]
-        multiplier = units * claim.left**exponent
-        multiplier, cofactors = self.elimination.discharged(target**exponent, multiplier, cofactors)
-        return Combination(exponent, multiplier, cofactors)
+        return Combination(exponent, units * claim.left**exponent, cofactors)
 
 
 def _power_cofactors(relation: Relation, target: Any, exponent: int, one: Any) -> list[Any]:

@@ -186,6 +186,15 @@ class Elimination:
             multiplier = whole**count * rest
         return multiplier, cofactors
 
+    def behind(self, product: Any) -> list[DerivedUnit]:
+        """Return the derived units that divide a product, and those that they rest on, in order."""
+        products, found = [product], list[DerivedUnit]()
+        for unit in reversed(self.derived):
+            if any(divmod(known, unit.unit)[1] == 0 for known in products):
+                products.append(unit.relation()[0])
+                found.append(unit)
+        return found[::-1]
+
     def combined(self, parts: Sequence[Any], members: Sequence[Member] | None = None) -> tuple[Any, list[Any]]:
         """Return ``(m, c)`` with ``m * sum(parts_i * members_i) == sum(c_i * constraint_i)``."""
         common = self._context.constant(1)

@@ -26,6 +26,7 @@ from algebroproj_sym.proving.thorough import Problem
 Decision = Literal["proved", "refuted", "open"]
 
 FILTER_POINTS = 3
+FILTER_POINTS_ON_CONSTRAINTS = 12
 SEARCH_POINTS = 400
 FURTHER_POINTS = 100
 SATURATION = 2
@@ -200,9 +201,9 @@ def _vanishes(constraint: sympy.Expr, point: Point) -> bool:
 
 
 def _prove_identity(question: _Question) -> Proof:
-    refuting = _first_difference(question, FILTER_POINTS)
-    if refuting is not None:
-        return _refuted(question, refuting)
+    suspicious = next(filter(question.differs_at, islice(rational_points(question.symbols, 0), FILTER_POINTS)), None)
+    if suspicious is not None:
+        return _refuted(question, _first_difference(question, SEARCH_POINTS) or suspicious)
     field, difference = _normal_form(question)
     if all(entry.is_zero for entry in difference):
         certificate = {"method": "normal form", "denominators": [text(factor) for factor in field.divisors()]}
@@ -214,20 +215,18 @@ def _prove_identity(question: _Question) -> Proof:
 
 
 def _prove_constrained(question: _Question) -> Proof:
-    refuting = _first_difference(question, SEARCH_POINTS)
+    refuting = _first_difference(question, FILTER_POINTS_ON_CONSTRAINTS)
     if refuting is not None:
         return _refuted(question, refuting)
     field, difference = _normal_form(question)
     witness = next((point for point in question.points() if question.differs_at(point) is False), None)
     if witness is None:
-        return _refuted_further(question) or _open(
-            question, field, "no point was found that satisfies constraints and hypotheses"
-        )
+        return _refuted_further(question, field, "no point was found that satisfies constraints and hypotheses")
     generators = [_numerator(field, constraint) for constraint in question.constraints]
     multiplier = _nonvanishing(field, question.nonzero)
     evidence = [_membership(field, entry, generators, multiplier) for entry in difference]
     if any(part is None for part in evidence):
-        return _refuted_further(question) or _open(question, field, "no cofactors were found")
+        return _refuted_further(question, field, "no cofactors were found")
     certificate = {
         "method": "ideal membership",
         "denominators": [text(factor) for factor in field.divisors()],
@@ -297,15 +296,15 @@ def _nonvanishing(field: RationalFunctionField, nonzero: Iterable[sympy.Expr]) -
 
 
 def _first_difference(question: _Question, tries: int) -> Point | None:
-    points = islice(question.points(), tries)
-    return next((point for point in points if question.differs_at(point)), None)
+    return next(filter(question.differs_at, islice(question.points(), tries)), None)
 
 
-def _refuted_further(question: _Question) -> Proof | None:
-    """Look for a counterexample on constraints that are not triangular."""
-    points = rational_zeros(question.constraints, question.symbols, question.seed, FURTHER_POINTS)
-    refuting = next((point for point in points if question.differs_at(point)), None)
-    return None if refuting is None else _refuted(question, refuting)
+def _refuted_further(question: _Question, field: RationalFunctionField, reason: str) -> Proof:
+    """Look for a counterexample among more points, and on constraints that are not triangular."""
+    zeros = rational_zeros(question.constraints, question.symbols, question.seed, FURTHER_POINTS)
+    points = chain(islice(question.points(), SEARCH_POINTS), zeros)
+    refuting = next(filter(question.differs_at, points), None)
+    return _open(question, field, reason) if refuting is None else _refuted(question, refuting)
 
 
 def _refuted(question: _Question, point: Point) -> Proof:

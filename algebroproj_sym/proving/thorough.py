@@ -2,14 +2,16 @@
 
 A proof is an identity ``numerator**exponent * multiplier**power == sum(c_i * g_i)``, the multiplier a product of
 what does not vanish, multiplied out again in the engine of the question, together with a real point at which
-constraints and hypotheses hold.  A refutation is a real point, rational or in Q(r) for one real root r, at which both
-sides are defined and differ.  Nothing else gives a verdict.
+constraints and hypotheses hold.  Where translations change nothing, it is an identity at the origin.  Sums of squares
+may come first: what they say over the reals is added to what is zero and what is not, a step each, with its own
+evidence.  A refutation is a real point, rational or in Q(r) for one real root r, at which both sides are defined and
+differ.  Nothing else gives a verdict.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
@@ -20,9 +22,13 @@ import flint
 import sympy
 
 from algebroproj_sym.expressions import Expression, evaluate
+from algebroproj_sym.expressions.exact import fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField
 from algebroproj_sym.proving.combination import Combination, System
+from algebroproj_sym.proving.elimination import DerivedUnit
 from algebroproj_sym.proving.rational_function import RationalFunctionField
+from algebroproj_sym.proving.squares import Positive, Zeros, real_facts
+from algebroproj_sym.proving.translation import Frame, does_not_change, frame_of
 from algebroproj_sym.proving.varieties import Value, real_points, value_at
 
 RealPoint = Mapping[sympy.Symbol, Any]
@@ -30,6 +36,7 @@ RealPoint = Mapping[sympy.Symbol, Any]
 FIRST_TRIES = 60
 ENOUGH_POINTS = 12
 MORE_TRIES = 300
+MOST_STEPS = 4
 
 
 @dataclass(frozen=True)
@@ -71,6 +78,10 @@ class Problem:
         For the random points.
     given : sequence of mapping
         Points that satisfy the constraints.
+    facts : sequence of Positive or Zeros
+        What sums of squares have added to the constraints and to what is not zero, in order.
+    given_frame : Frame, optional
+        The translations that the facts go with.
     """
 
     field: RationalFunctionField
@@ -81,12 +92,18 @@ class Problem:
     nonzero: Sequence[Any]
     seed: int
     given: Sequence[Mapping[sympy.Symbol, Fraction]] = ()
+    facts: Sequence[Positive | Zeros] = ()
+    given_frame: Frame | None = None
 
     @cached_property
     def context(self) -> Any:
         """FLINT's ring of the variables and a spare one."""
         names = (*(f"x{place}" for place in range(len(self.field.symbols))), "spare")
         return flint.fmpq_mpoly_ctx.get(names, flint.Ordering.degrevlex)
+
+    @property
+    def _one(self) -> Any:
+        return self.context.constant(1)
 
     @cached_property
     def units(self) -> list[Any]:
@@ -98,12 +115,41 @@ class Problem:
         return list(factors.values())
 
     @cached_property
+    def frame(self) -> Frame:
+        """The translations that change nothing in the question."""
+        if self.given_frame is not None:
+            return self.given_frame
+        polynomials = [self._into(polynomial) for polynomial in chain(self.numerators, self.constraints)]
+        return frame_of([*polynomials, *self.units], self.context)
+
+    @cached_property
+    def units_at_origin(self) -> list[Any]:
+        """The units at the origin of the frame."""
+        return list(map(self.frame.restricted, self.units))
+
+    @cached_property
+    def known_units(self) -> list[Any]:
+        """The units at the origin, and those that the elimination has derived from the constraints."""
+        known = {str(unit): unit for unit in self.units_at_origin}
+        for found in self.system.elimination.derived:
+            known.setdefault(str(found.unit), found.unit)
+        return list(known.values())
+
+    @cached_property
     def system(self) -> System:
-        """The constraints and the units."""
-        return System([self._into(constraint) for constraint in self.constraints], self.units, self.context)
+        """The constraints and the units, at the origin of the frame."""
+        constraints = [self.frame.restricted(self._into(constraint)) for constraint in self.constraints]
+        return System(constraints, self.units_at_origin, self.context)
 
     def decided(self) -> Finding:
-        """Return what becomes of the question."""
+        """Return what becomes of the question, if need be after what holds over the reals alone."""
+        finding = self._decided()
+        if finding.verdict != "open" or len(self.facts) >= MOST_STEPS:
+            return finding
+        known = [fact for fact in map(self._everywhere, real_facts(self.system)) if self._holds(fact)]
+        return self._knowing(known).decided() if known else finding
+
+    def _decided(self) -> Finding:
         if any(not self.field.ring.terms(polynomial) for polynomial in self.nonzero):
             return _open("a condition that something is not zero never holds")
         witness: _Place | None = None
@@ -158,8 +204,8 @@ class Problem:
         powers = [max(column) for column in zip(*(part.powers for part in evidence), strict=True)]
         entries = []
         for part in evidence:
-            missing = zip(self.units, powers, part.powers, strict=True)
-            scale = prod((unit ** (most - some) for unit, most, some in missing), start=self.context.constant(1))
+            missing = zip(self.known_units, powers, part.powers, strict=True)
+            scale = prod((unit ** (most - some) for unit, most, some in missing), start=self._one)
             entries.append(
                 {
                     "power": 1 if any(powers) else 0,
@@ -167,9 +213,17 @@ class Problem:
                     "cofactors": [self.written(cofactor * scale) for cofactor in part.cofactors],
                 }
             )
-        factors = [f"({self.written(unit)})**{n}" for unit, n in zip(self.units, powers, strict=True) if n]
+        factors = [f"({self.written(unit)})**{n}" for unit, n in zip(self.known_units, powers, strict=True) if n]
+        product = prod((unit for unit, n in zip(self.known_units, powers, strict=True) if n), start=self._one)
+        derived = self.system.elimination.behind(product)
+        if not all(self._follows(found, derived[:place]) for place, found in enumerate(derived)):
+            return _open("what does not vanish could not be shown again")
+        steps = [*map(self._step, self.facts), *map(self._derivation, derived)]
+        usual = "radical membership" if any(part.exponent > 1 for part in evidence) else "ideal membership"
         certificate = {
-            "method": "radical membership" if any(part.exponent > 1 for part in evidence) else "ideal membership",
+            "method": "sums of squares" if self.facts else usual,
+            **({"steps": steps} if steps else {}),
+            **({"translations": self._translations()} if self.frame.directions else {}),
             "denominators": [str(factor) for factor in self.field.divisors()],
             "multiplier": "*".join(factors) or "1",
             "entries": entries,
@@ -178,14 +232,10 @@ class Problem:
         return Finding("proved", certificate | witness.extension())
 
     def _evidence(self, numerator: Any) -> _Evidence | None:
-        found = self.system.combination(self._into(numerator))
+        found = self.system.combination(self.frame.restricted(self._into(numerator)))
         if found is None:
             return None
-        rest, powers = found.multiplier, []
-        for unit in self.units:
-            powers.append(0)
-            while (division := divmod(rest, unit))[1] == 0:
-                rest, powers[-1] = division[0], powers[-1] + 1
+        powers, rest = _powers_in(found.multiplier, self.known_units)
         if not rest.is_constant() or rest == 0:
             return None
         cofactors = [cofactor / rest.leading_coefficient() for cofactor in found.cofactors]
@@ -194,11 +244,99 @@ class Problem:
             return None
         return _Evidence(found.exponent, powers, cofactors)
 
+    def _is_product_of_units(self, polynomial: Any) -> bool:
+        rest = _powers_in(polynomial, self.units_at_origin)[1]
+        return bool(rest.is_constant() and rest != 0)
+
     def _multiplies_out(self, numerator: Any, found: Combination) -> bool:
-        rest = numerator**found.exponent * self._back(found.multiplier)
+        """Whether a combination is right at the origin, and translations change nothing."""
+        rest = self._at_origin(numerator) ** found.exponent * self._back(found.multiplier)
         for cofactor, constraint in zip(found.cofactors, self.constraints, strict=True):
-            rest = rest - self._back(cofactor) * constraint
-        return not self.field.ring.terms(rest)
+            rest = rest - self._back(cofactor) * self._at_origin(constraint)
+        return not self.field.ring.terms(rest) and self._is_translated(numerator)
+
+    def _at_origin(self, polynomial: Any) -> Any:
+        terms = self.field.ring.terms(polynomial)
+        kept = {powers: value for powers, value in terms.items() if not any(powers[i] for i in self.frame.directions)}
+        return self.field.ring.polynomial(kept)
+
+    def _is_translated(self, numerator: Any) -> bool:
+        """Whether neither a numerator nor the constraints and units change along the directions of the frame."""
+        polynomials = (numerator, *self.constraints, *self.field.factors, *self.nonzero)
+        return all(
+            does_not_change(self.field.ring.terms(polynomial), list(map(fraction, direction)))
+            for polynomial in polynomials
+            for direction in self.frame.directions.values()
+        )
+
+    def _follows(self, found: DerivedUnit, before: Sequence[DerivedUnit]) -> bool:
+        """Whether it multiplies out that something does not vanish where the constraints hold."""
+        product, cofactors, cofactor = found.relation()
+        left = _powers_in(product, [*self.units_at_origin, *(unit.unit for unit in before)])[1]
+        rest = self._back(product) - self._back(cofactor) * self._back(found.unit)
+        for part, constraint in zip(cofactors, self.constraints, strict=True):
+            rest = rest - self._back(part) * self._at_origin(constraint)
+        return bool(left.is_constant() and left != 0 and not self.field.ring.terms(rest))
+
+    def _derivation(self, found: DerivedUnit) -> dict[str, Any]:
+        product, cofactors, cofactor = found.relation()
+        return {
+            "not zero": self.written(found.unit),
+            "product": self.written(product),
+            "cofactors": [self.written(part) for part in cofactors],
+            "factor": self.written(cofactor),
+        }
+
+    def _translations(self) -> list[dict[str, Any]]:
+        """Return for each direction the variable that is put to zero, and the components."""
+        names = [symbol.name for symbol in self.field.symbols]
+        return [
+            {
+                "zero": names[own],
+                "along": {names[i]: str(component) for i, component in enumerate(direction) if component},
+            }
+            for own, direction in self.frame.directions.items()
+        ]
+
+    # -- what holds over the reals alone
+
+    def _knowing(self, facts: Sequence[Positive | Zeros]) -> Problem:
+        zeros = [self._back(root) for fact in facts if isinstance(fact, Zeros) for _, root in fact.squares]
+        positive = [self._back(fact.polynomial) for fact in facts if isinstance(fact, Positive)]
+        return replace(
+            self,
+            constraints=[*self.constraints, *zeros],
+            nonzero=[*self.nonzero, *positive],
+            facts=[*self.facts, *facts],
+            given_frame=self.frame,
+        )
+
+    def _everywhere(self, fact: Positive | Zeros) -> Positive | Zeros:
+        """Return a fact about the system at the origin as one about the constraints."""
+        squares = [(weight, self.frame.lifted(root)) for weight, root in fact.squares]
+        if isinstance(fact, Positive):
+            return Positive(self.frame.lifted(fact.polynomial), squares)
+        return Zeros(squares, fact.multiplier, fact.cofactors)
+
+    def _holds(self, fact: Positive | Zeros) -> bool:
+        """Whether the evidence of a fact multiplies out in the engine of the question."""
+        constant = self.field.ring.constant
+        total = constant(Fraction(0))
+        for weight, root in fact.squares:
+            total = total + constant(Fraction(int(weight.p), int(weight.q))) * self._back(root) ** 2
+        if isinstance(fact, Positive):
+            return not self.field.ring.terms(total - self._back(fact.polynomial))
+        rest = self._at_origin(total) * self._back(fact.multiplier)
+        for cofactor, constraint in zip(fact.cofactors, self.constraints, strict=True):
+            rest = rest - self._back(cofactor) * self._at_origin(constraint)
+        return not self.field.ring.terms(rest) and self._is_product_of_units(fact.multiplier)
+
+    def _step(self, fact: Positive | Zeros) -> dict[str, Any]:
+        squares = [[str(weight), self.written(root)] for weight, root in fact.squares]
+        if isinstance(fact, Positive):
+            return {"not zero": self.written(fact.polynomial), "squares": squares}
+        cofactors = [self.written(cofactor) for cofactor in fact.cofactors]
+        return {"squares": squares, "multiplier": self.written(fact.multiplier), "cofactors": cofactors}
 
     # -- points
 
@@ -225,13 +363,24 @@ class Problem:
             if slope == 0:
                 return None
             values[step.variable] = -value_at(step.rest, values) / slope
-        on_all = all(value_at(constraint, values) == 0 for constraint in self.system.constraints)
+        values = self.frame.point(values)
+        on_all = all(value_at(self._into(constraint), values) == 0 for constraint in self.constraints)
         return values if on_all and all(value_at(unit, values) != 0 for unit in self.units) else None
 
     def _refuted(self, place: _Place) -> Finding:
         sides = {"left": place.values(self.left), "right": place.values(self.right)}
         shown = {name: [str(_shown(value)) for value in values] for name, values in sides.items()}
         return Finding("refuted", {"method": "counterexample"} | shown | place.extension(), place.shown())
+
+
+def _powers_in(polynomial: Any, units: Sequence[Any]) -> tuple[list[int], Any]:
+    """Return how often each unit divides a polynomial, and what is left of it."""
+    powers = []
+    for unit in units:
+        powers.append(0)
+        while polynomial != 0 and (division := divmod(polynomial, unit))[1] == 0:
+            polynomial, powers[-1] = division[0], powers[-1] + 1
+    return powers, polynomial
 
 
 @dataclass(frozen=True)

@@ -16,11 +16,12 @@ from typing import Any
 import flint
 
 from algebroproj_sym.expressions.exact import fmpq, fraction
-from algebroproj_sym.proving.algebraic import Algebraic, RealField, has_real_root
+from algebroproj_sym.proving.algebraic import Algebraic, RealField, has_real_root, roots_in_field
 
 Value = Fraction | Algebraic
 
 MAX_DEGREE = 24
+MAX_DEGREE_IN_FIELD = 6
 MAX_LENGTH = 3_000
 _SMALL = [Fraction(n) for n in (1, 2, 3, -1, -2, 4, 5, -3, 7, -4)]
 _PYTHAGOREAN = [Fraction(a, b) for a, b in ((3, 5), (4, 5), (5, 13), (12, 13), (8, 17), (15, 17), (-3, 5), (-4, 5))]
@@ -177,6 +178,8 @@ class _Start:
             factor = self._generator.choice(affine)
             slope = factor.derivative(variable)
             return -(factor - slope * self._variables[variable]) / slope.leading_coefficient()
+        if self._minimal is not None:
+            return self._root_in_field(constraint, variable)
         others = [factor for factor in factors if 1 < factor.degrees()[variable] <= MAX_DEGREE]
         real = [factor for factor in others if not rational_only and self._is_real(factor)]
         if rational_only or not real:
@@ -186,7 +189,7 @@ class _Start:
 
     def _affine_root(self, constraint: Any, variable: int) -> Any:
         if constraint.degrees()[variable] != 1:
-            raise _DeadEndError
+            return self._root_in_field(constraint, variable)
         slope = constraint.derivative(variable)
         rest = constraint - slope * self._variables[variable]
         inverse = self._univariate(slope).xgcd(self._univariate(self._minimal))
@@ -195,6 +198,24 @@ class _Start:
         root = self._variables[self._root or 0]
         reciprocal = sum((c * root**k for k, c in enumerate(inverse[1].coeffs())), self._context.constant(0))
         return self._reduced(-rest * reciprocal)
+
+    def _root_in_field(self, constraint: Any, variable: int) -> Any:
+        """Return a root of a constraint in one variable, over the field of the root that was taken."""
+        minimal = self._univariate(self._minimal)
+        if max(constraint.degrees()[variable], minimal.degree()) > MAX_DEGREE_IN_FIELD:
+            raise _DeadEndError
+        slopes: dict[int, dict[int, Any]] = {}
+        for powers, value in constraint.to_dict().items():
+            slopes.setdefault(int(powers[variable]), {})[int(powers[self._root or 0])] = value
+        coefficients = [
+            flint.fmpq_poly([of_power.get(k, 0) for k in range(max(of_power) + 1)])
+            for of_power in (slopes.get(degree, {0: 0}) for degree in range(max(slopes) + 1))
+        ]
+        roots = roots_in_field(coefficients, minimal)
+        if not roots:
+            raise _DeadEndError
+        root, chosen = self._variables[self._root or 0], self._generator.choice(roots)
+        return sum((c * root**k for k, c in enumerate(chosen.coeffs())), self._context.constant(0))
 
     def _is_real(self, factor: Any) -> bool:
         return has_real_root(self._univariate(factor))

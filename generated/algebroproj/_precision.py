@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ._double_double import DoubleDouble, Unrounded
-from ._error_bounds import Bounded
+from ._error_bounds import Bounded, guaranteed
 from ._evaluation import Body, Signature, evaluate, parts_of, require_count
 
 __all__ = ["bounds", "dd"]
@@ -121,7 +121,7 @@ def _on_pairs(body: Body) -> Body:
 def _on_bounded(body: Body) -> Body:
     def on_bounded(*entries: Any) -> tuple[Any, ...]:
         results = body(*(Bounded(entry, 0 * entry) for entry in entries))
-        numbers = [result if isinstance(result, Bounded) else Bounded(result, 0) for result in results]
+        numbers = [guaranteed(result) if isinstance(result, Bounded) else Bounded(result, 0) for result in results]
         return (*(number.value for number in numbers), *(number.error for number in numbers))
 
     return on_bounded

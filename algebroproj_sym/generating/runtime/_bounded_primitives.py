@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ._double_double import DoubleDouble, chosen, wide
-from ._error_bounds import DOUBLED, SLACK, Bounded, bounded, high, magnitude, unit_of
+from ._error_bounds import DOUBLED, SLACK, Bounded, bounded, guaranteed, high, magnitude, unit_of
 
 __all__ = ["arctan2_with_bound", "cos_sin_with_bounds", "null_vector_with_bounds", "solution_with_bounds"]
 
@@ -57,7 +57,7 @@ def solution_with_bounds(rows: Sequence[Sequence[Any]], solve: Function) -> list
     system = _system(rows)
     unknowns = solve(*([entry.value for entry in row] for row in system))
     errors = _errors(system, unknowns, solve)
-    return [bounded(value, error) for value, error in zip(unknowns, errors, strict=True)]
+    return [guaranteed(bounded(value, error)) for value, error in zip(unknowns, errors, strict=True)]
 
 
 def null_vector_with_bounds(rows: Sequence[Sequence[Any]], null_vector: Function, solve: Function) -> list[Bounded]:
@@ -71,21 +71,32 @@ def null_vector_with_bounds(rows: Sequence[Sequence[Any]], null_vector: Function
     columns = [list(column) for column in zip(*matrix, strict=True)]
     last = len(vector) - 1
     right, left, others = columns[last], [], []
+    ones = [_is_one(component) for component in vector]
     for place in range(last):
-        is_one = vector[place] == 1
-        left.append([_chosen(is_one, b, a) for a, b in zip(columns[place], columns[last], strict=True)])
-        right = [_chosen(is_one, a, b) for a, b in zip(columns[place], right, strict=True)]
-        others.append(np.where(is_one, vector[last], vector[place]))
+        left.append([_chosen(ones[place], b, a) for a, b in zip(columns[place], columns[last], strict=True)])
+        right = [_chosen(ones[place], a, b) for a, b in zip(columns[place], right, strict=True)]
+        others.append(_either(ones[place], vector[last], vector[place]))
     system = [[*entries, -entry] for *entries, entry in zip(*left, right, strict=True)]
     errors = _errors(system, others, solve)
-    alone = np.all([abs(value) + error < 1 for value, error in zip(others, errors, strict=True)], axis=0)
+    alone = np.all([magnitude(value) + error < 1 for value, error in zip(others, errors, strict=True)], axis=0)
     spread = [np.where(alone, error, np.inf) for error in errors]
     result = []
     for place in range(last):
-        result.append(bounded(vector[place], np.where(vector[place] == 1, np.where(alone, 0.0, np.inf), spread[place])))
-    moved = [np.where(vector[place] == 1, spread[place], 0.0) for place in range(last)]
-    result.append(bounded(vector[last], np.where(vector[last] == 1, np.where(alone, 0.0, np.inf), sum(moved))))
-    return result
+        result.append(bounded(vector[place], np.where(ones[place], np.where(alone, 0.0, np.inf), spread[place])))
+    moved = [np.where(ones[place], spread[place], 0.0) for place in range(last)]
+    result.append(bounded(vector[last], np.where(ones[last], np.where(alone, 0.0, np.inf), sum(moved))))
+    return [guaranteed(component) for component in result]
+
+
+def _is_one(number: Any) -> Any:
+    return (high(number) == 1) & (_tail(number) == 0)
+
+
+def _either(condition: Any, first: Any, second: Any) -> Any:
+    """Return one number where a condition holds, and another one elsewhere."""
+    if isinstance(first, DoubleDouble):
+        return chosen(condition, first, second)
+    return np.where(condition, first, second)
 
 
 def _system(rows: Sequence[Sequence[Any]]) -> list[list[Bounded]]:
@@ -126,8 +137,8 @@ def _residual(row: list[Bounded], unknowns: Sequence[Any], unit: Any) -> tuple[A
     rest, scale, inherited = wide(right.value), magnitude(right.value), right.error
     for entry, unknown in zip(row[:-1], unknowns, strict=True):
         rest = rest - wide(entry.value) * unknown
-        scale = scale + magnitude(entry.value) * abs(unknown)
-        inherited = inherited + entry.error * abs(unknown)
+        scale = scale + magnitude(entry.value) * magnitude(unknown)
+        inherited = inherited + entry.error * magnitude(unknown)
     return rest.hi, _tail(rest) + (len(row) + 2) * DOUBLED * unit * unit * scale + inherited
 
 

@@ -8,18 +8,21 @@ rounds.  Where nothing can be said (a divisor that may be zero, an overflow) the
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from ._double_double import DoubleDouble, wide
 
-__all__ = ["Bounded", "bounded"]
+__all__ = ["Bounded", "bounded", "guaranteed"]
 
 Number: TypeAlias = Any
 
 SLACK = 16
 """By how many units roundoff a bound is enlarged after each operation on bounds; none takes more than 10 roundings."""
+
+_FLOAT64 = np.dtype(np.float64)
 
 DOUBLED = 16
 """What an operation on double-double numbers rounds at most, in u**2 of its result."""
@@ -56,7 +59,7 @@ class Bounded:
     def rounded(self) -> Bounded:
         """Return the rounded number, whose bound grows by what is cut off."""
         rest = 0 if self.value.lo is None else abs(self.value.lo)
-        return bounded(self.value.hi, self.error + rest)
+        return guaranteed(bounded(self.value.hi, self.error + rest))
 
     def __neg__(self) -> Bounded:
         return Bounded(-self.value, self.error)
@@ -98,9 +101,14 @@ def _quotient(a: Number, b: Number) -> Bounded:
 
 
 def bounded(value: Number, error: Number) -> Bounded:
-    """Return a number with its bound, enlarged by what computing it has rounded, and infinite where it has failed."""
-    enlarged = error * (1 + SLACK * unit_of(value))
-    return Bounded(value, np.where(np.isnan(enlarged) | ~np.isfinite(high(value)), np.inf, enlarged))
+    """Return a number with its bound, enlarged by what computing it has rounded; not a number where it has failed."""
+    return Bounded(value, error * (1 + SLACK * unit_of(value)))
+
+
+def guaranteed(number: Bounded) -> Bounded:
+    """Return a number whose bound is infinite where computing it, or its value, has failed."""
+    failed = np.isnan(number.error) | ~np.isfinite(high(number.value))
+    return Bounded(number.value, np.where(failed, np.inf, number.error))
 
 
 def _value(number: Number) -> Number:
@@ -136,9 +144,19 @@ def _is_single(number: Number) -> bool:
 
 def unit_of(number: Number) -> Number:
     """Return the unit roundoff of the dtype of a number."""
-    return np.finfo(np.asarray(high(number)).dtype).eps / 2
+    return _unit(getattr(high(number), "dtype", _FLOAT64))
 
 
 def _tiny(number: Number) -> Number:
     """Return more than what underflow can change: a product of parts of double-double numbers may underflow."""
-    return np.finfo(np.asarray(high(number)).dtype).smallest_normal * 2.0
+    return _least(getattr(high(number), "dtype", _FLOAT64))
+
+
+@cache
+def _unit(dtype: np.dtype[Any]) -> Number:
+    return np.finfo(dtype).eps / 2
+
+
+@cache
+def _least(dtype: np.dtype[Any]) -> Number:
+    return np.finfo(dtype).smallest_normal * 2.0

@@ -12,11 +12,12 @@ import sympy
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import Claim, Judgement, differing_entries
+from algebroproj_sym.declaring.latex import NOTHING, WHOLE, Marks, latex
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.reporting.forms import derived_form
-from algebroproj_sym.reporting.site.differences import NOTHING, WHOLE, Marks, difference
+from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.formulas import Form, block, derived_number, described, digits_that_differ, inline
-from algebroproj_sym.reporting.site.mathml import math, presentation
+from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
 
 RELATIONS = {
@@ -175,4 +176,4 @@ def _cell(entry: Any) -> Markup | str:
 
 def where(claim: Claim) -> list[tuple[Markup, Form]]:
     """Return what symbols of the printed form stand for."""
-    return [(math(presentation(symbol)), block(value)) for symbol, value in claim.where.items()]
+    return [(math(latex(symbol)), block(value)) for symbol, value in claim.where.items()]

@@ -2,37 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 from typing import Any
 
 import sympy
 
+from algebroproj_sym.declaring.latex import NOTHING, WHOLE, Marks
 from algebroproj_sym.expressions import entries, over, shape
-
-
-@dataclass(frozen=True)
-class Marks:
-    """Marked parts of an expression.
-
-    Attributes
-    ----------
-    whole : bool
-        Whether all of it is marked.
-    inside : mapping
-        The marks of arguments of an expression, or, by place, of the entries of a matrix.
-    """
-
-    whole: bool = False
-    inside: Mapping[Any, Marks] = field(default_factory=dict)
-
-    def of(self, part: Any) -> Marks:
-        """Return the marks of an argument, or of the entry at a place."""
-        return self.inside.get(part, NOTHING)
-
-
-NOTHING = Marks()
-WHOLE = Marks(whole=True)
 
 
 def difference(left: Any, right: Any) -> tuple[Marks, Marks]:

@@ -11,11 +11,11 @@ import sympy
 from markupsafe import Markup, escape
 
 from algebroproj_sym.declaring import Claim, Statement, statement_text
+from algebroproj_sym.declaring.latex import MARK, NOTHING, WHOLE, Marks, latex
 from algebroproj_sym.declaring.names import letter, parts
 from algebroproj_sym.expressions import entries, size
 from algebroproj_sym.reporting.site.addresses import claim_record_file
-from algebroproj_sym.reporting.site.differences import NOTHING, WHOLE, Marks
-from algebroproj_sym.reporting.site.mathml import MARK, math, presentation, relation
+from algebroproj_sym.reporting.site.mathml import math
 
 LARGEST_FORMULA = 400
 LARGEST_ENTRY = 90
@@ -61,10 +61,10 @@ def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "for
     if isinstance(statement, tuple):
         if not all(map(_is_formula, statement)):
             return _as_text(statement, label)
-        pieces = [equation(presentation(factor), sympy.Integer(0), extent=size(factor)) for factor in statement]
+        pieces = [equation(latex(factor), sympy.Integer(0), extent=size(factor)) for factor in statement]
         return Form(Markup("<p>or</p>").join(pieces))
     if _is_formula(statement):
-        shown = math(presentation(statement, marks), block=True)
+        shown = math(latex(statement, marks), "block")
         return Form(scrolling(shown, label, focusable=size(statement) > SMALL))
     return _as_text(statement, label)
 
@@ -78,7 +78,7 @@ def inline(statement: Statement | None, marks: Marks = NOTHING, most: int = LARG
     if isinstance(statement, tuple):
         pieces = [inline(factor, most=min(most, LARGEST_FACTOR)) for factor in statement]
         return Markup(" or ").join(map(_vanishing, pieces)) if all(pieces) and len(pieces) <= 6 else None
-    return math(presentation(statement, marks)) if size(statement, most) <= most else None
+    return math(latex(statement, marks)) if size(statement, most) <= most else None
 
 
 def equation(left: str, expression: Any, extent: int = 1) -> Markup:
@@ -87,14 +87,14 @@ def equation(left: str, expression: Any, extent: int = 1) -> Markup:
     Parameters
     ----------
     left : str
-        The left side, as MathML.
+        The left side, as LaTeX.
     expression : Expression
         The right side.
     extent : int
         The size of the left side.
     """
     if _is_formula(expression):
-        content = math(left, relation("="), presentation(expression), block=True)
+        content = math(f"{left} = {latex(expression)}", "block")
         return scrolling(content, "formula", focusable=extent + size(expression) > SMALL)
     return Markup("<p>{} =</p>{}").format(math(left), _as_text(expression, "formula").html)
 
@@ -103,7 +103,7 @@ def bullet(expression: Any) -> Markup:
     """Return a factor in a list of factors, as a formula that scrolls or as text."""
     if size(expression) > LARGEST_ENTRY:
         return Markup("<code>{}</code>").format(_shortened(str(expression)))
-    return scrolling(math(presentation(expression)), "factor", focusable=size(expression) > SMALL)
+    return scrolling(math(latex(expression)), "factor", focusable=size(expression) > SMALL)
 
 
 def listed(statement: Statement | None, marks: Marks = NOTHING) -> Markup | None:
@@ -171,7 +171,7 @@ def derived_number(claim: Claim, exact: sympy.Rational) -> Form:
     digits = max(0, -int(printed.as_tuple().exponent))
     decimal = rounded(Fraction(int(exact.p), int(exact.q)), digits + 3)
     if len(str(exact)) <= LONGEST_FRACTION:
-        shown = math(presentation(exact))
+        shown = math(latex(exact))
         return Form(Markup('<p class="number">{}{}</p>').format(decimal, _exactly(shown) if exact.q != 1 else ""))
     return Form(
         Markup('<p class="number">{}…</p><p>An exact fraction of {} digits.</p>').format(decimal, len(str(exact))),

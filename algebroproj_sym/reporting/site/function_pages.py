@@ -9,12 +9,12 @@ from typing import Any
 from markupsafe import Markup, escape
 
 from algebroproj_sym.declaring import Kernel, Stage
+from algebroproj_sym.declaring.latex import latex
 from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
 from algebroproj_sym.reporting.site.formulas import block, bullet, equation, inline
-from algebroproj_sym.reporting.site.mathml import presentation
 from algebroproj_sym.reporting.site.plots import accuracy_plot
 from algebroproj_sym.reporting.site.records import Timing
 from algebroproj_sym.reporting.site.tables import Table
@@ -107,13 +107,13 @@ def _entries(expression: Any) -> Markup:
 def _formulas(kernel: Kernel) -> list[Markup]:
     """Return how the results are computed: values on the way, abbreviations, results."""
     lines = [line for stage in kernel.stages for line in _stage(stage)]
-    lines += [equation(presentation(symbol), expression) for symbol, expression in kernel.where]
+    lines += [equation(latex(symbol), expression) for symbol, expression in kernel.where]
     return lines + [equation(f"<mi>{escape(result.name)}</mi>", result.form) for result in kernel.results]
 
 
 def _stage(stage: Stage) -> list[Markup]:
     if stage.primitive == "let":
-        return [equation(presentation(s), entry) for s, entry in zip(stage.results, entries(stage.form), strict=True)]
+        return [equation(latex(s), entry) for s, entry in zip(stage.results, entries(stage.form), strict=True)]
     names = Markup(", ").join(inline(symbol) or Markup() for symbol in stage.results)
     return [Markup("<p>{} {}</p>{}").format(names, _PRIMITIVES[stage.primitive], block(stage.form).html)]
 

@@ -10,6 +10,7 @@ from typing import Any
 from markupsafe import Markup
 
 from algebroproj_sym.reporting.site.formulas import scrolling
+from algebroproj_sym.reporting.site.mathml import math
 
 SHORT = 40
 _SCROLLING_INLINE = Markup('<span class="line-formula" tabindex="0" role="group" aria-label="formula">{}</span>')
@@ -30,9 +31,7 @@ def markdown_html(text: str) -> Markup:
 
 def latex_html(formula: str, *, block: bool) -> Markup:
     """Return a LaTeX formula as MathML; a block that is too wide for the page scrolls."""
-    from latex2mathml.converter import convert
-
-    mathml = Markup(convert(_primed(formula), display="block" if block else "inline"))
+    mathml = math(_primed(formula), "block" if block else "inline")
     if block:
         return scrolling(mathml, "formula", focusable=len(formula) > SHORT)
     return mathml if len(formula) <= SHORT else _SCROLLING_INLINE.format(mathml)

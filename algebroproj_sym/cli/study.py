@@ -1,0 +1,165 @@
+"""algebroproj study: the ready studies, a command each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager
+from importlib.util import find_spec
+from multiprocessing import get_context
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from algebroproj_sym.cli import options
+from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.files import write_texts
+
+if TYPE_CHECKING:
+    from algebroproj_sym.study import Option, Study
+    from algebroproj_sym.study.sweeping import Sweep
+
+MODULES = ("xarray", "h5netcdf", "h5py", "dask", "matplotlib", "scipy", "SALib")
+CONNECTING = "10s"
+CHUNKS_PER_WORKER = 2
+"""How many chunks are under way for each worker: one is computed while another one is kept."""
+
+
+class Studies(click.Group):
+    """The studies, which are imported when one of them is asked for."""
+
+    def list_commands(self, context: click.Context) -> list[str]:
+        """Return the names of the studies."""
+        return [study.name for study in _studies()]
+
+    def get_command(self, context: click.Context, name: str) -> click.Command | None:
+        """Return the command of a study."""
+        return next((_command(study) for study in _studies() if study.name == name), None)
+
+
+@click.group(name="study", cls=Studies)
+def study_group() -> None:
+    """Run a numerical study: a dataset, figures and a short report.
+
+    What is finished is kept: the same command goes on where it was stopped.  The results depend on the options and the
+    seed alone, not on the number of workers.
+    """
+
+
+def _studies() -> tuple[Study, ...]:
+    missing = [name for name in MODULES if find_spec(name) is None]
+    if missing:
+        raise click.ClickException(
+            f"studies need the module {missing[0]}.\nInstall it with: pip install 'algebroproj-sym[study]'"
+        )
+    from algebroproj_sym.study.studies import STUDIES
+
+    return STUDIES
+
+
+def _command(study: Study) -> click.Command:
+    def callback(**given: Any) -> None:
+        _run(study, **given)
+
+    own = [_parameter(option) for option in study.options]
+    return click.Command(study.name, callback=callback, params=[*own, *_shared(study)], help=f"{study.summary}.")
+
+
+def _parameter(option: Option) -> click.Option:
+    kind: Any = click.Choice(option.type) if isinstance(option.type, tuple) else option.type
+    flags = f"--{option.name.replace('_', '-')}"
+    return click.Option([flags, option.name], type=kind, default=option.default, show_default=True, help=option.help)
+
+
+def _shared(study: Study) -> list[click.Parameter]:
+    @click.option("--members", type=int, default=study.members, show_default=True, help="How many members.")
+    @click.option("--seed", type=int, default=0, show_default=True, help="Of the random numbers.")
+    @click.option("--chunk", type=int, default=10_000, show_default=True, help="Members at a time; bounds the memory.")
+    @options.jobs
+    @click.option("--scheduler", metavar="URL", help="Compute on the dask.distributed cluster at URL, tcp://HOST:PORT.")
+    @click.option(
+        "--format",
+        "output",
+        type=click.Choice(("netcdf", "zarr")),
+        default="netcdf",
+        show_default=True,
+        help="Form of the dataset.",
+    )
+    @options.folder(f"study/{study.name}", "dataset, figures and report")
+    def shared() -> None:
+        """Carry the options that all studies have."""
+
+    return list(reversed(shared.__click_params__))
+
+
+def _run(
+    study: Study,
+    *,
+    members: int,
+    seed: int,
+    chunk: int,
+    jobs: int,
+    scheduler: str | None,
+    output: str,
+    out: Path,
+    **given: Any,
+) -> None:
+    from algebroproj_sym.study import figures, sweeping
+
+    if scheduler is not None and jobs != 1:
+        raise click.UsageError("expected either --jobs or --scheduler, got both")
+    if output == "zarr" and find_spec("zarr") is None:
+        raise click.ClickException("--format zarr needs the module zarr.\nInstall it with: pip install zarr")
+    try:
+        sweep = sweeping.Sweep(study, out, given, members, chunk, seed, output)  # type: ignore[arg-type]
+        sweeping.prepare(sweep)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error
+    except OSError as error:
+        raise click.UsageError(f"--out: {out} cannot be written ({error.strerror})") from error
+    with _executor(jobs, scheduler) as (executor, workers):
+        _compute(sweep, executor, workers)
+    dataset = sweeping.assemble(sweep)
+    text = study.report(dataset)
+    drawings = figures.save(study.figures(dataset), out / "figures")
+    write_texts({"report.txt": text}, out)
+    console().print(text.rstrip("\n"), markup=False)
+    files = [sweep.result, *drawings]
+    console().print(f"written to {out}: {', '.join(path.relative_to(out).as_posix() for path in files)}, report.txt")
+
+
+def _compute(sweep: Sweep, executor: Executor | None, workers: int) -> None:
+    from algebroproj_sym.study import sweeping
+
+    left = sweeping.missing(sweep)
+    for _ in progressing(sweeping.run(sweep, executor, CHUNKS_PER_WORKER * workers), len(left), sweep.study.name):
+        pass
+
+
+@contextmanager
+def _executor(jobs: int, scheduler: str | None) -> Iterator[tuple[Executor | None, int]]:
+    """Give who computes, and how many workers that are."""
+    if scheduler is not None:
+        with _cluster(scheduler) as cluster:
+            yield cluster
+    elif jobs == 1:
+        yield None, 1
+    else:
+        with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
+            yield pool, jobs
+
+
+@contextmanager
+def _cluster(scheduler: str) -> Iterator[tuple[Executor, int]]:
+    from distributed import Client
+
+    try:
+        client = Client(scheduler, timeout=CONNECTING, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise click.UsageError(f"--scheduler: no cluster answers at {scheduler} ({error})") from error
+    with client:
+        workers = sum(client.nthreads().values())
+        if not workers:
+            raise click.UsageError(f"--scheduler: the cluster at {scheduler} has no workers")
+        yield client.get_executor(pure=False), workers

@@ -1,0 +1,110 @@
+"""The primitive functions of generated programs, for numbers that are Python objects: mpmath, Arb balls, rationals.
+
+A system that cannot be solved (singular, or not provably regular) has solutions that are not numbers, in its place in
+the batch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import flint
+import mpmath
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["ARB", "MPMATH", "RATIONAL"]
+
+Solver = Callable[[list[list[Any]]], list[Any]]
+Meanings = Mapping[str, Callable[..., Any]]
+
+
+def _in_places(solver: Solver, rows: Sequence[Sequence[Any]], unknowns: int) -> tuple[Any, ...]:
+    """Solve the systems of a batch one after the other."""
+    columns = np.broadcast_arrays(*(np.asarray(entry, dtype=object) for row in rows for entry in row))
+    shape, width = columns[0].shape, len(rows[0])
+    results = np.empty((unknowns, *shape), dtype=object)
+    for place in np.ndindex(shape):
+        flat = [column[place] for column in columns]
+        results[(slice(None), *place)] = solver([flat[i : i + width] for i in range(0, len(flat), width)])
+    return tuple(results[k] if shape else results[k, ...][()] for k in range(unknowns))
+
+
+def _systems(solver: Solver) -> Callable[..., tuple[Any, ...]]:
+    def solve(*rows: Sequence[Any]) -> tuple[Any, ...]:
+        return _in_places(solver, rows, len(rows))
+
+    return solve
+
+
+def _null_spaces(
+    solver: Solver, is_below_one: Callable[[Any], bool], one: Any, nan: Any
+) -> Callable[..., tuple[Any, ...]]:
+    """Span null spaces by vectors whose largest component is 1, or not a number where it is not clear which that is."""
+
+    def spanned(rows: list[list[Any]]) -> list[Any]:
+        last = _largest_component(np.array([[float(entry) for entry in row] for row in rows]))
+        others = solver([[*row[:last], *row[last + 1 :], -row[last]] for row in rows])
+        if not all(map(is_below_one, others)):
+            return [nan] * len(rows[0])
+        return [*others[:last], one, *others[last:]]
+
+    def null_vector(*rows: Sequence[Any]) -> tuple[Any, ...]:
+        return _in_places(spanned, rows, len(rows) + 1)
+
+    return null_vector
+
+
+def _largest_component(matrix: NDArray[np.float64]) -> int:
+    if not np.isfinite(matrix).all():
+        return 0
+    return int(np.argmax(abs(np.linalg.svd(matrix)[2][-1])))
+
+
+def _mpmath_solution(rows: list[list[Any]]) -> list[Any]:
+    try:
+        return list(mpmath.lu_solve(mpmath.matrix([row[:-1] for row in rows]), [row[-1] for row in rows]))
+    except (ZeroDivisionError, TypeError, ValueError):  # what mpmath raises where no pivot is left
+        return [mpmath.nan] * len(rows)
+
+
+def _arb_solution(rows: list[list[Any]]) -> list[Any]:
+    size = len(rows)
+    matrix = flint.arb_mat([row[:-1] for row in rows])
+    try:
+        solution = matrix.solve(flint.arb_mat([row[-1:] for row in rows]))
+    except ZeroDivisionError:
+        return [flint.arb.nan()] * size
+    return [solution[i, 0] for i in range(size)]
+
+
+def _rational_solution(rows: list[list[Any]]) -> list[Any]:
+    matrix = flint.fmpq_mat(len(rows), len(rows), [flint.fmpq(entry) for row in rows for entry in row[:-1]])
+    solution = matrix.solve(flint.fmpq_mat(len(rows), 1, [flint.fmpq(row[-1]) for row in rows]))
+    return [solution[i, 0] for i in range(len(rows))]
+
+
+def _same(number: Any) -> Any:
+    return number
+
+
+_UNCHANGED: Meanings = {"wide": _same, "rounded": _same}
+
+MPMATH: Meanings = {
+    **_UNCHANGED,
+    "solve": _systems(_mpmath_solution),
+    "null_vector": _null_spaces(_mpmath_solution, lambda number: bool(abs(number) <= 1), mpmath.mpf(1), mpmath.nan),
+    "cos_sin": np.frompyfunc(lambda angle: (mpmath.cos(angle), mpmath.sin(angle)), 1, 2),
+    "arctan2": np.frompyfunc(mpmath.atan2, 2, 1),
+}
+
+ARB: Meanings = {
+    **_UNCHANGED,
+    "solve": _systems(_arb_solution),
+    "null_vector": _null_spaces(_arb_solution, lambda ball: bool(abs(ball) < 1), flint.arb(1), flint.arb.nan()),
+    "cos_sin": np.frompyfunc(lambda angle: (angle.cos(), angle.sin()), 1, 2),
+    "arctan2": np.frompyfunc(lambda y, x: flint.arb.atan2(y, x), 2, 1),
+}
+
+RATIONAL: Meanings = {**_UNCHANGED, "solve": _systems(_rational_solution)}

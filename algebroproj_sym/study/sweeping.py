@@ -1,0 +1,236 @@
+"""Sweeps: the members of a study in chunks, which can be stopped at any moment and go on later.
+
+A folder holds a sweep: ``manifest.json`` (what is computed, and by what), a file for each chunk that is done, and in
+the end one dataset in their place.  A chunk is written under another name and then renamed, so that it is there whole
+or not at all; as it is a function of its members, the seed and the options alone, the result does not depend on who
+computed it, in which order, or how often the work was stopped.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+import xarray
+
+from algebroproj_sym.files import write_texts
+from algebroproj_sym.study.datasets import attributes, join, provenance, read, write
+from algebroproj_sym.study.declaration import MEMBER, Indices, Study
+
+MANIFEST = "manifest.json"
+CHUNKS = "chunks"
+SUFFIXES = {"netcdf": ".nc", "zarr": ".zarr"}
+Format = Literal["netcdf", "zarr"]
+
+
+class OtherSweepError(ValueError):
+    """A folder holds another sweep than the one that is to be run in it."""
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """A study with its arguments, in a folder.
+
+    Attributes
+    ----------
+    study : Study
+        What is computed.
+    folder : Path
+        Where.
+    options : mapping of str to object
+        The options of the study that are not to have their default values.
+    members : int
+        How many members.
+    size : int
+        How many members a chunk has; memory is bounded by it.
+    seed : int
+        Of the random numbers.
+    output : {"netcdf", "zarr"}
+        Form of the dataset.
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of its range or the study does not accept its options.
+    """
+
+    study: Study
+    folder: Path
+    options: Mapping[str, Any]
+    members: int
+    size: int = 10_000
+    seed: int = 0
+    output: Format = "netcdf"
+
+    def __post_init__(self) -> None:
+        for name, number, least in (("members", self.members, 1), ("chunk", self.size, 1), ("seed", self.seed, 0)):
+            if number < least:
+                raise ValueError(f"{name}: expected at least {least}, got {number}")
+        if self.output not in SUFFIXES:
+            raise ValueError(f"format: expected one of {', '.join(SUFFIXES)}, got {self.output!r}")
+        object.__setattr__(self, "options", self.study.arguments(self.options))
+
+    @property
+    def count(self) -> int:
+        """How many chunks there are."""
+        return -(-self.members // self.size)
+
+    @property
+    def result(self) -> Path:
+        """Where the dataset is in the end."""
+        return self.folder / f"{self.study.name}{SUFFIXES[self.output]}"
+
+    def indices(self, chunk: int) -> Indices:
+        """Return the members of a chunk."""
+        return np.arange(chunk * self.size, min((chunk + 1) * self.size, self.members), dtype=np.int64)
+
+    def path(self, chunk: int) -> Path:
+        """Return where a chunk is kept until all are there."""
+        return self.folder / CHUNKS / f"{chunk:08d}.nc"
+
+
+def arguments(sweep: Sweep) -> dict[str, Any]:
+    """Return what the result depends on, beside the program."""
+    return {
+        "study": sweep.study.name,
+        "members": sweep.members,
+        "chunk": sweep.size,
+        "seed": sweep.seed,
+        "format": sweep.output,
+        "options": dict(sweep.options),
+    }
+
+
+def prepare(sweep: Sweep) -> None:
+    """Make the folder of a sweep, or find that it holds the same one.
+
+    Raises
+    ------
+    OtherSweepError
+        If the folder holds a sweep with other arguments, or one of another version of the program.
+    OSError
+        If the folder cannot be written to.
+    """
+    (sweep.folder / CHUNKS).mkdir(parents=True, exist_ok=True)
+    manifest = {"arguments": arguments(sweep), "provenance": provenance()}
+    path = sweep.folder / MANIFEST
+    if path.exists():
+        _require_equal(json.loads(path.read_text(encoding="utf-8")), manifest, sweep.folder)
+    write_texts({MANIFEST: json.dumps(manifest, indent=1, sort_keys=True) + "\n"}, sweep.folder)
+
+
+def missing(sweep: Sweep) -> list[int]:
+    """Return the chunks that are not there yet, in order."""
+    if sweep.result.exists():
+        return []
+    return [chunk for chunk in range(sweep.count) if not sweep.path(chunk).exists()]
+
+
+def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iterator[int]:
+    """Compute the chunks that are missing, and yield the number of each when it is kept.
+
+    Parameters
+    ----------
+    sweep : Sweep
+        Prepared.
+    executor : Executor, optional
+        Who computes: local processes, or a cluster; without one this process does.
+    window : int
+        How many chunks are under way at once; memory is bounded by it.
+
+    Yields
+    ------
+    int
+        The number of a chunk.
+    """
+    if executor is None:
+        for chunk in missing(sweep):
+            yield keep(sweep, chunk, computed(sweep.study.chunk, sweep.indices(chunk), sweep.seed, dict(sweep.options)))
+        return
+    waiting = iter(missing(sweep))
+    running: dict[Future[xarray.Dataset], int] = {}
+    try:
+        while True:
+            for chunk in _next(waiting, window - len(running)):
+                task = executor.submit(
+                    computed, sweep.study.chunk, sweep.indices(chunk), sweep.seed, dict(sweep.options)
+                )
+                running[task] = chunk
+            if not running:
+                return
+            done, _ = wait(running, return_when=FIRST_COMPLETED)
+            for task in sorted(done, key=running.__getitem__):
+                yield keep(sweep, running.pop(task), task.result())
+    finally:
+        for task in running:
+            task.cancel()
+
+
+def computed(
+    chunk: Callable[..., xarray.Dataset], indices: Indices, seed: int, options: Mapping[str, Any]
+) -> xarray.Dataset:
+    """Compute some members of a study by its function, wherever this is called.
+
+    Raises
+    ------
+    RuntimeError
+        If the function gives other members than it was asked for.
+    """
+    dataset = chunk(indices, seed, **options)
+    if MEMBER not in dataset.coords or not np.array_equal(dataset[MEMBER].values, indices):
+        raise RuntimeError(f"study: expected the members {indices[0]} to {indices[-1]} in order, got others")
+    return dataset
+
+
+def keep(sweep: Sweep, chunk: int, dataset: xarray.Dataset) -> int:
+    """Write a chunk, whole or not at all, and return its number."""
+    write(dataset, sweep.path(chunk))
+    return chunk
+
+
+def assemble(sweep: Sweep) -> xarray.Dataset:
+    """Make one dataset of all chunks, which are then removed, and open it; its values are read when they are needed.
+
+    Raises
+    ------
+    FileNotFoundError
+        If a chunk is missing.
+    ValueError
+        If chunks have different variables or units.
+    """
+    if not sweep.result.exists():
+        paths = [sweep.path(chunk) for chunk in range(sweep.count)]
+        join(paths, MEMBER, attributes(sweep.study.summary, arguments(sweep)), sweep.result)
+    shutil.rmtree(sweep.folder / CHUNKS, ignore_errors=True)
+    return read(sweep.result)
+
+
+def _next(waiting: Iterator[int], count: int) -> Iterator[int]:
+    for _ in range(count):
+        chunk = next(waiting, None)
+        if chunk is None:
+            return
+        yield chunk
+
+
+def _require_equal(found: Mapping[str, Any], wanted: Mapping[str, Any], folder: Path) -> None:
+    before, now = _flat(json.loads(json.dumps(found))), _flat(json.loads(json.dumps(wanted)))
+    for name in sorted(before.keys() | now.keys()):
+        if before.get(name) != now.get(name):
+            raise OtherSweepError(
+                f"{folder}: holds a sweep with {name} = {before.get(name)}, and is asked to go on with "
+                f"{now.get(name)}; choose another folder, or remove this one"
+            )
+
+
+def _flat(tree: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    leaves: dict[str, Any] = {}
+    for name, value in tree.items():
+        leaves |= _flat(value, f"{prefix}{name}.") if isinstance(value, dict) else {f"{prefix}{name}": value}
+    return leaves

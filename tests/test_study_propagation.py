@@ -1,0 +1,117 @@
+"""Propagation of errors: exact moments of known functions, the covariances of the papers, coverage of intervals."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from algebroproj import metric
+from algebroproj_sym.study.conditioning import jacobian
+from algebroproj_sym.study.precision import apply
+from algebroproj_sym.study.propagation import curvature, first_order, intervals, principal, second_order
+from algebroproj_sym.study.taylor import gradient, hessian, taylor, variables
+
+GENERATOR = np.random.default_rng(12)
+
+
+def test_the_model_covariance_of_1992_is_that_of_the_exact_jacobian():
+    left, right, c = [0.3, -0.2], [-0.4, -0.2], 1.5
+    blocks = GENERATOR.uniform(-1, 1, (4, 4))
+    covariance = blocks @ blocks.T
+    _, derivatives = jacobian(metric.reconstruct, left, right, c)
+    wanted = first_order(derivatives[:, :4], covariance)
+    s_left, s_right, s_mixed = covariance[:2, :2], covariance[2:, 2:], covariance[:2, 2:]
+    found = metric.model_covariance(left, right, c, s_left, s_right, s_mixed)
+    np.testing.assert_allclose(found, wanted, rtol=1e-10)
+
+
+def test_the_normal_covariance_of_1992_is_that_of_both_exact_jacobians():
+    rotation = metric.rotation_left(0.1, 0.2)
+    x, c = np.array([0.3, -0.2]), 1.5
+    blocks = GENERATOR.uniform(-1, 1, (3, 3))
+    of_angles = blocks @ blocks.T
+    variance = 0.25
+    normal = metric.to_normal(rotation, x, c)
+    to_image, to_angles = metric.jacobian_image(rotation, x, c), metric.jacobian_angles(normal, c)
+    wanted = first_order(to_angles, of_angles) + first_order(to_image, variance * np.eye(2))
+    np.testing.assert_allclose(metric.normal_covariance(rotation, x, c, of_angles, variance), wanted, rtol=1e-10)
+    _, derivatives = jacobian(metric.to_normal, rotation, x, c)
+    np.testing.assert_allclose(derivatives[:, 9:11], to_image, rtol=1e-10)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(1, 4), st.integers(1, 3), st.integers(0, 10**6))
+def test_second_order_moments_of_a_quadratic_function_are_exact(inputs, outputs, seed):
+    """Against the moments of products of normal variables, by Isserlis."""
+    generator = np.random.default_rng(seed)
+    j = generator.normal(size=(outputs, inputs))
+    h = generator.normal(size=(outputs, inputs, inputs))
+    h = h + np.swapaxes(h, 1, 2)
+    root = generator.normal(size=(inputs, inputs))
+    s = root @ root.T
+    found = second_order(j, h, s)
+    fourth = np.einsum("ab,cd->abcd", s, s) + np.einsum("ac,bd->abcd", s, s) + np.einsum("ad,bc->abcd", s, s)
+    mean = 0.5 * np.einsum("kab,ab->k", h, s)
+    products = j @ s @ j.T + 0.25 * np.einsum("kab,lcd,abcd->kl", h, h, fourth)
+    np.testing.assert_allclose(found.shift, mean, rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(found.covariance, products - np.outer(mean, mean), rtol=1e-8, atol=1e-8)
+
+
+def test_second_order_terms_are_those_of_a_sample():
+    left, right, c = np.array([0.3, -0.2]), np.array([-0.1, -0.2]), np.array(1.5)
+    series = taylor(4, 2)
+    numbers = variables(series, left, 0), variables(series, right, 2)
+    lens = np.concatenate([c[None], np.zeros(series.parts - 1)])
+    model = apply(series, metric.reconstruct, *numbers, lens)
+    sigma = 0.01
+    found = second_order(gradient(series, model, 4), hessian(series, model, 4), sigma**2 * np.eye(4))
+    draws = sigma * GENERATOR.normal(size=(400_000, 4))
+    sample = metric.reconstruct(left + draws[:, :2], right + draws[:, 2:], c)
+    np.testing.assert_allclose(sample.mean(axis=0) - model[0], found.shift, atol=0.05 * abs(found.shift).max())
+    np.testing.assert_allclose(np.cov(sample.T), found.covariance, rtol=0.02, atol=0.02 * found.covariance.max())
+
+
+def test_the_principal_direction_is_that_of_the_largest_variance():
+    root = GENERATOR.normal(size=(5, 3, 3))
+    covariance = root @ np.swapaxes(root, 1, 2)
+    direction, deviation = principal(covariance)
+    others = GENERATOR.normal(size=(200, 3))
+    others /= np.linalg.norm(others, axis=1, keepdims=True)
+    along = np.sqrt(np.einsum("ki,nij,kj->nk", others, covariance, others))
+    assert (along <= deviation[:, None] * (1 + 1e-12)).all()
+    np.testing.assert_allclose(np.einsum("ni,nij,nj->n", direction, covariance, direction), deviation**2)
+
+
+def test_curvature_is_zero_for_a_plane_and_grows_with_sigma():
+    assert curvature([[1.0, 2.0]], [np.zeros((2, 2))], np.eye(2)).tolist() == [0.0]
+    bent = [[[0.3, 0.1], [0.1, 0.0]]]
+    small, large = (float(curvature([[1.0, 2.0]], bent, s * np.eye(2))[0]) for s in (1e-4, 1e-2))
+    assert large == pytest.approx(10 * small)
+
+
+def test_limits_hold_the_true_quantiles_as_often_as_they_say():
+    hits = 0
+    for _ in range(300):
+        found = intervals(GENERATOR.normal(size=1500))
+        hits += found.low_limits[0] <= -1.0 <= found.low_limits[1]
+    assert 0.90 < hits / 300 <= 0.99
+
+
+def test_values_at_infinity_count_as_far_out():
+    samples = np.concatenate([np.linspace(-1, 1, 1001), [np.inf, -np.inf]])
+    found = intervals(samples)
+    assert abs(found.low + found.high) < 1e-2
+    assert np.isfinite([found.low, found.high]).all()
+
+
+def test_bad_input_is_named():
+    with pytest.raises(ValueError, match="Jacobian with 2 columns, got shape"):
+        first_order(np.ones((2, 3)), np.eye(2))
+    with pytest.raises(ValueError, match="symmetric matrices"):
+        first_order(np.ones((2, 2)), [[1.0, 2.0], [0.0, 1.0]])
+    with pytest.raises(ValueError, match="Hessian of shape"):
+        second_order(np.ones((2, 2)), np.ones((2, 2)), np.eye(2))
+    with pytest.raises(ValueError, match="between 0 and 1, got 2"):
+        intervals(np.arange(100.0), 2)
+    with pytest.raises(ValueError, match="more draws for this confidence, got 10"):
+        intervals(np.arange(10.0))

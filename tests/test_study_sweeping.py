@@ -1,0 +1,340 @@
+"""Sweeps: stopped, killed, resumed, by any number of workers, and always the same bytes."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+import xarray
+from click.testing import CliRunner
+from matplotlib.figure import Figure
+
+from algebroproj_sym.cli import main
+from algebroproj_sym.study import MEMBER, Option, Study
+from algebroproj_sym.study.datasets import read, variable
+from algebroproj_sym.study.sampling import uniform
+from algebroproj_sym.study.sweeping import OtherSweepError, Sweep, assemble, computed, missing, prepare, run
+
+
+def chunk(indices, seed, *, scale, unit="m"):
+    units = unit if indices[0] == 0 else "m"
+    return xarray.Dataset(
+        {
+            "length": variable([MEMBER], scale * uniform(seed, indices), units, "length"),
+            "text": variable([MEMBER], np.array([f"{index}/7" for index in indices], dtype=object)),
+            "axis": variable(["place", MEMBER], np.stack([indices, -indices]), "1"),
+            "even": variable([MEMBER], indices % 2 == 0),
+            "step": variable(["place"], [1.5, 2.5], "m"),
+        },
+        coords={MEMBER: indices},
+    )
+
+
+def others(indices, seed, **options):
+    return chunk(indices[::-1], seed, **options)
+
+
+def positive(*, scale, unit="m"):
+    if scale <= 0:
+        raise ValueError(f"scale: expected a positive number, got {scale}")
+
+
+def study(function=chunk):
+    options = (Option("scale", float, 2.0, "Factor."), Option("unit", str, "m", "Unit of the first chunk."))
+    return Study("lengths", "Some lengths", options, 95, function, lambda _: "", lambda _: {"f": Figure()}, positive)
+
+
+def swept(folder, **arguments):
+    sweep = Sweep(study(), folder, {}, 95, 10, 4, **arguments)
+    prepare(sweep)
+    return sweep
+
+
+def finished(sweep, *workers):
+    done = list(run(sweep, *workers))
+    with assemble(sweep) as dataset:
+        return done, dataset.load()
+
+
+@pytest.fixture(scope="module")
+def reference(tmp_path_factory):
+    sweep = swept(tmp_path_factory.mktemp("reference"))
+    done, dataset = finished(sweep)
+    assert done == list(range(10))
+    return dataset, sweep.result.read_bytes()
+
+
+def test_the_whole_is_what_one_chunk_would_be(reference):
+    dataset, _ = reference
+    at_once = computed(chunk, np.arange(95), 4, {"scale": 2.0, "unit": "m"})
+    xarray.testing.assert_equal(dataset, at_once.drop_indexes(MEMBER))
+    assert dataset[MEMBER].values.tolist() == list(range(95))
+    assert {name: dataset[name].attrs["units"] for name in ("length", "step", "even")} == {
+        "length": "m",
+        "step": "m",
+        "even": "1",
+    }
+    assert dataset.even.dtype == bool
+
+
+def test_the_whole_tells_where_it_comes_from_and_nothing_of_the_machine(reference):
+    attributes = reference[0].attrs
+    assert json.loads(attributes["arguments"]) == {
+        "study": "lengths",
+        "members": 95,
+        "chunk": 10,
+        "seed": 4,
+        "format": "netcdf",
+        "options": {"scale": 2.0, "unit": "m"},
+    }
+    provenance = json.loads(attributes["provenance"])
+    assert {"algebroproj-sym", "numpy", "source", "backend"} <= set(provenance)
+    assert os.uname().nodename not in json.dumps(attributes) or len(os.uname().nodename) < 4
+    assert not re.search(r"\d\d:\d\d", json.dumps(attributes))
+
+
+@pytest.mark.parametrize("workers", [1, 3])
+def test_the_bytes_do_not_depend_on_the_number_of_workers(reference, tmp_path, workers):
+    sweep = swept(tmp_path)
+    with ThreadPoolExecutor(workers) as executor:
+        done, _ = finished(sweep, executor, 2 * workers)
+    assert sorted(done) == list(range(10))
+    assert sweep.result.read_bytes() == reference[1]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["lengths.nc", "manifest.json"]
+
+
+def test_no_more_chunks_are_under_way_than_the_window_allows(tmp_path):
+    class Counting(ThreadPoolExecutor):
+        running = most = 0
+
+        def submit(self, *arguments):
+            Counting.running += 1
+            Counting.most = max(Counting.most, Counting.running)
+            return super().submit(*arguments)
+
+    with Counting(2) as executor:
+        for _ in run(swept(tmp_path), executor, 3):
+            Counting.running -= 1
+    assert Counting.most == 3
+
+
+def test_a_stopped_sweep_goes_on_with_what_is_missing(reference, tmp_path):
+    sweep = swept(tmp_path)
+    for _, number in zip(range(3), run(sweep), strict=False):
+        assert number in (0, 1, 2)
+    sweep.path(1).unlink()
+    assert missing(swept(tmp_path)) == [1, 3, 4, 5, 6, 7, 8, 9]
+    finished(sweep)
+    assert sweep.result.read_bytes() == reference[1]
+    assert missing(swept(tmp_path)) == []
+
+
+def test_a_zarr_folder_has_the_same_values(reference, tmp_path):
+    pytest.importorskip("zarr")
+    sweep = swept(tmp_path, output="zarr")
+    _, dataset = finished(sweep)
+    xarray.testing.assert_equal(dataset, reference[0])
+    assert json.loads(dataset.attrs["arguments"])["format"] == "zarr"
+    assert dataset.length.attrs == reference[0].length.attrs
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"seed": 5}, "seed"),
+        ({"members": 96}, "members"),
+        ({"size": 11}, "chunk"),
+        ({"options": {"scale": 3.0}}, "scale"),
+    ],
+)
+def test_a_folder_with_another_sweep_is_refused_by_the_name_of_the_argument(tmp_path, change, name):
+    swept(tmp_path)
+    arguments = {"options": {}, "members": 95, "size": 10, "seed": 4} | change
+    with pytest.raises(OtherSweepError, match=name):
+        prepare(Sweep(study(), tmp_path, **arguments))
+
+
+def test_a_folder_of_another_version_is_refused(tmp_path):
+    swept(tmp_path)
+    manifest = json.loads((tmp_path / "manifest.json").read_text())
+    manifest["provenance"]["numpy"] = "1.0"
+    (tmp_path / "manifest.json").write_text(json.dumps(manifest))
+    with pytest.raises(OtherSweepError, match=r"numpy = 1\.0"):
+        swept(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"members": 0}, "members: expected at least 1, got 0"),
+        ({"size": 0}, "chunk: expected at least 1, got 0"),
+        ({"seed": -1}, "seed: expected at least 0, got -1"),
+        ({"output": "csv"}, "format: expected one of netcdf, zarr, got 'csv'"),
+        ({"options": {"skale": 1.0}}, "expected options among scale, unit, got skale"),
+        ({"options": {"scale": 0.0}}, "scale: expected a positive number, got 0.0"),
+    ],
+)
+def test_bad_arguments_are_refused_before_work_begins(tmp_path, arguments, message):
+    with pytest.raises(ValueError, match=message):
+        Sweep(study(), tmp_path / "new", **({"options": {}, "members": 5} | arguments))
+    assert not (tmp_path / "new").exists()
+
+
+def test_chunks_with_different_units_do_not_become_one_dataset(tmp_path):
+    sweep = Sweep(study(), tmp_path, {"unit": "ft"}, 20, 10)
+    prepare(sweep)
+    with pytest.raises(ValueError, match="length: expected the unit ft as before, got m"):
+        finished(sweep)
+    assert not sweep.result.exists()
+
+
+def test_a_study_that_gives_other_members_is_an_error():
+    with pytest.raises(RuntimeError, match="expected the members 0 to 4 in order"):
+        computed(others, np.arange(5), 0, {"scale": 1.0})
+
+
+COMMAND = (sys.executable, "-m", "algebroproj_sym")
+SWEEP = ("study", "near-critical", "--members", "240", "--chunk", "20")
+
+
+def command(folder, *arguments):
+    return [*COMMAND, *SWEEP, "--out", str(folder), *arguments]
+
+
+@pytest.fixture(scope="module")
+def undisturbed(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("undisturbed")
+    subprocess.run(command(folder), check=True, capture_output=True)
+    return (folder / "near-critical.nc").read_bytes()
+
+
+@pytest.mark.xdist_group("sweeps")
+def test_a_killed_sweep_loses_nothing_and_doubles_nothing(undisturbed, tmp_path):
+    with subprocess.Popen(command(tmp_path), stdout=subprocess.DEVNULL) as process:
+        wait_for(lambda: len(list((tmp_path / "chunks").glob("0*.nc"))) >= 3)
+        process.send_signal(signal.SIGKILL)
+    assert process.returncode == -signal.SIGKILL
+    kept = {path: path.stat().st_mtime_ns for path in (tmp_path / "chunks").glob("0*.nc")}
+    assert 3 <= len(kept) < 12
+    for path in kept:
+        assert read(path).sizes[MEMBER] == 20
+    resumed = subprocess.Popen(command(tmp_path, "--jobs", "2"), stdout=subprocess.DEVNULL)
+    wait_for(lambda: len(list((tmp_path / "chunks").glob("0*.nc"))) > len(kept) or resumed.poll() is not None)
+    unchanged = {path: path.stat().st_mtime_ns for path in kept if path.exists()}
+    assert resumed.wait() == 0
+    assert unchanged.items() <= kept.items()
+    assert (tmp_path / "near-critical.nc").read_bytes() == undisturbed
+    with read(tmp_path / "near-critical.nc") as dataset:
+        assert np.array_equal(dataset[MEMBER], np.arange(240))
+    assert not (tmp_path / "chunks").exists()
+
+
+def wait_for(condition, seconds=120):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+@contextmanager
+def cluster(kind, folder):
+    """A scheduler with two workers: in this process, or separately started programs on loopback."""
+    distributed = pytest.importorskip("distributed")
+    if kind == "local":
+        with distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+        ) as running:
+            yield running.scheduler_address
+        return
+    address = folder / "scheduler.json"
+    start = [sys.executable, "-m", "distributed.cli.dask_scheduler"]
+    programs = [
+        subprocess.Popen(
+            [*start, "--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(address)],
+            stderr=subprocess.DEVNULL,
+        )
+    ]
+    try:
+        wait_for(lambda: address.exists() and address.read_text().endswith("}"))
+        url = json.loads(address.read_text())["address"]
+        worker = [sys.executable, "-m", "distributed.cli.dask_worker", url, "--nthreads", "1", "--no-dashboard"]
+        directory = ["--local-directory", str(folder)]
+        programs += [subprocess.Popen([*worker, *directory], stderr=subprocess.DEVNULL) for _ in range(2)]
+        with distributed.Client(url, set_as_default=False) as client:
+            client.wait_for_workers(2, timeout=120)
+        yield url
+    finally:
+        for program in reversed(programs):
+            program.terminate()
+            program.wait()
+
+
+@pytest.mark.xdist_group("sweeps")
+@pytest.mark.parametrize("kind", ["local", "separate programs"])
+def test_a_cluster_gives_the_same_bytes(undisturbed, tmp_path, kind):
+    with cluster(kind, tmp_path) as url:
+        subprocess.run(command(tmp_path / "out", "--scheduler", url), check=True, capture_output=True)
+    assert (tmp_path / "out" / "near-critical.nc").read_bytes() == undisturbed
+
+
+@pytest.mark.xdist_group("sweeps")
+def test_local_processes_give_the_same_bytes(undisturbed, tmp_path):
+    from algebroproj_sym.study.studies import STUDIES
+
+    near_critical = next(each for each in STUDIES if each.name == "near-critical")
+    sweep = Sweep(near_critical, tmp_path, {}, 240, 20)
+    prepare(sweep)
+    with ProcessPoolExecutor(2) as executor:
+        finished(sweep, executor, 4)
+    assert sweep.result.read_bytes() == undisturbed
+
+
+def invoke(*arguments):
+    return CliRunner().invoke(main, ["study", *arguments])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["near-critical", "--members", "0"], "members: expected at least 1, got 0"),
+        (["near-critical", "--relief", "-1"], "relief: expected a positive length, got -1.0"),
+        (["near-critical", "--digits", "17"], "digits: expected more than 0 and at most 16, got 17.0"),
+        (["near-critical", "--base", "nan"], "base: expected a positive length, got nan"),
+        (["near-critical", "--jobs", "2", "--scheduler", "tcp://127.0.0.1:1"], "expected either --jobs or --scheduler"),
+        (["near-critical", "--members", "many"], "'many' is not a valid integer"),
+        (["nothing"], "No such command 'nothing'"),
+    ],
+)
+def test_wrong_usage_is_exit_status_2_before_work_begins(tmp_path, arguments, message):
+    result = invoke(*arguments, *(["--out", str(tmp_path / "new")] if len(arguments) > 1 else []))
+    assert result.exit_code == 2
+    assert message in result.stderr
+    assert not (tmp_path / "new").exists()
+
+
+def test_a_scheduler_that_does_not_answer_is_exit_status_2(tmp_path, monkeypatch):
+    monkeypatch.setattr("algebroproj_sym.cli.study.CONNECTING", "1s")
+    result = invoke("near-critical", "--scheduler", "tcp://127.0.0.1:9", "--out", str(tmp_path))
+    assert result.exit_code == 2
+    assert "no cluster answers at tcp://127.0.0.1:9" in result.stderr
+
+
+def test_a_folder_that_cannot_be_written_is_exit_status_2(tmp_path):
+    (tmp_path / "file").touch()
+    result = invoke("near-critical", "--out", str(tmp_path / "file" / "folder"))
+    assert result.exit_code == 2
+    assert "cannot be written" in result.stderr
+
+
+def test_without_the_extra_the_command_says_how_to_install_it(monkeypatch):
+    monkeypatch.setattr("algebroproj_sym.cli.study.find_spec", lambda name: None)
+    result = invoke("near-critical")
+    assert result.exit_code == 1
+    assert "pip install 'algebroproj-sym[study]'" in result.stderr

@@ -1,0 +1,63 @@
+"""Derivatives of the whole chain: against differences in 60 digits, and the errors that they predict."""
+
+import mpmath
+import numpy as np
+import pytest
+
+from algebroproj_sym.study.precision import float64, lift, mpmath_digits
+from algebroproj_sym.study.stereo.chain import Images, from_images, images
+from algebroproj_sym.study.stereo.configurations import ordinary
+from algebroproj_sym.study.stereo.derivatives import chain_derivatives
+
+
+@pytest.fixture(scope="module")
+def both():
+    return images(float64(), ordinary([5], seed=2, further=5))
+
+
+def test_derivatives_are_limits_of_differences(both):
+    many = mpmath_digits(60)
+    found = chain_derivatives(both)
+    with mpmath.workdps(60):
+        step = mpmath.mpf(10) ** -20
+        plain = [lift(many, u[0, 0]) for u in both]
+        base = from_images(many, Images(*plain))
+        for side, row, column in ((0, 0, 1), (0, 4, 0), (1, 2, 1), (1, 5, 0)):
+            moved = [numbers.copy() for numbers in plain]
+            moved[side][0, row, column] += step
+            changed = from_images(many, Images(*moved))
+            place = side * 12 + 2 * row + column
+            for name, after, before in zip(base._fields, changed, base, strict=True):
+                wanted = ((after - before) / step).reshape(-1).astype(float)
+                actual = found[name].jacobian[0, :, place]
+                np.testing.assert_allclose(actual, wanted, rtol=1e-6, atol=1e-8 * abs(wanted).max(), err_msg=name)
+
+
+def test_points_that_are_not_used_for_the_correlation_move_their_own_model_point_alone(both):
+    found = chain_derivatives(both)
+    last = [10, 11, 22, 23]
+    for name in ("Z", "epipole_left", "center_right"):
+        assert not found[name].jacobian[0][:, last].any()
+    model = found["model"].jacobian[0]
+    assert not model[:15, last].any()
+    assert model[15:, last].any()
+
+
+def test_condition_numbers_bound_relative_errors_to_first_order(both):
+    found = chain_derivatives(both)
+    generator = np.random.default_rng(3)
+    size = 1e-9
+    moved = Images(*(u * (1 + size * generator.choice([-1.0, 1.0], u.shape)) for u in both))
+    changed, base = from_images(float64(), moved), from_images(float64(), both)
+    for name, after, before in zip(base._fields, changed, base, strict=True):
+        relative = abs(after - before).max() / abs(before).max()
+        assert relative <= size * found[name].condition().mixed[0] * (1 + 1e-3), name
+
+
+def test_covariances_are_those_of_a_sample(both):
+    sigma = 1e-8
+    draws = sigma * np.random.default_rng(4).normal(size=(20_000, 2, 6, 2))
+    sample = from_images(float64(), Images(both.left + draws[None, :, 0], both.right + draws[None, :, 1])).model[0]
+    wanted = chain_derivatives(both)["model"].covariance(sigma**2 * np.eye(24))[0]
+    measured = np.cov(sample.reshape(20_000, -1).T)
+    np.testing.assert_allclose(np.diag(measured), np.diag(wanted), rtol=0.06, atol=1e-20)

@@ -62,7 +62,7 @@ def test_the_bits_are_those_of_the_numpy_source(name, dtype):
 
 
 def extremes(shape, dtype, seed):
-    """Draw numbers of every size, and such as are none, a few in each row of ordinary ones, and some rows of them alone.
+    """Draw numbers of every size, and such as are none: a few among ordinary ones, and rows of them alone.
 
     What is infinite must not hide that something else is too large.
     """

@@ -62,12 +62,17 @@ def test_the_bits_are_those_of_the_numpy_source(name, dtype):
 
 
 def extremes(shape, dtype, seed):
-    """Draw numbers of every size, a few of them in each row of ordinary ones, and some rows of them alone."""
+    """Draw numbers of every size, and such as are none: a few among ordinary ones, and rows of them alone.
+
+    What is infinite must not hide that something else is too large.
+    """
     generator = np.random.default_rng(seed)
     limits = np.finfo(dtype)
     exponents = generator.integers(limits.minexp - limits.nmant, limits.maxexp, shape)
     with np.errstate(under="ignore"):
         large_and_small = np.ldexp(generator.uniform(-1, 1, shape).astype(dtype), exponents)
+    none = generator.choice(np.array([np.inf, -np.inf, np.nan], dtype), shape)
+    large_and_small = np.where(generator.random(shape) < 0.2, none, large_and_small)
     some = generator.random(shape) < generator.choice([0, 0.02, 0.2, 1], shape[0]).reshape(-1, *(1 for _ in shape[1:]))
     return np.where(some, large_and_small, generator.uniform(-4, 4, shape).astype(dtype))
 
@@ -77,6 +82,13 @@ def extremes(shape, dtype, seed):
 def test_the_bits_are_the_same_where_products_and_halves_overflow_and_underflow(name, dtype):
     kernel = KERNELS[name]
     assert_same(kernel, [extremes((3000, *a.shape), dtype, seed) for seed, a in enumerate(kernel.arguments)])
+
+
+@pytest.mark.parametrize("infinite", [np.inf, -np.inf, np.nan])
+def test_what_is_infinite_does_not_hide_that_something_else_is_too_large(infinite):
+    matrices = np.random.default_rng(0).uniform(-4, 4, (1000, 4, 4))
+    matrices[:, 0, 0], matrices[:, 3, 3] = infinite, 1e300
+    assert_same(KERNELS["critical.invariants"], [matrices])
 
 
 @pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.correlation_matrix"])

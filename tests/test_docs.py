@@ -6,6 +6,7 @@ import re
 import shlex
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -85,6 +86,8 @@ def perform(page, folder):
             write(block, folder)
         elif language == "json":
             (folder / title).write_text(block, encoding="utf-8")
+        elif language == "toml":
+            assert tomllib.loads(block)
         else:
             assert (language, page.stem) == ("sh", INSTALLATION)
 

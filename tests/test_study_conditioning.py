@@ -6,8 +6,9 @@ import pytest
 
 import algebroproj
 from algebroproj import correlation, metric, normal_case, optics, projection
+from algebroproj_sym.study.arithmetics import mpmath_digits
 from algebroproj_sym.study.conditioning import condition, condition_numbers, jacobian, smallest_singular_values
-from algebroproj_sym.study.precision import apply, lift, mpmath_digits
+from algebroproj_sym.study.precision import apply, lift
 from algebroproj_sym.study.taylor import gradient, hessian, taylor, variables
 
 GENERATOR = np.random.default_rng(8)

@@ -4,7 +4,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from algebroproj_sym.study.precision import float64, lift, mpmath_digits
+from algebroproj_sym.study.arithmetics import float64, mpmath_digits
+from algebroproj_sym.study.precision import lift
 from algebroproj_sym.study.stereo.chain import Images, from_images, images
 from algebroproj_sym.study.stereo.configurations import ordinary
 from algebroproj_sym.study.stereo.derivatives import chain_derivatives

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from algebroproj import correlation, critical
-from algebroproj_sym.study.precision import apply, arb, float64, lift, rational
+from algebroproj_sym.study.arithmetics import arb, float64, rational
+from algebroproj_sym.study.precision import apply, lift
 from algebroproj_sym.study.stereo.chain import images
 from algebroproj_sym.study.stereo.configurations import BASIC, critical_quadric, near_critical, ordinary
 from algebroproj_sym.study.stereo.indicators import diagnosis, eight_point_matrix, indicators

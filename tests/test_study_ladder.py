@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from algebroproj import correlation, metric, optics
+from algebroproj_sym.study.arithmetics import double_double_balls, float64, float64_balls
 from algebroproj_sym.study.ladder import SINGULAR, certified, climb
-from algebroproj_sym.study.precision import double_double_balls, float64, float64_balls
 from algebroproj_sym.study.stereo.chain import Configuration, simulated
 
 

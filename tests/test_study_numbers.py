@@ -5,7 +5,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from algebroproj_sym.study import sweeping
-from algebroproj_sym.study.precision import float64
+from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.stereo.chain import Images, images
 from algebroproj_sym.study.stereo.configurations import ordinary
 from algebroproj_sym.study.studies import indicators, normal_case, precision, propagation

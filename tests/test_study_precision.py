@@ -10,19 +10,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import algebroproj
-from algebroproj_sym.study.precision import (
-    apply,
+from algebroproj_sym.study.arithmetics import (
     arb,
     double_double,
     double_double_balls,
     float64,
     float64_balls,
-    lift,
     mpmath_digits,
-    nearest,
-    radius,
     rational,
 )
+from algebroproj_sym.study.precision import apply, lift, nearest, radius
 
 Z = [[0, -0.975, -0.125], [1, -0.025, 0.075], [0.125, -0.08, 0.001]]
 INEXACT = (float64(), double_double(), float64_balls(), double_double_balls(), mpmath_digits(50), arb(200))

@@ -68,6 +68,8 @@ def _command(study: Study) -> click.Command:
 
 def _parameter(option: Option) -> click.Option:
     kind: Any = click.Choice(option.type) if isinstance(option.type, tuple) else option.type
+    if option.type is Path:
+        kind = click.Path(exists=True, dir_okay=False, path_type=Path)
     flags = f"--{option.name.replace('_', '-')}"
     return click.Option([flags, option.name], type=kind, default=option.default, show_default=True, help=option.help)
 
@@ -125,8 +127,8 @@ def _run(
     drawings = figures.save(study.figures(dataset), out / "figures")
     write_texts({"report.txt": text}, out)
     console().print(text.rstrip("\n"), markup=False)
-    files = [sweep.result, *drawings]
-    console().print(f"written to {out}: {', '.join(path.relative_to(out).as_posix() for path in files)}, report.txt")
+    names = sorted({path.stem for path in drawings})
+    console().print(f"written to {out}: {sweep.result.name}, report.txt, figures ({', '.join(names)})")
 
 
 def _compute(sweep: Sweep, executor: Executor | None, workers: int) -> None:

@@ -36,7 +36,8 @@ TYPES = (
         "name": "float",
         "absolute": "fabsf",
         "multiply_add": "fmaf",
-        "headroom": "(FLT_MAX / 2)",
+        "headroom": "(FLT_MAX / 4)",
+        "reduction": "1e-30f",
         "splitter": "4097.0f",
         "has_fused": True,
     },
@@ -44,7 +45,8 @@ TYPES = (
         "name": "double",
         "absolute": "fabs",
         "multiply_add": "fma",
-        "headroom": "(DBL_MAX / 2)",
+        "headroom": "(DBL_MAX / 4)",
+        "reduction": "1e-300",
         "splitter": "134217729.0",
         "has_fused": True,
     },
@@ -52,7 +54,8 @@ TYPES = (
         "name": "longdouble",
         "absolute": "fabsl",
         "multiply_add": "fmal",
-        "headroom": "(LDBL_MAX / 2)",
+        "headroom": "(LDBL_MAX / 4)",
+        "reduction": "1e-300L",
         "splitter": "((longdouble)((npy_ulonglong)1 << (LDBL_MANT_DIG + 1) / 2) + 1)",
         "has_fused": False,
     },
@@ -67,7 +70,8 @@ _SOLVERS = {"solve": solve_body, "null_vector": null_vector_body}
 _WORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    in out i points real range ranges absolute headroom multiply_add isgreater product_error splitter variant within
+    in out i points real range ranges variant absolute headroom isgreater multiply_add product_error reduction splitter
+    within
 """
 _RESERVED = frozenset(_WORDS.split())
 

@@ -259,7 +259,7 @@ def _declare(file: h5netcdf.File, name: str, variable: Any) -> None:
         name,
         variable.dimensions,
         variable.dtype,
-        chunks=variable.shape or None,
+        chunks=variable.shape if variable.shape and all(variable.shape) else None,
         fillvalue=variable.attrs.get("_FillValue"),
     )
     made.attrs.update(attributes)

@@ -28,7 +28,7 @@ class Option:
     name : str
         A Python identifier; on the command line its underscores are hyphens.
     type : type or tuple of str
-        int, float, str or bool, or the words to choose from.
+        int, float, str, bool or Path (of a file), or the words to choose from.
     default : object
         Its value when it is not given.
     help : str

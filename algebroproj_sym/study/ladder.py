@@ -16,18 +16,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from algebroproj._double_double import DoubleDouble
-from algebroproj_sym.study.precision import (
-    Arithmetic,
-    Numbers,
-    apply,
-    arb,
-    double_double_balls,
-    float64_balls,
-    lift,
-    nearest,
-    radius,
-    rational,
-)
+from algebroproj_sym.study.arithmetics import arb, double_double_balls, float64_balls, rational
+from algebroproj_sym.study.precision import Arithmetic, Numbers, apply, lift, nearest, radius
 
 __all__ = ["SINGULAR", "UNDECIDED", "Certified", "certified", "climb"]
 

@@ -8,6 +8,7 @@ computed it, in which order, or how often the work was stopped.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import shutil
 from collections.abc import Callable, Iterator, Mapping
@@ -96,14 +97,14 @@ class Sweep:
 
 
 def arguments(sweep: Sweep) -> dict[str, Any]:
-    """Return what the result depends on, beside the program."""
+    """Return what the result depends on, beside the program: of a file its name and a digest."""
     return {
         "study": sweep.study.name,
         "members": sweep.members,
         "chunk": sweep.size,
         "seed": sweep.seed,
         "format": sweep.output,
-        "options": dict(sweep.options),
+        "options": {name: _recorded(value) for name, value in sweep.options.items()},
     }
 
 
@@ -209,6 +210,12 @@ def assemble(sweep: Sweep) -> xarray.Dataset:
         join(paths, MEMBER, attributes(sweep.study.summary, arguments(sweep)), sweep.result)
     shutil.rmtree(sweep.folder / CHUNKS, ignore_errors=True)
     return read(sweep.result)
+
+
+def _recorded(value: Any) -> Any:
+    if not isinstance(value, Path):
+        return value
+    return f"{value.name}, sha256 {hashlib.sha256(value.read_bytes()).hexdigest()}"
 
 
 def _next(waiting: Iterator[int], count: int) -> Iterator[int]:

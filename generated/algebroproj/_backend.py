@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "38d31d84e8ecdd3b"
+DIGEST = "48c3428cbb63893e"
 """What identifies the C source that belongs to this package."""
 
 

@@ -161,7 +161,7 @@ def images(arithmetic: Arithmetic, configuration: Configuration) -> Images:
 
     Examples
     --------
-    >>> from algebroproj_sym.study.precision import float64
+    >>> from algebroproj_sym.study.arithmetics import float64
     >>> both = images(float64(), _example())
     >>> both.left.shape, both.left[0, 0].tolist()
     ((1, 5, 2), [0.3, 0.1])
@@ -209,7 +209,7 @@ def from_images(arithmetic: Arithmetic, both: Images, y_a: ArrayLike = AXIS_POIN
 
     Examples
     --------
-    >>> from algebroproj_sym.study.precision import float64
+    >>> from algebroproj_sym.study.arithmetics import float64
     >>> configuration = _example()
     >>> chain = from_images(float64(), images(float64(), configuration))
     >>> bool(abs(chain.Z[0, 1, 0] - 1) < 1e-15), chain.model.shape
@@ -234,7 +234,8 @@ def simulated(arithmetic: Arithmetic, configuration: Configuration, y_a: ArrayLi
 
     Examples
     --------
-    >>> from algebroproj_sym.study.precision import nearest, rational
+    >>> from algebroproj_sym.study.arithmetics import rational
+    >>> from algebroproj_sym.study.precision import nearest
     >>> exact = simulated(rational(), _example())
     >>> float(nearest(rational(), exact.Z).hi[1, 1]).as_integer_ratio()[1] > 1
     True
@@ -280,7 +281,7 @@ def normal(
 
     Examples
     --------
-    >>> from algebroproj_sym.study.precision import float64
+    >>> from algebroproj_sym.study.arithmetics import float64
     >>> both = images(float64(), _example())
     >>> chain = from_images(float64(), both)
     >>> case = normal(float64(), both, chain, "centers")

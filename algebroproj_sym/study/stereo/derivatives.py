@@ -76,7 +76,7 @@ def chain_derivatives(both: Images, y_a: ArrayLike = AXIS_POINT) -> dict[str, De
 
     Examples
     --------
-    >>> from algebroproj_sym.study.precision import float64
+    >>> from algebroproj_sym.study.arithmetics import float64
     >>> from algebroproj_sym.study.stereo.chain import images
     >>> from algebroproj_sym.study.stereo.configurations import ordinary
     >>> found = chain_derivatives(images(float64(), ordinary(3)))

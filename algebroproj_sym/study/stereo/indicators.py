@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj import correlation, critical
+from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.conditioning import condition_numbers, smallest_singular_values
-from algebroproj_sym.study.precision import apply, float64
+from algebroproj_sym.study.precision import apply
 from algebroproj_sym.study.stereo.chain import CORRELATION_POINTS, Configuration, Images, images
 from algebroproj_sym.study.stereo.configurations import critical_quadric
 from algebroproj_sym.study.stereo.rounding import bound_of_correlation, bound_of_epipoles

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from algebroproj import correlation
 from algebroproj._error_bounds import Bounded, magnitude
-from algebroproj_sym.study.precision import Numbers, apply, double_double_balls, float64_balls, lift, radius
+from algebroproj_sym.study.arithmetics import double_double_balls, float64_balls
+from algebroproj_sym.study.precision import Numbers, apply, lift, radius
 from algebroproj_sym.study.taylor import inverses
 
 __all__ = ["bound_of_correlation", "bound_of_epipoles"]
@@ -61,7 +62,7 @@ def bound_of_correlation(left: Array, right: Array, off_left: Array, off_right: 
 
     Examples
     --------
-    >>> from algebroproj_sym.study.precision import float64
+    >>> from algebroproj_sym.study.arithmetics import float64
     >>> from algebroproj_sym.study.stereo.chain import images
     >>> from algebroproj_sym.study.stereo.configurations import ordinary
     >>> left, right = (u[0] for u in images(float64(), ordinary(1)))
@@ -97,7 +98,7 @@ def bound_of_epipoles(left: Array, right: Array, off_left: Array, off_right: Arr
 
     Examples
     --------
-    >>> from algebroproj_sym.study.precision import float64
+    >>> from algebroproj_sym.study.arithmetics import float64
     >>> from algebroproj_sym.study.stereo.chain import images
     >>> from algebroproj_sym.study.stereo.configurations import ordinary
     >>> left, right = (u[0] for u in images(float64(), ordinary(1)))

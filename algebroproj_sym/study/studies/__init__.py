@@ -11,10 +11,11 @@ from algebroproj_sym.study.studies import (
     normal_case,
     precision,
     propagation,
+    scene,
 )
 
 STUDIES: tuple[Study, ...] = tuple(
-    module.STUDY for module in (near_critical, indicators, layouts, propagation, precision, normal_case, example)
+    module.STUDY for module in (near_critical, indicators, layouts, propagation, precision, normal_case, example, scene)
 )
 
 __all__ = ["STUDIES"]

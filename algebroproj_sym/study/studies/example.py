@@ -20,10 +20,11 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 from numpy.typing import NDArray
 
+from algebroproj_sym.study.arithmetics import double_double, float64
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
-from algebroproj_sym.study.precision import double_double, float64, nearest
+from algebroproj_sym.study.precision import nearest
 from algebroproj_sym.study.reductions import parts
 from algebroproj_sym.study.sampling import uniform
 from algebroproj_sym.study.stereo.chain import Chain, Images, from_images
@@ -129,6 +130,7 @@ def chunk(indices: Indices, seed: int, *, decimals: int, **axis: float) -> xarra
     return xarray.Dataset(data, coords={MEMBER: indices})
 
 
+@cache
 def _unrounded(point: tuple[float, float, float]) -> Chain:
     exact = images(example().scene, wide=True)
     both = np.stack([exact.hi, exact.lo])[:, :, FIRST:]

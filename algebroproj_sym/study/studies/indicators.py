@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 
 from algebroproj import correlation
 from algebroproj_sym.study import sampling
+from algebroproj_sym.study.arithmetics import double_double
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.ladder import climb
-from algebroproj_sym.study.precision import Arithmetic, Numbers, apply, double_double
+from algebroproj_sym.study.precision import Arithmetic, Numbers, apply
 from algebroproj_sym.study.stereo.chain import Configuration, images
 from algebroproj_sym.study.stereo.configurations import near_critical, ordinary
 from algebroproj_sym.study.stereo.indicators import Indicators, indicators

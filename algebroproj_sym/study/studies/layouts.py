@@ -119,7 +119,8 @@ def report(dataset: xarray.Dataset) -> str:
     ]
     for layout, distributions in zip(LAYOUTS, counted(dataset), strict=True):
         exact = examine(layout.scene())
-        slopes = [distributions[name].line(*FITTED)[0] for name in ("smallest_of_five", "smallest_of_eight")]
+        fitted = [distributions[name].line(*FITTED) for name in ("smallest_of_five", "smallest_of_eight")]
+        slopes = [round(slope, 1) + 0.0 for slope, _, _ in fitted]
         lost = [_at(distributions[name], -6.0) for name in ("lost_divided", "lost_homogeneous")]
         kind = exact.kind.name if exact.kind else "none" if exact.conditions == 10 else "several"
         ranks = f"{exact.rank_of_five:>5}{exact.rank_of_eight:>5}{exact.conditions:>6}"

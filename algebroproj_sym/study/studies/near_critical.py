@@ -37,6 +37,9 @@ ERRORS = {
     "lost_epipoles": "in the epipoles",
 }
 X_EDGES, Y_EDGES = np.linspace(-16, 1, 69), np.linspace(-2, 20, 221)
+SHOWN = (-12, -9, -6, -3)
+"""Logarithms of the distances of which the report tells the median."""
+
 TYPICAL = 3
 """Seed of the stereo pair that is drawn."""
 
@@ -160,20 +163,22 @@ def counted(dataset: xarray.Dataset) -> dict[str, Joint]:
 
 
 def report(dataset: xarray.Dataset) -> str:
-    """Return slopes and scatters of the regression lines, and how many members gave no number."""
+    """Return medians at some distances, slopes and scatters of the regression lines, and members without a number."""
     members = dataset.sizes[MEMBER]
     ruled = float(dataset.ruled.mean())
     lines = [
         f"{members} stereo pairs of eight points, one of them near the quadric of the others and of the centers.",
         f"Critical quadrics that are ruled: {100 * ruled:.0f} %.",
-        "Lost digits against log10(distance), for distances from 1e-12 to 1e-2 half widths of the model:",
-        f"  {'':<36}slope  at 1e-6  scatter  no number",
+        "Decimal digits lost: median at some distances from the quadric, in half widths of the model; slope against",
+        "log10(distance) and scatter about the line from 1e-12 to 1e-2; members without a number.",
+        "",
+        f"{'':<34}" + "".join(f"{f'1e{exponent}':>7}" for exponent in SHOWN) + "  slope  scatter  none",
     ]
     for name, distribution in counted(dataset).items():
-        slope, intercept, scatter = distribution.line(*FITTED)
-        lines.append(
-            f"  {ERRORS[name]:<34}{slope:>7.2f}{intercept - 6 * slope:>9.1f}{scatter:>9.2f}{distribution.outside:>11}"
-        )
+        slope, _, scatter = distribution.line(*FITTED)
+        medians = distribution.quantiles([0.5], least=1)[0][np.searchsorted(X_EDGES, SHOWN) - 1]
+        columns = "".join(f"{round(float(median), 1) + 0.0:>7.1f}" for median in medians)
+        lines.append(f"{ERRORS[name]:<34}{columns}{slope:>7.2f}{scatter:>9.2f}{distribution.outside:>6}")
     return "\n".join(lines) + "\n"
 
 

@@ -12,20 +12,18 @@ import xarray
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from algebroproj_sym.study.datasets import variable
-from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
-from algebroproj_sym.study.figures import COLOURS, GREY, INK, PAGE, figure, style
-from algebroproj_sym.study.precision import (
-    Arithmetic,
-    Numbers,
+from algebroproj_sym.study.arithmetics import (
     arb,
     double_double,
     double_double_balls,
     float64,
     float64_balls,
     mpmath_digits,
-    radius,
 )
+from algebroproj_sym.study.datasets import variable
+from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
+from algebroproj_sym.study.figures import COLOURS, GREY, INK, PAGE, figure, style
+from algebroproj_sym.study.precision import Arithmetic, Numbers, radius
 from algebroproj_sym.study.stereo.chain import Configuration, simulated
 from algebroproj_sym.study.stereo.configurations import near_critical, ordinary
 

@@ -1,0 +1,216 @@
+"""The arithmetics that there are: float64, double-double, mpmath, exact rationals, and enclosures of three kinds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import flint
+import mpmath
+import numpy as np
+from numpy.typing import NDArray
+
+from algebroproj._double_double import DoubleDouble, Unrounded
+from algebroproj._error_bounds import Bounded
+from algebroproj_sym.study.exact_systems import ARB, MPMATH, RATIONAL
+from algebroproj_sym.study.precision import Arithmetic, Numbers
+
+__all__ = [
+    "arb",
+    "double_double",
+    "double_double_balls",
+    "float64",
+    "float64_balls",
+    "mpmath_digits",
+    "rational",
+]
+
+
+def _same(number: Any) -> Any:
+    return number
+
+
+def _no_rest(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    return values, np.zeros_like(values)
+
+
+@cache
+def float64() -> Arithmetic:
+    """Machine numbers: the generated functions as they are, compiled where they were."""
+    return Arithmetic(
+        name="float64",
+        digits=16,
+        parts=1,
+        dtype=np.float64,
+        lift=lambda values, off: values[None],
+        join=lambda parts: parts[0],
+        split=lambda value: (value,),
+        nearest=lambda numbers: _no_rest(numbers[0]),
+        native=True,
+    )
+
+
+@cache
+def double_double() -> Arithmetic:
+    """Twice the digits of machine numbers, about 31."""
+    return Arithmetic(
+        name="double-double",
+        digits=31,
+        parts=2,
+        dtype=np.float64,
+        lift=lambda values, off: np.stack(_no_rest(values)),
+        join=lambda parts: Unrounded(parts[0], parts[1]),
+        split=lambda value: _words(value),
+        nearest=lambda numbers: (numbers[0], numbers[1]),
+        meanings={"wide": _same, "rounded": _same},
+    )
+
+
+@cache
+def float64_balls() -> Arithmetic:
+    """Machine numbers with a guaranteed bound of their error, by running error analysis."""
+    return Arithmetic(
+        name="float64 enclosures",
+        digits=16,
+        parts=2,
+        dtype=np.float64,
+        lift=lambda values, off: np.stack([values, off]),
+        join=lambda parts: Bounded(parts[0], parts[1]),
+        split=lambda ball: (ball.value, ball.error) if isinstance(ball, Bounded) else (ball, 0.0),
+        nearest=lambda numbers: _no_rest(numbers[0]),
+        radius=lambda numbers: np.asarray(numbers[1]),
+        meanings={"wide": _same, "rounded": _same},
+    )
+
+
+@cache
+def double_double_balls() -> Arithmetic:
+    """Double-double numbers with a guaranteed bound of their error."""
+    return Arithmetic(
+        name="double-double enclosures",
+        digits=31,
+        parts=3,
+        dtype=np.float64,
+        lift=lambda values, off: np.stack([*_no_rest(values), off]),
+        join=lambda parts: Bounded(Unrounded(parts[0], parts[1]), parts[2]),
+        split=lambda ball: (*_words(ball.value), ball.error) if isinstance(ball, Bounded) else (ball, 0.0, 0.0),
+        nearest=lambda numbers: (numbers[0], numbers[1]),
+        radius=lambda numbers: np.asarray(numbers[2]),
+        meanings={"wide": _same, "rounded": _same},
+    )
+
+
+@cache
+def mpmath_digits(digits: int) -> Arithmetic:
+    """Floating-point numbers of so many decimal digits (mpmath)."""
+    return Arithmetic(
+        name=f"mpmath {digits} digits",
+        digits=digits,
+        parts=1,
+        dtype=object,
+        lift=lambda values, off: _objects(mpmath.mpf, values),
+        join=lambda parts: parts[0],
+        split=_of_kind(mpmath.mpf),
+        nearest=_nearest_to(float, lambda number, high: number - high),
+        meanings=MPMATH,
+        context=lambda: mpmath.workdps(digits),
+    )
+
+
+@cache
+def arb(bits: int) -> Arithmetic:
+    """Balls of so many bits (Arb): every result encloses the exact value."""
+    return Arithmetic(
+        name=f"arb {bits} bits",
+        digits=bits * np.log10(2.0),
+        parts=1,
+        dtype=object,
+        lift=_balls,
+        join=lambda parts: parts[0],
+        split=_of_kind(flint.arb),
+        nearest=_nearest_to(_middle, lambda ball, high: ball.mid() - high),
+        radius=_radius_of_balls,
+        meanings=ARB,
+        context=lambda: flint.ctx.workprec(bits),
+    )
+
+
+@cache
+def rational() -> Arithmetic:
+    """Exact rational numbers; division by zero is an error, and there are no angles."""
+    return Arithmetic(
+        name="rational",
+        digits=np.inf,
+        parts=1,
+        dtype=object,
+        lift=lambda values, off: _objects(lambda value: flint.fmpq(*value.as_integer_ratio()), values),
+        join=lambda parts: parts[0],
+        split=_of_kind(flint.fmpq),
+        nearest=_nearest_to(_rounded, lambda number, high: number - flint.fmpq(*high.as_integer_ratio())),
+        meanings=RATIONAL,
+    )
+
+
+def _words(value: Any) -> tuple[Any, Any]:
+    if not isinstance(value, DoubleDouble):
+        return value, 0.0
+    return value.hi, 0.0 if value.lo is None else value.lo
+
+
+def _of_kind(kind: Callable[[int], Any]) -> Callable[[Any], tuple[Any, ...]]:
+    """Return the function that turns the integers of a formula into numbers of a kind."""
+    return lambda value: (kind(value) if isinstance(value, int) else value,)
+
+
+def _objects(kind: Callable[[float], Any], values: NDArray[np.float64]) -> Numbers:
+    objects = np.empty((1, *values.shape), dtype=object)
+    for place in np.ndindex(values.shape):
+        objects[(0, *place)] = kind(float(values[place]))
+    return objects
+
+
+def _balls(values: NDArray[np.float64], off: NDArray[np.float64]) -> Numbers:
+    balls = _objects(flint.arb, values)
+    for place in np.ndindex(off.shape):
+        if off[place] > 0:
+            balls[(0, *place)] = flint.arb(float(values[place]), float(off[place]))
+    return balls
+
+
+def _nearest_to(
+    rounded: Callable[[Any], float], rest: Callable[[Any, float], Any]
+) -> Callable[[Numbers], tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Return the function that rounds objects to the sum of two machine numbers."""
+
+    def nearest(numbers: Numbers) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        words = np.zeros((2, *numbers.shape[1:]))
+        for place in np.ndindex(numbers.shape[1:]):
+            number = numbers[(0, *place)]
+            high = rounded(number)
+            words[(0, *place)] = high
+            words[(1, *place)] = rounded(rest(number, high)) if np.isfinite(high) else 0.0
+        return words[0], words[1]
+
+    return nearest
+
+
+def _middle(ball: Any) -> float:
+    return float(ball.mid())
+
+
+def _rounded(number: Any) -> float:
+    return int(number.p) / int(number.q)
+
+
+def _radius_of_balls(numbers: Numbers) -> NDArray[np.float64]:
+    """Return upper bounds of how far the exact value is from the nearest double-double number."""
+    radii = np.zeros(numbers.shape[1:])
+    for place, ball in zip(np.ndindex(radii.shape), numbers.reshape(-1), strict=True):
+        if not ball.is_finite():
+            radii[place] = np.inf
+            continue
+        high = _middle(ball)
+        low = _middle(ball.mid() - high)
+        radii[place] = np.nextafter(float((ball - high - low).abs_upper()), np.inf)
+    return radii

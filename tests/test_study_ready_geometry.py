@@ -203,6 +203,8 @@ def test_the_command_writes_dataset_figures_and_report(tmp_path):
         "report.txt",
         "figures/error-ellipses.png",
         "figures/error-ellipses.pdf",
+        "figures/error-ellipsoids.png",
+        "figures/error-ellipsoids.pdf",
     }
     assert (tmp_path / "report.txt").read_text() in result.stdout.replace("written to", "\nwritten to") + "\n"
     assert json.loads((tmp_path / "manifest.json").read_text())["arguments"]["options"]["decimals"] == 7

@@ -38,6 +38,12 @@ FIRST, DETERMINING = 3, 5
 ELLIPSE = 5.991464547107979
 """Square of the half axes of an ellipse that holds 95 %, in standard deviations: the quantile of chi squared of two."""
 
+ELLIPSOID = 7.814727903251179
+"""The same of an ellipsoid: the quantile of chi squared of three."""
+
+ENLARGED = 0.12
+"""Half the length, in the model, to which the longest axis is enlarged in a drawing, at most."""
+
 UNCHANGED = 1e-12
 """Deviations of elements that do not depend on the images: rounding errors."""
 
@@ -159,7 +165,7 @@ def _low(word: Any) -> Numbers:
 
 @dataclass(frozen=True)
 class Spread:
-    """Of some quantities: standard deviations, covariances of the first two coordinates, and largest changes."""
+    """Of some quantities: standard deviations, covariances along their last axis, and largest changes."""
 
     deviation: Numbers
     covariance: Numbers
@@ -181,14 +187,11 @@ def spread(dataset: xarray.Dataset, name: str) -> Spread:
         members += len(changes)
         total = total + changes.sum(axis=0)
         squares = squares + (changes**2).sum(axis=0)
-        products = products + (changes[..., 0] * changes[..., 1]).sum(axis=0)
+        products = products + (changes[..., :, None] * changes[..., None, :]).sum(axis=0)
         largest = np.maximum(largest, np.abs(changes).max(axis=0, initial=0.0))
     mean = total / members
     variance = squares / members - mean**2
-    mixed = products / members - mean[..., 0] * mean[..., 1]
-    covariance = np.stack(
-        [np.stack([variance[..., 0], mixed], axis=-1), np.stack([mixed, variance[..., 1]], axis=-1)], axis=-1
-    )
+    covariance = products / members - mean[..., :, None] * mean[..., None, :]
     return Spread(np.sqrt(variance), covariance, largest, members, dataset.sizes[MEMBER] - members)
 
 
@@ -213,25 +216,36 @@ def report(dataset: xarray.Dataset) -> str:
 
 
 def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
-    """Draw the error ellipses of the model and of the centers."""
+    """Draw the error ellipses and ellipsoids of the model, and how much each result changes."""
+    return {"error-ellipses": _ellipses(dataset), "error-ellipsoids": _ellipsoids(dataset)}
+
+
+def _enlargement(covariance: Numbers, quantile: float) -> float:
+    """Return a round number by which the half axes of ellipses, or ellipsoids, can be enlarged."""
+    most = float(ENLARGED / np.sqrt(quantile * np.linalg.eigvalsh(covariance).max()))
+    power = 10.0 ** np.floor(np.log10(most))
+    return float(power * max(digit for digit in (1, 2, 5) if digit * power <= most))
+
+
+def _ellipses(dataset: xarray.Dataset) -> Figure:
     found = spread(dataset, "model")
     with style():
         drawing = figure(PAGE, 3.9)
         left, right = drawing.subplots(1, 2, width_ratios=[1.5, 1.0])
         points = dataset.model_true.values
-        enlarged = 0.08 / np.sqrt(ELLIPSE * np.linalg.eigvalsh(found.covariance).max())
-        exponent = int(np.floor(np.log10(enlarged)))
+        covariance = found.covariance[:, :2, :2]
+        factor = _enlargement(covariance, ELLIPSE)
         for place, name in enumerate(dataset.point.values):
             determining = place < DETERMINING
             colour, dash = (COLOURS[0], DASHES[0]) if determining else (COLOURS[1], DASHES[1])
-            _ellipse(left, points[place], found.covariance[place] * 10.0 ** (2 * exponent), colour, dash)
+            _ellipse(left, points[place], covariance[place] * factor**2, colour, dash)
             left.plot(*points[place, :2], marker="o" if determining else "s", ms=2.5, color=colour)
             offset = (4, 4 - 12 * (place % 2))
             left.annotate(str(name), points[place, :2], xytext=offset, textcoords="offset points", fontsize=7)
         left.plot([], [], color=COLOURS[0], marker="o", ms=2.5, label="determine the correlation")
         left.plot([], [], color=COLOURS[1], ls=DASHES[1], marker="s", ms=2.5, label="others")
         left.legend(loc="best")
-        left.set_title(f"model: 95 % ellipses, enlarged $10^{{{exponent}}}$ times")
+        left.set_title(f"model: 95 % ellipses, enlarged {factor:g} times")
         left.set(xlabel="$y_1$", ylabel="$y_2$", aspect="equal")
         left.margins(0.12)
         names = list(QUANTITIES)
@@ -248,7 +262,39 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
         right.grid(visible=False, axis="x")
         right.legend(loc="lower left")
         right.spines["bottom"].set_color(GREY)
-    return {"error-ellipses": drawing}
+    return drawing
+
+
+def _ellipsoids(dataset: xarray.Dataset) -> Figure:
+    covariance, points = spread(dataset, "model").covariance, dataset.model_true.values
+    factor = _enlargement(covariance, ELLIPSOID)
+    with style():
+        drawing = figure(0.62 * PAGE, 4.3)
+        axes: Any = drawing.add_subplot(projection="3d", computed_zorder=False)
+        for place, name in enumerate(dataset.point.values):
+            colour = COLOURS[0] if place < DETERMINING else COLOURS[1]
+            surface = _ellipsoid(points[place], covariance[place] * factor**2)
+            axes.plot_wireframe(*surface, color=colour, lw=0.7, rcount=9, ccount=9, zorder=2)
+            axes.plot(*np.stack([points[place], [*points[place, :2], 0.0]]).T, color=GREY, lw=0.6, ls=":", zorder=1)
+            axes.scatter(*points[place], color=colour, marker="o" if place < DETERMINING else "s", s=6, zorder=3)
+            axes.text(*points[place], f"  {name}", fontsize=7, zorder=4)
+        axes.plot([], [], color=COLOURS[0], marker="o", ms=2.5, label="determine the correlation")
+        axes.plot([], [], color=COLOURS[1], marker="s", ms=2.5, label="others")
+        axes.set(xlabel="$y_1$", ylabel="$y_2$", zlabel="$y_3$")
+        axes.set_title(f"model: 95 % ellipsoids, enlarged {factor:g} times")
+        axes.set_box_aspect(None, zoom=0.9)
+        axes.view_init(elev=18, azim=-62)
+        drawing.legend(loc="outside lower center", ncols=2)
+    return drawing
+
+
+def _ellipsoid(middle: Numbers, covariance: Numbers) -> Numbers:
+    """Return a net of points on an ellipsoid, shape (3, 25, 25)."""
+    squares, directions = np.linalg.eigh(covariance)
+    longitude, latitude = np.meshgrid(np.linspace(0, 2 * np.pi, 25), np.linspace(0, np.pi, 25))
+    sphere = np.stack([np.cos(longitude) * np.sin(latitude), np.sin(longitude) * np.sin(latitude), np.cos(latitude)])
+    net: Numbers = np.einsum("ij,jkl->ikl", directions * np.sqrt(ELLIPSOID * np.maximum(squares, 0)), sphere)
+    return middle[:, None, None] + net
 
 
 def _ellipse(axes: Axes, middle: Numbers, covariance: Numbers, colour: str, dash: Any) -> None:

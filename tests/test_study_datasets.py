@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from algebroproj import DoubleDouble
 from algebroproj_sym.study.datasets import numbers, pair, provenance, read, text, variable, write
-from algebroproj_sym.study.reductions import joint, parts
+from algebroproj_sym.study.reductions import joint, parts, thinned
 
 PRECISIONS = st.integers(2, 400)
 MANTISSAS = st.integers(-(10**60), 10**60)
@@ -101,3 +101,11 @@ def test_parts_cover_a_dataset_once():
     pieces = list(parts(dataset, 10))
     assert [piece.sizes["member"] for piece in pieces] == [10, 10, 5]
     assert np.array_equal(np.concatenate([piece.x for piece in pieces]), np.arange(25.0))
+
+
+@given(members=st.integers(1, 60), most=st.integers(1, 70))
+def test_a_thinned_dataset_has_no_more_members_than_wanted_and_as_many_as_can_be(members, most):
+    some, step = thinned(xarray.Dataset({"x": ("member", np.arange(members))}), most)
+    assert some.x.values.tolist() == list(range(0, members, step))
+    assert some.sizes["member"] <= most
+    assert step == 1 or len(range(0, members, step - 1)) > most

@@ -9,6 +9,7 @@ import sys
 import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -20,6 +21,7 @@ from algebroproj_sym.cli import main
 from algebroproj_sym.study import MEMBER, Option, Study
 from algebroproj_sym.study.datasets import read, variable
 from algebroproj_sym.study.sampling import uniform
+from algebroproj_sym.study.studies import normal_case
 from algebroproj_sym.study.sweeping import OtherSweepError, Sweep, assemble, computed, missing, prepare, run
 
 
@@ -332,6 +334,13 @@ def test_a_folder_that_cannot_be_written_is_exit_status_2(tmp_path):
     result = invoke("near-critical", "--out", str(tmp_path / "file" / "folder"))
     assert result.exit_code == 2
     assert "cannot be written" in result.stderr
+
+
+def test_a_report_that_needs_its_members_in_memory_is_given_some_of_them(tmp_path, monkeypatch):
+    monkeypatch.setattr("algebroproj_sym.study.studies.STUDIES", (replace(normal_case.STUDY, shown=40),))
+    result = invoke("normal-case", "--members", "100", "--out", str(tmp_path))
+    assert result.exit_code == 0, result.output
+    assert "Of every 3rd member" in result.stdout
 
 
 def test_without_the_extra_the_command_says_how_to_install_it(monkeypatch):

@@ -69,6 +69,9 @@ class Study:
         ``figures(dataset)`` returns matplotlib Figures by their names.
     check : callable
         ``check(**options)`` raises a ValueError that names the option, says what was expected and what came.
+    shown : int, optional
+        How many members report and figures are given at most, evenly spaced, because they need them in memory; all if
+        they go through them part by part.
     """
 
     name: str
@@ -79,6 +82,7 @@ class Study:
     report: Callable[[xarray.Dataset], str]
     figures: Callable[[xarray.Dataset], Mapping[str, Figure]]
     check: Callable[..., None] = _accept
+    shown: int | None = None
 
     def arguments(self, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return the value of each option: what is given, or its default.

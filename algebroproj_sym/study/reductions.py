@@ -22,6 +22,19 @@ def parts(dataset: xarray.Dataset, size: int = PART) -> Iterator[xarray.Dataset]
         yield dataset.isel({MEMBER: slice(start, start + size)}).load()
 
 
+def thinned(dataset: xarray.Dataset, most: int | None) -> tuple[xarray.Dataset, int]:
+    """Return at most so many members of a dataset, evenly spaced, and how far apart they are.
+
+    Examples
+    --------
+    >>> some, step = thinned(xarray.Dataset({"x": ("member", range(10))}), 4)
+    >>> some.x.values.tolist(), step
+    ([0, 3, 6, 9], 3)
+    """
+    step = 1 if most is None else max(1, -(-dataset.sizes[MEMBER] // most))
+    return dataset.isel({MEMBER: slice(None, None, step)}), step
+
+
 @dataclass(frozen=True)
 class Joint:
     """A joint distribution of two quantities, as counts.

@@ -230,6 +230,7 @@ STUDY = Study(
     report=report,
     figures=figures,
     check=check,
+    shown=1_000_000,
 )
 
 __all__ = ["STUDY", "Indicators", "fits"]

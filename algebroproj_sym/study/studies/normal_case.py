@@ -186,4 +186,5 @@ STUDY = Study(
     report=report,
     figures=figures,
     check=check,
+    shown=1_000_000,
 )

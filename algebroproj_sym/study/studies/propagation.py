@@ -288,4 +288,5 @@ STUDY = Study(
     report=report,
     figures=figures,
     check=check,
+    shown=1_000_000,
 )

@@ -11,6 +11,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
 
+import distributed
 import numpy as np
 import pytest
 import xarray
@@ -140,7 +141,6 @@ def test_a_stopped_sweep_goes_on_with_what_is_missing(reference, tmp_path):
 
 
 def test_a_zarr_folder_has_the_same_values(reference, tmp_path):
-    pytest.importorskip("zarr")
     sweep = swept(tmp_path, output="zarr")
     _, dataset = finished(sweep)
     xarray.testing.assert_equal(dataset, reference[0])
@@ -249,7 +249,6 @@ def wait_for(condition, seconds=300):
 @contextmanager
 def cluster(kind, folder):
     """A scheduler with two workers: in this process, or separately started programs on loopback."""
-    distributed = pytest.importorskip("distributed")
     if kind == "local":
         with distributed.LocalCluster(
             n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
@@ -344,7 +343,7 @@ def test_a_report_that_needs_its_members_in_memory_is_given_some_of_them(tmp_pat
 
 
 def test_without_the_extra_the_command_says_how_to_install_it(monkeypatch):
-    monkeypatch.setattr("algebroproj_sym.cli.study.find_spec", lambda name: None)
+    monkeypatch.setattr("algebroproj_sym.cli.steps.find_spec", lambda name: None)
     result = invoke("near-critical")
     assert result.exit_code == 1
     assert "pip install 'algebroproj-sym[study]'" in result.stderr

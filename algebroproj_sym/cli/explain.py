@@ -13,13 +13,8 @@ from algebroproj_sym.reporting import explanation
 
 @click.command()
 @click.argument("selector")
-@click.option(
-    "--format",
-    "output",
-    type=click.Choice(("text", "markdown")),
-    default="text",
-    show_default=True,
-    help="Form of the output; Markdown has its formulas in LaTeX, to be pasted into a review.",
+@options.output_as(
+    "text", "markdown", help="Form of the output; Markdown has its formulas in LaTeX, to be pasted into a review."
 )
 @options.engine
 def explain(selector: str, output: str, engine: str) -> None:

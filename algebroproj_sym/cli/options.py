@@ -24,14 +24,14 @@ jobs = click.option(
 )
 selectors = click.argument("selectors", nargs=-1, metavar="[SELECTOR]...")
 functions = click.argument("functions", nargs=-1, metavar="[FUNCTION]...")
-output_format = click.option(
-    "--format",
-    "output",
-    type=click.Choice(("text", "json")),
-    default="text",
-    show_default=True,
-    help="Form of the output.",
-)
+
+
+def output_as(*forms: str, help: str = "Form of the output.") -> Callable[[Any], Any]:
+    """Return the option for the form of the output, the first one by default."""
+    return click.option("--format", "output", type=click.Choice(forms), default=forms[0], show_default=True, help=help)
+
+
+output_format = output_as("text", "json")
 fresh = click.option("--fresh", is_flag=True, help="Prove everything, also what has not changed since an earlier run.")
 seconds = click.option(
     "--seconds",

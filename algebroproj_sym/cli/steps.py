@@ -22,25 +22,27 @@ NOTEBOOK_MODULES = ("ipykernel", "jupytext", "markdown_it", "mdit_py_plugins", "
 
 def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = True) -> list[Judgement]:
     """Judge claims, in order; unless it is to be done afresh, only those that have changed since an earlier run."""
-    memory = Memory(cache_folder(), fresh)
-    memory.forget_what_is_old()
-    return list(progressing(pipeline.check(claims, engine, jobs, memory), len(claims), "checking"))
+    return list(progressing(pipeline.check(claims, engine, jobs, _memory(fresh)), len(claims), "checking"))
 
 
 def judged_where_declared(
     papers: Sequence[str], engine: str, jobs: int, *, fresh: bool, reduce: bool = False
 ) -> list[Judgement]:
     """Judge all claims of installed papers in the processes that import them; `reduce` does what `derived` does."""
-    memory = Memory(cache_folder(), fresh)
-    memory.forget_what_is_old()
     names = modules_of_papers(papers)
-    modules = pipeline.check_modules(names, engine, jobs, memory, reduce=reduce)
+    modules = pipeline.check_modules(names, engine, jobs, _memory(fresh), reduce=reduce)
     checked = list(progressing(modules, len(names), "checking modules"))
     require_consistent([outline for module in checked for outline in module.outlines])
     judgements = [judgement for module in checked for judgement in module.judgements]
     if reduce:
         remember([judgement.claim for judgement in judgements], [form for module in checked for form in module.derived])
     return judgements
+
+
+def _memory(fresh: bool) -> Memory:
+    memory = Memory(cache_folder(), fresh)
+    memory.forget_what_is_old()
+    return memory
 
 
 def derived(claims: Sequence[Claim], jobs: int) -> None:
@@ -83,12 +85,12 @@ def verified(
     return list(progressing(found, len(lowered), "verifying"))
 
 
-def require_modules(names: Sequence[str], purpose: str) -> None:
-    """Refuse to begin what needs the extra `report` where that is not installed."""
+def require_modules(names: Sequence[str], purpose: str, requirement: str = "algebroproj-sym[report]") -> None:
+    """Refuse to begin what needs modules that are not installed, and say what to install."""
     missing = [name for name in names if find_spec(name) is None]
     if missing:
         raise click.ClickException(
-            f"{purpose} needs the module {missing[0]}.\nInstall it with: pip install 'algebroproj-sym[report]'"
+            f"{purpose} needs the module {missing[0]}.\nInstall it with: pip install '{requirement}'"
         )
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
-from importlib.util import find_spec
 from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from algebroproj_sym.cli import options
+from algebroproj_sym.cli.steps import require_modules
 from algebroproj_sym.cli.terminal import console, progressing
 from algebroproj_sym.files import write_texts
 
@@ -48,11 +48,7 @@ def study_group() -> None:
 
 
 def _studies() -> tuple[Study, ...]:
-    missing = [name for name in MODULES if find_spec(name) is None]
-    if missing:
-        raise click.ClickException(
-            f"studies need the module {missing[0]}.\nInstall it with: pip install 'algebroproj-sym[study]'"
-        )
+    require_modules(MODULES, "study", "algebroproj-sym[study]")
     from algebroproj_sym.study.studies import STUDIES
 
     return STUDIES
@@ -80,14 +76,7 @@ def _shared(study: Study) -> list[click.Parameter]:
     @click.option("--chunk", type=int, default=10_000, show_default=True, help="Members at a time; bounds the memory.")
     @options.jobs
     @click.option("--scheduler", metavar="URL", help="Compute on the dask.distributed cluster at URL, tcp://HOST:PORT.")
-    @click.option(
-        "--format",
-        "output",
-        type=click.Choice(("netcdf", "zarr")),
-        default="netcdf",
-        show_default=True,
-        help="Form of the dataset.",
-    )
+    @options.output_as("netcdf", "zarr", help="Form of the dataset.")
     @options.folder(f"study/{study.name}", "dataset, figures and report")
     def shared() -> None:
         """Carry the options that all studies have."""
@@ -111,8 +100,8 @@ def _run(
 
     if scheduler is not None and jobs != 1:
         raise click.UsageError("expected either --jobs or --scheduler, got both")
-    if output == "zarr" and find_spec("zarr") is None:
-        raise click.ClickException("--format zarr needs the module zarr.\nInstall it with: pip install zarr")
+    if output == "zarr":
+        require_modules(("zarr",), "--format zarr", "zarr")
     try:
         sweep = sweeping.Sweep(study, out, given, members, chunk, seed, output)  # type: ignore[arg-type]
         sweeping.prepare(sweep)

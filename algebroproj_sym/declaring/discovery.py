@@ -94,9 +94,7 @@ def derivations(paper: str) -> tuple[Derivation, ...]:
     DeclarationError
         If a number is declared twice, or a claim or kernel refers to a number that is not declared.
     """
-    package = importlib.import_module(f"{PAPERS}.{paper}")
-    names = sorted(info.name for info in pkgutil.iter_modules(package.__path__))
-    found = tuple(derivation for name in names for derivation in derivations_in(f"{package.__name__}.{name}"))
+    found = tuple(derivation for name in modules_of_papers([paper]) for derivation in derivations_in(name))
     require_consistent([outline(derivation.section) for derivation in found])
     return found
 

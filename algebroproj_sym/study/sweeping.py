@@ -14,6 +14,8 @@ import shutil
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass
+from functools import partial
+from itertools import islice
 from pathlib import Path
 from typing import Any, Literal
 
@@ -152,17 +154,14 @@ def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iter
     """
     if executor is None:
         for chunk in missing(sweep):
-            yield keep(sweep, chunk, computed(sweep.study.chunk, sweep.indices(chunk), sweep.seed, dict(sweep.options)))
+            yield keep(sweep, chunk, _task(sweep, chunk)())
         return
     waiting = iter(missing(sweep))
     running: dict[Future[xarray.Dataset], int] = {}
     try:
         while True:
-            for chunk in _next(waiting, window - len(running)):
-                task = executor.submit(
-                    computed, sweep.study.chunk, sweep.indices(chunk), sweep.seed, dict(sweep.options)
-                )
-                running[task] = chunk
+            for chunk in islice(waiting, window - len(running)):
+                running[executor.submit(_task(sweep, chunk))] = chunk
             if not running:
                 return
             done, _ = wait(running, return_when=FIRST_COMPLETED)
@@ -218,12 +217,8 @@ def _recorded(value: Any) -> Any:
     return f"{value.name}, sha256 {hashlib.sha256(value.read_bytes()).hexdigest()}"
 
 
-def _next(waiting: Iterator[int], count: int) -> Iterator[int]:
-    for _ in range(count):
-        chunk = next(waiting, None)
-        if chunk is None:
-            return
-        yield chunk
+def _task(sweep: Sweep, chunk: int) -> Callable[[], xarray.Dataset]:
+    return partial(computed, sweep.study.chunk, sweep.indices(chunk), sweep.seed, dict(sweep.options))
 
 
 def _require_equal(found: Mapping[str, Any], wanted: Mapping[str, Any], folder: Path) -> None:

@@ -52,6 +52,15 @@ def error_up_to_scale(found: Any, reference: DoubleDouble) -> Numbers:
     return np.asarray(np.linalg.norm(rest.hi, axis=-1) / np.linalg.norm(a.hi, axis=-1))
 
 
+def matrix_error(found: Any, reference: DoubleDouble) -> Numbers:
+    """Return by how much matrices of correlation, shape (n, 3, 3), differ from multiples of a reference; shape (n,)."""
+    return error_up_to_scale(_flat(_wide(found)), _flat(_wide(reference)))
+
+
+def _flat(matrices: DoubleDouble) -> DoubleDouble:
+    return DoubleDouble(matrices.hi.reshape(-1, 9), matrices.lo.reshape(-1, 9))
+
+
 def _wide(numbers: Any) -> DoubleDouble:
     if isinstance(numbers, DoubleDouble) and numbers.lo is not None:
         return numbers

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from algebroproj_sym.study.stereo.closest import condition
 from algebroproj_sym.study.stereo.layouts import homogeneous_rows
-from algebroproj_sym.study.stereo.scenes import LEAST_POINTS, Scene, pictures
+from algebroproj_sym.study.stereo.scenes import LEAST_POINTS, Scene, pictures, require_eight, with_points
 
 Numbers = NDArray[np.float64]
 
@@ -112,7 +112,7 @@ def exchanges(scene: Scene, candidates: Any) -> list[Exchange]:
     (1, True, True)
     """
     others = np.asarray(candidates, dtype=np.float64)
-    _require_eight(scene)
+    require_eight(scene)
     if others.ndim != 2 or others.shape[1] != 3 or not len(others):
         raise ValueError(f"candidates: expected the shape (m, 3) with m of at least 1, got {others.shape}")
     pairs = [(point, candidate) for point in range(LEAST_POINTS) for candidate in range(len(others))]
@@ -120,7 +120,7 @@ def exchanges(scene: Scene, candidates: Any) -> list[Exchange]:
     for place, (point, candidate) in enumerate(pairs):
         points[place, point] = others[candidate]
     before = float(strength(scene))
-    after = strength(_with_points(scene, points))
+    after = strength(with_points(scene, points))
     found = [Exchange(*pair, before, float(value)) for pair, value in zip(pairs, after, strict=True)]
     return sorted(found, key=lambda exchange: (-exchange.after, exchange.point, exchange.candidate))
 
@@ -154,7 +154,7 @@ def moves(scene: Scene, length: float) -> list[Move]:
     >>> abs(best.movement).round(6).tolist(), bool(best.before < 1e-15), bool(best.after > 1e-3)
     ([0.25, 0.0, 0.0], True, True)
     """
-    _require_eight(scene)
+    require_eight(scene)
     if not length > 0:
         raise ValueError(f"length: expected a positive number, got {length}")
     original = np.asarray(scene.points, dtype=np.float64)
@@ -167,17 +167,6 @@ def moves(scene: Scene, length: float) -> list[Move]:
     for place, (point, movement) in enumerate(pairs):
         points[place, point] += movement
     before = float(strength(scene))
-    after = strength(_with_points(scene, points))
+    after = strength(with_points(scene, points))
     found = [Move(point, movement, before, float(value)) for (point, movement), value in zip(pairs, after, strict=True)]
     return sorted(found, key=lambda move: (-move.after, move.point))
-
-
-def _with_points(scene: Scene, points: Numbers) -> Scene:
-    """Return a batch of scenes that differ in their points alone."""
-    centers, normals = (np.broadcast_to(part, (len(points), 2, 3)) for part in (scene.centers, scene.normals))
-    return Scene(points, centers, normals)
-
-
-def _require_eight(scene: Scene) -> None:
-    if np.shape(scene.points) != (LEAST_POINTS, 3):
-        raise ValueError(f"points: expected the shape ({LEAST_POINTS}, 3), got {np.shape(scene.points)}")

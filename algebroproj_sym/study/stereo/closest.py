@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 
-from algebroproj_sym.study.stereo.quadric import MONOMIALS
-from algebroproj_sym.study.stereo.scenes import LEAST_POINTS, Scene
+from algebroproj_sym.study.stereo.quadric import MONOMIALS, monomials
+from algebroproj_sym.study.stereo.scenes import LEAST_POINTS, Scene, require_eight
 
 Numbers = NDArray[np.float64]
 
@@ -83,15 +83,15 @@ def closest_critical(scene: Scene, *, moving_centers: bool = True) -> ClosestCri
     >>> bool(found.distance < 0.001), bool(found.angle < 1e-6)
     (True, True)
     """
-    if np.shape(scene.points) != (LEAST_POINTS, 3):
-        raise ValueError(f"points: expected the shape ({LEAST_POINTS}, 3), got {np.shape(scene.points)}")
+    require_eight(scene)
     places = np.concatenate([scene.points, scene.centers]).astype(np.float64)
     middle, size = places.mean(axis=0), float(np.sqrt(np.mean(np.var(places, axis=0))))
     normalised = (places - middle) / size
     moving = np.ones(len(places), dtype=bool)
     moving[LEAST_POINTS:] = moving_centers
-    if abs(condition(normalised)[0]) <= CRITICAL:
-        return ClosestCritical(scene, _at_places(condition(normalised)[2], middle, size), 0.0, 0 * places, 0.0, 0.0)
+    value, _, form = condition(normalised)
+    if abs(value) <= CRITICAL:
+        return ClosestCritical(scene, _at_places(form, middle, size), 0.0, 0 * places, 0.0, 0.0)
     candidates = [_descended(normalised, moving, start) for start in _starts(normalised, moving)]
     stationary = [move for move in candidates if _is_stationary(normalised, moving, move)]
     if not stationary:
@@ -122,9 +122,9 @@ def condition(places: Numbers) -> tuple[float, Numbers, Numbers]:
         The form of norm 1 whose values at the places are least.
     """
     y = np.concatenate([np.ones((len(places), 1)), places], axis=-1)
-    monomials = np.stack([y[:, i] * y[:, j] for i, j in MONOMIALS], axis=-1)
-    left, values, right = np.linalg.svd(monomials)
-    sign = float(np.linalg.slogdet(monomials)[0]) or 1.0
+    products = monomials(places).astype(np.float64)
+    left, values, right = np.linalg.svd(products)
+    sign = float(np.linalg.slogdet(products)[0]) or 1.0
     form = np.zeros((4, 4))
     for (i, j), coefficient in zip(MONOMIALS, right[-1], strict=True):
         form[i, j] += coefficient / 2

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from algebroproj import critical, projection
 from algebroproj_sym.study import sampling
 from algebroproj_sym.study.stereo.chain import Configuration
+from algebroproj_sym.study.stereo.quadric import gradients
 
 __all__ = ["critical_quadric", "near_critical", "ordinary"]
 
@@ -50,7 +51,7 @@ def ordinary(members: int | ArrayLike, seed: int = 0, further: int = FURTHER) ->
     >>> bool((ordinary([7]).y == ordinary(10).y[7]).all())
     True
     """
-    indices = np.arange(members) if isinstance(members, int) else np.asarray(members)
+    indices = _indices(members)
     y = _between(GROUND, sampling.uniform(seed, indices, (further, 3), stream=0))
     left = _between(LEFT_CENTER, sampling.uniform(seed, indices, (3,), stream=1))
     right = left + _between(BASE, sampling.uniform(seed, indices, (3,), stream=2))
@@ -91,12 +92,11 @@ def near_critical(
     """
     if not 0 < nearest <= farthest:
         raise ValueError(f"near_critical: expected 0 < nearest <= farthest, got {nearest} and {farthest}")
-    indices = np.arange(members) if isinstance(members, int) else np.asarray(members)
+    indices = _indices(members)
     scene = ordinary(indices, seed, further)
     quadric = critical_quadric(scene)
     on_quadric = _moved_onto(quadric, scene)
-    homogeneous = np.insert(on_quadric, 0, 1.0, axis=-1)
-    gradient = np.einsum("nij,nj->ni", quadric, homogeneous)[:, 1:]
+    gradient = gradients(quadric, on_quadric)
     draw = sampling.uniform(seed, indices, (2,), stream=4)
     distance = farthest * (nearest / farthest) ** draw[:, 0] * np.where(draw[:, 1] < 0.5, -1, 1)
     steps = distance / np.linalg.norm(gradient, axis=-1)
@@ -134,6 +134,10 @@ def critical_quadric(configuration: Configuration) -> NDArray[np.float64]:
     quadric = critical.quadric(mu_left, configuration.u3_left, mu_right, configuration.u3_right, points)
     scaled: NDArray[np.float64] = quadric / abs(quadric).max(axis=(-2, -1), keepdims=True)
     return scaled
+
+
+def _indices(members: int | ArrayLike) -> NDArray[np.int64]:
+    return np.arange(members) if isinstance(members, int) else np.asarray(members)
 
 
 def _between(ranges: Sequence[tuple[float, float]], draw: NDArray[np.float64]) -> NDArray[np.float64]:

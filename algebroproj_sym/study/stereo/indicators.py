@@ -15,15 +15,17 @@ from algebroproj import correlation, critical
 from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.conditioning import condition_numbers, smallest_singular_values
 from algebroproj_sym.study.precision import apply
+from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF
 from algebroproj_sym.study.stereo.chain import CORRELATION_POINTS, Configuration, Images, images
 from algebroproj_sym.study.stereo.configurations import critical_quadric
+from algebroproj_sym.study.stereo.layouts import homogeneous_rows
+from algebroproj_sym.study.stereo.quadric import gradients
 from algebroproj_sym.study.stereo.rounding import bound_of_correlation, bound_of_epipoles
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
 __all__ = ["Indicators", "diagnosis", "eight_point_matrix", "indicators"]
 
 Array = NDArray[np.float64]
-UNIT = 2.0**-53
 IMAGE_COORDINATES = 4 * CORRELATION_POINTS
 
 
@@ -86,10 +88,7 @@ def indicators(configuration: Configuration) -> Indicators:
     both = images(float64(), configuration)
     left, right = both.left[0, :, :CORRELATION_POINTS], both.right[0, :, :CORRELATION_POINTS]
     algebraic, sampson = _distances(configuration)
-    matrix, _ = correlation.system(left, right)
-    sigma_5, relative_5 = smallest_singular_values(matrix)
-    _, relative_8 = smallest_singular_values(eight_point_matrix(left, right), rank=8)
-    bounds = _bounds(left, right)
+    sigma_5, relative_5, relative_8 = _singular_values(left, right)
     return Indicators(
         algebraic,
         sampson,
@@ -98,7 +97,7 @@ def indicators(configuration: Configuration) -> Indicators:
         abs(critical.determinant(left, right)),
         relative_8,
         *_conditions(left, right),
-        *bounds,
+        *_bounds(left, right),
     )
 
 
@@ -136,9 +135,7 @@ def diagnosis(both: Images, tolerance: float = 1e-6) -> NDArray[np.str_]:
     if not 0 < tolerance < 1:
         raise ValueError(f"diagnosis: expected a tolerance between 0 and 1, got {tolerance}")
     left, right = both.left[0, :, :CORRELATION_POINTS], both.right[0, :, :CORRELATION_POINTS]
-    matrix, _ = correlation.system(left, right)
-    _, relative_5 = smallest_singular_values(matrix)
-    _, relative_8 = smallest_singular_values(eight_point_matrix(left, right), rank=8)
+    _, relative_5, relative_8 = _singular_values(left, right)
     names: tuple[Literal["critical"], Literal["normalisation"]] = ("critical", "normalisation")
     return np.select([relative_8 < tolerance, relative_5 < tolerance], names, "regular")
 
@@ -157,9 +154,15 @@ def eight_point_matrix(left: Array, right: Array) -> Array:
         The products of the homogeneous coordinates of both images.
     """
     basic = np.broadcast_to([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], (*left.shape[:-2], 3, 2))
-    first, second = (np.insert(np.concatenate([basic, u], axis=-2), 0, 1.0, axis=-1) for u in (left, right))
-    products: Array = first[..., :, None] * second[..., None, :]
-    return products.reshape(*first.shape[:-1], 9)
+    rows: Array = homogeneous_rows(*(np.concatenate([basic, u], axis=-2) for u in (left, right)))
+    return rows
+
+
+def _singular_values(left: Array, right: Array) -> tuple[Array, Array, Array]:
+    """Return the smallest singular value of the five equations, also relative, and the eighth of the eight."""
+    matrix, _ = correlation.system(left, right)
+    _, relative_8 = smallest_singular_values(eight_point_matrix(left, right), rank=8)
+    return *smallest_singular_values(matrix), relative_8
 
 
 def _distances(configuration: Configuration) -> tuple[Array, Array]:
@@ -167,11 +170,9 @@ def _distances(configuration: Configuration) -> tuple[Array, Array]:
     quadric = critical_quadric(configuration)
     point = configuration.y[:, CORRELATION_POINTS - 2]
     value = abs(critical.algebraic_distance(quadric, point))
-    homogeneous = np.insert(point, 0, 1.0, axis=-1)
-    gradient_of_form = 2 * np.einsum("nij,nj->ni", quadric, homogeneous)[:, 1:]
-    size = np.linalg.norm(quadric, axis=(-2, -1)) * (homogeneous**2).sum(axis=-1)
+    size = np.linalg.norm(quadric, axis=(-2, -1)) * (np.insert(point, 0, 1.0, axis=-1) ** 2).sum(axis=-1)
     with np.errstate(all="ignore"):
-        return value / size, value / np.linalg.norm(gradient_of_form, axis=-1)
+        return value / size, value / np.linalg.norm(gradients(quadric, point), axis=-1)
 
 
 def _conditions(left: Array, right: Array) -> tuple[Array, Array, Array, Array]:
@@ -204,9 +205,9 @@ def _turned(epipole: Array, derivatives: Array) -> Array:
 
 def _bounds(left: Array, right: Array) -> tuple[Array, Array]:
     """Return guaranteed bounds for all images that round to the given ones, in units of roundoff."""
-    off = abs(left) * UNIT, abs(right) * UNIT
+    off = abs(left) * UNIT_ROUNDOFF, abs(right) * UNIT_ROUNDOFF
     Z, bound = bound_of_correlation(left, right, *off)  # noqa: N806 - the papers' name
     size, error = abs(Z).max(axis=(-2, -1)), bound.max(axis=(-2, -1))
     with np.errstate(all="ignore"):
         relative = np.where(error < size, error / (size - error), np.inf)
-    return relative / UNIT, np.maximum(*bound_of_epipoles(left, right, *off)) / UNIT
+    return relative / UNIT_ROUNDOFF, np.maximum(*bound_of_epipoles(left, right, *off)) / UNIT_ROUNDOFF

@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 import algebroproj
 from algebroproj import DoubleDouble
 from algebroproj_sym.study.datasets import variable
-from algebroproj_sym.study.stereo.accuracy import error_up_to_scale, lost_digits
+from algebroproj_sym.study.stereo.accuracy import lost_digits, matrix_error
 from algebroproj_sym.study.stereo.quadric import critical_quadric, surface
-from algebroproj_sym.study.stereo.scenes import LEAST_POINTS, Scene, images
+from algebroproj_sym.study.stereo.scenes import Scene, images, require_eight, with_points
 
 Numbers = NDArray[np.float64]
 
@@ -38,9 +38,7 @@ def lost_homogeneous(scene: Scene) -> Numbers:
         wide = images(scene, wide=True)
         left, right = (DoubleDouble(wide.hi[:, side], wide.lo[:, side]) for side in range(2))
         reference = algebroproj.dd(general)(left, right)
-        found = general(wide.hi[:, 0], wide.hi[:, 1]).reshape(-1, 9)
-        flat = DoubleDouble(reference.hi.reshape(-1, 9), reference.lo.reshape(-1, 9))
-        return lost_digits(error_up_to_scale(found, flat))
+        return lost_digits(matrix_error(general(wide.hi[:, 0], wide.hi[:, 1]), reference))
 
 
 def over_plane(scene: Scene, origin: ArrayLike, first: ArrayLike, second: ArrayLike, size: int = 121) -> xarray.Dataset:
@@ -109,8 +107,7 @@ def over_image(scene: Scene, height: float, size: int = 121, reach: float = 1.0)
 
 
 def _mapped(scene: Scene, places: Numbers, coordinates: dict[str, Numbers]) -> xarray.Dataset:
-    if np.shape(scene.points) != (LEAST_POINTS, 3):
-        raise ValueError(f"points: expected the shape ({LEAST_POINTS}, 3), got {np.shape(scene.points)}")
+    require_eight(scene)
     form, _ = surface(critical_quadric(scene.points[:-1], scene.centers))(places)
     flat = places.reshape(-1, 3)
     blocks = [lost_homogeneous(_moved(scene, flat[k : k + BLOCK])) for k in range(0, len(flat), BLOCK)]
@@ -126,5 +123,4 @@ def _mapped(scene: Scene, places: Numbers, coordinates: dict[str, Numbers]) -> x
 def _moved(scene: Scene, places: Numbers) -> Scene:
     points = np.repeat(np.asarray(scene.points, dtype=np.float64)[None], len(places), axis=0)
     points[:, -1] = places
-    centers, normals = (np.broadcast_to(part, (len(places), 2, 3)) for part in (scene.centers, scene.normals))
-    return Scene(points, centers, normals)
+    return with_points(scene, points)

@@ -215,6 +215,18 @@ def value(form: ArrayLike, points: ArrayLike) -> Any:
     return ((y @ np.asarray(form)) * y).sum(axis=-1)
 
 
+def gradients(forms: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the gradients of quadratic forms, shape (n, 4, 4), each at a point of its own, shape (n, 3).
+
+    Examples
+    --------
+    >>> gradients(np.diag([-1.0, 1.0, 1.0, 1.0])[None], np.array([[2.0, 0.0, 0.0]])).tolist()
+    [[4.0, 0.0, 0.0]]
+    """
+    halves: NDArray[np.float64] = np.einsum("nij,nj->ni", forms, np.insert(points, 0, 1.0, axis=-1))[:, 1:]
+    return 2 * halves
+
+
 def in_plane(form: ArrayLike, origin: ArrayLike, first: ArrayLike, second: ArrayLike) -> Exact:
     """Return the conic of the places in a plane where the next point may not lie, exactly.
 

@@ -19,13 +19,13 @@ from algebroproj import correlation
 from algebroproj._error_bounds import Bounded, magnitude
 from algebroproj_sym.study.arithmetics import double_double_balls, float64_balls
 from algebroproj_sym.study.precision import Numbers, apply, lift, radius
+from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF
 from algebroproj_sym.study.taylor import inverses
 
 __all__ = ["bound_of_correlation", "bound_of_epipoles"]
 
 Array = NDArray[np.float64]
-UNIT = 2.0**-53
-SAFE = 1 + 64 * UNIT
+SAFE = 1 + 64 * UNIT_ROUNDOFF
 """More than what a sum of 25 products, computed in floating-point arithmetic, may be too small by."""
 
 
@@ -131,7 +131,7 @@ class _Solved:
     def functional(self, weights: Array) -> Array:
         """Bound a linear function of the error, with weights of shape (..., 5)."""
         through = (weights[..., None, :] @ self.inverse)[..., 0, :]
-        rounding = 8 * UNIT * (abs(weights)[..., None, :] @ abs(self.inverse))[..., 0, :]
+        rounding = 8 * UNIT_ROUNDOFF * (abs(weights)[..., None, :] @ abs(self.inverse))[..., 0, :]
         moved = ((abs(through) + rounding) * self.residual).sum(axis=-1)
         bound = (moved + abs(weights).sum(axis=-1) * self.grown) * SAFE
         return np.where(np.isfinite(bound), bound, np.inf)
@@ -145,7 +145,9 @@ def _solved(matrix: Array, left: Array, right: Array, off_left: Array, off_right
     values = np.where(regular[..., None], values, 0.0)
     residual = _residual(values, left, right, off_left, off_right)
     rows, inverse, spread = _system(left, right, off_left, off_right)
-    product = abs(inverse @ rows - np.eye(5)) + abs(inverse) @ (spread + 16 * UNIT * abs(rows)) + 8 * UNIT
+    product = (
+        abs(inverse @ rows - np.eye(5)) + abs(inverse) @ (spread + 16 * UNIT_ROUNDOFF * abs(rows)) + 8 * UNIT_ROUNDOFF
+    )
     g = product.sum(axis=-1).max(axis=-1) * SAFE
     moved = (abs(inverse) @ residual[..., None])[..., 0].max(axis=-1) * SAFE
     grown = np.where(regular & (g < 1), g / (1 - g) * SAFE, np.inf) * moved
@@ -195,7 +197,7 @@ def _angle_of_change(found: _Solved, lines: Array) -> Array:
     first, second = lines[1], lines[2]
     a, b = (line[:, 0] + (line[:, 1:] @ found.values[..., None])[..., 0] for line in (first, second))
     sizes = [abs(line[:, 0]) + (abs(line[:, 1:]) @ abs(found.values)[..., None])[..., 0] for line in (first, second)]
-    rounded = 64 * UNIT * _cross_of_sizes(*sizes).sum(axis=-1)
+    rounded = 64 * UNIT_ROUNDOFF * _cross_of_sizes(*sizes).sum(axis=-1)
     steepest = 2 * (sizes[0] + sizes[1]).sum(axis=-1)
     product = np.cross(a, b)
     slopes = np.stack([np.cross(first[:, k], b) + np.cross(a, second[:, k]) for k in range(1, 6)], axis=-1)
@@ -207,8 +209,8 @@ def _angle_of_change(found: _Solved, lines: Array) -> Array:
         _cross_of_sizes(*((abs(line[:, 1:]) @ error[..., None])[..., 0] for line in (first, second))), axis=-1
     )
     least, most = np.linalg.norm(product, axis=-1) - rounded, np.linalg.norm(product, axis=-1) + rounded
-    change = (np.linalg.norm(slopes, axis=-2) * error).sum(axis=-1) + bent + 64 * UNIT * steepest * total
-    sine = moved + most * bent + 64 * UNIT * (most + rounded / UNIT) * steepest * total
+    change = (np.linalg.norm(slopes, axis=-2) * error).sum(axis=-1) + bent + 64 * UNIT_ROUNDOFF * steepest * total
+    sine = moved + most * bent + 64 * UNIT_ROUNDOFF * (most + rounded / UNIT_ROUNDOFF) * steepest * total
     sine = sine / (least * (least - change)) * (1 + 1e-12)
     return np.where((least > 2 * change) & (sine < 1), np.arcsin(np.clip(sine, 0, 1)), np.inf)
 
@@ -228,7 +230,7 @@ def _angle_of_rounding(whole: Numbers, epipole: Array) -> Array:
     single = [np.ones(epipole.shape[:-1]), epipole[..., 0], epipole[..., 1]]
     given = [Bounded(entry, np.zeros(entry.shape)).wide() for entry in single]
     across = np.stack([_size(entry) for entry in _cross(exact, given)], axis=-1)
-    least = [np.maximum(magnitude(entry.value) * (1 - 64 * UNIT) - entry.error, 0) for entry in exact]
+    least = [np.maximum(magnitude(entry.value) * (1 - 64 * UNIT_ROUNDOFF) - entry.error, 0) for entry in exact]
     lengths = [np.linalg.norm(np.stack(entries, axis=-1), axis=-1) for entries in (least, single)]
     sine = np.linalg.norm(across, axis=-1) / (lengths[0] * lengths[1]) * (1 + 1e-12)
     return np.where(sine < 1, np.arcsin(np.clip(sine, 0, 1)), np.inf)
@@ -243,8 +245,8 @@ def _of_matrix(error: Array, matrix: Array) -> Array:
     bound = np.zeros(matrix.shape)
     for k, place in enumerate(((1, 1), (1, 2), (2, 0), (2, 1), (2, 2))):
         bound[(..., *place)] = error[..., k]
-    bound[..., 0, 1] = (error[..., 0] + 2 * UNIT * abs(matrix[..., 0, 1])) * SAFE
-    bound[..., 0, 2] = (error[..., 5] + 2 * UNIT * abs(matrix[..., 0, 2])) * SAFE
+    bound[..., 0, 1] = (error[..., 0] + 2 * UNIT_ROUNDOFF * abs(matrix[..., 0, 1])) * SAFE
+    bound[..., 0, 2] = (error[..., 5] + 2 * UNIT_ROUNDOFF * abs(matrix[..., 0, 2])) * SAFE
     return np.where(np.isnan(bound), np.inf, bound)
 
 

@@ -82,6 +82,24 @@ def require_scene(scene: Scene) -> None:
     _require_centers(points[:BASIC], centers)
 
 
+def require_eight(scene: Scene) -> None:
+    """Refuse anything but a single scene of eight points.
+
+    Raises
+    ------
+    ValueError
+        If the points have another shape.
+    """
+    if np.shape(scene.points) != (LEAST_POINTS, 3):
+        raise ValueError(f"points: expected the shape ({LEAST_POINTS}, 3), got {np.shape(scene.points)}")
+
+
+def with_points(scene: Scene, points: Numbers) -> Scene:
+    """Return a batch of scenes that differ from a single one in their points, shape (n, 8, 3), alone."""
+    centers, normals = (np.broadcast_to(part, (len(points), 2, 3)) for part in (scene.centers, scene.normals))
+    return Scene(points, centers, normals)
+
+
 def affine(points: Any, basic: Any, *, wide: bool = False) -> Any:
     """Return affine coordinates (y1, y2, y3), with twice the digits if that is wanted.
 

@@ -217,7 +217,8 @@ def report(dataset: xarray.Dataset) -> str:
 
 def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
     """Draw the error ellipses and ellipsoids of the model, and how much each result changes."""
-    return {"error-ellipses": _ellipses(dataset), "error-ellipsoids": _ellipsoids(dataset)}
+    found = {name: spread(dataset, name) for name in QUANTITIES}
+    return {"error-ellipses": _ellipses(dataset, found), "error-ellipsoids": _ellipsoids(dataset, found["model"])}
 
 
 def _enlargement(covariance: Numbers, quantile: float) -> float:
@@ -227,13 +228,12 @@ def _enlargement(covariance: Numbers, quantile: float) -> float:
     return float(power * max(digit for digit in (1, 2, 5) if digit * power <= most))
 
 
-def _ellipses(dataset: xarray.Dataset) -> Figure:
-    found = spread(dataset, "model")
+def _ellipses(dataset: xarray.Dataset, found: Mapping[str, Spread]) -> Figure:
     with style():
         drawing = figure(PAGE, 3.9)
         left, right = drawing.subplots(1, 2, width_ratios=[1.5, 1.0])
         points = dataset.model_true.values
-        covariance = found.covariance[:, :2, :2]
+        covariance = found["model"].covariance[:, :2, :2]
         factor = _enlargement(covariance, ELLIPSE)
         for place, name in enumerate(dataset.point.values):
             determining = place < DETERMINING
@@ -248,25 +248,23 @@ def _ellipses(dataset: xarray.Dataset) -> Figure:
         left.set_title(f"model: 95 % ellipses, enlarged {factor:g} times")
         left.set(xlabel="$y_1$", ylabel="$y_2$", aspect="equal")
         left.margins(0.12)
-        names = list(QUANTITIES)
-        deviations = [spread(dataset, name) for name in names]
-        for place, each in enumerate(deviations):
+        for place, (name, each) in enumerate(found.items()):
             values = each.deviation[each.deviation > UNCHANGED]
             across = place + 0.5 * (np.arange(values.size) + 0.5) / values.size - 0.25
             right.scatter(across, values, s=14, color=COLOURS[place], marker="os^D"[place], lw=0)
-            printed = 0.5 * 10.0 ** -example().printed[names[place]]
+            printed = 0.5 * 10.0 ** -example().printed[name]
             right.hlines(printed, place - 0.36, place + 0.36, color=INK, lw=1.2)
         right.hlines([], 0, 0, color=INK, lw=1.2, label="half a unit of the last\nprinted decimal")
         right.set(yscale="log", title="standard deviations", ylim=(1e-10, 0.1))
-        right.set_xticks(range(len(names)), ["Z", "epipoles", "centers", "model"])
+        right.set_xticks(range(len(found)), ["Z", "epipoles", "centers", "model"])
         right.grid(visible=False, axis="x")
         right.legend(loc="lower left")
         right.spines["bottom"].set_color(GREY)
     return drawing
 
 
-def _ellipsoids(dataset: xarray.Dataset) -> Figure:
-    covariance, points = spread(dataset, "model").covariance, dataset.model_true.values
+def _ellipsoids(dataset: xarray.Dataset, found: Spread) -> Figure:
+    covariance, points = found.covariance, dataset.model_true.values
     factor = _enlargement(covariance, ELLIPSOID)
     with style():
         drawing = figure(0.62 * PAGE, 4.3)

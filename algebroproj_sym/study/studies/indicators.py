@@ -18,11 +18,11 @@ from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.ladder import climb
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply
+from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF
 from algebroproj_sym.study.stereo.chain import Configuration, images
 from algebroproj_sym.study.stereo.configurations import near_critical, ordinary
 from algebroproj_sym.study.stereo.indicators import Indicators, indicators
 
-UNIT = 2.0**-53
 ACCURACY = 1e-19
 """Of the certified values that errors are measured against."""
 
@@ -91,10 +91,10 @@ def _errors(scene: Configuration, seed: int, indices: Indices, replicas: int) ->
         found = [_distances(z, epipoles, *(truth.values[name].hi for name in ("Z", "left", "right")))]
         for replica in range(1, replicas):
             draw = 2 * sampling.uniform(seed, indices, (2, 5, 2), stream=10 + replica) - 1
-            moved = [np.stack([u, abs(u) * UNIT * draw[:, side]]) for side, u in enumerate((left, right))]
+            moved = [np.stack([u, abs(u) * UNIT_ROUNDOFF * draw[:, side]]) for side, u in enumerate((left, right))]
             other = _results(double_double(), *moved)
             found.append(_distances(z, epipoles, other["Z"][0], other["left"][0], other["right"][0]))
-    z_errors, epipole_errors = np.transpose(found, (1, 0, 2)) / UNIT
+    z_errors, epipole_errors = np.transpose(found, (1, 0, 2)) / UNIT_ROUNDOFF
     return {
         "z_error": np.sqrt(np.mean(z_errors**2, axis=0)),
         "epipole_error": np.sqrt(np.mean(epipole_errors**2, axis=0)),
@@ -176,7 +176,7 @@ def report(dataset: xarray.Dataset) -> str:
         single = fits(dataset, output, "single")[f"{output}_mean"]
         lines.append(f"  one rounding instead of the mean of several: scatter {single['scatter']:.2f}")
         bound, largest = dataset[f"{output}_bound"].values, dataset[f"{output}_largest"].values
-        usable = np.isfinite(bound) & (bound < 1 / UNIT)
+        usable = np.isfinite(bound) & (bound < 1 / UNIT_ROUNDOFF)
         broken = int((largest[usable] > bound[usable]).sum())
         decade = float((bound[usable] <= 10 * largest[usable]).mean())
         lines.append(
@@ -192,6 +192,7 @@ SHOWN = ("sampson", "sigma_5", "determinant", "z_mean", "z_mixed", "z_bound")
 def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
     """Draw lost digits of Z against the main indicators."""
     lost = np.log10(np.maximum(dataset.z_error.values, 1e-3))
+    lines = fits(dataset, "z")
     with style():
         drawing = figure(PAGE, 4.6)
         panels = drawing.subplots(2, 3, sharey=True)
@@ -200,7 +201,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
             usable = np.isfinite(values) & (values > 0) & np.isfinite(lost)
             x = np.log10(values[usable])
             cells = axes.hexbin(x, lost[usable], gridsize=50, bins="log", mincnt=1, linewidths=0.1, rasterized=True)
-            fit = fits(dataset, "z")[name]
+            fit = lines[name]
             ends = np.array([x.min(), x.max()])
             line = fit["offset"] + (-ends if name in FALLING else ends)
             axes.plot(ends, line, color=INK, lw=1.0)

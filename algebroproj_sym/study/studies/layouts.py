@@ -17,7 +17,7 @@ from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, PAGE, figure, style
 from algebroproj_sym.study.reductions import Joint, joint
 from algebroproj_sym.study.sampling import normal, uniform
-from algebroproj_sym.study.stereo.accuracy import error_up_to_scale, lost_digits
+from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits
 from algebroproj_sym.study.stereo.layouts import LAYOUTS, examine, homogeneous_rows
 from algebroproj_sym.study.stereo.scenes import Scene, images
 
@@ -152,7 +152,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
                 panel.fill_between(x, low, high, color=COLOURS[line], alpha=0.18, lw=0)
                 panel.plot(x, median, color=COLOURS[line], ls=DASHES[line], label=label)
             panel.set_title(f"{layout.name}: {examine(layout.scene()).verdict}", fontsize=7.5)
-            panel.axhline(-np.log10(2.0**-53), color=GREY, lw=0.8, ls=":")
+            panel.axhline(-np.log10(UNIT_ROUNDOFF), color=GREY, lw=0.8, ls=":")
             panel.set(xscale="log", xlim=(1e-12, 0.1), ylim=(-1.5, 17.5), yticks=[0, 5, 10, 15])
         axes.flat[-1].set_axis_off()
         axes[-2, -1].tick_params(labelbottom=True)

@@ -17,11 +17,11 @@ from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.reductions import Joint, joint
 from algebroproj_sym.study.sampling import uniform
-from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits
+from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits, matrix_error
 from algebroproj_sym.study.stereo.aerial import aerial
 from algebroproj_sym.study.stereo.drawings import map_of_lost_digits, quadric_in_space
 from algebroproj_sym.study.stereo.maps import over_image, over_plane
-from algebroproj_sym.study.stereo.quadric import critical_quadric
+from algebroproj_sym.study.stereo.quadric import critical_quadric, gradients
 from algebroproj_sym.study.stereo.scenes import Scene, affine, images
 
 Numbers = NDArray[np.float64]
@@ -108,10 +108,9 @@ def _quadric(scene: Scene) -> DoubleDouble:
 def _surface(form: Any, point: Numbers, basic: Numbers) -> tuple[Numbers, Numbers]:
     """Return values of quadratic forms and their gradients in rectangular coordinates."""
     y = affine(point, basic)
-    gradient = 2 * np.einsum("nij,nj->ni", form, np.concatenate([np.ones((len(y), 1)), y], axis=-1))[:, 1:]
     value = algebroproj.critical.algebraic_distance(form, y)
     frame = basic[:, 1:] - basic[:, :1]
-    return value, np.linalg.solve(frame, gradient[..., None])[..., 0]
+    return value, np.linalg.solve(frame, gradients(form, y)[..., None])[..., 0].astype(np.float64, copy=False)
 
 
 def _members(scene: Scene) -> dict[str, NDArray[Any]]:
@@ -133,21 +132,11 @@ def _members(scene: Scene) -> dict[str, NDArray[Any]]:
         "distance": np.abs(value) / np.linalg.norm(gradient, axis=-1),
         "smallest": np.linalg.svd(rows, compute_uv=False)[:, -1],
         "ruled": np.linalg.det(form.hi) >= 0,
-        "lost_total": lost_digits(_error(found, true)),
-        "lost_arithmetic": lost_digits(_error(found, of_rounded_images)),
-        "lost_images": lost_digits(_error(of_rounded_images, true)),
+        "lost_total": lost_digits(matrix_error(found, true)),
+        "lost_arithmetic": lost_digits(matrix_error(found, of_rounded_images)),
+        "lost_images": lost_digits(matrix_error(of_rounded_images, true)),
         "lost_epipoles": lost_digits(np.max([_angle(*both) for both in epipoles], axis=0)),
     }
-
-
-def _error(found: Any, reference: DoubleDouble) -> Numbers:
-    """Return by how much matrices of correlation are wrong."""
-    flat = DoubleDouble(found.hi.reshape(-1, 9), found.lo.reshape(-1, 9)) if _is_wide(found) else found.reshape(-1, 9)
-    return error_up_to_scale(flat, DoubleDouble(reference.hi.reshape(-1, 9), reference.lo.reshape(-1, 9)))
-
-
-def _is_wide(number: Any) -> bool:
-    return isinstance(number, DoubleDouble)
 
 
 def _angle(found: Numbers, reference: DoubleDouble) -> Numbers:

@@ -17,11 +17,11 @@ from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, PAGE, figure, style
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply, lift
+from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF
 from algebroproj_sym.study.stereo.chain import Chain, Configuration, Images, from_images, images, normal
 from algebroproj_sym.study.stereo.configurations import ordinary
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
-UNIT = 2.0**-53
 FURTHER = 8
 CONTROL = slice(5, FURTHER)
 """Points that are neither used for the correlation nor for the transformation to the object."""
@@ -101,7 +101,7 @@ def _model(arithmetic: Arithmetic, both: Images, chain: Chain, way: str, y_a: Ar
 def _lost(found: Array, y: Array) -> Array:
     """Return how many digits the points after the first one, which is G3, have lost."""
     error = np.linalg.norm(found[:, 1:] - y, axis=-1)[:, CONTROL.start - 1 : CONTROL.stop - 1].max(axis=-1)
-    lost: Array = np.log10(np.maximum(error / UNIT, 1e-2))
+    lost: Array = np.log10(np.maximum(error / UNIT_ROUNDOFF, 1e-2))
     return lost
 
 

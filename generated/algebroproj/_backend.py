@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "48c3428cbb63893e"
+DIGEST = "ab238e56201c8eac"
 """What identifies the C source that belongs to this package."""
 
 

@@ -25,12 +25,11 @@ __all__ = [
     "DoubleDouble",
     "Unrounded",
     "chosen",
+    "fast_two_sum",
     "product_error",
-    "rounded",
     "splitter_of",
     "two_product",
     "two_sum",
-    "wide",
 ]
 
 Number: TypeAlias = Any
@@ -122,7 +121,7 @@ class Unrounded(DoubleDouble):
 
     Examples
     --------
-    >>> rounded(Unrounded(1.0) / 10.0).lo
+    >>> (Unrounded(1.0) / 10.0).rounded().lo
     -5.551115123125783e-18
     """
 
@@ -131,16 +130,6 @@ class Unrounded(DoubleDouble):
     def rounded(self) -> Number:
         """Return the number itself."""
         return self
-
-
-def wide(number: Number) -> Number:
-    """Return a number whose sums, products and quotients are to be kept as two numbers."""
-    return number.wide() if hasattr(number, "wide") else DoubleDouble(number)
-
-
-def rounded(number: Number) -> Number:
-    """Return the one number nearest to a sum of two."""
-    return number.rounded()
 
 
 def chosen(condition: Any, first: DoubleDouble, second: DoubleDouble) -> DoubleDouble:

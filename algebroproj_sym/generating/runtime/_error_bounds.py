@@ -1,8 +1,8 @@
 """Running error analysis: a number that carries a bound of its distance from the exact value.
 
 Each operation computes what the generated function computes, and adds to the bound what it may have rounded: at most u
-times the result (Wilkinson's running error analysis), a few u**2 for double-double numbers, nothing for error-free
-sums.  The bounds are themselves computed in floating-point arithmetic, and enlarged at each operation by more than it
+times the result (Wilkinson's running error analysis), in compensated arithmetic u times what is rounded of the second
+parts, nothing in error-free sums and products.  The bounds are themselves computed in floating-point arithmetic, and enlarged at each operation by more than it
 rounds.  Where nothing can be said (a divisor that may be zero, an overflow) the bound is infinite.
 """
 
@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ._double_double import DoubleDouble, wide
+from ._compensated import NEAREST, Compensated, wide
 
 __all__ = ["Bounded", "bounded", "guaranteed"]
 
@@ -24,16 +24,13 @@ SLACK = 16
 
 _FLOAT64 = np.dtype(np.float64)
 
-DOUBLED = 16
-"""What an operation on double-double numbers rounds at most, in u**2 of its result."""
-
 
 class Bounded:
     """A number or array as computed, and a bound of its absolute error.
 
     Attributes
     ----------
-    value : number, array or DoubleDouble
+    value : number, array or Compensated
         What is computed.
     error : array
         An upper bound of the distance to the exact value.
@@ -58,15 +55,16 @@ class Bounded:
 
     def rounded(self) -> Bounded:
         """Return the rounded number, whose bound grows by what is cut off."""
-        rest = 0 if self.value.lo is None else abs(self.value.lo)
-        return guaranteed(bounded(self.value.hi, self.error + rest))
+        value = self.value.rounded()
+        exact = self.value.overlap == NEAREST
+        return guaranteed(bounded(value, self.error + (tail(self.value) if exact else unit_of(value) * abs(value))))
 
     def __neg__(self) -> Bounded:
         return Bounded(-self.value, self.error)
 
     def __add__(self, other: Number) -> Bounded:
         total = self.value + _value(other)
-        return bounded(total, self.error + _error(other) + _rounding(total, self, other))
+        return bounded(total, self.error + _error(other) + _rounding_of_sum(self.value, _value(other), total))
 
     __radd__ = __add__
 
@@ -79,8 +77,9 @@ class Bounded:
     def __mul__(self, other: Number) -> Bounded:
         product = self.value * _value(other)
         a, b = magnitude(self.value), magnitude(_value(other))
-        error = a * _error(other) + b * self.error + self.error * _error(other)
-        return bounded(product, error + _rounding(product, self, other) + _tiny(product))
+        inherited = a * _error(other) + b * self.error + self.error * _error(other)
+        rounding = _rounding_of_product(self.value, _value(other), product)
+        return bounded(product, inherited + rounding + _tiny(product))
 
     __rmul__ = __mul__
 
@@ -93,11 +92,12 @@ class Bounded:
 
 def _quotient(a: Number, b: Number) -> Bounded:
     quotient = _value(a) / _value(b)
-    left = magnitude(_value(b)) * (1 - SLACK * unit_of(quotient)) - _error(b)
-    inherited = (_error(a) + magnitude(quotient) * (1 + SLACK * unit_of(quotient)) * _error(b)) / np.where(
-        left > 0, left, 0
-    )
-    return bounded(quotient, inherited + _rounding(quotient) + _tiny(quotient))
+    unit = unit_of(quotient)
+    left = magnitude(_value(b)) * (1 - SLACK * unit) - _error(b)
+    left = np.where(left > 0, left, 0)
+    inherited = (_error(a) + magnitude(quotient) * (1 + SLACK * unit) * _error(b)) / left
+    rounding = _rounding_of_quotient(_value(a), _value(b), quotient)
+    return bounded(quotient, inherited + rounding + _tiny(quotient))
 
 
 def bounded(value: Number, error: Number) -> Bounded:
@@ -120,26 +120,61 @@ def _error(number: Number) -> Number:
 
 
 def high(number: Number) -> Number:
-    return number.hi if isinstance(number, DoubleDouble) else number
+    return number.hi if hasattr(number, "hi") else number
+
+
+def tail(number: Number) -> Number:
+    """Return the absolute value of the second part of a number, 0 if it has none."""
+    low = getattr(number, "lo", None)
+    return 0 if low is None else abs(low)
 
 
 def magnitude(number: Number) -> Number:
-    """Return the absolute value of a number, of a double-double number that of its first part, a little enlarged."""
-    return abs(number.hi) * (1 + 4 * unit_of(number)) if isinstance(number, DoubleDouble) else abs(number)
+    """Return an upper bound of the absolute value of a number, that number itself if it has no second part."""
+    if _has_no_tail(number):
+        return abs(high(number))
+    return (abs(high(number)) + tail(number)) * (1 + 4 * unit_of(number))
 
 
-def _rounding(result: Number, *error_free: Number) -> Number:
-    """Return what an operation rounds at most; double-double sums and products of single numbers are error-free."""
-    unit = unit_of(result)
-    if not isinstance(result, DoubleDouble):
-        return unit * abs(result)
-    if error_free and all(_is_single(_value(operand)) for operand in error_free):
+def _rounding_of_sum(a: Number, b: Number, total: Number) -> Number:
+    """Return what a sum rounds at most: in compensated arithmetic a sum of the second parts and its error."""
+    if not isinstance(total, Compensated):
+        return unit_of(total) * abs(total)
+    if _has_no_tail(a) and _has_no_tail(b):
         return 0
-    return DOUBLED * unit * unit * magnitude(result)
+    return unit_of(total) * (2 * (tail(a) + tail(b)) + tail(total))
 
 
-def _is_single(number: Number) -> bool:
-    return not isinstance(number, DoubleDouble) or number.lo is None
+def _rounding_of_product(a: Number, b: Number, product: Number) -> Number:
+    """Return what a product rounds at most: in compensated arithmetic the two mixed products and their sums.
+
+    The product of the second parts is left out.
+    """
+    if not isinstance(product, Compensated):
+        return unit_of(product) * abs(product)
+    if _has_no_tail(a) and _has_no_tail(b):
+        return 0
+    a, b = _separated(a), _separated(b)
+    mixed = abs(high(a)) * tail(b) + tail(a) * abs(high(b))
+    return unit_of(product) * (3 * mixed + tail(product)) + tail(a) * tail(b)
+
+
+def _rounding_of_quotient(a: Number, b: Number, quotient: Number) -> Number:
+    """Return what a quotient rounds at most: in compensated arithmetic the remainder, and what divides it."""
+    if not isinstance(quotient, Compensated):
+        return unit_of(quotient) * abs(quotient)
+    a, b = _separated(a), _separated(b)
+    unit = unit_of(quotient)
+    remainder = unit * (3 * abs(quotient.hi) * tail(b) + 2 * tail(a)) + tail(quotient) * tail(b) + _tiny(quotient)
+    return remainder / abs(high(b)) + 4 * unit * tail(quotient)
+
+
+def _has_no_tail(number: Number) -> bool:
+    return getattr(number, "lo", None) is None
+
+
+def _separated(number: Number) -> Number:
+    return number.separated() if isinstance(number, Compensated) else number
 
 
 def unit_of(number: Number) -> Number:

@@ -75,10 +75,9 @@ class Compensated:
         hi, error = two_sum(x.hi, y.hi)
         if x.lo is None and y.lo is None:
             return Compensated(hi, error)
-        if x.lo is None or y.lo is None:
-            rest = y.lo if x.lo is None else x.lo
-        else:
-            rest = x.lo + y.lo
+        if x.lo is None:
+            x, y = y, x
+        rest = x.lo if y.lo is None else x.lo + y.lo
         return Compensated(hi, rest + error, SUM if max(x.overlap, y.overlap) < SUM else SUMS)
 
     __radd__ = __add__

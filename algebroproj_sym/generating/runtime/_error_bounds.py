@@ -2,8 +2,9 @@
 
 Each operation computes what the generated function computes, and adds to the bound what it may have rounded: at most u
 times the result (Wilkinson's running error analysis), in compensated arithmetic u times what is rounded of the second
-parts, nothing in error-free sums and products.  The bounds are themselves computed in floating-point arithmetic, and enlarged at each operation by more than it
-rounds.  Where nothing can be said (a divisor that may be zero, an overflow) the bound is infinite.
+parts, nothing in error-free sums and products.  The bounds are themselves computed in floating-point arithmetic, and
+enlarged at each operation by more than it rounds.  Where nothing can be said (a divisor that may be zero, an overflow)
+the bound is infinite.
 """
 
 from __future__ import annotations

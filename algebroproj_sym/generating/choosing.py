@@ -27,7 +27,7 @@ MEDIAN_ULP = 0.55
 MAX_ULP = 3.5
 """What is asked for: a little less than what is promised, since samples seldom show the largest errors."""
 
-SAMPLES = 100
+SAMPLES = 50
 COSTLY = {"/": 8}
 """What an operation costs, in additions of a processor that does several at once."""
 

@@ -33,8 +33,8 @@ def factored(kernel: Kernel, engine: str = "flint") -> Kernel | None:
     >>> from algebroproj_sym.declaring.kernel import declared_kernel
     >>> x, y = sympy.symbols("x y")
     >>> told = {"arguments": {"x": x, "y": y}, "describe": {"x": "", "y": ""}, "example": {"x": "1", "y": "2"}}
-    >>> kernel = declared_kernel("p", "1", "m.f", "F.", derived=over(x, y) - over(x**2, x * y + y**2), claims=["1"], **told)
-    >>> factored(kernel).form
+    >>> difference = over(x, y) - over(x**2, x * y + y**2)
+    >>> factored(declared_kernel("p", "1", "m.f", "F.", derived=difference, claims=["1"], **told)).form
     over(x, x + y)
     """
     if kernel.stages:

@@ -125,7 +125,7 @@ def double_double(number: Number) -> DoubleDouble:
     """Return a number of any kind as a double-double number.
 
     >>> double_double(1.0 + Compensated(1.0) / 10.0).lo
-    -8.326672684688674e-17
+    -8.881784197001253e-17
     """
     if isinstance(number, DoubleDouble):
         return number

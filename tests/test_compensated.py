@@ -1,8 +1,10 @@
 """Compensated numbers are what exact fractions say, to about twice the digits of what enters them."""
 
 from fractions import Fraction
+from operator import add, mul, sub, truediv
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -90,3 +92,10 @@ def test_arrays_and_scalars_mix():
     assert [float(v) for v in rounded(result)] == [float(Fraction(1, 2) - Fraction(v) * Fraction(x[0])) for v in x]
     assert isinstance(x * wide(2.0), Compensated)
     assert isinstance(x[0] - wide(2.0), Compensated)
+
+
+def test_numbers_of_two_kinds_are_not_mixed():
+    for operation in (add, sub, mul, truediv):
+        for x, y in ((wide(1.0), DoubleDouble(2.0)), (DoubleDouble(2.0), wide(1.0))):
+            with pytest.raises(TypeError, match="expected a number of the same kind"):
+                operation(x, y)

@@ -15,17 +15,13 @@ from typing import Any
 
 import numpy as np
 
-from ._compensated import Compensated, double_double
+from ._compensated import double_double
 from ._double_double import DoubleDouble, chosen
-from ._error_bounds import SLACK, Bounded, bounded, guaranteed, high, magnitude, tail, unit_of
+from ._error_bounds import DOUBLED, SLACK, Bounded, bounded, guaranteed, high, magnitude, tail, unit_of
 
 __all__ = ["arctan2_with_bound", "cos_sin_with_bounds", "null_vector_with_bounds", "solution_with_bounds"]
 
 ULPS = 4
-
-DOUBLED = 16
-"""What an operation on double-double numbers rounds at most, in u**2 of its result."""
-
 FARTHEST = 1e8
 Function = Callable[..., Any]
 
@@ -56,7 +52,7 @@ def arctan2_with_bound(y: Any, x: Any, function: Function) -> Bounded:
 def _of_library(value: Any) -> Any:
     """Return the assumed error of a function of the library, and that of its double-double counterpart, below 1."""
     unit = unit_of(value)
-    return 4 * DOUBLED * unit * unit if isinstance(value, Compensated) else 2 * ULPS * unit
+    return 4 * DOUBLED * unit * unit if hasattr(value, "hi") else 2 * ULPS * unit
 
 
 def solution_with_bounds(rows: Sequence[Sequence[Any]], solve: Function) -> list[Bounded]:

@@ -118,7 +118,11 @@ class Compensated:
 
 
 def _compensated(number: Number) -> Compensated:
-    return number if isinstance(number, Compensated) else Compensated(number)
+    if isinstance(number, Compensated):
+        return number
+    if isinstance(number, DoubleDouble):
+        raise TypeError("Compensated: expected a number of the same kind, got a DoubleDouble")
+    return Compensated(number)
 
 
 def double_double(number: Number) -> DoubleDouble:

@@ -113,7 +113,11 @@ class DoubleDouble:
         return self._of(other).__truediv__(self)
 
     def _of(self, number: Number) -> DoubleDouble:
-        return number if isinstance(number, DoubleDouble) else type(self)(number)
+        if isinstance(number, DoubleDouble):
+            return number
+        if hasattr(number, "hi"):
+            raise TypeError(f"DoubleDouble: expected a number of the same kind, got a {type(number).__name__}")
+        return type(self)(number)
 
 
 class Unrounded(DoubleDouble):

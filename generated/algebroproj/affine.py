@@ -126,7 +126,8 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     g01*g20 + g10*g21 - g11*g20``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 18 (9 -, 8 *, 1 /); the derived expression as written takes 30.
-    With double-double operations for sums that may cancel: 110, 6 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 110, 6 of them errors of products.
+    The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.387 ULP in the median and 1.96 ULP at most (150 samples, near singularities too).
 
@@ -296,7 +297,8 @@ def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     of 24 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 55 (8 +, 18 -, 27 *, 1 /, 1 neg); the derived expression as written takes 177.
-    With double-double operations for sums that may cancel: 370, 24 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 370, 24 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.383 ULP in the median and 1.53 ULP at most (150 samples, near singularities too).
 

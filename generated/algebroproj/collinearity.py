@@ -97,7 +97,7 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     Zo*c_omega*c_phi``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
-    With double-double operations for sums that may cancel: 687, 61 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 687, 61 of them errors of products.
 
     Measured error in float64: 0.329 ULP in the median and 1.71 ULP at most (100 samples, near singularities too).
 
@@ -205,7 +205,8 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 21 (9 +, 11 *, 1 /); the derived expression as written takes 26.
-    With double-double operations for sums that may cancel: 93, 9 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 93, 9 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.322 ULP in the median and 1.92 ULP at most (150 samples, near singularities too).
 
@@ -301,7 +302,8 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 38 (9 +, 21 *, 2 /, 6 neg); the derived expression as written takes 146.
-    With double-double operations for sums that may cancel: 110, 9 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 110, 9 of them errors of products.
+    The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.393 ULP in the median and 2.95 ULP at most (150 samples, near singularities too).
 
@@ -388,7 +390,8 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 68 (9 +, 18 -, 40 *, 1 /); the derived expression as written takes 138.
-    With double-double operations for sums that may cancel: 451, 41 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 451, 41 of them errors of products.
+    The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.25 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
 
@@ -475,7 +478,8 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 28 (12 +, 15 *, 1 /); the derived expression as written takes 39.
-    With double-double operations for sums that may cancel: 124, 12 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 124, 12 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.373 ULP in the median and 1.94 ULP at most (150 samples, near singularities too).
 
@@ -565,7 +569,7 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     Polynomial: no input is singular.
 
     Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.
-    With double-double operations for sums that may cancel: 997, 90 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 997, 90 of them errors of products.
 
     Measured error in float64: 0.218 ULP in the median and 0.492 ULP at most (100 samples, near singularities too).
 
@@ -662,7 +666,8 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     of 36 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 121 (17 +, 33 -, 70 *, 1 /); the derived expression as written takes 252.
-    With double-double operations for sums that may cancel: 772, 67 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 772, 67 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.38 ULP in the median and 9.61 ULP at most (150 samples, near singularities too).
 
@@ -820,7 +825,8 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     d44**2``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 322 (54 +, 82 -, 185 *, 1 /); the derived expression as written takes 329.
-    With double-double operations for sums that may cancel: 2221, 186 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 2221, 186 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.249 ULP in the median and 0.497 ULP at most (100 samples, near singularities too).
 
@@ -997,7 +1003,8 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 9 (1 -, 7 *, 1 /); the derived expression as written takes 18.
-    With double-double operations for sums that may cancel: 21, 2 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 21, 2 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.412 ULP in the median and 2.36 ULP at most (150 samples, near singularities too).
 
@@ -1074,7 +1081,7 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     No input is singular.
 
     Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.
-    With double-double operations for sums that may cancel: 265, 26 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 265, 26 of them errors of products.
 
     Measured error in float64: 0.233 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
 

@@ -178,7 +178,7 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    With double-double operations for sums that may cancel: 60, 6 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 60, 6 of them errors of products.
 
     Measured error in float64: 0.262 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
 
@@ -241,7 +241,7 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    With double-double operations for sums that may cancel: 60, 6 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 60, 6 of them errors of products.
 
     Measured error in float64: 0.252 ULP in the median and 0.498 ULP at most (100 samples, near singularities too).
 
@@ -321,7 +321,8 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     mupp2*mupp3*upp31``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 68 (3 +, 17 -, 45 *, 1 /, 2 neg); the derived expression as written takes 2900.
-    With double-double operations for sums that may cancel: 314, 34 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 314, 34 of them errors of products.
+    The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.246 ULP in the median and 0.68 ULP at most (250 samples, near singularities too).
 
@@ -526,7 +527,7 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
     arbitrarily large.
 
     Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.
-    With double-double operations for sums that may cancel: 195, 20 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 195, 20 of them errors of products.
 
     Measured error in float64: 0.36 ULP in the median and 0.173 times what rounding the arguments changes at most
     (150 samples, near singularities too).
@@ -610,7 +611,7 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: ND
     arbitrarily large.
 
     Operations: 33 (32 *, 1 null_vector); the derived expression as written takes 32.
-    With double-double operations for sums that may cancel: 65, 32 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 65, 32 of them errors of products.
 
     Measured error in float64: 0.217 ULP in the median and 0.0805 times what rounding the arguments changes at most
     (100 samples, near singularities too).
@@ -685,7 +686,8 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
     values are given by the function `hypotheses` of this package.
 
     Operations: 20 (5 -, 14 *, 1 /); the derived expression as written takes 28.
-    With double-double operations for sums that may cancel: 80, 10 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 80, 10 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.361 ULP in the median and 1.82 ULP at most (150 samples, near singularities too).
 

@@ -65,7 +65,8 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
-    With double-double operations for sums that may cancel: 38.
+    In compensated arithmetic, where sums may cancel: 38.
+    The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.474 ULP in the median and 2.1 ULP at most (300 samples, near singularities too).
 
@@ -144,7 +145,8 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 29 (7 -, 14 *, 6 /, 2 neg); the derived expression as written takes 198.
-    With double-double operations for sums that may cancel: 184, 20 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 184, 20 of them errors of products.
+    The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.253 ULP in the median and 0.5 ULP at most (300 samples, near singularities too).
 
@@ -286,7 +288,8 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 11 (2 +, 2 -, 6 *, 1 /); the derived expression as written takes 16.
-    With double-double operations for sums that may cancel: 41, 2 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 41, 2 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.322 ULP in the median and 1.4 ULP at most (150 samples, near singularities too).
 
@@ -379,7 +382,8 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     given by the function `hypotheses` of this package.
 
     Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
-    With double-double operations for sums that may cancel: 298, 28 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 298, 28 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.191 ULP in the median and 3.77 ULP at most (500 samples, near singularities too).
 
@@ -483,7 +487,8 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     of this package.
 
     Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
-    With double-double operations for sums that may cancel: 69, 3 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 69, 3 of them errors of products.
+    The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.447 ULP in the median and 2.32 ULP at most (250 samples, near singularities too).
 
@@ -569,7 +574,8 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
-    With double-double operations for sums that may cancel: 253, 17 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 253, 17 of them errors of products.
+    The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.258 ULP in the median and 0.5 ULP at most (350 samples, near singularities too).
 

@@ -135,7 +135,8 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.
-    With double-double operations for sums that may cancel: 49.
+    In compensated arithmetic, where sums may cancel: 49.
+    The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.43 ULP in the median and 2.3 ULP at most (350 samples, near singularities too).
 
@@ -221,7 +222,8 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 44 (3 +, 8 -, 18 *, 11 /, 4 neg); the derived expression as written takes 535.
-    With double-double operations for sums that may cancel: 110.
+    In compensated arithmetic, where sums may cancel: 110.
+    The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.262 ULP in the median and 1.64 ULP at most (350 samples, near singularities too).
 
@@ -310,7 +312,8 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     function `hypotheses` of this package.
 
     Operations: 18 (1 +, 4 -, 11 *, 1 /, 1 neg); the derived expression as written takes 47.
-    With double-double operations for sums that may cancel: 74, 7 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 74, 7 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.378 ULP in the median and 1.87 ULP at most (150 samples, near singularities too).
 
@@ -396,7 +399,8 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 26 (1 +, 7 -, 12 *, 3 /, 3 neg); the derived expression as written takes 121.
-    With double-double operations for sums that may cancel: 116, 5 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 116, 5 of them errors of products.
+    The cheapest of 12 equal programs that err little.
 
     Measured error in float64: 0.424 ULP in the median and 2.27 ULP at most (350 samples, near singularities too).
 
@@ -533,7 +537,8 @@ def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 62 (1 +, 11 -, 32 *, 9 /, 9 neg); the derived expression as written takes 1275.
-    With double-double operations for sums that may cancel: 341, 37 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 341, 37 of them errors of products.
+    The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.26 ULP in the median and 3.16 ULP at most (350 samples, near singularities too).
 
@@ -702,7 +707,8 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.
-    With double-double operations for sums that may cancel: 91, 8 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 91, 8 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.261 ULP in the median and 0.5 ULP at most (350 samples, near singularities too).
 
@@ -771,7 +777,8 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
     Polynomial: no input is singular.
 
     Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.
-    With double-double operations for sums that may cancel: 68, 7 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 68, 7 of them errors of products.
+    The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.276 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
 
@@ -844,7 +851,8 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     `hypotheses` of this package.
 
     Operations: 45 (9 +, 14 -, 16 *, 6 /); the derived expression as written takes 1539.
-    With double-double operations for sums that may cancel: 161, 6 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 161, 6 of them errors of products.
+    The cheapest of 12 equal programs that err little.
 
     Measured error in float64: 0.217 ULP in the median and 2.77 ULP at most (500 samples, near singularities too).
 
@@ -942,7 +950,8 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     function `hypotheses` of this package.
 
     Operations: 32 (6 -, 21 *, 1 /, 4 neg); the derived expression as written takes 153.
-    With double-double operations for sums that may cancel: 108, 9 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 108, 9 of them errors of products.
+    The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.41 ULP in the median and 2.02 ULP at most (150 samples, near singularities too).
 
@@ -1034,7 +1043,8 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     y2 - y3 + 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 19 (5 +, 3 -, 10 *, 1 /); the derived expression as written takes 28.
-    With double-double operations for sums that may cancel: 89, 8 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 89, 8 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.369 ULP in the median and 1.35 ULP at most (150 samples, near singularities too).
 

@@ -2,9 +2,9 @@
 
 Each operation computes what the generated function computes, and adds to the bound what it may have rounded: at most u
 times the result (Wilkinson's running error analysis), in compensated arithmetic u times what is rounded of the second
-parts, nothing in error-free sums and products.  The bounds are themselves computed in floating-point arithmetic, and
-enlarged at each operation by more than it rounds.  Where nothing can be said (a divisor that may be zero, an overflow)
-the bound is infinite.
+parts, a few u**2 for double-double numbers, nothing in error-free sums and products.  The bounds are themselves
+computed in floating-point arithmetic, and enlarged at each operation by more than it rounds.  Where nothing can be said
+(a divisor that may be zero, an overflow) the bound is infinite.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ._compensated import NEAREST, Compensated, wide
+from ._double_double import DoubleDouble
 
 __all__ = ["Bounded", "bounded", "guaranteed"]
 
@@ -22,6 +23,9 @@ Number: TypeAlias = Any
 
 SLACK = 16
 """By how many units roundoff a bound is enlarged after each operation on bounds; none takes more than 10 roundings."""
+
+DOUBLED = 16
+"""What an operation on double-double numbers rounds at most, in u**2 of its result."""
 
 _FLOAT64 = np.dtype(np.float64)
 
@@ -31,7 +35,7 @@ class Bounded:
 
     Attributes
     ----------
-    value : number, array or Compensated
+    value : number, array, Compensated or DoubleDouble
         What is computed.
     error : array
         An upper bound of the distance to the exact value.
@@ -56,9 +60,10 @@ class Bounded:
 
     def rounded(self) -> Bounded:
         """Return the rounded number, whose bound grows by what is cut off."""
-        value = self.value.rounded()
-        exact = self.value.overlap == NEAREST
-        return guaranteed(bounded(value, self.error + (tail(self.value) if exact else unit_of(value) * abs(value))))
+        if isinstance(self.value, Compensated) and self.value.overlap != NEAREST:
+            value = self.value.rounded()
+            return guaranteed(bounded(value, self.error + unit_of(value) * abs(value)))
+        return guaranteed(bounded(self.value.hi, self.error + tail(self.value)))
 
     def __neg__(self) -> Bounded:
         return Bounded(-self.value, self.error)
@@ -139,10 +144,12 @@ def magnitude(number: Number) -> Number:
 
 def _rounding_of_sum(a: Number, b: Number, total: Number) -> Number:
     """Return what a sum rounds at most: in compensated arithmetic a sum of the second parts and its error."""
-    if not isinstance(total, Compensated):
+    if not hasattr(total, "hi"):
         return unit_of(total) * abs(total)
     if _has_no_tail(a) and _has_no_tail(b):
         return 0
+    if isinstance(total, DoubleDouble):
+        return _doubled(total)
     return unit_of(total) * (2 * (tail(a) + tail(b)) + tail(total))
 
 
@@ -151,10 +158,12 @@ def _rounding_of_product(a: Number, b: Number, product: Number) -> Number:
 
     The product of the second parts is left out.
     """
-    if not isinstance(product, Compensated):
+    if not hasattr(product, "hi"):
         return unit_of(product) * abs(product)
     if _has_no_tail(a) and _has_no_tail(b):
         return 0
+    if isinstance(product, DoubleDouble):
+        return _doubled(product)
     a, b = _separated(a), _separated(b)
     mixed = abs(high(a)) * tail(b) + tail(a) * abs(high(b))
     return unit_of(product) * (3 * mixed + tail(product)) + tail(a) * tail(b)
@@ -162,12 +171,18 @@ def _rounding_of_product(a: Number, b: Number, product: Number) -> Number:
 
 def _rounding_of_quotient(a: Number, b: Number, quotient: Number) -> Number:
     """Return what a quotient rounds at most: in compensated arithmetic the remainder, and what divides it."""
-    if not isinstance(quotient, Compensated):
+    if not hasattr(quotient, "hi"):
         return unit_of(quotient) * abs(quotient)
+    if isinstance(quotient, DoubleDouble):
+        return _doubled(quotient)
     a, b = _separated(a), _separated(b)
     unit = unit_of(quotient)
     remainder = unit * (3 * abs(quotient.hi) * tail(b) + 2 * tail(a)) + tail(quotient) * tail(b) + _tiny(quotient)
     return remainder / abs(high(b)) + 4 * unit * tail(quotient)
+
+
+def _doubled(result: DoubleDouble) -> Number:
+    return DOUBLED * unit_of(result) * unit_of(result) * magnitude(result)
 
 
 def _has_no_tail(number: Number) -> bool:

@@ -43,8 +43,8 @@ class _Candidate:
 def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     """Lower a kernel, prove the program, and choose it among those of equal forms.
 
-    The cheapest one is taken whose errors are small, or where none is good, as small as those of the best.  Programs with
-    primitive functions, which are not exact on fractions, cannot be compared: there the first form is taken.
+    The cheapest one is taken whose errors are small, or where none is good, as small as those of the best.  Programs
+    with primitive functions, which are not exact on fractions, cannot be compared: there the first form is taken.
 
     Parameters
     ----------

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache, lru_cache
-from typing import Any
+from typing import Any, TypeAlias
 
+import flint
 import sympy
 
 from algebroproj_sym.expressions.grammar import REMEMBERED, Scalar, free_symbols
 from algebroproj_sym.expressions.quotient import over
+
+Places: TypeAlias = tuple[int, ...]
 
 _INFINITE = frozenset((sympy.zoo, sympy.nan, sympy.oo, -sympy.oo))
 
@@ -62,7 +65,7 @@ def vector(*components: Scalar | int) -> Matrix:
 
 
 def columns(*vectors: Matrix) -> Matrix:
-    """Return the matrix with the given columns.
+    """Return the matrix with the given columns; what has several columns gives them all.
 
     Examples
     --------
@@ -71,8 +74,10 @@ def columns(*vectors: Matrix) -> Matrix:
     [1, 3],
     [2, 4]])
     """
-    joined: Matrix = Matrix.hstack(*vectors)
-    return joined
+    if len({part.rows for part in vectors}) > 1:
+        raise ValueError(f"columns: expected parts of equal height, got {[part.shape for part in vectors]}")
+    joined = [[entry for row in parts for entry in row] for parts in zip(*(part.tolist() for part in vectors), strict=True)]
+    return Matrix(joined)
 
 
 def rows(*vectors: Matrix) -> Matrix:
@@ -98,32 +103,68 @@ def determinant(matrix: Matrix) -> Scalar:
     size, width = matrix.shape
     if size != width:
         raise ValueError(f"determinant: expected a square matrix, got shape {matrix.shape}")
+    everything = tuple(range(size))
+    return minors(matrix)(everything, everything)
 
+
+def minors(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
+    """Return the function that gives the minors of a matrix by the places of their rows and columns.
+
+    Minors of symbols are expanded along their first rows; what several of them need is computed once.
+
+    Examples
+    --------
+    >>> a, b, c, d = sympy.symbols("a b c d")
+    >>> minors(Matrix([[a, b, 1], [c, d, 2]]))((0, 1), (0, 2))
+    2*a - c
+    """
+    if all(entry.is_Rational for entry in matrix.flat()):
+        return _numeric_minors(matrix)
     entries = matrix.tolist()
+    signed = entries, [[-entry for entry in row] for row in entries]
 
     @cache
-    def minor(row: int, remaining: tuple[int, ...]) -> Scalar:
-        if row == size:
-            return sympy.Integer(1)
+    def minor(rows: Places, columns: Places) -> Scalar:
+        if not rows:
+            return sympy.S.One
+        first, *others = rows
         terms = []
-        for place, column in enumerate(remaining):
-            entry = entries[row][column]
-            if entry != 0:
-                rest = remaining[:place] + remaining[place + 1 :]
-                terms.append((-1) ** place * entry * minor(row + 1, rest))
+        for place, column in enumerate(columns):
+            if entries[first][column] is not sympy.S.Zero:
+                rest = minor(tuple(others), columns[:place] + columns[place + 1 :])
+                terms.append(_times(signed[place % 2][first][column], rest))
         return sympy.Add(*terms)
 
-    return minor(0, tuple(range(size)))
+    return minor
+
+
+def _numeric_minors(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
+    entries = [[flint.fmpq(int(entry.p), int(entry.q)) for entry in row] for row in matrix.tolist()]
+
+    def minor(rows: Places, columns: Places) -> Scalar:
+        part = flint.fmpq_mat(len(rows), len(columns), [entries[i][j] for i in rows for j in columns])
+        value = part.det()
+        return sympy.Rational(int(value.p), int(value.q))
+
+    return minor
+
+
+def _times(left: Scalar, right: Scalar) -> Scalar:
+    """Return what SymPy returns, but without its search for infinities each time that a factor is zero."""
+    if right is sympy.S.Zero and not _has_infinity(left):
+        return right
+    return left * right
 
 
 def adjugate(matrix: Matrix) -> Matrix:
     """Return the adjugate, the transpose of the matrix of cofactors."""
-    size = matrix.shape[0]
+    size, everything, minor = matrix.rows, range(matrix.rows), minors(matrix)
 
-    def cofactor(i: int, j: int) -> Scalar:
-        return (-1) ** (i + j) * determinant(matrix.minor_submatrix(i, j))
+    def without(place: int) -> Places:
+        return tuple(k for k in everything if k != place)
 
-    return Matrix(size, size, [cofactor(j, i) for i in range(size) for j in range(size)])
+    cofactors = [(-1) ** (i + j) * minor(without(i), without(j)) for j in everything for i in everything]
+    return Matrix(size, size, cofactors)
 
 
 def inverse(matrix: Matrix) -> Matrix:
@@ -141,17 +182,18 @@ def inverse(matrix: Matrix) -> Matrix:
 
 def solve(matrix: Matrix, right_side: Matrix) -> Matrix:
     """Return the solution of a regular linear system by Cramer's rule."""
-    divisor = determinant(matrix)
-    size = matrix.shape[0]
+    size, width = matrix.shape
+    if size != width:
+        raise ValueError(f"solve: expected a square matrix, got shape {matrix.shape}")
     if len(right_side) != size:
         raise ValueError(f"solve: expected a right side of {size} entries, got {len(right_side)}")
-    known = matrix.tolist()
+    minor, everything = minors(columns(matrix, vector(*right_side))), tuple(range(size))
+    divisor = minor(everything, everything)
 
-    def replaced(column: int) -> Matrix:
-        pairs = zip(known, right_side, strict=True)
-        return Matrix([[*row[:column], entry, *row[column + 1 :]] for row, entry in pairs])
+    def numerator(column: int) -> Scalar:
+        return minor(everything, (*everything[:column], size, *everything[column + 1 :]))
 
-    return vector(*(over(determinant(replaced(column)), divisor) for column in range(size)))
+    return vector(*(over(numerator(column), divisor) for column in everything))
 
 
 def linear_system(equations: Sequence[Scalar], unknowns: Sequence[sympy.Symbol]) -> tuple[Matrix, Matrix]:
@@ -172,12 +214,12 @@ def linear_system(equations: Sequence[Scalar], unknowns: Sequence[sympy.Symbol])
     [2],
     [0]]))
     """
-    origin = dict.fromkeys(unknowns, 0)
+    origin = dict.fromkeys(unknowns, sympy.S.Zero)
     slopes = [_slope(equation, unknown) for equation in equations for unknown in unknowns]
     matrix = Matrix(len(equations), len(unknowns), slopes)
     if free_symbols(matrix) & set(unknowns):
         raise ValueError(f"linear_system: expected equations linear in {list(unknowns)}, got {list(equations)}")
-    return matrix, vector(*(-equation.subs(origin) for equation in equations))
+    return matrix, vector(*(-equation.xreplace(origin) for equation in equations))
 
 
 def _slope(expression: Any, unknown: sympy.Symbol) -> Any:

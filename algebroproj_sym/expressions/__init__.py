@@ -1,5 +1,6 @@
 """Rational expressions: what they are, how they are built without losing a divisor, how they are evaluated."""
 
+from algebroproj_sym.expressions.differentiation import diff
 from algebroproj_sym.expressions.dual import derivatives
 from algebroproj_sym.expressions.evaluation import evaluate
 from algebroproj_sym.expressions.grammar import (
@@ -45,6 +46,7 @@ __all__ = [
     "cross",
     "derivatives",
     "determinant",
+    "diff",
     "divided",
     "dot",
     "entries",

@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 import flint
 import sympy
 
+from algebroproj_sym.expressions.differentiation import diff
 from algebroproj_sym.expressions.grammar import REMEMBERED, Scalar, free_symbols
 from algebroproj_sym.expressions.quotient import over
 
@@ -76,7 +77,9 @@ def columns(*vectors: Matrix) -> Matrix:
     """
     if len({part.rows for part in vectors}) > 1:
         raise ValueError(f"columns: expected parts of equal height, got {[part.shape for part in vectors]}")
-    joined = [[entry for row in parts for entry in row] for parts in zip(*(part.tolist() for part in vectors), strict=True)]
+    joined = [
+        [entry for row in parts for entry in row] for parts in zip(*(part.tolist() for part in vectors), strict=True)
+    ]
     return Matrix(joined)
 
 
@@ -215,24 +218,11 @@ def linear_system(equations: Sequence[Scalar], unknowns: Sequence[sympy.Symbol])
     [0]]))
     """
     origin = dict.fromkeys(unknowns, sympy.S.Zero)
-    slopes = [_slope(equation, unknown) for equation in equations for unknown in unknowns]
+    slopes = [diff(equation, unknown) for equation in equations for unknown in unknowns]
     matrix = Matrix(len(equations), len(unknowns), slopes)
     if free_symbols(matrix) & set(unknowns):
         raise ValueError(f"linear_system: expected equations linear in {list(unknowns)}, got {list(equations)}")
     return matrix, vector(*(-equation.xreplace(origin) for equation in equations))
-
-
-def _slope(expression: Any, unknown: sympy.Symbol) -> Any:
-    """Return what `sympy.diff` returns, without its detours where at most one factor of a product has the unknown."""
-    if expression == unknown:
-        return sympy.S.One
-    if unknown not in free_symbols(expression):
-        return sympy.S.Zero
-    if isinstance(expression, sympy.Add):
-        return sympy.Add(*(_slope(term, unknown) for term in expression.args))
-    if isinstance(expression, sympy.Mul) and sum(unknown in free_symbols(factor) for factor in expression.args) == 1:
-        return sympy.Mul(*(_slope(f, unknown) if unknown in free_symbols(f) else f for f in expression.args))
-    return sympy.diff(expression, unknown)
 
 
 def cross(a: Matrix, b: Matrix) -> Matrix:

@@ -26,6 +26,7 @@ from algebroproj_sym.expressions import (
     columns,
     cross,
     determinant,
+    diff,
     dot,
     homogeneous,
     over,
@@ -178,7 +179,7 @@ section.identity(
     "0/introduction-coefficients",
     "the coefficients are composed of the image coordinates",
     printed=vector(*coefficients(u_left, u_right)),
-    derived=vector(*(sympy.diff(coplanarity, element) for element in C_general)),
+    derived=vector(*(diff(coplanarity, element) for element in C_general)),
 )
 
 # %% [markdown]
@@ -248,7 +249,7 @@ section.rank(
     "0/beyond/quadric#independent",
     "the nine elements of G give eight independent quadrics",
     printed=8,
-    derived=Matrix.hstack(*(quadric(G).diff(element) for element in G)),
+    derived=Matrix.hstack(*(diff(quadric(G), element) for element in G)),
     kernel=[vector(*C)],
     note="C alone gives no quadric: its equation holds for all points.",
 )
@@ -368,7 +369,7 @@ turn = vector(*sympy.symbols("turn:3"))
 changes = (db0, db2, *turn)
 unchanged = dict.fromkeys(changes, sympy.Integer(0))
 changed = matrix_of(base_direction + vector(db0, 0, db2)) * (Matrix.eye(3) + matrix_of(turn))
-derivatives = [changed.diff(change).xreplace(unchanged) for change in changes]
+derivatives = [diff(changed, change).xreplace(unchanged) for change in changes]
 
 
 def orientation_row(point: Matrix) -> list[sympy.Expr]:

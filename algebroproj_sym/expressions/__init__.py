@@ -1,7 +1,7 @@
 """Rational expressions: what they are, how they are built without losing a divisor, how they are evaluated."""
 
 from algebroproj_sym.expressions.differentiation import diff
-from algebroproj_sym.expressions.dual import derivatives
+from algebroproj_sym.expressions.dual import derivatives, jacobian
 from algebroproj_sym.expressions.evaluation import evaluate
 from algebroproj_sym.expressions.grammar import (
     Expression,
@@ -55,6 +55,7 @@ __all__ = [
     "homogeneous",
     "in_steps",
     "inverse",
+    "jacobian",
     "keeps_divisions",
     "linear_system",
     "over",

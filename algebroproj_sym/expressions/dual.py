@@ -37,6 +37,67 @@ class Dual:
         return Dual(self.value**exponent, self.value ** (exponent - 1) * self.derivative * exponent)
 
 
+@dataclass(frozen=True)
+class Gradient:
+    """Derivatives by several variables; those that are not listed are zero."""
+
+    slopes: Mapping[sympy.Symbol, Any]
+
+    def __add__(self, other: Gradient) -> Gradient:
+        slopes = dict(self.slopes)
+        for variable, slope in other.slopes.items():
+            slopes[variable] = slopes[variable] + slope if variable in slopes else slope
+        return Gradient(slopes)
+
+    def __sub__(self, other: Gradient) -> Gradient:
+        return self + other * -1
+
+    def __mul__(self, factor: Any) -> Gradient:
+        return Gradient({variable: slope * factor for variable, slope in self.slopes.items()})
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: Any) -> Gradient:
+        return Gradient({variable: slope / divisor for variable, slope in self.slopes.items()})
+
+
+def jacobian(
+    expression: Expression, point: Mapping[sympy.Symbol, Fraction], variables: Sequence[sympy.Symbol]
+) -> list[list[Fraction]]:
+    """Return the derivatives of the entries of an expression by some variables, at a rational point.
+
+    Parameters
+    ----------
+    expression : sympy.Expr or sympy matrix
+        A rational expression.
+    point : mapping of Symbol to Fraction
+        A value for every symbol of the expression and every variable.
+    variables : sequence of Symbol
+        In which symbols to differentiate; the others are constants.
+
+    Returns
+    -------
+    list of list of Fraction
+        A row for each entry, with the derivatives in the order of the variables.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If the expression is not defined at the point.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> jacobian(x**2 / y, {x: Fraction(3), y: Fraction(2)}, [x, y])
+    [[Fraction(3, 1), Fraction(-9, 4)]]
+    """
+    constant, units = Gradient({}), {variable: Gradient({variable: fmpq(Fraction(1))}) for variable in variables}
+    dual = {symbol: Dual(fmpq(value), units.get(symbol, constant)) for symbol, value in point.items()}
+    found = evaluate(expression, dual, lambda value: Dual(fmpq(value), constant))
+    zero = fmpq(Fraction(0))
+    return [[fraction(entry.derivative.slopes.get(variable, zero)) for variable in variables] for entry in found]
+
+
 def derivatives(
     expression: Expression,
     point: Mapping[sympy.Symbol, Any],

@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions.evaluation import evaluate
-from algebroproj_sym.expressions.exact import fmpq, fraction
+from algebroproj_sym.expressions.exact import exact, fmpq, fraction
 from algebroproj_sym.expressions.grammar import Expression
 
 
@@ -137,9 +137,9 @@ def derivatives(
     (Fraction(3, 1),)
     """
     if lift is Fraction:
-        exact = {symbol: fmpq(value) for symbol, value in point.items()}
-        return tuple(map(fraction, derivatives(expression, exact, variables, list(map(fmpq, direction)), fmpq)))
+        along = list(map(fmpq, direction))
+        return tuple(map(fraction, derivatives(expression, exact(point), variables, along, fmpq)))
     zero = lift(Fraction(0))
-    along = dict(zip(variables, direction, strict=True))
-    dual = {symbol: Dual(value, along.get(symbol, zero)) for symbol, value in point.items()}
+    slopes = dict(zip(variables, direction, strict=True))
+    dual = {symbol: Dual(value, slopes.get(symbol, zero)) for symbol, value in point.items()}
     return tuple(entry.derivative for entry in evaluate(expression, dual, lambda value: Dual(lift(value), zero)))

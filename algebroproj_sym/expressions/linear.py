@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache, lru_cache
 from typing import Any, TypeAlias
 
@@ -39,15 +39,29 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
         """Return the hash of SymPy's matrix, to which this one is equal."""
         return hash((sympy.ImmutableDenseMatrix.__name__, *self._hashable_content()))
 
+    def __iter__(self) -> Iterator[Scalar]:
+        """Yield the entries row by row."""
+        return iter(self.args[2].args)
+
+    def flat(self) -> list[Scalar]:
+        """Return the entries row by row."""
+        return list(self.args[2].args)
+
+    def tolist(self) -> list[list[Scalar]]:
+        """Return the rows."""
+        entries = self.flat()
+        return [entries[i * self.cols : (i + 1) * self.cols] for i in range(self.rows)]
+
     def _eval_matrix_mul(self, other: Any) -> Any:
         parts = {*self.flat(), *other.flat()}
         if all(part.is_Rational for part in parts) or any(map(_has_infinity, parts)):
             return super()._eval_matrix_mul(other)
         left, right = _nonzero(self.tolist()), [dict(row) for row in _nonzero(other.tolist())]
-        sums = [
-            [sympy.Add(*(a * right[k][j] for k, a in row if j in right[k])) for j in range(other.cols)] for row in left
-        ]
-        return self._new(self.rows, other.cols, [entry for row in sums for entry in row])
+
+        def entry(row: Sequence[tuple[int, Scalar]], column: int) -> Scalar:
+            return sympy.Add(*(sympy.Mul(a, right[k][column]) for k, a in row if column in right[k]))
+
+        return self._new(self.rows, other.cols, [entry(row, column) for row in left for column in range(other.cols)])
 
 
 @lru_cache(maxsize=REMEMBERED)
@@ -107,10 +121,10 @@ def determinant(matrix: Matrix) -> Scalar:
     if size != width:
         raise ValueError(f"determinant: expected a square matrix, got shape {matrix.shape}")
     everything = tuple(range(size))
-    return minors(matrix)(everything, everything)
+    return minors_of(matrix)(everything, everything)
 
 
-def minors(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
+def minors_of(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
     """Return the function that gives the minors of a matrix by the places of their rows and columns.
 
     Minors of symbols are expanded along their first rows; what several of them need is computed once.
@@ -118,7 +132,7 @@ def minors(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
     Examples
     --------
     >>> a, b, c, d = sympy.symbols("a b c d")
-    >>> minors(Matrix([[a, b, 1], [c, d, 2]]))((0, 1), (0, 2))
+    >>> minors_of(Matrix([[a, b, 1], [c, d, 2]]))((0, 1), (0, 2))
     2*a - c
     """
     if all(entry.is_Rational for entry in matrix.flat()):
@@ -154,14 +168,14 @@ def _numeric_minors(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
 
 def _times(left: Scalar, right: Scalar) -> Scalar:
     """Return what SymPy returns, but without its search for infinities each time that a factor is zero."""
-    if right is sympy.S.Zero and not _has_infinity(left):
-        return right
-    return left * right
+    if (left is sympy.S.Zero or right is sympy.S.Zero) and not (_has_infinity(left) or _has_infinity(right)):
+        return sympy.S.Zero
+    return sympy.Mul(left, right)
 
 
 def adjugate(matrix: Matrix) -> Matrix:
     """Return the adjugate, the transpose of the matrix of cofactors."""
-    size, everything, minor = matrix.rows, range(matrix.rows), minors(matrix)
+    size, everything, minor = matrix.rows, range(matrix.rows), minors_of(matrix)
 
     def without(place: int) -> Places:
         return tuple(k for k in everything if k != place)
@@ -190,7 +204,7 @@ def solve(matrix: Matrix, right_side: Matrix) -> Matrix:
         raise ValueError(f"solve: expected a square matrix, got shape {matrix.shape}")
     if len(right_side) != size:
         raise ValueError(f"solve: expected a right side of {size} entries, got {len(right_side)}")
-    minor, everything = minors(columns(matrix, vector(*right_side))), tuple(range(size))
+    minor, everything = minors_of(columns(matrix, vector(*right_side))), tuple(range(size))
     divisor = minor(everything, everything)
 
     def numerator(column: int) -> Scalar:
@@ -229,9 +243,10 @@ def cross(a: Matrix, b: Matrix) -> Matrix:
     """Return the cross product of two vectors with three components."""
     if len(a) != 3 or len(b) != 3:
         raise ValueError(f"cross: expected two vectors of 3 components, got {len(a)} and {len(b)}")
-    return vector(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    (a0, a1, a2), (b0, b1, b2) = a.flat(), b.flat()
+    return vector(a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0)
 
 
 def dot(a: Matrix, b: Matrix) -> Scalar:
     """Return the scalar product of two vectors."""
-    return sympy.Add(*(p * q for p, q in zip(a, b, strict=True)))
+    return sympy.Add(*(_times(p, q) for p, q in zip(a.flat(), b.flat(), strict=True)))

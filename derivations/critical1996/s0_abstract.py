@@ -29,6 +29,7 @@ from algebroproj_sym.expressions import (
     diff,
     dot,
     homogeneous,
+    minors_of,
     over,
     rows,
     vector,
@@ -282,11 +283,8 @@ seven_points = [vector(*map(sympy.Integer, point)) for point in SEVEN]
 
 def signed_minors(matrix: Matrix) -> Matrix:
     """Return the vector of signed minors, which a matrix with one column more than rows takes to zero."""
-
-    def without(column: int) -> Matrix:
-        return columns(*(matrix.col(j) for j in range(matrix.cols) if j != column))
-
-    return vector(*((-1) ** j * determinant(without(j)) for j in range(matrix.cols)))
+    minor, everything = minors_of(matrix), tuple(range(matrix.cols))
+    return vector(*((-1) ** j * minor(everything[:-1], everything[:j] + everything[j + 1 :]) for j in everything))
 
 
 def on_quadric(point: Matrix) -> Matrix:

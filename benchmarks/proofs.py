@@ -1,10 +1,10 @@
 """Our prover beside other ways to decide identities: the same 50 claims, one after the other, in one run.
 
 Run with ``python benchmarks/proofs.py [ROUNDS]``; the ways take turns, each round (of three) in new processes, and the
-shortest time of each claim counts.  Each way has the same limit for each claim.  Limit and time are processor time of the
-decision alone, without start and import, but for Singular (Debian: singular-ui), which is started for each claim and gets
-both sides as text, in steps, in its field over Q.  SymPy keeps no results from one claim to the next.  Its polynomials
-are measured over integers of Python, of GMP (gmpy2) and of FLINT, if these are installed.
+shortest time of each claim counts.  Each way has the same limit for each claim.  Limit and time are processor time of
+the decision alone, without start and import, but for Singular (Debian: singular-ui), which is started for each claim
+and gets both sides as text, in steps, in its field over Q.  SymPy keeps no results from one claim to the next.  Its
+polynomials are measured over integers of Python, of GMP (gmpy2) and of FLINT, if these are installed.
 """
 
 from __future__ import annotations

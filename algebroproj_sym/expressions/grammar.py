@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
 from itertools import islice, pairwise
-from operator import is_
 from typing import Any, TypeAlias
 
 import sympy
@@ -157,10 +156,8 @@ def _divided(node: Any) -> Any:
     """Do what `doit` does, each part once."""
     if not node.args:
         return node
-    parts = [*map(_divided, node.args)]
-    if isinstance(node, over):
-        return parts[0] / parts[1]
-    return node if all(map(is_, parts, node.args)) else node.func(*parts)
+    parts = map(_divided, node.args)
+    return next(parts) / next(parts) if isinstance(node, over) else node.func(*parts)
 
 
 def text(expression: Expression) -> str:

@@ -117,10 +117,7 @@ def determinant(matrix: Matrix) -> Scalar:
     >>> determinant(Matrix([[a, b], [c, d]]))
     a*d - b*c
     """
-    size, width = matrix.shape
-    if size != width:
-        raise ValueError(f"determinant: expected a square matrix, got shape {matrix.shape}")
-    everything = tuple(range(size))
+    everything = tuple(range(_size(matrix, "determinant")))
     return minors_of(matrix)(everything, everything)
 
 
@@ -155,6 +152,12 @@ def minors_of(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
     return minor
 
 
+def _size(matrix: Matrix, function: str) -> int:
+    if matrix.rows != matrix.cols:
+        raise ValueError(f"{function}: expected a square matrix, got shape {matrix.shape}")
+    return int(matrix.rows)
+
+
 def _numeric_minors(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
     entries = [[flint.fmpq(int(entry.p), int(entry.q)) for entry in row] for row in matrix.tolist()]
 
@@ -175,7 +178,8 @@ def _times(left: Scalar, right: Scalar) -> Scalar:
 
 def adjugate(matrix: Matrix) -> Matrix:
     """Return the adjugate, the transpose of the matrix of cofactors."""
-    size, everything, minor = matrix.rows, range(matrix.rows), minors_of(matrix)
+    size = _size(matrix, "adjugate")
+    minor, everything = minors_of(matrix), range(size)
 
     def without(place: int) -> Places:
         return tuple(k for k in everything if k != place)
@@ -199,9 +203,7 @@ def inverse(matrix: Matrix) -> Matrix:
 
 def solve(matrix: Matrix, right_side: Matrix) -> Matrix:
     """Return the solution of a regular linear system by Cramer's rule."""
-    size, width = matrix.shape
-    if size != width:
-        raise ValueError(f"solve: expected a square matrix, got shape {matrix.shape}")
+    size = _size(matrix, "solve")
     if len(right_side) != size:
         raise ValueError(f"solve: expected a right side of {size} entries, got {len(right_side)}")
     minor, everything = minors_of(columns(matrix, vector(*right_side))), tuple(range(size))

@@ -799,6 +799,19 @@ Fixpoint run (env : list R) (definitions : list expr) : list R :=
   match definitions with [] => env | d :: rest => run (env ++ [eval env d]) rest end.
 Definition program (definitions results : list expr) (x : list R) : list R := map (eval (run x definitions)) results.
 
+Definition coordinates (n : nat) (x : list R) : list R := map (fun k => List.nth k x 0) (seq 0 n).
+
+Lemma coordinates_all x : coordinates (length x) x = x.
+Proof.
+  unfold coordinates. induction x as [|a x IH]; [reflexivity|].
+  cbn [length seq map]. rewrite <- seq_shift, map_map. f_equal. exact IH.
+Qed.
+
+Lemma is_program F definitions results n :
+  (forall x, F (coordinates n x) = program definitions results (coordinates n x)) ->
+  forall x, length x = n -> F x = program definitions results x.
+Proof. intros H x <-. now rewrite <- (coordinates_all x). Qed.
+
 (** Pairs of a value and a derivative, over any numbers that mean real ones. *)
 Section Dual.
 Variable A : Type.

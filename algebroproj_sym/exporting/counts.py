@@ -52,22 +52,17 @@ class Functions:
     def stated(self) -> str:
         """Return the lines that introduce them in a statement."""
         x = free("x", {*self.variables, *self.definitions, self.called})
-        named = [f"let {identifier(v)} := List.nth {place} {x} 0 in" for place, v in enumerate(self.variables)]
-        named += [f"let {identifier(called)} := {formula(value)} in" for called, value in self.definitions.items()]
-        return "\n".join([f"let {self.called} := fun {x} : list R =>", *named, f"{_formulas(self.entries)} in"])
+        matched = listed([*map(identifier, self.variables)])
+        named = [f"let {identifier(called)} : R := {formula(value)} in" for called, value in self.definitions.items()]
+        opened = f"let {self.called} := fun {x} : list R => match {x} with {matched} =>"
+        return "\n".join([opened, *named, f"{_formulas(self.entries)} | _ => [] end in"])
 
     def introduced(self, definitions: str, results: str) -> str:
         """Return the tactics that introduce them, and the proof that they are the program of some trees."""
-        count = len(self.variables)
-        return "\n".join(
-            [
-                f"intro {self.called}.",
-                f"assert (forall x, length x = {count}%nat -> {self.called} x = program {definitions}\n {results} x)"
-                " as same.",
-                f"{{ intros x L. do {count} (destruct x as [|? x]; [discriminate|]). "
-                "destruct x; [reflexivity|discriminate]. }",
-            ]
-        )
+        left = f"{self.called} (coordinates {len(self.variables)} x)"
+        cast = f"(fun x => ltac:(vm_cast_no_check (@eq_refl (list R) ({left}))))"
+        program = f"{self.called} {definitions}\n {results} {len(self.variables)}"
+        return f"intro {self.called}.\npose proof (is_program {program}\n {cast}) as same."
 
 
 def _formulas(terms: Sequence[Term]) -> str:

@@ -7,6 +7,7 @@ import copy
 import inspect
 import textwrap
 from collections.abc import Callable, Iterator
+from functools import partial
 from types import FunctionType
 from typing import Any, NamedTuple
 
@@ -19,19 +20,23 @@ _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
     ast.Div: ast.Mult,
 }
 
+_DIGITS = {"wide": "narrow", "rounded": "unrounded"}
+"""Words of the sources that change how many digits a number has, and what stands for leaving them out."""
+
 
 class SourceMutant(NamedTuple):
-    """A changed function, what was changed, and the line that it changed."""
+    """What was changed, the line that it changed, and what compiles the changed function."""
 
     change: str
     line: str
-    function: Callable[..., Any]
+    compiled: Callable[[], Callable[..., Any]]
 
 
 def source_mutants(function: Callable[..., Any]) -> list[SourceMutant]:
-    """Return a function with each single change of its body: operator, operands, index, dropped term, number.
+    """Return a function with each single change of its body: operator, operands, index, dropped term, number, digits.
 
-    The body of a generated function is the private one of the same name, which it evaluates.
+    The body of a generated function is the private one of the same name, which it evaluates.  A change of digits leaves
+    out a word that asks for twice the digits, or that rounds to one number: no real number changes by it.
 
     Examples
     --------
@@ -41,15 +46,12 @@ def source_mutants(function: Callable[..., Any]) -> list[SourceMutant]:
     """
     body = function.__globals__[f"_{function.__name__}"]
     tree = ast.parse(textwrap.dedent(inspect.getsource(body)))
-    found, seen = [], {ast.unparse(tree)}
+    found, seen = [], {(number, ast.unparse(holder[place])) for number, (holder, place) in enumerate(_parts(tree))}
     for change, number, part in _changed(tree):
-        mutated = copy.deepcopy(tree)
-        holder, place = _parts(mutated)[number]
-        holder[place] = part
-        text = ast.unparse(ast.fix_missing_locations(mutated))
-        if text not in seen:
-            seen.add(text)
-            found.append(SourceMutant(change, ast.unparse(part), _compiled(text, function)))
+        line = ast.unparse(part)
+        if (number, line) not in seen:
+            seen.add((number, line))
+            found.append(SourceMutant(change, line, partial(_compiled, tree, number, part, function)))
     return found
 
 
@@ -64,14 +66,30 @@ def _parts(tree: ast.Module) -> list[tuple[list[Any], int]]:
     return statements + [(last.value.elts, place) for place in range(len(last.value.elts))]
 
 
-def _compiled(text: str, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the function with another body."""
+def _compiled(tree: ast.Module, number: int, part: ast.AST, function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return the function with another part in its body."""
     assert isinstance(function, FunctionType)
-    names = dict(function.__globals__)
-    exec(compile(text, f"<mutant of {function.__name__}>", "exec"), names)
+    holder, place = _parts(tree)[number]
+    unchanged = holder[place]
+    holder[place] = part
+    try:
+        code = compile(ast.fix_missing_locations(tree), f"<mutant of {function.__name__}>", "exec")
+    finally:
+        holder[place] = unchanged
+    names = function.__globals__ | {"rounded": _rounded} | dict.fromkeys(_DIGITS.values(), _as_it_is)
+    exec(code, names)
     mutant = FunctionType(function.__code__, names, function.__name__)
     mutant.__kwdefaults__ = function.__kwdefaults__
     return without_twin(mutant)
+
+
+def _rounded(number: Any) -> Any:
+    """Return the one number nearest to a sum of two; where a change has left one number, it is that."""
+    return number.rounded() if hasattr(number, "rounded") else number
+
+
+def _as_it_is(number: Any) -> Any:
+    return number
 
 
 def _changed(tree: ast.Module) -> Iterator[tuple[str, int, ast.AST]]:
@@ -101,6 +119,8 @@ def _edits(node: ast.AST, names: list[str]) -> Iterator[tuple[str, Callable[[Any
             yield "operands", _operands
         yield "dropped term", _dropped("right")
         yield "dropped term", _dropped("left")
+    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _DIGITS:
+        yield "digits", _with_other_digits
     elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
         yield "sign", _unsigned
     elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
@@ -122,6 +142,10 @@ def _operator(node: Any) -> None:
 
 def _operands(node: Any) -> None:
     node.left, node.right = node.right, node.left
+
+
+def _with_other_digits(node: Any) -> None:
+    node.func.id = _DIGITS[node.func.id]
 
 
 def _unsigned(node: Any) -> None:

@@ -1,7 +1,7 @@
 """Rational expressions: what they are, how they are built without losing a divisor, how they are evaluated."""
 
 from algebroproj_sym.expressions.dual import derivatives
-from algebroproj_sym.expressions.evaluation import evaluate
+from algebroproj_sym.expressions.evaluation import Neighbourhood, evaluate
 from algebroproj_sym.expressions.grammar import (
     Expression,
     NotRationalError,
@@ -37,6 +37,7 @@ from algebroproj_sym.expressions.writing import written
 __all__ = [
     "Expression",
     "Matrix",
+    "Neighbourhood",
     "NotRationalError",
     "ParseError",
     "Scalar",

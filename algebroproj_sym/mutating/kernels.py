@@ -6,11 +6,10 @@ from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from types import ModuleType
-from typing import Any
 
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.mutating.forms import sampled
-from algebroproj_sym.mutating.sources import source_mutants
+from algebroproj_sym.mutating.sources import recompiled, source_mutants
 from algebroproj_sym.proving import seed_of
 from algebroproj_sym.verifying.accuracy import is_within_bound, truths
 from algebroproj_sym.verifying.proof_of_source import Expectation, at_points, in_general
@@ -19,6 +18,10 @@ from algebroproj_sym.verifying.shipped import Function, function_of
 
 POINTS = 2
 """At how many rational points a changed source is tried before it is executed on rational functions."""
+
+_NOT_RUN = (ZeroDivisionError, NameError, TypeError)
+"""Why a changed source cannot be run: it divides by zero, uses a value that is not computed yet, leaves the exact
+numbers, or returns a number of twice the digits."""
 
 
 @dataclass(frozen=True)
@@ -73,17 +76,26 @@ def mutate_kernel(
         Samples in each stratum of the numeric comparison.
     engine : {"flint", "sympy"}
         The polynomial arithmetic for the proof of the source.
+
+    Raises
+    ------
+    ValueError
+        If the unchanged source does not pass.
     """
     kernel = lowered.kernel
-    found = source_mutants(function_of(kernel, package))
+    function = function_of(kernel, package)
+    found = source_mutants(function)
     chosen = sampled(found, limit, seed_of(kernel.qualified_name))
     points, general = at_points(kernel, POINTS), in_general(kernel, engine)
     samples = _strata_in_turn(stratified(lowered, size))
     known = truths(lowered, samples)
+    unchanged = recompiled(function)
+    if not general.is_met_by(unchanged) or not is_within_bound(lowered, unchanged, samples, known):
+        raise ValueError(f"{kernel.qualified_name}: expected the unchanged source to be proved and accurate, it is not")
 
     def fate(change: str, line: str, function: Function) -> SourceFate:
-        by_proof = _is_refuted(function, points) or _notices(lambda: not general.is_met_by(function))
-        by_numbers = _notices(lambda: not is_within_bound(lowered, function, samples, known))
+        by_proof = _is_refuted(function, points) or _notices(lambda: general.is_met_by(function))
+        by_numbers = _notices(lambda: is_within_bound(lowered, function, samples, known))
         return SourceFate(change, line, by_proof, by_numbers)
 
     fates = tuple(fate(mutant.change, mutant.line, mutant.compiled()) for mutant in chosen)
@@ -103,13 +115,13 @@ def _is_refuted(function: Function, points: Sequence[Expectation]) -> bool:
     """Whether a source gives something else than the derivation at a point; where it cannot be run, nothing is said."""
     try:
         return not all(point.is_met_by(function) for point in points)
-    except Exception:
+    except _NOT_RUN:
         return False
 
 
-def _notices(check: Callable[[], Any]) -> bool:
+def _notices(check: Callable[[], bool]) -> bool:
     """Whether a check fails; a source that cannot be run is noticed, too."""
     try:
-        return bool(check())
-    except Exception:
+        return not check()
+    except _NOT_RUN:
         return True

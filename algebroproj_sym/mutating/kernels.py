@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from types import ModuleType
 
 from algebroproj_sym.generating import Lowered
+from algebroproj_sym.mutating.congruence import is_congruent
 from algebroproj_sym.mutating.forms import sampled
-from algebroproj_sym.mutating.sources import recompiled, source_mutants
+from algebroproj_sym.mutating.sources import SourceMutant, digits_of, recompiled, source_mutants
 from algebroproj_sym.proving import seed_of
 from algebroproj_sym.verifying.accuracy import is_within_bound, truths
 from algebroproj_sym.verifying.proof_of_source import Expectation, at_points, in_general
@@ -93,12 +94,18 @@ def mutate_kernel(
     if not general.is_met_by(unchanged) or not is_within_bound(lowered, unchanged, samples, known):
         raise ValueError(f"{kernel.qualified_name}: expected the unchanged source to be proved and accurate, it is not")
 
-    def fate(change: str, line: str, function: Function) -> SourceFate:
-        by_proof = _is_refuted(function, points) or _notices(lambda: general.is_met_by(function))
-        by_numbers = _notices(lambda: is_within_bound(lowered, function, samples, known))
-        return SourceFate(change, line, by_proof, by_numbers)
+    digits = digits_of(function)
 
-    fates = tuple(fate(mutant.change, mutant.line, mutant.compiled()) for mutant in chosen)
+    def fate(mutant: SourceMutant) -> SourceFate:
+        changed = mutant.compiled()
+        by_proof = _is_refuted(changed, points) or (
+            not is_congruent(mutant.unchanged, mutant.changed, digits, engine)
+            and _notices(lambda: general.is_met_by(changed))
+        )
+        by_numbers = _notices(lambda: is_within_bound(lowered, changed, samples, known))
+        return SourceFate(mutant.change, mutant.line, by_proof, by_numbers)
+
+    fates = tuple(map(fate, chosen))
     return MutatedKernel(kernel.qualified_name, len(found), fates)
 
 

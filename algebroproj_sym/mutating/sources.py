@@ -24,18 +24,20 @@ _DIGITS = ("wide", "rounded")
 
 
 class SourceMutant(NamedTuple):
-    """What was changed, the line that it changed, and what compiles the changed function."""
+    """What was changed, the line that it changed, before and after, and what compiles the changed function."""
 
     change: str
     line: str
+    unchanged: ast.AST
+    changed: ast.AST
     compiled: Callable[[], Callable[..., Any]]
 
 
 def source_mutants(function: Callable[..., Any]) -> list[SourceMutant]:
     """Return a function with each single change of its body: operator, operands, index, dropped term, number, digits.
 
-    The body of a generated function is the private one of the same name, which it evaluates.  A change of digits leaves
-    out a word that asks for twice the digits, or that rounds to one number: no real number changes by it.
+    The body of a generated function is the private one of the same name, which it evaluates.  Changes of digits leave
+    out `wide`, which asks for twice the digits, or `rounded`: no real number changes by them.
 
     Examples
     --------
@@ -44,12 +46,14 @@ def source_mutants(function: Callable[..., Any]) -> list[SourceMutant]:
     ['f * (f + x3)', '(f + x3) / f']
     """
     tree = _parsed(function)
-    found, seen = [], {(number, ast.unparse(holder[place])) for number, (holder, place) in enumerate(_parts(tree))}
+    parts = [holder[place] for holder, place in _parts(tree)]
+    found, seen = [], {(number, ast.unparse(part)) for number, part in enumerate(parts)}
     for change, number, part in _changed(tree):
         line = ast.unparse(part)
         if (number, line) not in seen:
             seen.add((number, line))
-            found.append(SourceMutant(change, line, partial(_compiled, tree, number, part, function)))
+            compiled = partial(_compiled, tree, number, part, function)
+            found.append(SourceMutant(change, line, parts[number], part, compiled))
     return found
 
 
@@ -86,14 +90,19 @@ def _compiled(tree: ast.Module, number: int, part: ast.AST, function: Callable[.
     finally:
         holder[place] = unchanged
     mutant = without_twin(function)
-    mutant.__globals__["rounded"] = _rounded
+    mutant.__globals__.update(digits_of(function))
     exec(code, mutant.__globals__)
     return mutant
 
 
-def _rounded(number: Any) -> Any:
-    """Return the one number nearest to a sum of two; where a change has left one number, it is that."""
-    return number.rounded() if hasattr(number, "rounded") else number
+def digits_of(function: Callable[..., Any]) -> dict[str, Callable[[Any], Any]]:
+    """Return what the words for digits mean in mutants: one number, which a change may leave, is rounded to itself."""
+    known = function.__globals__
+
+    def rounded(number: Any) -> Any:
+        return known["rounded"](number) if hasattr(number, "rounded") else number
+
+    return {word: known[word] for word in _DIGITS if word in known} | {"rounded": rounded}
 
 
 def _changed(tree: ast.Module) -> Iterator[tuple[str, int, ast.AST]]:
@@ -117,7 +126,7 @@ def _changes(node: ast.AST, names: list[str]) -> Iterator[tuple[str, ast.expr]]:
         yield "dropped term", left
         yield "dropped term", _without_left(operator, right)
     elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _DIGITS:
-        yield "digits", node.args[0]
+        yield f"{node.func.id} left out", node.args[0]
     elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
         yield "sign", node.operand
     elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):

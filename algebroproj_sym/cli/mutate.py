@@ -130,7 +130,7 @@ def _print_functions(functions: Sequence[MutatedKernel]) -> None:
     if not functions:
         return
     table = Table("function", box=None, pad_edge=False)
-    for heading in ("changes", "tried", "by proof", "by numbers", "equivalent", "worse digits", "no worse"):
+    for heading in ("changes", "tried", "by proof", "by numbers", "equivalent", "worse digits", "same bits"):
         table.add_column(heading, justify="right")
     for function in functions:
         table.add_row(function.function, *map(str, (function.total, len(function.fates), *_counts(function.fates))))
@@ -139,17 +139,25 @@ def _print_functions(functions: Sequence[MutatedKernel]) -> None:
             name = function.function
             console().print(f"{name}  {fate.change}: {fate.line}: not noticed by the numbers", markup=False)
     console().print(table)
-    by_proof, by_numbers, equivalent, worse, _ = _counts([fate for function in functions for fate in function.fates])
+    by_proof, by_numbers, equivalent, worse, same = _counts([fate for each in functions for fate in each.fates])
     console().print(f"{by_proof} changed sources compute something else: {by_numbers} noticed by numbers, all by proof")
-    console().print(f"{equivalent} are proved to compute the same real numbers: {worse} with worse digits")
+    console().print(
+        f"{equivalent} compute the same real numbers: {worse} with digits so much worse that numbers notice, "
+        f"{same} with the same bits"
+    )
 
 
 def _counts(fates: Sequence[SourceFate]) -> tuple[int, int, int, int, int]:
-    """Count the changes that the proof and the numbers notice, and the equivalent ones, with worse digits and not."""
+    """Count what is noticed by proof, and by numbers; what is the same, is noticed, has the same bits."""
     other = [fate for fate in fates if not fate.equivalent]
-    equivalent = [fate for fate in fates if fate.equivalent]
-    worse = sum(fate.by_numbers for fate in equivalent)
-    return len(other), sum(f.by_numbers for f in other), len(equivalent), worse, len(equivalent) - worse
+    same = [fate for fate in fates if fate.equivalent]
+    return (
+        len(other),
+        sum(fate.by_numbers for fate in other),
+        len(same),
+        sum(fate.by_numbers for fate in same),
+        sum(fate.same_bits for fate in same),
+    )
 
 
 def _record(claims: Sequence[MutatedClaim], functions: Sequence[MutatedKernel]) -> dict[str, Any]:

@@ -7,12 +7,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from types import ModuleType
 
+import numpy as np
+
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.mutating.congruence import is_congruent
 from algebroproj_sym.mutating.forms import sampled
 from algebroproj_sym.mutating.sources import SourceMutant, digits_of, recompiled, source_mutants
 from algebroproj_sym.proving import seed_of
-from algebroproj_sym.verifying.accuracy import is_within_bound, truths
+from algebroproj_sym.verifying.accuracy import is_within_bound, results_of, truths
 from algebroproj_sym.verifying.proof_of_source import Expectation, at_points, in_general
 from algebroproj_sym.verifying.samples import Sample, stratified
 from algebroproj_sym.verifying.shipped import Function, function_of
@@ -38,12 +40,15 @@ class SourceFate:
         numbers.
     by_numbers : bool
         Whether the comparison with 50 digits on samples noticed.
+    same_bits : bool
+        Whether the results at all samples are those of the unchanged source, bit by bit.
     """
 
     change: str
     line: str
     by_proof: bool
     by_numbers: bool
+    same_bits: bool = False
 
     @property
     def equivalent(self) -> bool:
@@ -94,7 +99,7 @@ def mutate_kernel(
     if not general.is_met_by(unchanged) or not is_within_bound(lowered, unchanged, samples, known):
         raise ValueError(f"{kernel.qualified_name}: expected the unchanged source to be proved and accurate, it is not")
 
-    digits = digits_of(function)
+    before, digits = results_of(lowered, unchanged, samples), digits_of(function)
 
     def fate(mutant: SourceMutant) -> SourceFate:
         changed = mutant.compiled()
@@ -103,7 +108,8 @@ def mutate_kernel(
             and _notices(lambda: general.is_met_by(changed))
         )
         by_numbers = _notices(lambda: is_within_bound(lowered, changed, samples, known))
-        return SourceFate(mutant.change, mutant.line, by_proof, by_numbers)
+        same_bits = not by_numbers and np.array_equal(results_of(lowered, changed, samples), before, equal_nan=True)
+        return SourceFate(mutant.change, mutant.line, by_proof, by_numbers, same_bits)
 
     fates = tuple(map(fate, chosen))
     return MutatedKernel(kernel.qualified_name, len(found), fates)

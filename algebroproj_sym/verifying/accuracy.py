@@ -19,9 +19,11 @@ from dataclasses import dataclass
 from math import inf, isfinite
 from statistics import median
 from types import ModuleType
+from typing import Any
 
 import mpmath
 import numpy as np
+from numpy.typing import NDArray
 
 from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating import Lowered
@@ -159,13 +161,18 @@ def _accuracy(lowered: Lowered, errors: Sequence[_Errors]) -> Accuracy:
     return Accuracy(lowered.kernel.qualified_name, _summary("all", errors), strata, backward)
 
 
-def _errors_of(
-    lowered: Lowered, function: Function, samples: Sequence[Sample], exact: Sequence[Truth]
-) -> Iterator[_Errors]:
+def results_of(lowered: Lowered, function: Function, samples: Sequence[Sample]) -> NDArray[Any]:
+    """Return what a function computes of some samples, a row each."""
     kernel = lowered.kernel
     batch = {symbol.name: np.array([sample.values[symbol.name] for sample in samples]) for symbol in kernel.symbols}
     with np.errstate(all="ignore"):
-        computed = call(function, kernel, batch)
+        return call(function, kernel, batch)
+
+
+def _errors_of(
+    lowered: Lowered, function: Function, samples: Sequence[Sample], exact: Sequence[Truth]
+) -> Iterator[_Errors]:
+    computed = results_of(lowered, function, samples)
     varying = [isinstance(output, str) for output in lowered.program.outputs]
     for sample, row, truth in zip(samples, computed, exact, strict=True):
         yield _errors(sample.stratum, row.tolist(), truth, varying)

@@ -10,13 +10,13 @@ from types import ModuleType
 import numpy as np
 
 from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.samples import Sample, stratified
 from algebroproj_sym.mutating.congruence import is_congruent
 from algebroproj_sym.mutating.forms import sampled
 from algebroproj_sym.mutating.sources import SourceMutant, digits_of, recompiled, source_mutants
 from algebroproj_sym.proving import seed_of
 from algebroproj_sym.verifying.accuracy import is_within_bound, results_of, truths
 from algebroproj_sym.verifying.proof_of_source import Expectation, at_points, in_general
-from algebroproj_sym.verifying.samples import Sample, stratified
 from algebroproj_sym.verifying.shipped import Function, function_of
 
 POINTS = 2

@@ -1,8 +1,8 @@
 """Generating: from a kernel to a straight-line program to NumPy and C source.
 
 graph (expressions without signs and repetitions) → sharing (common pairs) → lowering (a proved program)
-→ compensation (twice the digits where sums may cancel) → choosing (among equal forms, on samples) → numpy_source; expansion (single numbers again) → c_source;
-package (all files).  runtime has what the generated package brings along.
+→ compensation (twice the digits where sums may cancel) → choosing (among equal forms, on samples) → numpy_source;
+expansion (single numbers again) → c_source; package (all files).  runtime has what the generated package brings along.
 """
 
 from algebroproj_sym.generating.c_source import c_files, c_name, is_compiled

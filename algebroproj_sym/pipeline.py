@@ -239,7 +239,12 @@ def mutated_claims(
 
 
 def mutated_kernels(
-    lowered: Sequence[Lowered], folder: Path | None, limit: int = 0, size: int = 5, engine: str = "flint", jobs: int = 1
+    lowered: Sequence[Lowered],
+    folder: Path | None,
+    limit: int = 0,
+    size: int = 50,
+    engine: str = "flint",
+    jobs: int = 1,
 ) -> Iterator[MutatedKernel]:
     """Change the source of generated functions in single places; at most `limit` changes of each are tried."""
     return _mapped(partial(_mutate, folder=folder, limit=limit, size=size, engine=engine), lowered, jobs)

@@ -1,9 +1,10 @@
 """Mutation: the checks notice single changes of claims and of generated functions."""
 
+import ast
+import inspect
 import json
 from dataclasses import replace
 from fractions import Fraction
-from types import SimpleNamespace
 
 import pytest
 import sympy
@@ -13,7 +14,7 @@ from algebroproj import optics, projection
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import kernels, select
-from algebroproj_sym.expressions import Matrix, vector
+from algebroproj_sym.expressions import Matrix, over, vector
 from algebroproj_sym.generating import lower
 from algebroproj_sym.mutating import (
     Explanation,
@@ -27,7 +28,12 @@ from algebroproj_sym.mutating import (
     superfluous,
     with_reasons,
 )
-from algebroproj_sym.verifying import load_package
+from algebroproj_sym.mutating.congruence import is_congruent
+from algebroproj_sym.mutating.sources import SourceMutant, digits_of, recompiled
+from algebroproj_sym.mutating.trials import TRIED, trials
+from algebroproj_sym.verifying import function_of, load_package, measured, stratified, truths
+from algebroproj_sym.verifying.accuracy import is_within_bound
+from algebroproj_sym.verifying.proof_of_source import at_points, in_general
 
 x, y, u1, u2, up1, upp1 = sympy.symbols("x y u1 u2 up1 upp1")
 
@@ -136,23 +142,24 @@ def test_changes_of_real_claims_are_refuted():
 
 def test_sources_are_changed_in_single_places():
     lines = [mutant.line for mutant in source_mutants(projection.camera_matrix)]
-    assert {"mu1 + 1", "1 - mu1", "mu2 - 1", "mu1 - 0"} <= {*lines}
+    assert {"mu1 + 1", "1 - mu1", "mu2 - 1", "mu1", "-1", "mu1 - 0"} <= {*lines}
     assert not any("evaluate" in line or "return" in line for line in lines)
 
 
 def test_a_changed_function_computes_something_else():
-    changed = source_mutants(optics.scale)[0].function
+    changed = source_mutants(optics.scale)[0].compiled()
     assert changed(2.0, 3.0) != optics.scale(2.0, 3.0)
 
 
 @pytest.mark.parametrize("name", ["optics.scale", "projection.mu_from_center", "correlation.epipolar_line_left"])
 def test_changes_of_a_generated_function_are_noticed_twice(name):
     (kernel,) = kernels([name])
-    found = mutate_kernel(lower(kernel), load_package(), limit=12, size=3)
-    assert len(found.fates) == min(12, found.total)
+    found = mutate_kernel(lower(kernel), load_package(), limit=40, size=14)
+    assert len(found.fates) == min(40, found.total)
     for fate in found.fates:
-        assert fate.by_proof == fate.by_numbers, fate
-    assert sum(fate.by_proof for fate in found.fates) >= 0.8 * len(found.fates)
+        assert fate.by_numbers or not fate.by_proof, fate
+        assert fate.by_proof or "left out" in fate.change, fate
+    assert sum(fate.by_proof for fate in found.fates) >= 0.7 * len(found.fates)
 
 
 def test_a_changed_constant_entry_is_noticed_twice():
@@ -163,12 +170,134 @@ def test_a_changed_constant_entry_is_noticed_twice():
     assert all(fate.by_numbers and fate.by_proof for fate in constants)
 
 
-def test_the_function_as_it_is_is_noticed_by_neither(monkeypatch):
-    (kernel,) = kernels(["optics.scale"])
-    unchanged = SimpleNamespace(change="none", line="", function=optics.scale)
+def test_leaving_out_digits_changes_no_real_number_and_costs_digits():
+    (kernel,) = kernels(["projection.mu_from_center"])
+    found = mutate_kernel(lower(kernel), load_package(), size=14)
+    wide = [fate for fate in found.fates if fate.change == "wide left out"]
+    assert wide
+    assert all(fate.equivalent and fate.by_numbers for fate in wide)
+
+
+def test_words_for_digits_are_left_out_one_by_one():
+    lines = [mutant.line for mutant in source_mutants(projection.mu_from_center) if mutant.change == "wide left out"]
+    source = inspect.getsource(projection._mu_from_center)
+    assert len(lines) == source.count("wide(")
+    assert len({*lines}) == len(lines)
+
+
+@pytest.mark.parametrize("name", ["collinearity.coefficients", "optics.scale", "metric.rotation_right"])
+def test_the_function_as_it_is_is_noticed_by_neither(name, monkeypatch):
+    (kernel,) = kernels([name])
+    function = function_of(kernel, load_package())
+    part = ast.parse("t = 0").body[0]
+    unchanged = SourceMutant("none", "", part, part, lambda: recompiled(function))
     monkeypatch.setattr("algebroproj_sym.mutating.kernels.source_mutants", lambda function: [unchanged])
-    (fate,) = mutate_kernel(lower(kernel), load_package(), size=3).fates
+    monkeypatch.setattr("algebroproj_sym.mutating.kernels.is_congruent", lambda *arguments: False)
+    (fate,) = mutate_kernel(lower(kernel), load_package(), size=2).fates
     assert fate.equivalent
+    assert not fate.by_numbers
+
+
+def test_a_source_that_is_wrong_before_it_is_changed_is_refused(monkeypatch):
+    (kernel,) = kernels(["optics.scale"])
+    wrong = source_mutants(optics.scale)[0].compiled()
+    monkeypatch.setattr("algebroproj_sym.mutating.kernels.recompiled", lambda function: wrong)
+    with pytest.raises(ValueError, match=r"optics\.scale: expected the unchanged source"):
+        mutate_kernel(lower(kernel), load_package(), size=2)
+
+
+@pytest.mark.parametrize("name", ["optics.scale", "correlation.epipolar_line_left", "metric.rotation_right"])
+def test_what_a_point_or_a_line_decides_the_whole_source_decides_so_too(name):
+    (kernel,) = kernels([name])
+    function = function_of(kernel, load_package())
+    points, general, digits = at_points(kernel, 2), in_general(kernel), digits_of(function)
+    decided = 0
+    for mutant in source_mutants(function)[::3]:
+        changed = mutant.compiled()
+        same = is_congruent(mutant.unchanged, mutant.changed, digits)
+        refuted = met(points, changed) is False
+        assert not (same and refuted), mutant.line
+        if same or refuted:
+            decided += 1
+            assert met([general], changed) is same, mutant.line
+    assert decided > 5 or name == "optics.scale"
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "same"),
+    [
+        ("t = wide(x) - y", "t = x - y", True),
+        ("t = rounded(wide(x) - y)", "t = rounded(x - y)", True),
+        ("t = rounded(x)", "t = x", False),
+        ("t = x - y", "t = y - x", False),
+        ("t = x / y", "t = x / (y - y)", False),
+        ("t = f(x)", "t = f(x)", False),
+        ("t = 0 * x", "t = 0 * y", False),
+    ],
+)
+def test_a_line_is_the_same_only_if_the_rest_cannot_tell(before, after, same):
+    parts = (ast.parse(line).body[0] for line in (before, after))
+    assert is_congruent(*parts, digits_of(projection.mu_from_center)) is same
+
+
+def met(expectations, function):
+    try:
+        return all(expectation.is_met_by(function) for expectation in expectations)
+    except (ZeroDivisionError, NameError, TypeError):
+        return None
+
+
+@pytest.mark.parametrize("name", ["projection.mu_from_center", "critical.determinant"])
+def test_stopping_at_a_large_error_changes_no_decision(name):
+    (kernel,) = kernels([name])
+    low, function = lower(kernel), function_of(kernel, load_package())
+    samples = stratified(low, 7)
+    known = truths(low, samples)
+    mutants_found = [mutant for mutant in source_mutants(function) if mutant.change != "rounded left out"]
+    changed = [mutant.compiled() for mutant in mutants_found[::9]]
+    decisions = [is_within_bound(low, each, samples, known) for each in (function, *changed)]
+    assert decisions == [measured(low, each, samples, known).within_bound for each in (function, *changed)]
+    assert decisions[0]
+    assert not all(decisions)
+
+
+SECTIONS = ("fundamentals1996:1.2", "fundamentals1996:1.6", "okamoto1981:2.2", "bridges:2")
+
+
+def test_trials_at_points_decide_as_the_prover_does(monkeypatch):
+    claims = [claim for claim in select([*SECTIONS]) if claim.kind in TRIED]
+    assert {claim.kind for claim in claims} == {*TRIED}
+    quick = [mutate_claim(claim, limit=4) for claim in claims]
+    assert any(trials(claim) and claim.where for claim in claims)
+    monkeypatch.setattr("algebroproj_sym.mutating.claims.trials", lambda claim: [])
+    assert [mutate_claim(claim, limit=4) for claim in claims] == quick
+
+
+def test_a_trial_needs_the_hypotheses():
+    claim = declared("identity", x / y, x / y, nonzero=[x - 1])
+    for trial in trials(claim):
+        assert not trial.refutes(x / y)
+        assert trial.refutes(y / x)
+    on_circle = declared("identity", x**2, 1 - y**2, constraints=[x - y, x + y - 1])
+    assert trials(declared("identity", x, x, constraints=[x - 1], nonzero=[x - 1])) == []
+    assert not any(trial.refutes(y**2) for trial in trials(on_circle))
+
+
+def test_a_trial_up_to_scale_sees_the_scale_only_where_entries_differ():
+    claim = declared("up_to_scale", vector(x * y, y), vector(x, 1))
+    assert trials(claim)
+    for trial in trials(claim):
+        assert not trial.refutes(vector(5 * x, 5))
+        assert trial.refutes(vector(x, -1))
+        assert not trial.refutes(vector(over(x, over(y, 1) - y), 1))
+
+
+def test_a_refuted_change_of_a_long_form_is_not_written_out():
+    long = sum((i * x**i for i in range(2, 72)), start=over(-x, y) ** 2)
+    found = mutate_claim(declared("identity", long, long)).fates
+    assert {fate.form for fate in found if fate.fate == "refuted"} == {""}
+    (same,) = [fate for fate in found if fate.fate == "equivalent"]
+    assert same.form.startswith("over(x, y)**2") or "+ over(x, y)**2" in same.form
 
 
 def run(*arguments):
@@ -179,7 +308,7 @@ def test_the_command_reports_scores():
     result = run("fundamentals1996:1.2.3", "--limit", "3")
     assert result.exit_code == 0
     assert "changed statements refuted" in result.stdout
-    assert "changed sources are not equivalent" in result.stdout
+    assert "changed sources compute something else: " in result.stdout
     record = json.loads(run("fundamentals1996:1.2.3", "--limit", "3", "--only", "claims", "--format", "json").stdout)
     assert record["claims"]
     assert not record["functions"]

@@ -21,6 +21,7 @@ from algebroproj_sym.mutating import (
     Fate,
     MutatedClaim,
     MutatedKernel,
+    SourceFate,
     explanations,
     superfluous,
     with_reasons,
@@ -47,6 +48,7 @@ FATES: tuple[Fate, ...] = get_args(Fate)
     metavar="DIR",
     help="A folder that contains the package; by default the functions of the installed one are changed.",
 )
+@options.samples
 @options.engine
 @options.jobs
 @options.output_format
@@ -55,6 +57,7 @@ def mutate(
     limit: int,
     only: str | None,
     folder: Path | None,
+    samples: int,
     engine: str,
     jobs: int,
     output: str,
@@ -63,9 +66,10 @@ def mutate(
 
     A changed printed form (a sign, an index, a prime, a factor, a numerator against its denominator, an entry) must be
     refuted by an exact counterexample, be proved the same statement, or be one of the changes that the file
-    survivors.toml explains one by one. A changed source (an operator, operands, an
-    index, a dropped term, a number) must be noticed by the proof of the source, and by the comparison with 50 digits.
-    Exit status 1 if a change survives.
+    survivors.toml explains one by one. A changed source (an operator, operands, an index, a dropped term, a number)
+    must be noticed by the proof of the source, and by the comparison with 50 digits, or be proved to compute the same
+    real numbers, as it is where words are left out that only change the number of digits. Exit status 1 if a change
+    survives.
     """
     chosen = select(selectors)
     claims: list[MutatedClaim] = []
@@ -78,7 +82,7 @@ def mutate(
         names = {(claim.paper, claim.number) for claim in chosen}
         resting = [kernel for kernel in kernels() if names & {(kernel.paper, number) for number in kernel.claims}]
         lowered = lowered_kernels(resting, (), engine, jobs) if resting else []
-        changed = pipeline.mutated_kernels(lowered, folder, limit, engine=engine, jobs=jobs)
+        changed = pipeline.mutated_kernels(lowered, folder, limit, samples, engine, jobs)
         functions = list(progressing(changed, len(lowered), "changing functions"))
     if output == "json":
         click.echo(json.dumps(_record(claims, functions), indent=1, ensure_ascii=False))
@@ -96,9 +100,9 @@ def _survivors(claims: Sequence[MutatedClaim]) -> list[tuple[MutatedClaim, Any]]
     return [(claim, fate) for claim in claims for fate in claim.fates if fate.fate == "survived"]
 
 
-def _unnoticed(function: MutatedKernel) -> list[Any]:
-    """Return the changes that only one of the two checks noticed."""
-    return [fate for fate in function.fates if fate.by_proof != fate.by_numbers]
+def _unnoticed(function: MutatedKernel) -> list[SourceFate]:
+    """Return the changes of the formula that numbers do not notice."""
+    return [fate for fate in function.fates if fate.by_proof and not fate.by_numbers]
 
 
 def _print_claims(claims: Sequence[MutatedClaim]) -> None:
@@ -126,20 +130,34 @@ def _print_functions(functions: Sequence[MutatedKernel]) -> None:
     if not functions:
         return
     table = Table("function", box=None, pad_edge=False)
-    for heading in ("changes", "tried", "by proof", "by numbers", "equivalent"):
+    for heading in ("changes", "tried", "by proof", "by numbers", "equivalent", "worse digits", "same bits"):
         table.add_column(heading, justify="right")
     for function in functions:
-        fates = function.fates
-        counts = [sum(f.by_proof for f in fates), sum(f.by_numbers for f in fates), sum(f.equivalent for f in fates)]
-        table.add_row(function.function, *map(str, (function.total, len(fates), *counts)))
+        table.add_row(function.function, *map(str, (function.total, len(function.fates), *_counts(function.fates))))
     for function in functions:
         for fate in _unnoticed(function):
-            missed = "the numbers" if fate.by_proof else "the proof of the source"
-            console().print(f"{function.function}  {fate.change}: {fate.line}: not noticed by {missed}", markup=False)
+            name = function.function
+            console().print(f"{name}  {fate.change}: {fate.line}: not noticed by the numbers", markup=False)
     console().print(table)
-    every = [fate for function in functions for fate in function.fates if not fate.equivalent]
-    proof, numbers = sum(fate.by_proof for fate in every), sum(fate.by_numbers for fate in every)
-    console().print(f"{len(every)} changed sources are not equivalent: {proof} noticed by proof, {numbers} by numbers")
+    by_proof, by_numbers, equivalent, worse, same = _counts([fate for each in functions for fate in each.fates])
+    console().print(f"{by_proof} changed sources compute something else: {by_numbers} noticed by numbers, all by proof")
+    console().print(
+        f"{equivalent} compute the same real numbers: {worse} with digits so much worse that numbers notice, "
+        f"{same} with the same bits"
+    )
+
+
+def _counts(fates: Sequence[SourceFate]) -> tuple[int, int, int, int, int]:
+    """Count what is noticed by proof, and by numbers; what is the same, is noticed, has the same bits."""
+    other = [fate for fate in fates if not fate.equivalent]
+    same = [fate for fate in fates if fate.equivalent]
+    return (
+        len(other),
+        sum(fate.by_numbers for fate in other),
+        len(same),
+        sum(fate.by_numbers for fate in same),
+        sum(fate.same_bits for fate in same),
+    )
 
 
 def _record(claims: Sequence[MutatedClaim], functions: Sequence[MutatedKernel]) -> dict[str, Any]:

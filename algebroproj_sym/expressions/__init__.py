@@ -2,7 +2,7 @@
 
 from algebroproj_sym.expressions.differentiation import diff
 from algebroproj_sym.expressions.dual import derivatives, jacobian
-from algebroproj_sym.expressions.evaluation import evaluate
+from algebroproj_sym.expressions.evaluation import Neighbourhood, evaluate
 from algebroproj_sym.expressions.grammar import (
     Expression,
     NotRationalError,
@@ -39,6 +39,7 @@ from algebroproj_sym.expressions.writing import written
 __all__ = [
     "Expression",
     "Matrix",
+    "Neighbourhood",
     "NotRationalError",
     "ParseError",
     "Scalar",

@@ -2,26 +2,42 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import sympy
 
 from algebroproj_sym.declaring import Claim, DeclarationError, judge
-from algebroproj_sym.declaring.claim import in_derived_terms
+from algebroproj_sym.declaring.claim import expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
-from algebroproj_sym.expressions import written
-from algebroproj_sym.mutating.forms import Mutant, mutants, sampled
+from algebroproj_sym.expressions import entries, size, vector, written
+from algebroproj_sym.mutating.forms import mutants, sampled
+from algebroproj_sym.mutating.trials import Trial, trials
 from algebroproj_sym.proving import Proof, UndefinedError, seed_of
 
 Fate = Literal["refuted", "undefined", "equivalent", "explained", "survived"]
 
+SHORT = 200
+"""How many symbols and numbers a printed form has whose changed forms are kept as text, even if they are refuted."""
+
 
 @dataclass(frozen=True)
 class MutantFate:
-    """What became of a mutant: ``refuted`` by an exact counterexample, ``undefined`` because a denominator is zero,
-    ``equivalent`` to the unchanged form by a proof, or ``survived``, ``explained`` where it is known why it must.
-    """  # noqa: D205
+    """What became of a changed form.
+
+    Attributes
+    ----------
+    change : str
+        What was changed.
+    form : str
+        The changed form; empty for one that is refuted or undefined of a long printed form.
+    fate : {"refuted", "undefined", "equivalent", "explained", "survived"}
+        Whether it is refuted by an exact counterexample, undefined because a denominator is zero, or proved equivalent
+        to the unchanged form; if not, whether it is known why.
+    reason : str
+        Why it survives, or is undefined.
+    """
 
     change: str
     form: str
@@ -74,23 +90,40 @@ def mutate_claim(claim: Claim, limit: int = 0, engine: str = "flint") -> Mutated
         return MutatedClaim(claim.paper, claim.number, claim.kind, 0, ())
     found = mutants(claim)
     chosen = sampled(found, limit, seed_of(claim.paper, claim.number))
-    fates = tuple(_fate(claim, mutant, engine) for mutant in chosen)
-    return MutatedClaim(claim.paper, claim.number, claim.kind, len(found), fates)
+    points = trials(claim)
+    is_long = sum(size(form, SHORT) for form in expressions_of(claim.printed)) > SHORT
+    fates = []
+    for mutant in chosen:
+        fate, reason = _fate(claim, mutant.form, points, engine)
+        shown = "" if is_long and fate in ("refuted", "undefined") else _shown(mutant.form)
+        fates.append(MutantFate(mutant.change, shown, fate, reason))
+    return MutatedClaim(claim.paper, claim.number, claim.kind, len(found), tuple(fates))
 
 
-def _fate(claim: Claim, mutant: Mutant, engine: str) -> MutantFate:
-    shown = _shown(mutant.form)
+def _fate(claim: Claim, form: Any, points: Sequence[Trial], engine: str) -> tuple[Fate, str]:
+    """Return what becomes of a changed form, and why it survives or is undefined."""
+    if any(point.refutes(form) for point in points):
+        return "refuted", ""
     try:
-        proof = _compared(claim, mutant.form, engine)
+        proof = _compared(*_where_changed(claim, form), engine)
     except (UndefinedError, DeclarationError, ZeroDivisionError) as error:
-        return MutantFate(mutant.change, shown, "undefined", str(error).partition("\n")[0][:200])
+        return "undefined", str(error).partition("\n")[0][:200]
     if proof.verdict == "refuted":
-        return MutantFate(mutant.change, shown, "refuted")
+        return "refuted", ""
     if proof.verdict == "open":
-        return MutantFate(mutant.change, shown, "survived", f"undecided: {(proof.certificate or {})['reason']}")
-    if _is_same(claim, mutant.form, engine):
-        return MutantFate(mutant.change, shown, "equivalent")
-    return MutantFate(mutant.change, shown, "survived", _tolerance(claim))
+        return "survived", f"undecided: {(proof.certificate or {})['reason']}"
+    return ("equivalent", "") if _is_same(claim, form) else ("survived", _tolerance(claim))
+
+
+def _where_changed(claim: Claim, form: Any) -> tuple[Claim, Any]:
+    """Return what remains to be decided of an identity of matrices: the entries that are changed."""
+    if claim.kind not in ("identity", "identity under constraints") or not isinstance(form, sympy.MatrixBase):
+        return claim, form
+    printed: Any = claim.printed
+    derived: Any = claim.derived
+    sides = zip(entries(form), entries(printed), entries(derived), strict=True)
+    changed = [(new, meant) for new, old, meant in sides if new != old]
+    return replace(claim, derived=vector(*(meant for _, meant in changed))), vector(*(new for new, _ in changed))
 
 
 def _shown(form: Any) -> str:
@@ -103,18 +136,11 @@ def _compared(claim: Claim, form: Any, engine: str) -> Proof:
     return KINDS[claim.kind](claim, in_derived_terms(form, claim.where), engine)
 
 
-def _is_same(claim: Claim, form: Any, engine: str) -> bool:
-    """Whether a changed form is proved equal, in the sense of the kind, to the unchanged one."""
-    printed: Any = claim.printed
+def _is_same(claim: Claim, form: Any) -> bool:
+    """Whether a changed form that holds is the same statement: what equals the derived form equals the printed one."""
     if claim.kind == "structure":
-        return _partition(form) == _partition(printed)
-    if claim.kind in ("rank", "count", "numeric", "reference", "definition"):
-        return False
-    unchanged: Any = in_derived_terms(printed, claim.where)
-    if claim.kind == "vanishing":
-        unchanged = sympy.Mul(*unchanged)
-    kind = "identity" if claim.kind == "limit" else claim.kind
-    return _compared(replace(claim, kind=kind, derived=unchanged), form, engine).verdict == "proved"
+        return _partition(form) == _partition(claim.printed)
+    return claim.kind not in ("rank", "count", "numeric", "reference")
 
 
 def _partition(pattern: Any) -> list[tuple[int, int]]:

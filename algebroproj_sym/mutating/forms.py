@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import sympy
 
 from algebroproj_sym.declaring import Claim, Statement
-from algebroproj_sym.expressions import entries, over
+from algebroproj_sym.expressions import entries, over, written
 
 _ENTRYWISE = ("identity", "identity under constraints", "identity up to scale", "limit")
 
@@ -194,7 +194,7 @@ def _is_inverse(factor: Any) -> bool:
 
 
 def _short(expression: Any) -> str:
-    text = str(expression)
+    text = written(expression)
     return text if len(text) <= 40 else f"{text[:37]}..."
 
 

@@ -2,19 +2,29 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import isfinite
-from types import ModuleType, SimpleNamespace
-from typing import Any, cast
+from types import ModuleType
+
+import numpy as np
 
 from algebroproj_sym.generating import Lowered
-from algebroproj_sym.generating.samples import stratified
+from algebroproj_sym.generating.samples import Sample, stratified
+from algebroproj_sym.mutating.congruence import is_congruent
 from algebroproj_sym.mutating.forms import sampled
-from algebroproj_sym.mutating.sources import SourceMutant, source_mutants
+from algebroproj_sym.mutating.sources import SourceMutant, digits_of, recompiled, source_mutants
 from algebroproj_sym.proving import seed_of
-from algebroproj_sym.verifying.accuracy import BOUND, measured, truths
-from algebroproj_sym.verifying.proof_of_source import source_is_proved
-from algebroproj_sym.verifying.shipped import function_of
+from algebroproj_sym.verifying.accuracy import is_within_bound, results_of, truths
+from algebroproj_sym.verifying.proof_of_source import Expectation, at_points, in_general
+from algebroproj_sym.verifying.shipped import Function, function_of
+
+POINTS = 2
+"""At how many rational points a changed source is tried before it is executed on rational functions."""
+
+_NOT_RUN = (ZeroDivisionError, NameError, TypeError)
+"""Why a changed source cannot be run: it divides by zero, uses a value that is not computed yet, leaves the exact
+numbers, or returns a number of twice the digits."""
 
 
 @dataclass(frozen=True)
@@ -26,20 +36,24 @@ class SourceFate:
     change, line : str
         What was changed, and the changed line.
     by_proof : bool
-        Whether the symbolic execution of the source noticed.
+        Whether the symbolic execution of the source noticed; if not, the source is proved to compute the same real
+        numbers.
     by_numbers : bool
         Whether the comparison with 50 digits on samples noticed.
+    same_bits : bool
+        Whether the results at all samples are those of the unchanged source, bit by bit.
     """
 
     change: str
     line: str
     by_proof: bool
     by_numbers: bool
+    same_bits: bool = False
 
     @property
     def equivalent(self) -> bool:
-        """Whether the changed source is proved to compute the derivation, and computes it as well."""
-        return not self.by_proof and not self.by_numbers
+        """Whether the changed source is proved to compute the same real numbers; its digits may be worse."""
+        return not self.by_proof
 
 
 @dataclass(frozen=True)
@@ -52,7 +66,7 @@ class MutatedKernel:
 
 
 def mutate_kernel(
-    lowered: Lowered, package: ModuleType, limit: int = 0, size: int = 5, engine: str = "flint"
+    lowered: Lowered, package: ModuleType, limit: int = 0, size: int = 50, engine: str = "flint"
 ) -> MutatedKernel:
     """Change the source of a generated function in single places, and see what notices.
 
@@ -68,32 +82,59 @@ def mutate_kernel(
         Samples in each stratum of the numeric comparison.
     engine : {"flint", "sympy"}
         The polynomial arithmetic for the proof of the source.
+
+    Raises
+    ------
+    ValueError
+        If the unchanged source does not pass.
     """
     kernel = lowered.kernel
-    found = source_mutants(function_of(kernel, package))
+    function = function_of(kernel, package)
+    found = source_mutants(function)
     chosen = sampled(found, limit, seed_of(kernel.qualified_name))
-    samples = stratified(lowered, size)
+    points, general = at_points(kernel, POINTS), in_general(kernel, engine)
+    samples = _strata_in_turn(stratified(lowered, size))
     known = truths(lowered, samples)
+    unchanged = recompiled(function)
+    if not general.is_met_by(unchanged) or not is_within_bound(lowered, unchanged, samples, known):
+        raise ValueError(f"{kernel.qualified_name}: expected the unchanged source to be proved and accurate, it is not")
 
-    def by_proof(mutant: SourceMutant) -> bool:
-        module = SimpleNamespace(**{kernel.name: mutant.function})
-        changed = cast(ModuleType, SimpleNamespace(**{kernel.module: module}))
-        return _notices(lambda: not source_is_proved(kernel, changed, engine))
+    before, digits = results_of(lowered, unchanged, samples), digits_of(function)
 
-    def by_numbers(mutant: SourceMutant) -> bool:
-        return _notices(lambda: not _is_accurate(measured(lowered, mutant.function, samples, known).overall.max_ratio))
+    def fate(mutant: SourceMutant) -> SourceFate:
+        changed = mutant.compiled()
+        by_proof = _is_refuted(changed, points) or (
+            not is_congruent(mutant.unchanged, mutant.changed, digits, engine)
+            and _notices(lambda: general.is_met_by(changed))
+        )
+        by_numbers = _notices(lambda: is_within_bound(lowered, changed, samples, known))
+        same_bits = not by_numbers and np.array_equal(results_of(lowered, changed, samples), before, equal_nan=True)
+        return SourceFate(mutant.change, mutant.line, by_proof, by_numbers, same_bits)
 
-    fates = tuple(SourceFate(m.change, m.line, by_proof(m), by_numbers(m)) for m in chosen)
+    fates = tuple(map(fate, chosen))
     return MutatedKernel(kernel.qualified_name, len(found), fates)
 
 
-def _is_accurate(ratio: float) -> bool:
-    return isfinite(ratio) and ratio <= BOUND
+def _strata_in_turn(samples: Sequence[Sample]) -> list[Sample]:
+    """Return samples in another order: the first of each stratum, then the second of each, and so on."""
+    strata: dict[str, list[Sample]] = defaultdict(list)
+    for sample in samples:
+        strata[sample.stratum].append(sample)
+    places = [(place, sample) for stratum in strata.values() for place, sample in enumerate(stratum)]
+    return [sample for _, sample in sorted(places, key=lambda entry: entry[0])]
 
 
-def _notices(check: Any) -> bool:
+def _is_refuted(function: Function, points: Sequence[Expectation]) -> bool:
+    """Whether a source gives something else than the derivation at a point; where it cannot be run, nothing is said."""
+    try:
+        return not all(point.is_met_by(function) for point in points)
+    except _NOT_RUN:
+        return False
+
+
+def _notices(check: Callable[[], bool]) -> bool:
     """Whether a check fails; a source that cannot be run is noticed, too."""
     try:
-        return bool(check())
-    except Exception:
+        return not check()
+    except _NOT_RUN:
         return True

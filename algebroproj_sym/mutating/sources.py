@@ -7,7 +7,7 @@ import copy
 import inspect
 import textwrap
 from collections.abc import Callable, Iterator
-from types import FunctionType
+from functools import partial
 from typing import Any, NamedTuple
 
 from algebroproj_sym.verifying import without_twin
@@ -19,19 +19,25 @@ _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
     ast.Div: ast.Mult,
 }
 
+_DIGITS = ("wide", "rounded")
+"""Words of the sources that change how many digits a number has."""
+
 
 class SourceMutant(NamedTuple):
-    """A changed function, what was changed, and the line that it changed."""
+    """What was changed, the line that it changed, before and after, and what compiles the changed function."""
 
     change: str
     line: str
-    function: Callable[..., Any]
+    unchanged: ast.AST
+    changed: ast.AST
+    compiled: Callable[[], Callable[..., Any]]
 
 
 def source_mutants(function: Callable[..., Any]) -> list[SourceMutant]:
-    """Return a function with each single change of its body: operator, operands, index, dropped term, number.
+    """Return a function with each single change of its body: operator, operands, index, dropped term, number, digits.
 
-    The body of a generated function is the private one of the same name, which it evaluates.
+    The body of a generated function is the private one of the same name, which it evaluates.  Changes of digits leave
+    out `wide`, which asks for twice the digits, or `rounded`: no real number changes by them.
 
     Examples
     --------
@@ -39,18 +45,28 @@ def source_mutants(function: Callable[..., Any]) -> list[SourceMutant]:
     >>> [mutant.line for mutant in source_mutants(optics.scale)][:2]
     ['f * (f + x3)', '(f + x3) / f']
     """
-    body = function.__globals__[f"_{function.__name__}"]
-    tree = ast.parse(textwrap.dedent(inspect.getsource(body)))
-    found, seen = [], {ast.unparse(tree)}
+    tree = _parsed(function)
+    parts = [holder[place] for holder, place in _parts(tree)]
+    found, seen = [], {(number, ast.unparse(part)) for number, part in enumerate(parts)}
     for change, number, part in _changed(tree):
-        mutated = copy.deepcopy(tree)
-        holder, place = _parts(mutated)[number]
-        holder[place] = part
-        text = ast.unparse(ast.fix_missing_locations(mutated))
-        if text not in seen:
-            seen.add(text)
-            found.append(SourceMutant(change, ast.unparse(part), _compiled(text, function)))
+        line = ast.unparse(part)
+        if (number, line) not in seen:
+            seen.add((number, line))
+            compiled = partial(_compiled, tree, number, part, function)
+            found.append(SourceMutant(change, line, parts[number], part, compiled))
     return found
+
+
+def recompiled(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a generated function as its mutants are made, but without a change."""
+    tree = _parsed(function)
+    holder, place = _parts(tree)[0]
+    return _compiled(tree, 0, holder[place], function)
+
+
+def _parsed(function: Callable[..., Any]) -> ast.Module:
+    body = function.__globals__[f"_{function.__name__}"]
+    return ast.parse(textwrap.dedent(inspect.getsource(body)))
 
 
 def _parts(tree: ast.Module) -> list[tuple[list[Any], int]]:
@@ -64,85 +80,71 @@ def _parts(tree: ast.Module) -> list[tuple[list[Any], int]]:
     return statements + [(last.value.elts, place) for place in range(len(last.value.elts))]
 
 
-def _compiled(text: str, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the function with another body."""
-    assert isinstance(function, FunctionType)
-    names = dict(function.__globals__)
-    exec(compile(text, f"<mutant of {function.__name__}>", "exec"), names)
-    mutant = FunctionType(function.__code__, names, function.__name__)
-    mutant.__kwdefaults__ = function.__kwdefaults__
-    return without_twin(mutant)
+def _compiled(tree: ast.Module, number: int, part: ast.AST, function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return the function with another part in its body."""
+    holder, place = _parts(tree)[number]
+    unchanged = holder[place]
+    holder[place] = part
+    try:
+        code = compile(ast.fix_missing_locations(tree), f"<mutant of {function.__name__}>", "exec")
+    finally:
+        holder[place] = unchanged
+    mutant = without_twin(function)
+    mutant.__globals__.update(digits_of(function))
+    exec(code, mutant.__globals__)
+    return mutant
+
+
+def digits_of(function: Callable[..., Any]) -> dict[str, Callable[[Any], Any]]:
+    """Return what the words for digits mean in mutants: one number, which a change may leave, is rounded to itself."""
+    known = function.__globals__
+
+    def rounded(number: Any) -> Any:
+        return known["rounded"](number) if hasattr(number, "rounded") else number
+
+    return {word: known[word] for word in _DIGITS if word in known} | {"rounded": rounded}
 
 
 def _changed(tree: ast.Module) -> Iterator[tuple[str, int, ast.AST]]:
     """Yield what is changed, the number of the part, and the changed part."""
     names = sorted({node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)})
     names += sorted({node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} - {*names})
-    for number, (holder, at) in enumerate(_parts(tree)):
-        for place in range(sum(1 for _ in ast.walk(holder[at]))):
-            for change, edit in _edits(_node_at(holder[at], place), names):
-                part = copy.deepcopy(holder[at])
-                edit(_node_at(part, place))
-                yield change, number, part
+    for number, (holder, place) in enumerate(_parts(tree)):
+        for node in ast.walk(holder[place]):
+            for change, changed in _changes(node, names):
+                yield change, number, copy.deepcopy(holder[place], {id(node): changed})
 
 
-def _node_at(part: ast.AST, place: int) -> ast.AST:
-    for at, node in enumerate(ast.walk(part)):
-        if at == place:
-            return node
-    raise IndexError(place)
-
-
-def _edits(node: ast.AST, names: list[str]) -> Iterator[tuple[str, Callable[[Any], None]]]:
+def _changes(node: ast.AST, names: list[str]) -> Iterator[tuple[str, ast.expr]]:
+    """Yield what may stand for a node of a source, and what that changes."""
     if isinstance(node, ast.BinOp):
-        if type(node.op) in _SWAPPED:
-            yield "operator", _operator
-        if isinstance(node.op, ast.Sub | ast.Div):
-            yield "operands", _operands
-        yield "dropped term", _dropped("right")
-        yield "dropped term", _dropped("left")
+        left, operator, right = node.left, node.op, node.right
+        if type(operator) in _SWAPPED:
+            yield "operator", ast.BinOp(left, _SWAPPED[type(operator)](), right)
+        if isinstance(operator, ast.Sub | ast.Div):
+            yield "operands", ast.BinOp(right, operator, left)
+        yield "dropped term", left
+        yield "dropped term", _without_left(operator, right)
+    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _DIGITS:
+        yield f"{node.func.id} left out", node.args[0]
     elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
-        yield "sign", _unsigned
+        yield "sign", node.operand
     elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
         other = next((name for name in names if _is_sibling(node.id, name)), None)
         if other is not None:
-            yield "index", _renamed(other)
+            yield "index", ast.Name(other, ast.Load())
     elif isinstance(node, ast.Constant) and type(node.value) is int:
-        yield "number", _incremented
+        yield "number", ast.Constant(1 - node.value if node.value in (0, 1) else node.value + 1)
+
+
+def _without_left(operator: ast.operator, right: ast.expr) -> ast.expr:
+    if isinstance(operator, ast.Add | ast.Mult):
+        return right
+    if isinstance(operator, ast.Sub):
+        return ast.UnaryOp(ast.USub(), right)
+    return ast.BinOp(ast.Constant(1), operator, right)
 
 
 def _is_sibling(name: str, other: str) -> bool:
     differing = [(a, b) for a, b in zip(name, other, strict=False) if a != b]
     return len(name) == len(other) and len(differing) == 1 and "".join(differing[0]).isdecimal()
-
-
-def _operator(node: Any) -> None:
-    node.op = _SWAPPED[type(node.op)]()
-
-
-def _operands(node: Any) -> None:
-    node.left, node.right = node.right, node.left
-
-
-def _unsigned(node: Any) -> None:
-    node.op = ast.UAdd()
-
-
-def _renamed(name: str) -> Callable[[Any], None]:
-    def edit(node: Any) -> None:
-        node.id = name
-
-    return edit
-
-
-def _incremented(node: Any) -> None:
-    node.value = 1 - node.value if node.value in (0, 1) else node.value + 1
-
-
-def _dropped(side: str) -> Callable[[Any], None]:
-    """Replace an operand by the neutral one, so that it no longer counts."""
-
-    def edit(node: Any) -> None:
-        setattr(node, side, ast.Constant(0 if isinstance(node.op, ast.Add | ast.Sub) else 1))
-
-    return edit

@@ -14,14 +14,16 @@ of f is determined by the rounded input.  Such entries are counted, and do not e
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, isfinite
 from statistics import median
 from types import ModuleType
+from typing import Any
 
 import mpmath
 import numpy as np
+from numpy.typing import NDArray
 
 from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating import Lowered
@@ -138,20 +140,42 @@ def measured(
     lowered: Lowered, function: Function, samples: Sequence[Sample], known: Sequence[Truth] | None = None
 ) -> Accuracy:
     """Measure any function against the derivation of a kernel, on given samples, whose exact results may be known."""
-    kernel = lowered.kernel
     exact = truths(lowered, samples) if known is None else known
-    batch = {symbol.name: np.array([sample.values[symbol.name] for sample in samples]) for symbol in kernel.symbols}
-    with np.errstate(all="ignore"):
-        computed = call(function, kernel, batch)
-    varying = [isinstance(output, str) for output in lowered.program.outputs]
-    errors = [
-        _errors(sample.stratum, row.tolist(), truth, varying)
-        for sample, row, truth in zip(samples, computed, exact, strict=True)
-    ]
+    return _accuracy(lowered, list(_errors_of(lowered, function, samples, exact)))
+
+
+def is_within_bound(lowered: Lowered, function: Function, samples: Sequence[Sample], known: Sequence[Truth]) -> bool:
+    """Whether `measured` finds the errors of a function as small as they must be; a large one ends the search."""
+    found = []
+    for errors in _errors_of(lowered, function, samples, known):
+        if not _accuracy(lowered, [errors]).within_bound:
+            return False
+        found.append(errors)
+    return _accuracy(lowered, found).within_bound
+
+
+def _accuracy(lowered: Lowered, errors: Sequence[_Errors]) -> Accuracy:
     names = dict.fromkeys(error.stratum for error in errors)
     strata = tuple(_summary(name, [error for error in errors if error.stratum == name]) for name in names)
-    backward = any(stage.primitive in LINEAR for stage in kernel.stages)
-    return Accuracy(kernel.qualified_name, _summary("all", errors), strata, backward)
+    backward = any(stage.primitive in LINEAR for stage in lowered.kernel.stages)
+    return Accuracy(lowered.kernel.qualified_name, _summary("all", errors), strata, backward)
+
+
+def results_of(lowered: Lowered, function: Function, samples: Sequence[Sample]) -> NDArray[Any]:
+    """Return what a function computes of some samples, a row each."""
+    kernel = lowered.kernel
+    batch = {symbol.name: np.array([sample.values[symbol.name] for sample in samples]) for symbol in kernel.symbols}
+    with np.errstate(all="ignore"):
+        return call(function, kernel, batch)
+
+
+def _errors_of(
+    lowered: Lowered, function: Function, samples: Sequence[Sample], exact: Sequence[Truth]
+) -> Iterator[_Errors]:
+    computed = results_of(lowered, function, samples)
+    varying = [isinstance(output, str) for output in lowered.program.outputs]
+    for sample, row, truth in zip(samples, computed, exact, strict=True):
+        yield _errors(sample.stratum, row.tolist(), truth, varying)
 
 
 def _errors(stratum: str, computed: Sequence[float], truth: Truth, varying: Sequence[bool]) -> _Errors:

@@ -94,6 +94,28 @@ def every_kind():
     section.limit(
         "1.19", "limit", printed=vector(x / y, 0), derived=vector((x + a) * a / (y * a - a**2), a * x), variable=a
     )
+    quotients = vector(over(x, z), over(y * t, z * t), x**2 / z**2)
+    section.count(
+        "1.20",
+        "two of three quotients",
+        printed=2,
+        derived=quotients,
+        variables=(x, y, z),
+        kernel=[vector(x, y, z)],
+    )
+    section.count(
+        "1.21", "larger", printed=1, derived=vector(x, x * y), variables=(x, y), expect="false", instead="1.20"
+    )
+    section.count(
+        "1.28",
+        "smaller",
+        printed=3,
+        derived=quotients,
+        variables=(x, y, z),
+        kernel=[vector(x, y, z)],
+        expect="false",
+        instead="1.20",
+    )
     section.numeric("1.22", "seventh", printed="0.14", derived=sympy.Rational(1, 7))
     section.numeric(
         "1.23", "not a seventh", printed="-0.15", derived=-sympy.Rational(1, 7), corrected="-0.14", expect="misprint"
@@ -204,6 +226,14 @@ def test_a_statement_shows_hypotheses_and_definitions(records):
     assert refuted.statement.endswith("y <> 0 /\\\na + 1 <> x / y + y")
 
 
+def test_a_count_speaks_of_derivatives(records):
+    minor, kernel, independent = exported(record_of(records, "1.20")).theorems
+    assert minor.statement.endswith("exists t x y z : R,\nregular_derivatives F [t; x; y; z] [1; 2]%nat")
+    assert kernel.statement.startswith("let F := fun x' : list R => match x' with [t; x; y; z] =>\n")
+    assert kernel.statement.endswith("stationary F [t; x; y; z] [0; x; y; z]")
+    assert "regular_matrix" in independent.statement
+
+
 def test_an_open_claim_is_no_theorem(records):
     opened = {**record_of(records, "1.1"), "verdict": "open", "certificate": None}
     assert exported(opened).reason == "an open claim shows nothing"
@@ -279,6 +309,10 @@ TAMPERED = [
     ("1.12", "printed", "(x, x + y)"),
     ("1.14", "certificate", "kernel", 0, "Matrix([[y], [x]])"),
     ("1.19", "printed", "Matrix([[x/y], [1]])"),
+    ("1.20", "certificate", "kernel", 0, "Matrix([[x], [y], [2*z]])"),
+    ("1.20", "divisions", "derived", "entries", 0, "x"),
+    ("1.20", "certificate", "rows", [0, 2]),
+    ("1.21", "certificate", "columns", [0]),
     ("1.22", "printed", "0.15"),
     ("1.23", "printed", "-0.14"),
 ]

@@ -31,14 +31,15 @@ STATUSES: tuple[Status, ...] = get_args(Status)
 def replay_command(path: Path, jobs: int, output: str) -> None:
     """Check whether the verdicts of a LEDGER follow from the evidence that it keeps.
 
-    LEDGER is the file that build writes (out/ledger.json, the default), or the output of check --format json. Nothing
+    LEDGER is the file that build writes (out/ledger.json, the default), or the output of check --format json, also for
+    a file of identities. Nothing
     is proved, searched for or imported from the derivations; the code is none of the prover's. Exit status 1 if a
     certificate is rejected or cannot be replayed.
     """
     ledger = _read(path)
     try:
         found = replay(ledger, jobs)
-        replayed = list(progressing(found, len(ledger["claims"]), "replaying"))
+        replayed = list(progressing(found, len(_listed(ledger)), "replaying"))
         reasons = unsupported(ledger)
         results = [_supported(result, reasons) for result in replayed]
     except Rejected as error:
@@ -54,7 +55,7 @@ def replay_command(path: Path, jobs: int, output: str) -> None:
         listed = ", ".join(
             f"{counts[status]} {status}" for status in STATUSES if counts[status] or status != STATUSES[2]
         )
-        console().print(f"{len(results)} claims: {listed}")
+        console().print(f"{len(results)} {'claims' if 'claims' in ledger else 'identities'}: {listed}")
     if any(result.status != "replayed" for result in results):
         raise SystemExit(1)
 
@@ -65,9 +66,13 @@ def _read(path: Path) -> dict[str, Any]:
         ledger = json.loads(path.read_text(encoding="utf-8"))
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
         raise click.UsageError(f"{path}: expected a ledger in JSON ({error})") from error
-    if not isinstance(ledger, dict) or not isinstance(ledger.get("claims"), list):
+    if not isinstance(ledger, dict) or not isinstance(_listed(ledger), list):
         raise click.UsageError(f"{path}: expected a ledger, an object with a list of claims")
     return ledger
+
+
+def _listed(ledger: Mapping[str, Any]) -> Any:
+    return ledger.get("claims", ledger.get("identities"))
 
 
 def _supported(result: Replayed, reasons: Mapping[tuple[str, str], str]) -> Replayed:

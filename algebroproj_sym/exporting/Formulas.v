@@ -778,3 +778,376 @@ Proof.
     apply (H t). split; [|exact N2]. split; [exact I|]. intro C. now apply (Z t). }
   intros t [Dt Nt]. exact (G t Dt Nt).
 Qed.
+
+(** * Derivatives of several functions of several variables *)
+
+(** The point x after the time t, when it moves with the velocity v. *)
+Definition moved (x v : list R) (t : R) : list R := map (fun p => fst p + t * snd p) (combine x v).
+(** The i-th component of F, along v, has the derivative d at x. *)
+Definition slope (F : list R -> list R) (x v : list R) (i : nat) (d : R) : Prop :=
+  derivable_pt_lim (fun t => List.nth i (F (moved x v t)) 0) 0 d.
+(** No component of F has a derivative other than zero along v at x: v is in the kernel of the Jacobian matrix. *)
+Definition stationary (F : list R -> list R) (x v : list R) : Prop := forall i, slope F x v i 0.
+Definition basis (n k : nat) : list R := map (fun j => if Nat.eqb j k then 1 else 0) (seq 0 n).
+(** The derivatives of F at x by some variables, a list for each of them, are a matrix with an inverse. *)
+Definition regular_derivatives (F : list R -> list R) (x : list R) (variables : list nat) : Prop :=
+  exists m, Forall2 (fun k column => forall i, slope F x (basis (length x) k) i (List.nth i column 0)) variables m /\
+    regular_matrix m.
+
+(** A program: definitions, each of which is appended to the environment, and results. *)
+Fixpoint run (env : list R) (definitions : list expr) : list R :=
+  match definitions with [] => env | d :: rest => run (env ++ [eval env d]) rest end.
+Definition program (definitions results : list expr) (x : list R) : list R := map (eval (run x definitions)) results.
+
+Definition coordinates (n : nat) (x : list R) : list R := map (fun k => List.nth k x 0) (seq 0 n).
+
+Lemma coordinates_all x : coordinates (length x) x = x.
+Proof.
+  unfold coordinates. induction x as [|a x IH]; [reflexivity|].
+  cbn [length seq map]. rewrite <- seq_shift, map_map. f_equal. exact IH.
+Qed.
+
+Lemma is_program F definitions results n :
+  (forall x, F (coordinates n x) = program definitions results (coordinates n x)) ->
+  forall x, length x = n -> F x = program definitions results x.
+Proof. intros H x <-. now rewrite <- (coordinates_all x). Qed.
+
+(** Pairs of a value and a derivative, over any numbers that mean real ones. *)
+Section Dual.
+Variable A : Type.
+Variable real : A -> R.
+Variables (constant : Q -> A) (plus_of times_of : A -> A -> A) (minus_of : A -> A).
+Variable quotient_of : A -> A -> Q -> list Z -> option A.
+Hypothesis real_constant : forall c, real (constant c) = Q2R c.
+Hypothesis real_plus : forall a b, real (plus_of a b) = real a + real b.
+Hypothesis real_times : forall a b, real (times_of a b) = real a * real b.
+Hypothesis real_minus : forall a, real (minus_of a) = - real a.
+Hypothesis real_quotient : forall a b c h q, quotient_of a b c h = Some q -> real b <> 0 /\ real q = real a / real b.
+
+Definition dual : Type := A * A.
+Definition dconstant (c : Q) : dual := (constant c, constant 0).
+Definition dplus (u v : dual) : dual := (plus_of (fst u) (fst v), plus_of (snd u) (snd v)).
+Definition dminus (u : dual) : dual := (minus_of (fst u), minus_of (snd u)).
+Definition dtimes (u v : dual) : dual :=
+  (times_of (fst u) (fst v), plus_of (times_of (snd u) (fst v)) (times_of (fst u) (snd v))).
+Definition dquotient (u v : dual) (c : Q) (h : list Z) : option dual :=
+  match quotient_of (fst u) (fst v) c h with
+  | Some q =>
+      match quotient_of (plus_of (snd u) (minus_of (times_of q (snd v)))) (fst v) c h with
+      | Some d => Some (q, d)
+      | None => None
+      end
+  | None => None
+  end.
+Fixpoint dpower (u : dual) (n : nat) : dual :=
+  match n with O => dconstant 1 | S O => u | S n => dtimes u (dpower u n) end.
+
+Fixpoint differentiated (values : list dual) (e : expr) : option dual :=
+  let both a b f :=
+    match differentiated values a, differentiated values b with Some u, Some v => f u v | _, _ => None end in
+  match e with
+  | Int n => Some (dconstant (inject_Z n))
+  | Var k => nth_error values k
+  | Opp a => option_map dminus (differentiated values a)
+  | Add a b => both a b (fun u v => Some (dplus u v))
+  | Sub a b => both a b (fun u v => Some (dplus u (dminus v)))
+  | Mul a b => both a b (fun u v => Some (dtimes u v))
+  | Div a b c h => both a b (fun u v => dquotient u v c h)
+  | Pow a n => option_map (fun u => dpower u n) (differentiated values a)
+  end.
+
+Fixpoint drun (values : list dual) (definitions : list expr) : option (list dual) :=
+  match definitions with
+  | [] => Some values
+  | d :: rest => match differentiated values d with Some u => drun (values ++ [u]) rest | None => None end
+  end.
+
+(** A function has at 0 the value and the derivative of a pair. *)
+Definition has (f : R -> R) (u : dual) : Prop := f 0 = real (fst u) /\ derivable_pt_lim f 0 (real (snd u)).
+
+Lemma has_constant c r : r = Q2R c -> has (fun _ => r) (dconstant c).
+Proof.
+  intro E. split; cbn [dconstant fst snd]; rewrite real_constant; [exact E|].
+  rewrite Q2R_0. apply derivable_pt_lim_const.
+Qed.
+Lemma has_plus f g u v : has f u -> has g v -> has (fun t => f t + g t) (dplus u v).
+Proof.
+  intros [E1 D1] [E2 D2]. split; cbn [dplus fst snd]; rewrite real_plus; [now rewrite E1, E2|].
+  now apply (derivable_pt_lim_plus f g).
+Qed.
+Lemma has_minus f u : has f u -> has (fun t => - f t) (dminus u).
+Proof.
+  intros [E D]. split; cbn [dminus fst snd]; rewrite real_minus; [now rewrite E|]. now apply (derivable_pt_lim_opp f).
+Qed.
+Lemma has_times f g u v : has f u -> has g v -> has (fun t => f t * g t) (dtimes u v).
+Proof.
+  intros [E1 D1] [E2 D2]. split; cbn [dtimes fst snd]; rewrite ?real_plus, !real_times; [now rewrite E1, E2|].
+  rewrite <- E1, <- E2. now apply (derivable_pt_lim_mult f g).
+Qed.
+Lemma has_quotient f g u v c h q : has f u -> has g v -> dquotient u v c h = Some q -> has (fun t => f t / g t) q.
+Proof.
+  intros [E1 D1] [E2 D2] H. unfold dquotient in H.
+  destruct (quotient_of (fst u) (fst v) c h) as [a|] eqn:Ha; [|discriminate].
+  destruct (quotient_of (plus_of _ _) (fst v) c h) as [d|] eqn:Hd; [|discriminate]. injection H as <-.
+  apply real_quotient in Ha as [N Ha]. apply real_quotient in Hd as [_ Hd].
+  split; cbn [fst snd]; [now rewrite Ha, E1, E2|].
+  rewrite Hd, real_plus, real_minus, real_times, Ha.
+  replace ((real (snd u) + - (real (fst u) / real (fst v) * real (snd v))) / real (fst v))
+    with ((real (snd u) * g 0 - real (snd v) * f 0) / Rsqr (g 0)) by (rewrite E1, E2; unfold Rsqr; field; exact N).
+  apply (derivable_pt_lim_div f g); [assumption|assumption|now rewrite E2].
+Qed.
+Lemma has_power f u n : has f u -> has (fun t => f t ^ n) (dpower u n).
+Proof.
+  intro H. induction n as [|[|n] IH].
+  - apply has_constant. simpl. symmetry. exact Q2R_1.
+  - destruct H as [E D]. split; cbn [dpower]; [simpl; now rewrite Rmult_1_r|].
+    apply (derivable_pt_lim_ext f); [intro t; simpl; ring|assumption].
+  - exact (has_times f (fun t => f t ^ S n) u _ H IH).
+Qed.
+
+Definition tracked (env : R -> list R) (values : list dual) : Prop :=
+  forall k u, nth_error values k = Some u -> has (fun t => List.nth k (env t) 0) u.
+
+Lemma differentiated_sound env values : tracked env values ->
+  forall e u, differentiated values e = Some u -> has (fun t => eval (env t) e) u.
+Proof.
+  intro T. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intros w H;
+    try (destruct (differentiated values a) as [u|]; [|discriminate]; specialize (IH u eq_refl); cbn [option_map] in H; injection H as <-);
+    try (destruct (differentiated values a) as [u|]; [|discriminate];
+         destruct (differentiated values b) as [v|]; [|discriminate];
+         specialize (IHa u eq_refl); specialize (IHb v eq_refl); try injection H as <-).
+  - injection H as <-. apply has_constant. unfold Q2R, inject_Z. simpl. lra.
+  - now apply T.
+  - now apply has_minus.
+  - now apply has_plus.
+  - apply (has_plus (fun t => eval (env t) a) (fun t => - eval (env t) b)); [assumption|now apply has_minus].
+  - now apply has_times.
+  - now apply (has_quotient _ _ u v c h).
+  - now apply has_power.
+Qed.
+
+Lemma drun_sound definitions : forall env values more, (forall t, length (env t) = length values) ->
+  tracked env values -> drun values definitions = Some more -> tracked (fun t => run (env t) definitions) more.
+Proof.
+  induction definitions as [|d rest IH]; cbn [drun run]; intros env values more L T E; [now injection E as <-|].
+  destruct (differentiated values d) as [u|] eqn:D; [|discriminate].
+  apply (IH (fun t => env t ++ [eval (env t) d])%list (values ++ [u])%list); [| |assumption].
+  { intro t. rewrite !app_length, L. reflexivity. }
+  intros k v H. destruct (Nat.lt_ge_cases k (length values)) as [K|K].
+  - rewrite nth_error_app1 in H by assumption. destruct (T k v H) as [E1 D1]. split.
+    + rewrite app_nth1 by (rewrite L; assumption). exact E1.
+    + apply (derivable_pt_lim_ext (fun t => List.nth k (env t) 0)); [|assumption].
+      intro t. symmetry. apply app_nth1. rewrite L. assumption.
+  - rewrite nth_error_app2 in H by assumption. destruct (k - length values)%nat as [|j] eqn:J; [|destruct j; discriminate].
+    simpl in H. injection H as <-. replace k with (length values) by lia.
+    destruct (differentiated_sound env values T d u D) as [E1 D1]. split.
+    + rewrite app_nth2 by (rewrite L; apply le_n). rewrite L, Nat.sub_diag. exact E1.
+    + apply (derivable_pt_lim_ext (fun t => eval (env t) d)); [|assumption].
+      intro t. rewrite app_nth2 by (rewrite L; apply le_n). rewrite L, Nat.sub_diag. reflexivity.
+Qed.
+
+(** The derivatives of the results of a program, if its variables have values and derivatives. *)
+Definition derived (values : list dual) (definitions results : list expr) : option (list A) :=
+  match drun values definitions with
+  | Some more => option_map (map snd) (traverse (differentiated more) results)
+  | None => None
+  end.
+
+Lemma moved_0 x v : length v = length x -> moved x v 0 = x.
+Proof.
+  revert v. induction x as [|a x IH]; intros [|b v] H; try discriminate; [reflexivity|].
+  unfold moved in *. cbn [combine map fst snd]. rewrite IH by (simpl in H; lia). f_equal. ring.
+Qed.
+
+Lemma nth_moved x v t k : length v = length x ->
+  List.nth k (moved x v t) 0 = List.nth k x 0 + t * List.nth k v 0.
+Proof.
+  unfold moved. revert v k. induction x as [|a x IH]; intros [|b v] [|k] H; try discriminate; simpl; try ring.
+  apply IH. simpl in H. lia.
+Qed.
+
+Lemma length_moved x v t : length v = length x -> length (moved x v t) = length x.
+Proof. intro H. unfold moved. rewrite map_length, combine_length. lia. Qed.
+
+Lemma traverse_nth {B C} (f : B -> option C) l m i c : traverse f l = Some m -> nth_error m i = Some c ->
+  exists b, nth_error l i = Some b /\ f b = Some c.
+Proof.
+  revert m i. induction l as [|b l IH]; simpl; intros m i E H; [injection E as <-; destruct i; discriminate|].
+  destruct (f b) eqn:F; [|discriminate]. destruct (traverse f l); [|discriminate]. injection E as <-.
+  destruct i as [|i]; simpl in *; [injection H as <-; eauto|eauto].
+Qed.
+
+Lemma traverse_length {B C} (f : B -> option C) l m : traverse f l = Some m -> length m = length l.
+Proof.
+  revert m. induction l as [|b l IH]; simpl; intros m E; [now injection E as <-|].
+  destruct (f b); [|discriminate]. destruct (traverse f l); [|discriminate]. injection E as <-. simpl. now rewrite IH.
+Qed.
+
+(** The derivatives that were computed are those of the functions that the program is. *)
+Lemma derived_sound x v values definitions results slopes F :
+  length v = length x -> length values = length x ->
+  (forall k u, nth_error values k = Some u -> List.nth k x 0 = real (fst u) /\ List.nth k v 0 = real (snd u)) ->
+  (forall t, F (moved x v t) = program definitions results (moved x v t)) ->
+  derived values definitions results = Some slopes ->
+  forall i, slope F x v i (List.nth i (map real slopes) 0).
+Proof.
+  intros Lv L V E H i. unfold derived in H.
+  destruct (drun values definitions) as [more|] eqn:R0; [|discriminate].
+  destruct (traverse (differentiated more) results) as [pairs|] eqn:P; [|discriminate]. injection H as <-.
+  assert (tracked (fun t => run (moved x v t) definitions) more) as T.
+  { apply (drun_sound definitions (fun t => moved x v t) values); [| |assumption].
+    - intro t. now rewrite length_moved by assumption.
+    - intros k u H. destruct (V k u H) as [V1 V2]. split.
+      + rewrite nth_moved by assumption. rewrite V1. ring.
+      + rewrite <- V2. apply (derivable_pt_lim_ext (fun t => List.nth k x 0 + t * List.nth k v 0)).
+        { intro t. now rewrite nth_moved by assumption. }
+        replace (List.nth k v 0) with (0 + (1 * List.nth k v 0 + 0 * 0)) at 1 by ring.
+        apply derivable_pt_lim_plus; [apply derivable_pt_lim_const|].
+        apply (derivable_pt_lim_mult id (fun _ => List.nth k v 0) 0 1 0);
+          [apply derivable_pt_lim_id|apply derivable_pt_lim_const]. }
+  unfold slope. apply (derivable_pt_lim_ext (fun t => List.nth i (program definitions results (moved x v t)) 0)).
+  { intro t. now rewrite E. }
+  destruct (nth_error pairs i) as [u|] eqn:U.
+  - destruct (traverse_nth _ _ _ _ _ P U) as (e & Ee & De).
+    apply (differentiated_sound _ _ T) in De as [_ D].
+    rewrite (nth_error_nth _ _ 0 (map_nth_error real i _ (map_nth_error snd i pairs U))).
+    apply (derivable_pt_lim_ext (fun t => eval (run (moved x v t) definitions) e)); [|assumption].
+    intro t. unfold program. symmetry. apply nth_error_nth. now rewrite nth_error_map, Ee.
+  - apply nth_error_None in U. rewrite List.nth_overflow by (rewrite !map_length; exact U).
+    apply (derivable_pt_lim_ext (fun _ => 0)); [|apply derivable_pt_lim_const].
+    intro t. unfold program. rewrite List.nth_overflow; [reflexivity|].
+    rewrite map_length, <- (traverse_length _ _ _ P). assumption.
+Qed.
+End Dual.
+
+(** ** Along a direction that is given by formulas *)
+
+Lemma fdiv_regular xs divisors v w c h u : regular (map (value_of xs) divisors) -> fdiv divisors v w c h = Some u ->
+  meaning xs divisors w <> 0 /\ meaning xs divisors u = meaning xs divisors v / meaning xs divisors w.
+Proof.
+  intros Hr H. split; [|now apply (meaning_div xs divisors Hr) with c h].
+  unfold fdiv in H. destruct (_ && _)%bool eqn:B; [|discriminate].
+  apply andb_prop in B as [B Hh]. apply andb_prop in B as [B Hc]. apply Bool.negb_true_iff in Hc.
+  assert (Forall (fun n => (0 <= n)%Z) h) as N.
+  { apply Forall_forall. intros n Hn. rewrite forallb_forall in Hh. now apply Z.leb_le, Hh. }
+  unfold meaning. rewrite (value_eq xs _ _ B), value_mul, value_constant, value_lift by assumption.
+  apply Rmult_integral_contrapositive_currified; [|now apply powers_nonzero].
+  apply Rmult_integral_contrapositive_currified; [now apply Q2R_nonzero|now apply powers_nonzero].
+Qed.
+
+Definition still (n : nat) (divisors direction definitions results : list expr) : bool :=
+  match traverse (fun e => polynomial (normal [] (base n) e)) divisors with
+  | None => false
+  | Some ps =>
+  match traverse (normal ps (base n)) direction with
+  | None => false
+  | Some v =>
+      Nat.eqb (length v) n &&
+      match derived fraction fconstant (fadd ps) fmul fopp (fdiv ps) (combine (base n) v) definitions results with
+      | Some slopes => forallb (fun d => peq (fst d) (Pc 0%Q)) slopes
+      | None => false
+      end
+  end end.
+
+Theorem stationary_by xs direction divisors definitions results F :
+  still (length xs) divisors direction definitions results = true ->
+  all (map (fun d => eval xs d <> 0) divisors) ->
+  (forall x, length x = length xs -> F x = program definitions results x) ->
+  stationary F xs (map (eval xs) direction).
+Proof.
+  unfold still. rewrite all_map. intros H Hd E i.
+  destruct (traverse _ divisors) as [ps|] eqn:Ed; [|discriminate].
+  destruct (traverse (normal ps _) direction) as [v|] eqn:Ev; [|discriminate].
+  apply andb_prop in H as [L H]. apply Nat.eqb_eq in L.
+  destruct (derived _ _ _ _ _ _ _ definitions results) as [slopes|] eqn:D; [|discriminate].
+  assert (regular (map (value_of xs) ps)) as Rps.
+  { apply Forall_map. refine (traverse_Forall _ _ _ _ _ _ Ed Hd). intros d p Ep N.
+    destruct (normal [] (base (length xs)) d) as [[q [|]]|] eqn:Nd; try discriminate. injection Ep as ->.
+    assert (regular (map (value_of xs) [])) as R0 by constructor.
+    rewrite <- (app_nil_r xs) in N at 1.
+    rewrite (normal_sound xs [] R0 _ _ (base_faithful [] xs []) _ _ Nd) in N.
+    unfold meaning in N. cbn [fst snd powers map] in N. lra. }
+  assert (faithful xs ps xs (base (length xs))) as B by (rewrite <- (app_nil_r xs) at 2; apply base_faithful).
+  assert (length (base (length xs)) = length xs) as Lb by (unfold base; now rewrite map_length, seq_length).
+  pose proof (derived_sound fraction (meaning xs ps) fconstant (fadd ps) fmul fopp (fdiv ps)
+    (meaning_constant xs ps Rps) (meaning_add xs ps Rps) (meaning_mul xs ps Rps) (meaning_opp xs ps)
+    (fun a b c h q => fdiv_regular xs ps a b c h q Rps)
+    xs (map (eval xs) direction) (combine (base (length xs)) v) definitions results slopes F) as S.
+  assert (length direction = length xs) as Ldir by now rewrite <- (traverse_length _ _ _ Ev).
+  replace 0 with (List.nth i (map (meaning xs ps) slopes) 0).
+  - apply S; [now rewrite map_length| | | |assumption].
+    + rewrite combine_length. lia.
+    + intros k u U. destruct u as [a b].
+      assert (nth_error (base (length xs)) k = Some a /\ nth_error v k = Some b) as [Ua Ub].
+      { clear - U. revert k v U. induction (base (length xs)) as [|c l IH]; intros [|k] [|d v] U; try discriminate;
+          simpl in *; [now injection U as -> ->|auto]. }
+      split; cbn [fst snd]; [now apply B|].
+      destruct (traverse_nth _ _ _ _ _ Ev Ub) as (e & Ee & Ne).
+      rewrite (nth_error_nth (map (eval xs) direction) k 0 (x := eval xs e)) by now rewrite nth_error_map, Ee.
+      now apply (normal_sound xs ps Rps xs _ B).
+    + intro t. apply E, length_moved. now rewrite map_length.
+  - destruct (nth_error slopes i) as [d|] eqn:U.
+    + rewrite (nth_error_nth (map (meaning xs ps) slopes) i 0 (x := meaning xs ps d)) by now rewrite nth_error_map, U.
+      rewrite forallb_forall in H. apply meaning_zero. apply H. now apply nth_error_In with i.
+    + apply nth_error_None in U. apply List.nth_overflow. now rewrite map_length.
+Qed.
+
+(** ** At a rational point *)
+
+Definition qquotient (a b : Q) (_ : Q) (_ : list Z) : option Q := if Qeq_bool b 0 then None else Some (Qred (a / b)).
+Definition qbasis (n k : nat) : list Q := map (fun j => if Nat.eqb j k then 1%Q else 0%Q) (seq 0 n).
+
+Definition qderived (point : list Q) (definitions results : list expr) (k : nat) : option (list Q) :=
+  derived Q (fun c => c) qadd qmul Qopp qquotient (combine point (qbasis (length point) k)) definitions results.
+
+Definition jacobian_regular (point : list Q) (definitions results : list expr) (variables : list nat)
+    (inverse : list (list Q)) : bool :=
+  match traverse (qderived point definitions results) variables with
+  | Some m => Nat.eqb (length inverse) (length m) && qsame (qtimes m inverse) (qunit (length m))
+  | None => false
+  end.
+
+Lemma qquotient_real a b c h q : qquotient a b c h = Some q -> Q2R b <> 0 /\ Q2R q = Q2R a / Q2R b.
+Proof.
+  unfold qquotient. destruct (Qeq_bool b 0) eqn:E; [discriminate|]. intro H.
+  assert (q = Qred (a / b)) as -> by congruence. split; [now apply Q2R_nonzero|]. rewrite Q2R_red, Q2R_div; [reflexivity|now apply Qeq_bool_neq].
+Qed.
+
+Lemma Q2R_sum a b : Q2R (qadd a b) = Q2R a + Q2R b.
+Proof. unfold qadd. now rewrite Q2R_red, Q2R_plus. Qed.
+Lemma Q2R_product a b : Q2R (qmul a b) = Q2R a * Q2R b.
+Proof. unfold qmul. now rewrite Q2R_red, Q2R_mult. Qed.
+
+Lemma qbasis_real n k : map Q2R (qbasis n k) = basis n k.
+Proof.
+  unfold qbasis, basis. rewrite map_map. apply map_ext. intro j. destruct (Nat.eqb j k); [exact Q2R_1|exact Q2R_0].
+Qed.
+
+Theorem regular_at point definitions results variables inverse F :
+  jacobian_regular point definitions results variables inverse = true ->
+  (forall x, length x = length point -> F x = program definitions results x) ->
+  regular_derivatives F (map Q2R point) variables.
+Proof.
+  unfold jacobian_regular. intros H E.
+  destruct (traverse _ variables) as [m|] eqn:M; [|discriminate]. apply andb_prop in H as [L H]. apply Nat.eqb_eq in L.
+  exists (map (map Q2R) m). split.
+  - clear L H. revert m M. induction variables as [|k rest IH]; simpl; intros m M; [injection M as <-; constructor|].
+    destruct (qderived point definitions results k) as [slopes|] eqn:D; [|discriminate].
+    destruct (traverse _ rest) as [ms|]; [|discriminate]. injection M as <-. constructor; [|now apply IH].
+    rewrite map_length, <- qbasis_real.
+    apply (derived_sound Q Q2R (fun c => c) qadd qmul Qopp qquotient (fun c => eq_refl) Q2R_sum Q2R_product Q2R_opp
+      qquotient_real) with
+      (values := combine point (qbasis (length point) k)) (definitions := definitions) (results := results);
+      try assumption.
+    + unfold qbasis. now rewrite !map_length, seq_length.
+    + unfold qbasis. rewrite combine_length, !map_length, seq_length. lia.
+    + intros j [a b] U.
+      assert (nth_error point j = Some a /\ nth_error (qbasis (length point) k) j = Some b) as [Ua Ub].
+      { clear - U. revert j U. generalize (qbasis (length point) k). induction point as [|c l IH];
+          intros [|d v] [|j] U; try discriminate; simpl in *; [now injection U as -> ->|eauto]. }
+      split; apply nth_error_nth; now apply map_nth_error.
+    + intro t. apply E. rewrite length_moved; rewrite ?map_length; [reflexivity|].
+      unfold qbasis. now rewrite map_length, seq_length.
+  - exists (map (map Q2R) inverse). rewrite !map_length. split; [assumption|].
+    rewrite <- qtimes_real, (qsame_sound _ _ H). apply qunit_real.
+Qed.

@@ -12,6 +12,7 @@ from fractions import Fraction
 from typing import Any, TypeAlias
 
 from algebroproj_sym.exporting import points
+from algebroproj_sym.exporting.counts import Functions, independent_at, unchanged_along
 from algebroproj_sym.exporting.divisions import evaluated, vector
 from algebroproj_sym.exporting.gallina import formula, listed
 from algebroproj_sym.exporting.limits import limits
@@ -33,7 +34,7 @@ from algebroproj_sym.exporting.terms import (
 )
 from algebroproj_sym.exporting.theorems import Goal, Hypotheses, equations, splitting, universal, with_divisors
 from algebroproj_sym.exporting.vanishing import both_ways
-from algebroproj_sym.replaying.evaluation import at_point, evaluate
+from algebroproj_sym.replaying.evaluation import at_point, derivatives, evaluate
 from algebroproj_sym.replaying.statement import Point, Statement
 from algebroproj_sym.replaying.text import decimal, parse
 from algebroproj_sym.replaying.text import number as rational_number
@@ -233,6 +234,38 @@ def _independent(statement: Statement, certificate: Certificate, vectors: Sequen
     return points.at_point(point, {}, [*divisors_nonzero([t for row in minor for t in row], {}), literal])
 
 
+def count(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show derivatives that are a regular matrix at a point, and independent directions of no change."""
+    return {"minor": _derivatives(statement, certificate, certificate["point"])} | _unchanged(statement, certificate)
+
+
+def _functions(statement: Statement) -> Functions:
+    derived = written(statement, "derived")
+    return Functions(tuple(sorted(statement.symbols)), derived.definitions, derived.entries)
+
+
+def _derivatives(statement: Statement, certificate: Certificate, exact: Any) -> tuple[str, str]:
+    point, functions = statement.point(exact), _functions(statement)
+    variables = [statement.setting["variables"][column] for column in certificate["columns"]]
+    units = {name: [Fraction(name == other) for other in variables] for name in variables}
+    matrix = derivatives(statement.form("derived"), at_point(point), units, len(variables))
+    places = [functions.variables.index(variable) for variable in variables]
+    rows = certificate["rows"]
+    return independent_at(functions.chosen(rows), point, places, [matrix[row] for row in rows])
+
+
+def _unchanged(statement: Statement, certificate: Certificate) -> Proved:
+    if not certificate.get("kernel"):
+        return {}
+    functions, variables = _functions(statement), statement.setting["variables"]
+    vectors = [tuple(map(term, parse(text).entries)) for text in certificate["kernel"]]
+    components = [dict(zip(variables, vector, strict=True)) for vector in vectors]
+    directions = [[part.get(symbol, integer(0)) for symbol in functions.variables] for part in components]
+    divisors = [*map(read, statement.record["hypotheses"])]
+    found = {"kernel": unchanged_along(functions, divisors, directions)}
+    return found | {"independent": _independent(statement, certificate, vectors)}
+
+
 def limit(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show that expressions have limits."""
     printed, derived = written(statement, form), written(statement, "derived")
@@ -326,6 +359,13 @@ def not_rank(statement: Statement, form: str, certificate: Certificate) -> Prove
     return _kernel(statement, certificate)
 
 
+def not_count(statement: Statement, form: str, certificate: Certificate) -> Proved:
+    """Show derivatives that are a regular matrix which is too large, or too many directions of no change."""
+    if certificate["method"] == "counterexample":
+        return {"refuted": _derivatives(statement, certificate, statement.record["counterexample"])}
+    return _unchanged(statement, certificate)
+
+
 Export: TypeAlias = Callable[[Statement, str, Certificate], Proved]
 PROOFS: Mapping[str, Export] = {
     "identity": identity,
@@ -334,6 +374,7 @@ PROOFS: Mapping[str, Export] = {
     "structure": structure,
     "vanishing": vanishing,
     "rank": rank,
+    "count": count,
     "limit": limit,
     "numeric": numeric,
 }
@@ -344,11 +385,11 @@ REFUTATIONS: Mapping[str, Export] = {
     "structure": not_structure,
     "vanishing": not_vanishing,
     "rank": not_rank,
+    "count": not_count,
     "numeric": not_numeric,
 }
 REASONS: Mapping[str, str] = {
     "definition": "a definition introduces notation and states nothing",
-    "count": "the derivatives of a Jacobian matrix have no translation",
     "reference": "a reference is about the text of the paper, not about a formula",
 }
 

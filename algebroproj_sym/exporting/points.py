@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import prod
 
 from algebroproj_sym.exporting.gallina import conjoined, formula, identifier, listed, rational, tree
+from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import Term, names, used, walk
 from algebroproj_sym.exporting.theorems import CHECKED, premises_of_definitions, spelled
 
@@ -101,6 +102,11 @@ def _literal(literal: Literal | Regular, places: Mapping[str, int]) -> str:
 def inverse(matrix: Sequence[Sequence[Fraction]]) -> tuple[tuple[Fraction, ...], ...]:
     """Return the inverse of a regular matrix.
 
+    Raises
+    ------
+    NotExportable
+        If it is not regular.
+
     Examples
     --------
     >>> inverse([[Fraction(2)]])
@@ -109,7 +115,9 @@ def inverse(matrix: Sequence[Sequence[Fraction]]) -> tuple[tuple[Fraction, ...],
     count = len(matrix)
     rows = [[*row, *(Fraction(i == j) for j in range(count))] for i, row in enumerate(matrix)]
     for place in range(count):
-        pivot = next(i for i in range(place, count) if rows[i][place])
+        pivot = next((i for i in range(place, count) if rows[i][place]), None)
+        if pivot is None:
+            raise NotExportable("the minor is zero")
         rows[place], rows[pivot] = rows[pivot], rows[place]
         rows[place] = [entry / rows[place][place] for entry in rows[place]]
         for i, row in enumerate(rows):

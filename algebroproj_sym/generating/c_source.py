@@ -173,11 +173,11 @@ def statements(program: Program) -> list[str]:
     out[0][i] = t1;
     """
     names = _c_names(program)
-    used = _used(program)
+    used = program.needed()
     lines = [f"const real {names[name]} = in[{place}][i];" for place, name in enumerate(program.inputs) if name in used]
     systems = count()
     for step in program.steps:
-        if used.isdisjoint([step.name] if isinstance(step, Step) else step.names):
+        if used.isdisjoint(step.names):
             continue
         if isinstance(step, Step):
             lines.append(f"const real {names[step.name]} = {_operation(step, names)};")
@@ -202,7 +202,7 @@ def guards(program: Program) -> list[str]:
     range = within(range, x);
     range = within(range, y);
     """
-    names, used = _c_names(program), _used(program)
+    names, used = _c_names(program), program.needed()
     operands = [operand for step in _products(program) if step.name in used for operand in step.operands[:2]]
     return [f"range = within(range, {names[operand]});" for operand in dict.fromkeys(operands) if operand in names]
 
@@ -210,15 +210,6 @@ def guards(program: Program) -> list[str]:
 def _products(program: Program) -> list[Step]:
     """Return the steps that take the error of a product."""
     return [step for step in program.steps if isinstance(step, Step) and step.operator == "product_error"]
-
-
-def _used(program: Program) -> set[Operand]:
-    """Return the operands on which an output depends."""
-    used = set(program.outputs)
-    for step in reversed(program.steps):
-        if not used.isdisjoint([step.name] if isinstance(step, Step) else step.names):
-            used.update(step.operands)
-    return used
 
 
 def _solve(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
@@ -251,7 +242,7 @@ def _operand(operand: Operand, names: Mapping[Operand, str]) -> str:
 
 def _c_names(program: Program) -> dict[Operand, str]:
     """Return a C identifier for each name of a program: the name itself wherever C leaves it free."""
-    given = chain.from_iterable((step.name,) if isinstance(step, Step) else step.names for step in program.steps)
+    given = chain.from_iterable(step.names for step in program.steps)
     wanted = [*program.inputs, *given]
     fresh = (name for place in count() if (name := f"value_{place}") not in wanted)
     return {name: name if _is_free(name) else next(fresh) for name in wanted}

@@ -75,19 +75,15 @@ def _bindings(program: Program) -> list[tuple[str, Operand]]:
 
 def _doubled(program: Program, throughout: bool) -> set[Operand]:
     """Return the names that stand for numbers of twice the digits."""
-    computed = {name for step in program.steps for name in _names(step)} - _exact(program) - _zeros(program)
+    computed = {name for step in program.steps for name in step.names} - _exact(program) - _zeros(program)
     harmless = _without_cancellation(program)
     doubled: set[Operand] = set(computed) if throughout else set()
     for step in reversed(program.steps):
         if isinstance(step, Step) and step.operator in ("+", "-") and step.name not in harmless:
             doubled.add(step.name)
-        if _refines(step) or not doubled.isdisjoint(_names(step)):
+        if _refines(step) or not doubled.isdisjoint(step.names):
             doubled |= computed.intersection(step.operands)
     return doubled
-
-
-def _names(step: Step | Call) -> tuple[str, ...]:
-    return (step.name,) if isinstance(step, Step) else step.names
 
 
 def _refines(step: Step | Call) -> bool:
@@ -101,7 +97,7 @@ def _exact(program: Program) -> set[Operand]:
     for step in program.steps:
         exact |= {operand for operand in step.operands if isinstance(operand, int)}
         if _refines(step):
-            exact |= {*_names(step)}
+            exact |= {*step.names}
         elif isinstance(step, Step) and step.operator == "neg" and step.operands[0] in exact:
             exact.add(step.name)
     return exact
@@ -137,9 +133,9 @@ def _without_cancellation(program: Program) -> set[Operand]:
 
 def _written(program: Program, doubled: set[Operand]) -> Program:
     """Write the program; a value of twice the digits has a name of its own where it is also taken rounded."""
-    rounding = [step for step in program.steps if not _refines(step) and doubled.isdisjoint(_names(step))]
+    rounding = [step for step in program.steps if not _refines(step) and doubled.isdisjoint(step.names)]
     also_rounded = {operand for step in rounding for operand in step.operands} | {*program.outputs}
-    taken = {*program.inputs} | {name for step in program.steps for name in _names(step)}
+    taken = {*program.inputs} | {name for step in program.steps for name in step.names}
     fresh = (name for place in count() if (name := f"t{place}") not in taken)
     wide: dict[Operand, Operand] = {}
     steps: list[Step | Call] = []
@@ -157,7 +153,7 @@ def _written(program: Program, doubled: set[Operand]) -> Program:
         return tuple(replaced.get(operand, operand) for operand in step.operands)
 
     for step in program.steps:
-        names = _names(step)
+        names = step.names
         if doubled.isdisjoint(names) and not _refines(step):
             steps.append(step)
             continue

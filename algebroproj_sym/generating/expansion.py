@@ -33,20 +33,16 @@ def expanded(program: Program) -> Program:
 
 def _without_unused(program: Program) -> Program:
     """Leave out the second parts that nothing takes."""
-    used = {*program.outputs}
-    kept: list[Step | Call] = []
-    for step in reversed(program.steps):
-        if not used.isdisjoint((step.name,) if isinstance(step, Step) else step.names):
-            used |= {*step.operands}
-            kept.append(step)
-    return Program(program.inputs, tuple(reversed(kept)), program.outputs)
+    needed = program.needed()
+    kept = tuple(step for step in program.steps if not needed.isdisjoint(step.names))
+    return Program(program.inputs, kept, program.outputs)
 
 
 class _Recorder:
     """Writes down each operation once."""
 
     def __init__(self, program: Program) -> None:
-        taken = {*program.inputs} | {n for s in program.steps for n in (s.names if isinstance(s, Call) else (s.name,))}
+        taken = {*program.inputs} | {name for step in program.steps for name in step.names}
         self.steps: list[Step | Call] = []
         self._known: dict[tuple[Operator, tuple[Operand, ...]], _Recorded] = {}
         self._fresh = (name for place in count() if (name := f"t{place}") not in taken)

@@ -43,6 +43,11 @@ class Step:
     operator: Operator
     operands: tuple[Operand, ...]
 
+    @property
+    def names(self) -> tuple[str]:
+        """The one name that is assigned."""
+        return (self.name,)
+
 
 @dataclass(frozen=True)
 class Call:
@@ -93,6 +98,14 @@ class Program:
     def uses(self) -> Counter[Operand]:
         """Return how often each operand is used, by steps and outputs."""
         return Counter([operand for step in self.steps for operand in step.operands] + list(self.outputs))
+
+    def needed(self) -> set[Operand]:
+        """Return the operands on which an output depends."""
+        needed = set(self.outputs)
+        for step in reversed(self.steps):
+            if not needed.isdisjoint(step.names):
+                needed.update(step.operands)
+        return needed
 
 
 def _no_calls(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:

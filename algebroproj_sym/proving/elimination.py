@@ -150,7 +150,7 @@ class Elimination:
     def reduced(self, polynomial: Any) -> Any:
         """Return a polynomial without the variables that were taken out, up to factors that never vanish."""
         for step in self.solved:
-            polynomial = _substituted(polynomial, step)[0]
+            polynomial = substituted(polynomial, step)[0]
         return polynomial
 
     def relation(self, target: Any) -> Relation:
@@ -159,7 +159,7 @@ class Elimination:
         left, right, rest = one, one, target
         sums = [self._context.constant(0) for _ in self._constraints]
         for step in self.solved:
-            after, power = _substituted(rest, step)
+            after, power = substituted(rest, step)
             if power:
                 quotient = divmod(step.slope**power * rest - after, step.pivot.polynomial)[0]
                 multiplier, cofactors = step.pivot.relation()
@@ -219,7 +219,7 @@ class Elimination:
 
     def _stripped(self, member: Member) -> Member:
         polynomial, removed = self.without_units(member.polynomial)
-        content = _content(polynomial)
+        content = content_of(polynomial)
         polynomial, removed = polynomial / content, removed * content
         if removed == 1:
             return member
@@ -237,7 +237,7 @@ class Elimination:
         for member in self.members:
             for variable, degree in enumerate(member.polynomial.degrees()):
                 if degree == 1:
-                    slope, _ = _affine(member.polynomial, variable)
+                    slope, _ = affine(member.polynomial, variable)
                     key = (len(slope), uses[variable], len(member.polynomial), variable)
                     if (best is None or key < best[0]) and self.without_units(slope)[0].is_constant():
                         best = key, member, variable, slope
@@ -294,7 +294,7 @@ class Elimination:
         for member in self.members:
             for variable, degree in enumerate(member.polynomial.degrees()):
                 if degree == 1:
-                    slope = self.without_units(_affine(member.polynomial, variable)[0])[0]
+                    slope = self.without_units(affine(member.polynomial, variable)[0])[0]
                     candidates.append((len(slope), str(slope), slope, [member]))
         for first, second, _, determinant in self._pairs():
             rest = self.without_units(determinant)[0]
@@ -331,7 +331,7 @@ class Elimination:
         return True
 
     def _take_out(self, pivot: Member, variable: int, slope: Any) -> None:
-        step = Solved(variable, slope, _affine(pivot.polynomial, variable)[1], pivot)
+        step = Solved(variable, slope, affine(pivot.polynomial, variable)[1], pivot)
         self.solved.append(step)
         left = [self._without(member, step) for member in self.members if member is not pivot]
         self._renew_units(step)
@@ -340,7 +340,7 @@ class Elimination:
     def _renew_units(self, step: Solved) -> None:
         """Write what does not vanish without the variable that was taken out."""
         for unit in list(self._units):
-            after, power = _substituted(unit, step)
+            after, power = substituted(unit, step)
             if power:
                 self._units.remove(unit)
                 for factor, _ in after.factor()[1] if after != 0 else ():
@@ -375,7 +375,7 @@ class Elimination:
         return product
 
     def _without(self, member: Member, step: Solved) -> Member:
-        after, power = _substituted(member.polynomial, step)
+        after, power = substituted(member.polynomial, step)
         if not power:
             return member
 
@@ -414,20 +414,20 @@ def cleared_of_spare(parts: Sequence[Any], unit: Any) -> tuple[int, list[Any]]:
     return power, cleared
 
 
-def _content(polynomial: Any) -> Any:
+def content_of(polynomial: Any) -> Any:
     """Return the rational number that leaves a primitive polynomial."""
     values = polynomial.coeffs()
     above, below = gcd(*(int(value.p) for value in values)), lcm(*(int(value.q) for value in values))
     return flint.fmpq(above or 1, below)
 
 
-def _affine(polynomial: Any, variable: int) -> tuple[Any, Any]:
+def affine(polynomial: Any, variable: int) -> tuple[Any, Any]:
     """Return slope and rest of a polynomial that is affine in a variable."""
     slope = polynomial.derivative(variable)
     return slope, polynomial - slope * polynomial.context().gens()[variable]
 
 
-def _substituted(polynomial: Any, step: Solved) -> tuple[Any, int]:
+def substituted(polynomial: Any, step: Solved) -> tuple[Any, int]:
     """Return ``slope**power * polynomial`` with the variable replaced, and the power, its degree."""
     power = int(polynomial.degrees()[step.variable]) if polynomial != 0 else 0
     if not power:

@@ -4,8 +4,9 @@ A proof is an identity ``numerator**exponent * multiplier**power == sum(c_i * g_
 what does not vanish, multiplied out again in the engine of the question, together with a real point at which
 constraints and hypotheses hold.  Where translations change nothing, it is an identity at the origin.  Sums of squares
 may come first: what they say over the reals is added to what is zero and what is not, a step each, with its own
-evidence.  A refutation is a real point, rational or in Q(r) for one real root r, at which both sides are defined and
-differ.  Nothing else gives a verdict.
+evidence.  Where all this finds nothing, cases are distinguished, each with steps of its own.  A refutation is a real
+point, rational or in Q(r) for one real root r, at which both sides are defined and differ.  Nothing else gives a
+verdict.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ import sympy
 from algebroproj_sym.expressions import Expression, evaluate
 from algebroproj_sym.expressions.exact import fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField
+from algebroproj_sym.proving.cases import Case, End, Step, case_distinction, follows
 from algebroproj_sym.proving.combination import Combination, System
 from algebroproj_sym.proving.elimination import DerivedUnit
 from algebroproj_sym.proving.rational_function import RationalFunctionField
@@ -169,12 +171,15 @@ class Problem:
                 witness = witness or place
                 if None not in evidence:
                     break
-        found = [part for part in evidence if part is not None]
-        if len(found) < len(evidence) and witness is not None:
-            return _open("no combination of the constraints was found, and no real point at which the sides differ")
         if witness is None:
             return _open("no real point was found that satisfies constraints and hypotheses")
-        return self._proved(found, witness)
+        found = [part for part in evidence if part is not None]
+        if len(found) == len(evidence):
+            return self._proved(found, witness)
+        cases = [case for case in map(self._cases, self.numerators) if case is not None]
+        if len(cases) == len(evidence):
+            return self._proved_by_cases(cases, witness)
+        return _open("no combination of the constraints was found, and no real point at which the sides differ")
 
     def written(self, polynomial: Any) -> str:
         """Return a polynomial of FLINT's ring as text."""
@@ -222,14 +227,28 @@ class Problem:
         usual = "radical membership" if any(part.exponent > 1 for part in evidence) else "ideal membership"
         certificate = {
             "method": "sums of squares" if self.facts else usual,
+            **self._before(steps),
+            "multiplier": "*".join(factors) or "1",
+            "entries": entries,
+        }
+        return Finding("proved", certificate | _witnessed(witness))
+
+    def _before(self, steps: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+        """Return what a certificate says before the entries."""
+        return {
             **({"steps": steps} if steps else {}),
             **({"translations": self._translations()} if self.frame.directions else {}),
             "denominators": [str(factor) for factor in self.field.divisors()],
-            "multiplier": "*".join(factors) or "1",
-            "entries": entries,
-            "witness": {symbol.name: str(value) for symbol, value in witness.shown().items()},
+            "claims": [self.written(self._into(numerator)) for numerator in self.numerators],
+            "generators": [self.written(self._into(constraint)) for constraint in self._given_constraints],
+            "units": [self.written(unit) for unit in self.units_at_origin],
         }
-        return Finding("proved", certificate | witness.extension())
+
+    @property
+    def _given_constraints(self) -> Sequence[Any]:
+        """The constraints of the question, without what sums of squares have added."""
+        added = sum(len(fact.squares) for fact in self.facts if isinstance(fact, Zeros))
+        return self.constraints[: len(self.constraints) - added]
 
     def _evidence(self, numerator: Any) -> _Evidence | None:
         found = self.system.combination(self.frame.restricted(self._into(numerator)))
@@ -297,6 +316,40 @@ class Problem:
             }
             for own, direction in self.frame.directions.items()
         ]
+
+    # -- cases
+
+    def _cases(self, numerator: Any) -> Case | None:
+        """Return how the claim follows by cases, multiplied out in the engine of the question."""
+        if not self._is_translated(numerator):
+            return None
+        goal = self.frame.restricted(self._into(numerator))
+        zeros, units = self.system.constraints, self.units_at_origin
+        found = case_distinction(goal, zeros, units, self.seed)
+        return found if found is not None and follows(found, goal, zeros, units, self._back) else None
+
+    def _proved_by_cases(self, cases: Sequence[Case], witness: _Place) -> Finding:
+        certificate = {
+            "method": "case distinction",
+            **self._before([*map(self._step, self.facts)]),
+            "entries": [*map(self._case, cases)],
+        }
+        return Finding("proved", certificate | _witnessed(witness))
+
+    def _case(self, case: Case) -> dict[str, Any]:
+        assumed = {} if case.assumed is None else {"assumed": {case.assumed[0]: self.written(case.assumed[1])}}
+        steps = {"steps": [*map(self._case_step, case.steps)]} if case.steps else {}
+        if isinstance(case.rest, End):
+            return {**assumed, **steps, "exponent": case.rest.exponent, **self._sum(case.rest)}
+        return {**assumed, **steps, "cases": [*map(self._case, case.rest)]}
+
+    def _case_step(self, step: Step) -> dict[str, Any]:
+        factor = {} if step.factor is None else {"factor": self.written(step.factor)}
+        return {step.shows: self.written(step.polynomial), **self._sum(step), **factor}
+
+    def _sum(self, part: Step | End) -> dict[str, Any]:
+        cofactors = {str(place): self.written(cofactor) for place, cofactor in part.cofactors.items()}
+        return {"multiplier": self.written(part.multiplier), "cofactors": cofactors}
 
     # -- what holds over the reals alone
 
@@ -406,7 +459,13 @@ class _Place:
             return {}
         low, high = self.field.interval
         coefficients = [str(c) for c in reversed(self.field.polynomial.coeffs())]
-        return {"extension": {"coefficients": coefficients, "root between": [str(low), str(high)]}}
+        values = {symbol.name: [*map(str, reversed(value.polynomial.coeffs()))] for symbol, value in self.point.items()}
+        return {"extension": {"coefficients": coefficients, "root between": [str(low), str(high)], "values": values}}
+
+
+def _witnessed(witness: _Place) -> dict[str, Any]:
+    """Return the last part of a certificate: the point at which everything holds."""
+    return {"witness": {symbol.name: str(value) for symbol, value in witness.shown().items()}} | witness.extension()
 
 
 def _shown(value: Any) -> Any:

@@ -4,7 +4,16 @@ This package shares no code with the rest, and needs Python's standard library a
 ledger's expressions, its own polynomials and rational functions, and its own checks for each kind of claim.
 """
 
-from algebroproj_sym.replaying.ledger import Replayed, Status, replay, replay_claim, unsupported
+from algebroproj_sym.replaying.ledger import Replayed, Status, replay, replay_claim, replay_identity, unsupported
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
-__all__ = ["NotReplayable", "Rejected", "Replayed", "Status", "replay", "replay_claim", "unsupported"]
+__all__ = [
+    "NotReplayable",
+    "Rejected",
+    "Replayed",
+    "Status",
+    "replay",
+    "replay_claim",
+    "replay_identity",
+    "unsupported",
+]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from multiprocessing import get_context
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 from algebroproj_sym.replaying.evidence import PROOFS, REFUTATIONS, require
+from algebroproj_sym.replaying.identities import require_identity
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 from algebroproj_sym.replaying.statement import Statement
 
@@ -65,13 +66,39 @@ def replay_claim(record: Mapping[str, Any]) -> Replayed:
     'the two sides differ'
     """
     paper, number, kind, verdict = (str(record.get(key)) for key in ("paper", "number", "kind", "verdict"))
-    status, reason = _judged(record)
+    status, reason = _judged(_follow, record)
     return Replayed(paper, number, kind, verdict, status, reason)
 
 
-def _judged(record: Mapping[str, Any]) -> tuple[Status, str]:
+def replay_identity(record: Mapping[str, Any]) -> Replayed:
+    """Check whether the verdict on an identity from elsewhere follows from its evidence.
+
+    Parameters
+    ----------
+    record : mapping
+        An identity as ``algebroproj check FILE.json --format json`` writes it.
+
+    Returns
+    -------
+    Replayed
+
+    Examples
+    --------
+    >>> record = {
+    ...     "file": "demo.json", "name": "square", "lhs": "(a + b)^2", "rhs": "a^2 + b^2", "constraints": [],
+    ...     "nonzero": [], "verdict": "refuted", "hypotheses": [], "counterexample": {"a": "1", "b": "-1"},
+    ...     "certificate": {"method": "counterexample", "left": ["0"], "right": ["2"]}}
+    >>> replay_identity(record).status
+    'replayed'
+    """
+    kind = "identity under constraints" if record.get("constraints") else "identity"
+    status, reason = _judged(require_identity, record)
+    return Replayed(str(record.get("file")), str(record.get("name")), kind, str(record.get("verdict")), status, reason)
+
+
+def _judged(check: Callable[[Mapping[str, Any]], None], record: Mapping[str, Any]) -> tuple[Status, str]:
     try:
-        _follow(record)
+        check(record)
     except NotReplayable as why:
         return ("not replayable", str(why))
     except Rejected as why:
@@ -119,7 +146,8 @@ def replay(ledger: Mapping[str, Any], jobs: int = 1) -> Iterator[Replayed]:
     Parameters
     ----------
     ledger : mapping
-        As `algebroproj build` or `algebroproj check --format json` writes it.
+        As `algebroproj build` or `algebroproj check --format json` writes it; the answers of `algebroproj check
+        FILE.json --format json` as well.
     jobs : int
         How many processes.
 
@@ -133,12 +161,24 @@ def replay(ledger: Mapping[str, Any], jobs: int = 1) -> Iterator[Replayed]:
         If the ledger as a whole is not what it says: another schema, a claim twice, a summary that is not the count of
         the verdicts, a false claim whose `instead` is not a claim of the ledger that holds.
     """
-    claims = _claims(ledger)
+    of_identities = isinstance(ledger, Mapping) and "identities" in ledger
+    records = _identities(ledger) if of_identities else _claims(ledger)
+    replay_one = replay_identity if of_identities else replay_claim
     if jobs == 1:
-        yield from map(replay_claim, claims)
+        yield from map(replay_one, records)
         return
     with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        yield from pool.map(replay_claim, claims, chunksize=8)
+        yield from pool.map(replay_one, records, chunksize=8)
+
+
+def _identities(answers: Mapping[str, Any]) -> Sequence[Mapping[str, Any]]:
+    identities = answers["identities"]
+    require(answers.get("schema") == SCHEMA, f"expected answers of schema {SCHEMA}")
+    require(isinstance(identities, list), "expected a list of identities")
+    require(all(isinstance(identity, Mapping) for identity in identities), "expected a list of identities")
+    counts = dict(Counter(identity.get("verdict") for identity in identities))
+    require(answers.get("summary") == counts, "the summary is not the count of the verdicts")
+    return cast(Sequence[Mapping[str, Any]], identities)
 
 
 def _claims(ledger: Mapping[str, Any]) -> Sequence[Mapping[str, Any]]:
@@ -160,9 +200,10 @@ def unsupported(ledger: Mapping[str, Any]) -> dict[tuple[str, str], str]:
 
     A claim that the ledger lacks, because only a part was checked, is no fault.
     """
-    verdicts = {(claim["paper"], claim["number"]): claim["verdict"] for claim in ledger["claims"]}
+    claims = ledger.get("claims", ())
+    verdicts = {(claim["paper"], claim["number"]): claim["verdict"] for claim in claims}
     found = {}
-    for claim in ledger["claims"]:
+    for claim in claims:
         verdict = verdicts.get((claim["paper"], claim["instead"] or ""), "proved")
         if claim["verdict"] == "false" and verdict not in ("proved", "misprint", "illegible"):
             found[claim["paper"], claim["number"]] = f"what is true instead is {verdict}"

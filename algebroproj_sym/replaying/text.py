@@ -4,9 +4,9 @@ r"""Reading the expressions of a ledger: a restricted grammar, read without eval
 
     sum      = product { ("+" | "-") product }
     product  = factor { ("*" | "/") factor }
-    factor   = "-" factor | atom [ "**" exponent ]
+    factor   = ("-" | "+") factor | atom [ "**" exponent ]
     atom     = integer | name | "$" integer | "(" sum ")"
-    exponent = integer | "(" "-" integer ")"
+    exponent = factor                                                       of numbers alone, an integer
 
 A form is an expression, a matrix ``Matrix([[..., ...], ...])`` or factors ``(..., ...)``.  ``$3`` is the fourth step
 of a form that is written in steps.
@@ -23,6 +23,7 @@ from typing import Any
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
 _TOKEN = re.compile(r"\s*(?:(\d+)|([A-Za-z_]\w*)|(\$\d+)|(\*\*|[-+*/(),\[\]]))")
+_DECIMAL = re.compile(r"(?<![\w.])(\d*)\.(\d*)")
 DEPTH = 400
 LARGEST_EXPONENT = 1000
 
@@ -84,6 +85,30 @@ def parse(text: Any) -> Form:
         form = Form((), (reader.sum(),))
     reader.end()
     return form
+
+
+def parse_statement(text: Any) -> Form:
+    """Read a side, a constraint or a condition of an identity from elsewhere, as it was given.
+
+    There are also ``^``, decimal numbers, ``[[..., ...], ...]`` for a matrix, and one ``=``, which is a difference.
+
+    Examples
+    --------
+    >>> parse_statement("x^2 = 0.5").entries[0].kind, parse_statement("[[x, 1]]").shape
+    ('+', (1, 2))
+    """
+    if not isinstance(text, str):
+        raise Rejected(f"expected the text of a statement, got {text!r}")
+    if "'" in text:
+        raise NotReplayable("names with primes are not read")
+    left, equal, right = _DECIMAL.sub(_exact, text.replace("^", "**")).partition("=")
+    whole = f"({left}) - ({right})" if equal else left.strip()
+    return parse(f"Matrix({whole})" if whole.startswith("[") else whole)
+
+
+def _exact(match: re.Match[str]) -> str:
+    whole, part = match.groups()
+    return f"({int(whole + part or '0')}/{10 ** len(part)})"
 
 
 def parse_factors(text: Any) -> Form:
@@ -226,18 +251,16 @@ class _Reader:
     def factor(self) -> Node:
         if self.skip("-"):
             return _negative(self.factor())
+        if self.skip("+"):
+            return self.factor()
         atom = self.atom()
         return Node("^", self.exponent(), (atom,)) if self.skip("**") else atom
 
     def exponent(self) -> int:
-        bracket = self.skip("(")
-        negative = bracket and self.skip("-")
-        value = self.integer()
-        if bracket:
-            self.expect(")")
-        if value > LARGEST_EXPONENT:
-            raise NotReplayable(f"an exponent exceeds {LARGEST_EXPONENT}")
-        return -value if negative else value
+        value = _constant(self.factor())
+        if value is None or value.denominator != 1:
+            raise self.wrong()
+        return _bounded(int(value))
 
     def integer(self) -> int:
         token = self.tokens[self.place]
@@ -266,3 +289,24 @@ def _negative(node: Node) -> Node:
     if node.kind == "number":
         return Node("number", -node.value)
     return Node("-", None, (node,))
+
+
+def _bounded(exponent: int) -> int:
+    if abs(exponent) > LARGEST_EXPONENT:
+        raise NotReplayable(f"an exponent exceeds {LARGEST_EXPONENT}")
+    return exponent
+
+
+def _constant(node: Node) -> Fraction | None:
+    """Return the value of an exponent, which is written with numbers, signs, sums, products and powers."""
+    if node.kind == "number":
+        return Fraction(node.value)
+    parts = [_constant(child) for child in node.children]
+    values = [part for part in parts if part is not None]
+    if not parts or len(values) < len(parts) or node.kind == "/":
+        return None
+    if node.kind == "^":
+        return values[0] ** node.value if values[0] else None
+    if node.kind == "-":
+        return -values[0]
+    return sum(values, Fraction(0)) if node.kind == "+" else values[0] * values[1]

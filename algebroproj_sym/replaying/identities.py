@@ -1,0 +1,352 @@
+"""Identities from elsewhere: whether the verdict on a statement follows from the evidence beside it.
+
+A proof under constraints lists claims (the numerators of the difference), generators (those of the constraints) and
+units (factors of what does not vanish).  Where no translation along some directions changes any of them, they are taken
+at the origin of these directions.  There, steps add to what is zero and what is not, each by an identity of its own; at
+the end a power of the claim, times units, is a combination of what is zero, directly or in each of two cases, in one of
+which something is zero that is not zero in the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from algebroproj_sym.replaying.evaluation import Algebra, derivatives, evaluate
+from algebroproj_sym.replaying.evidence import require
+from algebroproj_sym.replaying.field import Element, Field
+from algebroproj_sym.replaying.polynomial import Polynomial, constant
+from algebroproj_sym.replaying.rejection import NotReplayable
+from algebroproj_sym.replaying.residues import Residue, point_in_extension
+from algebroproj_sym.replaying.text import Form, number, parse, parse_statement
+
+MEMBERSHIPS = ("ideal membership", "radical membership", "sums of squares")
+
+
+def require_identity(record: Mapping[str, Any]) -> None:
+    """Check whether the verdict on an identity follows from its evidence.
+
+    Parameters
+    ----------
+    record : mapping
+        An identity as ``algebroproj check FILE.json --format json`` writes it.
+
+    Raises
+    ------
+    Rejected
+        If it does not.
+    NotReplayable
+        If there is no evidence.
+    """
+    verdict, certificate = record["verdict"], record["certificate"]
+    require(verdict in ("proved", "refuted", "open", "error"), f"there is no verdict {verdict!r}")
+    if verdict in ("open", "error"):
+        raise NotReplayable("what is not decided has no evidence")
+    question = _Question(record)
+    if verdict == "refuted":
+        _differ(question, certificate)
+    elif certificate["method"] == "normal form":
+        require(not question.constraints, "a normal form decides nothing under constraints")
+        field = question.field(certificate["denominators"])
+        require(all(entry.is_zero for entry in question.difference(field)), "the two sides differ")
+        _hypotheses(question, field, certificate["denominators"])
+    else:
+        _follow(question, certificate)
+
+
+class _Question:
+    """The statement of a record, read."""
+
+    def __init__(self, record: Mapping[str, Any]) -> None:
+        self.record = record
+        self.left, self.right = parse_statement(record["lhs"]), parse_statement(record["rhs"])
+        self.constraints = [parse_statement(text) for text in record["constraints"]]
+        self.nonzero = [parse_statement(text) for text in record["nonzero"]]
+
+    @cached_property
+    def symbols(self) -> set[str]:
+        forms = (self.left, self.right, *self.constraints, *self.nonzero)
+        return {name for form in forms for name in form.symbols()}
+
+    def field(self, divisors: Any) -> Field:
+        field = Field(self.symbols)
+        field.list([evaluate(parse(text), Algebra(field.symbol, field.number))[0] for text in divisors])
+        return field
+
+    def difference(self, field: Field) -> list[Element]:
+        algebra = Algebra(field.symbol, field.number)
+        left, right = evaluate(self.left, algebra), evaluate(self.right, algebra)
+        require(self.left.shape == self.right.shape, "the two sides have not the same shape")
+        return [a - b for a, b in zip(left, right, strict=True)]
+
+    def sides_at(self, point: Mapping[str, Any], divisors: Sequence[Form] = ()) -> tuple[list[Any], list[Any]]:
+        """Return both sides at a point, at which the hypotheses must hold."""
+        require(point.keys() == self.symbols, "the point has not a value for every symbol, and no other")
+        algebra = _at(point)
+        require(
+            all(_is_zero(evaluate(form, algebra)[0]) for form in self.constraints), "the point violates a constraint"
+        )
+        units = (evaluate(form, algebra)[0] for form in (*self.nonzero, *divisors))
+        require(not any(map(_is_zero, units)), "something vanishes at the point that must not")
+        return evaluate(self.left, algebra), evaluate(self.right, algebra)
+
+
+def _at(point: Mapping[str, Any]) -> Algebra:
+    """Return the algebra at a point with coordinates that are rational, or all in one extension."""
+    moduli = {value.modulus for value in point.values() if isinstance(value, Residue)}
+    if not moduli:
+        return Algebra(point.__getitem__, Fraction)
+    (modulus,) = moduli
+    return Algebra(point.__getitem__, lambda value: Residue((value,) if value else (), modulus))
+
+
+def _is_zero(value: Any) -> bool:
+    return value.is_zero if isinstance(value, Residue) else bool(value == 0)
+
+
+def _point(given: Any, certificate: Mapping[str, Any]) -> dict[str, Any]:
+    if "extension" in certificate:
+        return dict(point_in_extension(certificate["extension"]))
+    return {name: number(value) for name, value in given.items()}
+
+
+def _differ(question: _Question, certificate: Mapping[str, Any]) -> None:
+    require(certificate["method"] == "counterexample", "expected the method 'counterexample'")
+    left, right = question.sides_at(_point(question.record["counterexample"], certificate))
+    if "extension" not in certificate:
+        require(left == list(map(number, certificate["left"])), "the left side has another value at the point")
+        require(right == list(map(number, certificate["right"])), "the right side has another value at the point")
+    require(any(not _is_zero(a - b) for a, b in zip(left, right, strict=True)), "the two sides do not differ")
+
+
+def _hypotheses(question: _Question, field: Field, divisors: Any) -> None:
+    require(question.record["hypotheses"] == divisors, "the hypotheses are not the divisors of the certificate")
+    require(not field.unlisted, "a division meets a factor that is not listed")
+    require(field.used == {*range(field.listed)}, "a listed divisor is met by no division")
+
+
+# -- what follows from constraints
+
+
+@dataclass(frozen=True)
+class _Known:
+    """What is zero, what is not, and the claim that is left, all at the origin."""
+
+    field: Field
+    origin: Algebra
+    zeros: tuple[Element, ...]
+    units: tuple[Element, ...]
+    claim: Element
+
+    def read(self, text: Any) -> Element:
+        form = parse(text)
+        require(not form.shape, "expected a scalar in the certificate")
+        value: Element = evaluate(form, self.origin)[0]
+        return value
+
+    def combined(self, cofactors: Any) -> Element:
+        """Return the sum of cofactors, by place or in order, times what is zero."""
+        named = {str(place): text for place, text in enumerate(cofactors)} if isinstance(cofactors, list) else cofactors
+        total = self.field.number(Fraction(0))
+        for place, text in named.items():
+            require(place.isdecimal() and int(place) < len(self.zeros), "a cofactor belongs to nothing that is zero")
+            total = total + self.read(text) * self.zeros[int(place)]
+        return total
+
+    def multiplier(self, text: Any) -> Element:
+        """Return a polynomial that is a product of what does not vanish."""
+        value = self.read(text)
+        require(_is_product(value, self.units), "a multiplier is no product of what does not vanish")
+        return value
+
+    def with_zero(self, zero: Element) -> _Known:
+        return replace(self, zeros=(*self.zeros, zero))
+
+    def with_unit(self, unit: Element) -> _Known:
+        return replace(self, units=(*self.units, unit))
+
+
+def _follow(question: _Question, certificate: Mapping[str, Any]) -> None:
+    method = certificate["method"]
+    require(method in (*MEMBERSHIPS, "case distinction"), f"there is no method {method!r}")
+    require(bool(question.constraints), "there are no constraints")
+    field = question.field(certificate["denominators"])
+    algebra = Algebra(field.symbol, field.number)
+    claims = _numerators(field, certificate["claims"], question.difference(field))
+    constraints = [evaluate(form, algebra)[0] for form in question.constraints]
+    generators = _numerators(field, certificate["generators"], constraints)
+    sources = [*field.factors[: field.listed], *(evaluate(form, algebra)[0].numerator for form in question.nonzero)]
+    _hypotheses(question, field, certificate["denominators"])
+    moved = _moved(question, field, certificate)
+    units = [_restricted(Element(field, source, {}, 1), moved) for source in sources]
+    zero = field.number(Fraction(0))
+    origin = Algebra(lambda name: zero if field.places[name] in moved else field.symbol(name), field.number)
+    known = _Known(field, origin, tuple(_restricted(part, moved) for part in generators), tuple(units), zero)
+    known = _with_units(known, certificate)
+    for step in certificate.get("steps", ()):
+        known = _after_derivation(known, step) if "product" in step else _after_squares(known, step)
+    require(len(certificate["entries"]) == len(claims), "the certificate has not as many entries as the statement")
+    for claim, entry in zip(claims, certificate["entries"], strict=True):
+        asked = replace(known, claim=_restricted(claim, moved))
+        if method == "case distinction":
+            _require_case(asked, entry)
+        else:
+            multiplier = asked.multiplier(certificate["multiplier"]) ** _natural(entry["power"])
+            _require_end(asked, multiplier, entry)
+    point = _point(certificate["witness"], certificate)
+    question.sides_at(point, [parse(text) for text in certificate["denominators"]])
+
+
+def _numerators(field: Field, texts: Any, elements: Sequence[Element]) -> list[Element]:
+    """Return polynomials that are zero exactly where the elements are, the listed divisors not being zero."""
+    require(len(texts) == len(elements), "the certificate has not as many numerators as the statement")
+    found = [evaluate(parse(text), Algebra(field.symbol, field.number))[0] for text in texts]
+    for numerator, element in zip(found, elements, strict=True):
+        first, second = (_essence(field, part.numerator) for part in (numerator, element))
+        numerator.cleared()
+        require(first in (second, -second), "the numerators are not those of the statement")
+    return found
+
+
+def _essence(field: Field, polynomial: Polynomial) -> Polynomial:
+    """Return a primitive polynomial without listed divisors."""
+    return _without(polynomial, field.factors[: field.listed]) if polynomial else polynomial
+
+
+def _without(polynomial: Polynomial, factors: Iterable[Polynomial]) -> Polynomial:
+    rest = polynomial.divided(polynomial.content())
+    for factor in factors:
+        while not rest.is_constant() and (quotient := rest.quotient(factor)) is not None:
+            rest = quotient
+    return rest
+
+
+def _is_product(value: Element, units: Sequence[Element]) -> bool:
+    """Whether a polynomial is a number other than zero times powers of units."""
+    if value.is_zero:
+        return False
+    parts = [unit.cleared() for unit in units if not unit.is_zero]
+    primitive = [part.divided(part.content()) for part in parts if not part.is_constant()]
+    return _without(value.cleared(), primitive).is_constant()
+
+
+def _restricted(element: Element, moved: Iterable[int]) -> Element:
+    """Return a polynomial with zero for some variables."""
+    numerator = element.cleared()
+    for place in moved:
+        numerator = numerator.parts(place).get(0, constant(0))
+    return Element(element.field, numerator, {}, element.denominator)
+
+
+def _moved(question: _Question, field: Field, certificate: Mapping[str, Any]) -> set[int]:
+    """Return the variables that translations take to zero, after seeing that nothing changes along them."""
+    translations = certificate.get("translations", ())
+    names = [along["zero"] for along in translations]
+    for along in translations:
+        own = {name: along["along"].get(name, "0") for name in names}
+        require(own == {name: str(int(name == along["zero"])) for name in names}, "a translation moves another one")
+    texts = (*certificate["claims"], *certificate["generators"], *certificate["denominators"])
+    directions: dict[str, list[Element]] = {name: [] for name in field.places}
+    for name, components in directions.items():
+        components += [field.number(number(along["along"].get(name, "0"))) for along in translations]
+    algebra = Algebra(field.symbol, field.number)
+    for form in (*map(parse, texts), *question.nonzero):
+        slopes = derivatives(form, algebra, directions, len(names))[0] if names else []
+        require(all(slope.is_zero for slope in slopes), "something changes along a translation")
+    return {field.places[name] for name in names}
+
+
+def _with_units(known: _Known, certificate: Mapping[str, Any]) -> _Known:
+    """Return what is known with the listed units, each a factor of something that is not zero at any allowed point."""
+    sums = [step for step in certificate.get("steps", ()) if "squares" in step and "not zero" in step]
+    sources = [*known.units, *(_positive(known, step) for step in sums)]
+    for text in certificate["units"]:
+        unit = known.read(text)
+        require(any(_divides(unit, source) for source in sources), "a unit divides nothing that does not vanish")
+        known = known.with_unit(unit)
+    return known
+
+
+def _divides(unit: Element, source: Element) -> bool:
+    if unit.is_zero or source.is_zero:
+        return False
+    factor, whole = unit.cleared(), source.cleared()
+    return whole.divided(whole.content()).quotient(factor.divided(factor.content())) is not None
+
+
+def _squares(known: _Known, step: Mapping[str, Any]) -> tuple[list[Element], Element]:
+    """Return the roots of a sum of squares with positive weights, and the sum."""
+    roots, total = list[Element](), known.field.number(Fraction(0))
+    for weight, text in step["squares"]:
+        require(number(weight) > 0, "the weight of a square is not positive")
+        roots.append(known.read(text))
+        total = total + known.field.number(number(weight)) * roots[-1] * roots[-1]
+    return roots, total
+
+
+def _positive(known: _Known, step: Mapping[str, Any]) -> Element:
+    """Return a sum of squares that is positive everywhere."""
+    roots, total = _squares(known, step)
+    constants = [root for root in roots if root.cleared().is_constant() and not root.is_zero]
+    require((total - known.read(step["not zero"])).is_zero, "the squares do not add up")
+    require(bool(constants), "no square is a positive number")
+    return total
+
+
+def _after_squares(known: _Known, step: Mapping[str, Any]) -> _Known:
+    """Return what is known after a sum of squares was shown to be zero, or to be positive."""
+    if "not zero" in step:
+        return known.with_unit(_positive(known, step))
+    roots, total = _squares(known, step)
+    rest = known.multiplier(step["multiplier"]) * total - known.combined(step["cofactors"])
+    require(rest.is_zero, "the cofactors do not multiply out to the sum of squares")
+    return replace(known, zeros=(*known.zeros, *roots))
+
+
+def _after_derivation(known: _Known, step: Mapping[str, Any]) -> _Known:
+    """Return what is known after something was shown not to be zero."""
+    unit = known.read(step["not zero"])
+    rest = known.multiplier(step["product"]) - known.combined(step["cofactors"]) - known.read(step["factor"]) * unit
+    require(rest.is_zero, "the cofactors do not multiply out to what does not vanish")
+    return known.with_unit(unit)
+
+
+def _require_case(known: _Known, case: Mapping[str, Any]) -> None:
+    """Check that the claim vanishes in a case."""
+    for step in case.get("steps", ()):
+        known = _after_step(known, step)
+    if "cases" not in case:
+        _require_end(known, known.multiplier(case["multiplier"]), case)
+        return
+    first, second = case["cases"]
+    require(first["assumed"].keys() == {"not zero"} and second["assumed"].keys() == {"zero"}, "a case is missing")
+    require(first["assumed"]["not zero"] == second["assumed"]["zero"], "the cases are not complementary")
+    distinguished = known.read(second["assumed"]["zero"])
+    _require_case(known.with_unit(distinguished), first)
+    _require_case(known.with_zero(distinguished), second)
+
+
+def _after_step(known: _Known, step: Mapping[str, Any]) -> _Known:
+    """Return what is known after a step of a case."""
+    ((shows, text),) = [(key, value) for key, value in step.items() if key in ("zero", "not zero", "goal")]
+    shown, multiplier, total = known.read(text), known.multiplier(step["multiplier"]), known.combined(step["cofactors"])
+    if shows == "zero":
+        require((multiplier * shown - total).is_zero, "the cofactors do not multiply out to what is zero")
+        return known.with_zero(shown)
+    left = multiplier if shows == "not zero" else multiplier * known.claim
+    rest = left - total - known.read(step["factor"]) * shown
+    require(rest.is_zero, f"the cofactors do not multiply out to the {shows}")
+    return known.with_unit(shown) if shows == "not zero" else replace(known, claim=shown)
+
+
+def _require_end(known: _Known, multiplier: Element, end: Mapping[str, Any]) -> None:
+    left = known.claim ** _natural(end["exponent"]) * multiplier
+    require((left - known.combined(end["cofactors"])).is_zero, "the cofactors do not multiply out to the claim")
+
+
+def _natural(value: Any) -> int:
+    require(isinstance(value, int) and not isinstance(value, bool) and value >= 0, "expected a number of times")
+    return int(value)

@@ -1,0 +1,200 @@
+"""The evidence for identities from elsewhere: replayed without the prover, and rejected where something was changed."""
+
+import copy
+import json
+import re
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+import sympy
+from click.testing import CliRunner
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from algebroproj_sym import prove
+from algebroproj_sym.cli import main
+from algebroproj_sym.replaying import replay_identity
+
+CORPUS = Path(__file__).resolve().parent / "corpus"
+QUESTIONS = {
+    "normal form": ("(x^2 - 1)/(x - 1)", "x + 1", [], []),
+    "counterexample": ("(a + b)^2", "a^2 + b^2", [], []),
+    "irrational counterexample": ("x", "1", ["x^2 = 2"], []),
+    "ideal membership": ("a*(x + y) + b", "0", ["a*x^2 + b*x + c", "a*y^2 + b*y + c"], ["x - y"]),
+    "ideal membership, irrational witness": ("x^3", "2*x", ["x^2 = 2"], []),
+    "translations": ("(p - a)*(q - b)", "0", ["(p - a)*(r - a)", "r - a - q + b"], []),
+    "radical membership": ("x", "0", ["x^2"], []),
+    "sums of squares": ("x", "0", ["x^2 + y^2"], []),
+    "positive": ("x", "0", ["x*(y^2 + 1)"], []),
+}
+
+
+def record_of(lhs, rhs, constraints, nonzero):
+    proof = prove(lhs, rhs, constraints=constraints, nonzero=nonzero)
+    point = proof.counterexample
+    return json.loads(
+        json.dumps(
+            {
+                "file": "mine.json",
+                "name": "mine",
+                "lhs": lhs,
+                "rhs": rhs,
+                "constraints": constraints,
+                "nonzero": nonzero,
+                "verdict": proof.verdict,
+                "hypotheses": [*map(str, proof.hypotheses)],
+                "counterexample": None if point is None else {s.name: str(v) for s, v in point.items()},
+                "certificate": proof.certificate,
+            }
+        )
+    )
+
+
+@pytest.fixture(scope="module")
+def records():
+    return {name: record_of(*question) for name, question in QUESTIONS.items()}
+
+
+@pytest.fixture(scope="module")
+def ceva():
+    (item,) = [item for item in json.loads((CORPUS / "geometry.json").read_text()) if item["name"] == "Ceva"]
+    return record_of(item["lhs"], item["rhs"], item["constraints"], item["nonzero"])
+
+
+def test_every_method_is_replayed(records):
+    for name, record in records.items():
+        assert record["verdict"] in ("proved", "refuted"), name
+        assert (replay_identity(record).status, replay_identity(record).reason) == ("replayed", ""), name
+
+
+def test_ceva_is_proved_by_cases_and_replayed(ceva):
+    assert (ceva["verdict"], ceva["certificate"]["method"]) == ("proved", "case distinction")
+    assert replay_identity(ceva).status == "replayed"
+
+
+def test_a_case_that_is_left_out_is_noticed(ceva):
+    changed = copy.deepcopy(ceva)
+    first, second = changed["certificate"]["entries"][0]["cases"]
+    changed["certificate"]["entries"][0]["cases"] = [first, first]
+    assert replay_identity(changed).reason == "a case is missing"
+    changed["certificate"]["entries"][0]["cases"] = [first, {**second, "assumed": {"zero": "xB"}}]
+    assert replay_identity(changed).reason == "the cases are not complementary"
+
+
+def test_what_is_not_decided_is_not_replayable():
+    assert replay_identity(record_of("x", "y", ["1"], [])).status == "not replayable"
+
+
+def test_a_polynomial_without_a_root_proves_no_witness(records):
+    changed = copy.deepcopy(records["irrational counterexample"])
+    changed["certificate"]["extension"]["root between"] = ["2", "3"]
+    assert replay_identity(changed).status == "rejected"
+
+
+# Tampering: a change of one number, sign, operation or symbol.
+
+
+def leaves(node, path=()):
+    if isinstance(node, dict):
+        for key, value in node.items():
+            yield from leaves(value, (*path, key))
+    elif isinstance(node, list):
+        for place, value in enumerate(node):
+            yield from leaves(value, (*path, place))
+    elif isinstance(node, int | str) and not isinstance(node, bool):
+        yield path
+
+
+def at_path(record, path):
+    for key in path:
+        record = record[key]
+    return record
+
+
+def changes_of(value, names):
+    if isinstance(value, int):
+        return [value + 1, value - 1]
+    found = []
+    for match in re.finditer(r"(?<![\w.])\d+(?!\w)|\+|(?<=\S) - |\*(?!\*)(?<!\*\*)|(?<!\w)[A-Za-z_]\w*", value):
+        token = match.group()
+        swapped = {"+": ["-"], " - ": [" + "], "*": ["+"]}
+        news = [str(int(token) + 1)] if token.isdecimal() else swapped.get(token, [n for n in names if n != token][:2])
+        found += [value[: match.start()] + new + value[match.end() :] for new in news]
+    return found
+
+
+def tampered(record, data, keys):
+    paths = [path for key in keys for path in leaves(record[key], (key,)) if path[-1] != "method"]
+    path = data.draw(st.sampled_from(paths))
+    names = sorted({*re.findall(r"[a-z]\w*", json.dumps([record[key] for key in ("lhs", "rhs", "constraints")]))})
+    options = changes_of(at_path(record, path), names)
+    assume(options)
+    changed = copy.deepcopy(record)
+    at_path(changed, path[:-1])[path[-1]] = data.draw(st.sampled_from(options))
+    return changed, path
+
+
+@settings(max_examples=150, deadline=None)
+@given(data=st.data())
+def test_a_changed_statement_is_rejected_or_as_true(records, data):
+    record = records[data.draw(st.sampled_from(sorted(records)))]
+    changed, path = tampered(record, data, ["lhs", "rhs", "constraints", "nonzero"])
+    if replay_identity(changed).status == "replayed":
+        proof = prove(changed["lhs"], changed["rhs"], constraints=changed["constraints"], nonzero=changed["nonzero"])
+        assert proof.verdict == record["verdict"], path
+
+
+def same(old, new):
+    names = {name: sympy.Symbol(name) for name in re.findall(r"[A-Za-z_]\w*", f"{old} {new}")}
+    first, second = (sympy.sympify(str(text), locals=names) for text in (old, new))
+    return sympy.expand(first - second) == 0
+
+
+IDLE = ("units", "witness", "root between", "translations", "values", "power", "multiplier")
+
+
+@settings(max_examples=200, deadline=None)
+@given(data=st.data())
+def test_changed_evidence_is_rejected_where_it_is_used(records, data):
+    record = records[data.draw(st.sampled_from(sorted(records)))]
+    changed, path = tampered(record, data, ["certificate"])
+    if replay_identity(changed).status == "replayed":
+        idle = bool({*IDLE} & {*path}) or not json.dumps(record["certificate"]).count("cofactors")
+        assert idle or same(at_path(record, path), at_path(changed, path)), (path, at_path(changed, path))
+
+
+@settings(max_examples=6, deadline=None)
+@given(data=st.data())
+def test_a_change_anywhere_in_the_cases_of_ceva_is_rejected(ceva, data):
+    changed, path = tampered(ceva, data, ["certificate"])
+    if replay_identity(changed).status == "replayed":
+        assert {*IDLE} & {*path} or same(at_path(ceva, path), at_path(changed, path)), path
+
+
+def test_the_command_replays_the_answers_to_a_file(tmp_path):
+    items = [{"lhs": "(a + b)^2", "rhs": "a^2 + 2*a*b + b^2"}, {"lhs": "x", "rhs": "0.5", "constraints": ["2*x = 1"]}]
+    (tmp_path / "mine.json").write_text(json.dumps(items))
+    answers = CliRunner().invoke(main, ["check", str(tmp_path / "mine.json"), "--format", "json"])
+    (tmp_path / "answers.json").write_text(answers.stdout)
+    result = CliRunner().invoke(main, ["replay", str(tmp_path / "answers.json")])
+    assert result.exit_code == 0, result.output
+    assert "2 identities: 2 replayed, 0 rejected" in result.output
+    changed = json.loads(answers.stdout)
+    changed["identities"][0]["rhs"] = "a^2 + 3*a*b + b^2"
+    (tmp_path / "changed.json").write_text(json.dumps(changed))
+    result = CliRunner().invoke(main, ["replay", str(tmp_path / "changed.json")])
+    assert result.exit_code == 1
+    assert "the two sides differ" in result.output
+
+
+def test_numbers_of_an_extension_are_those_of_sympy():
+    from algebroproj_sym.replaying.residues import Residue
+
+    square = (Fraction(1), Fraction(0), Fraction(-2))
+    root = Residue((Fraction(1), Fraction(0)), square)
+    one = Residue((Fraction(1),), square)
+    value = (one + root) ** 3 / (root - one)
+    assert sympy.expand(sympy.radsimp((1 + sympy.sqrt(2)) ** 3 / (sympy.sqrt(2) - 1))) == sum(
+        sympy.Rational(c) * sympy.sqrt(2) ** k for k, c in enumerate(reversed(value.coefficients))
+    )

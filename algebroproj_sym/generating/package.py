@@ -22,6 +22,7 @@ from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.measured import Measured
 from algebroproj_sym.generating.numpy_source import packed, statements
 from algebroproj_sym.generating.operation_counts import operation_counts
+from algebroproj_sym.generating.plain_source import plain_files
 from algebroproj_sym.generating.program import Call, Step, run
 from algebroproj_sym.generating.runtime import _primitives as primitives
 
@@ -72,7 +73,8 @@ def render(
     files["__init__.py"] = _TEMPLATES.get_template("init.py.j2").render(notice=NOTICE, modules=sorted(modules))
     files |= {path.name: _with_notice(path.read_text(encoding="utf-8")) for path in runtime_modules()}
     files["py.typed"] = ""
-    files |= c_files([low for group in modules.values() for low in group], NOTICE)
+    every = [low for group in modules.values() for low in group]
+    files |= c_files(every, NOTICE) | plain_files(every, NOTICE)
     return stamped(dict(sorted(files.items())))
 
 

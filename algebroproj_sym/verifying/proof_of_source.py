@@ -20,7 +20,7 @@ from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 from algebroproj_sym.verifying.shipped import call, function_of, replaced
 
 
-def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint") -> bool:
+def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint", *, plain: bool = False) -> bool:
     """Whether the generated function, executed on rational functions, is identical to the derivation.
 
     Parameters
@@ -31,6 +31,8 @@ def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint")
         Where the generated function is.
     engine : {"flint", "sympy"}
         The polynomial arithmetic.
+    plain : bool
+        Whether it is executed without compensation.
 
     Returns
     -------
@@ -40,7 +42,8 @@ def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint")
     free = [symbol for stage in called for symbol in stage.results]
     field = RationalFunctionField((*kernel.symbols, *free), engine)
     inputs = {symbol.name: np.array(field.variables[symbol], dtype=object) for symbol in kernel.symbols}
-    function = function_of(kernel, package)
+    shipped = function_of(kernel, package)
+    function = package.plain(shipped) if plain else shipped
     calls = _Calls(called, field)
     replacements: dict[str, Any] = {stage.primitive: partial(calls.answer, stage.primitive) for stage in called}
     if not replacements.keys() <= function.__globals__.keys():

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "48c3428cbb63893e"
+DIGEST = "a99a536433c8dff8"
 """What identifies the C source that belongs to this package."""
 
 

@@ -256,7 +256,8 @@ def _measured(low: Lowered, measured: Measured | None) -> str:
     if measured is None:
         return ""
     backward = any(stage.primitive in LINEAR for stage in low.kernel.stages)
-    return fill(measured.sentence(backward), width=112, subsequent_indent="    ")
+    sentences = [measured.sentence(backward)] + ([measured.plain.sentence()] if measured.plain else [])
+    return "\n    ".join(fill(sentence, width=112, subsequent_indent="    ") for sentence in sentences)
 
 
 def _example_call(kernel: Kernel) -> str:

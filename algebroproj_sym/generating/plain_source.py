@@ -1,8 +1,8 @@
 """Printing programs as C99 without compensation: a function for each kernel, which loops over arrays of points.
 
-The entries of a point follow each other, as in an array of NumPy.  Compilers read and write them so in loops over several
-points at a time if their number is one of `INTERLEAVED`; other operands are copied to or from rows of `STRIP` points on
-the way.  Statement by statement a function does what the NumPy source does where numbers keep their digits.
+The entries of a point follow each other, as in an array of NumPy.  Compilers read and write them so, several points at
+a time, if their number is one of `INTERLEAVED`; other operands are copied to or from rows of `STRIP` points on the way.
+Statement by statement a function does what the NumPy source does where numbers keep their digits.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ def plain_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     Returns
     -------
     dict of str to str
-        The text of each file by its name: ``_plain_kernels.h`` with the formulas and ``_plain_loops.h`` with the loop of
-        the ufuncs.
+        The text of each file by its name: ``_plain_kernels.h`` with the formulas, and ``_plain_loops.h`` with the loop
+        of the ufuncs.
     """
     compiled = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
     calls = [step for low in compiled for step in low.plain.steps if isinstance(step, Call)]

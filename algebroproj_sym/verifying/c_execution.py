@@ -199,12 +199,14 @@ def plain_outputs(
 
 
 def _run_loops(name: str, body: str, length: str, scope: _Scope) -> None:
-    """Execute loops over the same points, one after the other; before them, rows may be declared that all of them use."""
+    """Execute loops over the same points, one after the other; before them, rows may be declared for all of them."""
     declared, *loops = _parsed(f"void {name}(void)\n{body.replace(_POINTS, '')}").body.block_items
     rows: dict[int, Any] = {}
     match declared:
-        case c_ast.Decl(name="rows", init=None, type=c_ast.ArrayDecl(dim=count, type=c_ast.ArrayDecl(dim=strip))):
-            places, same_length = _index(count), _index(strip) == int(length)
+        case c_ast.Decl(
+            name="rows", init=None, type=c_ast.ArrayDecl(dim=count, type=c_ast.ArrayDecl(dim=strip, type=kind))
+        ):
+            places, same_length = _index(count), str(_index(strip)) == length and kind.type.names == ["real"]
         case _:
             loops, places, same_length = [declared, *loops], 0, length == "all"
     if not same_length or len(loops) != body.count(_POINTS):

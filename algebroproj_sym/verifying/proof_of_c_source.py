@@ -136,7 +136,7 @@ def plain_kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint"
 def _is_proved(
     kernel: Kernel, engine: str, outputs: Callable[[RationalFunctionField, Meaning], list[Any]], *, once: bool
 ) -> bool:
-    """Whether what is given to linear systems, which are solved once or refined, and the outputs are the derivation's."""
+    """Whether what is given to linear systems, solved once or refined, and the outputs are those of the derivation."""
     called = [stage for stage in kernel.stages if stage.primitive in LINEAR]
     free = [symbol for stage in called for symbol in stage.results]
     field = RationalFunctionField((*kernel.symbols, *free), engine)

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._namespace import is_foreign, namespace
+from ._tape import recorded
 
 __all__ = ["Signature", "evaluate"]
 
@@ -45,6 +46,8 @@ class Signature:
         How many points of a batch are computed at once.
     twin : ufunc, optional
         The compiled version of the body.
+    recordable : bool
+        Whether the body consists of + - * / alone, so that it may be run in buffers.
     """
 
     name: str
@@ -52,6 +55,7 @@ class Signature:
     results: tuple[Shape, ...]
     block: int = BLOCK
     twin: Any = None
+    recordable: bool = False
 
 
 def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = None) -> Any:
@@ -221,6 +225,12 @@ def _fill(
     cores = [core for _, core in signature.arguments]
     entries = [entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)]
     targets = [to for array, core in zip(results, signature.results, strict=True) for to in _entries(array, core)]
+    if signature.recordable and dtype.kind in "fc" and all(entry.shape == batch for entry in entries):
+        tape = recorded(body, len(entries))
+        for block in _blocks(batch, signature.block):
+            taken = [entry[block].astype(dtype, order="C", copy=False) for entry in entries]
+            tape.run(taken, [target[block] for target in targets])
+        return
     if prod(batch) <= signature.block:
         values = body(*(entry.astype(dtype, copy=False) for entry in entries))
         for target, value in zip(targets, values, strict=True):

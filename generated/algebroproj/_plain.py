@@ -11,7 +11,7 @@ from types import FunctionType
 from typing import Any
 
 from ._backend import ufunc
-from ._evaluation import parts_of
+from ._evaluation import BLOCK, parts_of
 from ._primitives import null_vector_once, solve_once
 
 __all__ = ["plain"]
@@ -47,11 +47,15 @@ def plain(function: Callable[..., Any]) -> Callable[..., Any]:
     0.3333333333333333
     """
     signature, body = parts_of(function, "plain")
-    assert isinstance(function, FunctionType) and isinstance(body, FunctionType)
+    assert isinstance(function, FunctionType)
+    assert isinstance(body, FunctionType)
     twin = ufunc(f"plain_{function.__module__.rpartition('.')[2]}_{function.__name__}")
     names = function.__globals__ | _WITHOUT_COMPENSATION
     names[body.__name__] = _with_names(body, names)
-    names[f"_{function.__name__.upper()}_SIGNATURE"] = replace(signature, twin=twin)
+    recordable = _PRIMITIVES.isdisjoint(body.__code__.co_names)
+    names[f"_{function.__name__.upper()}_SIGNATURE"] = replace(
+        signature, block=2 * BLOCK if recordable else BLOCK, twin=twin, recordable=recordable
+    )
     return _with_names(function, names)
 
 
@@ -66,6 +70,10 @@ _WITHOUT_COMPENSATION = {
     "null_vector": null_vector_once,
 }
 """What the names mean that a body uses for more digits."""
+
+
+_PRIMITIVES = frozenset(["arctan2", "cos_sin", "null_vector", "solve"])
+"""What a body calls beside + - * /."""
 
 
 def _with_names(function: FunctionType, names: dict[str, Any]) -> FunctionType:

@@ -76,6 +76,7 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDA
     Operations: 6 (1 -, 3 *, 1 /, 1 neg); the derived expression as written takes 6.
 
     Measured error in float64: 0.348 ULP in the median and 1.55 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.348 ULP in the median, 1.55 ULP at most on ordinary input, 1.55 ULP on any.
 
     Examples
     --------
@@ -161,6 +162,8 @@ def reconstruct_jacobian(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *,
     With double-double operations for sums that may cancel: 93, 3 of them errors of products.
 
     Measured error in float64: 0.274 ULP in the median and 1.08 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.396 ULP in the median, 6.15 ULP at most on ordinary input, 2.01e+13 ULP on
+    any.
 
     Examples
     --------
@@ -245,6 +248,7 @@ def rotation_left(phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None 
     Operations: 8 (4 *, 2 neg, 2 cos_sin); the derived expression as written takes 4.
 
     Measured error in float64: 0.269 ULP in the median and 1.64 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.269 ULP in the median, 1.64 ULP at most on ordinary input, 1.64 ULP on any.
 
     Examples
     --------
@@ -319,6 +323,7 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
     With double-double operations for sums that may cancel: 184, 11 of them errors of products.
 
     Measured error in float64: 0.279 ULP in the median and 1.47 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.364 ULP in the median, 8.19 ULP at most on ordinary input, 14.2 ULP on any.
 
     Examples
     --------
@@ -399,6 +404,7 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
     With double-double operations for sums that may cancel: 765, 45 of them errors of products.
 
     Measured error in float64: 0.247 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.542 ULP in the median, 130 ULP at most on ordinary input, 130 ULP on any.
 
     Examples
     --------
@@ -511,6 +517,8 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
     With double-double operations for sums that may cancel: 837, 47 of them errors of products.
 
     Measured error in float64: 0.27 ULP in the median and 1.13 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.444 ULP in the median, 26.4 ULP at most on ordinary input, 1.08e+06 ULP on
+    any.
 
     Examples
     --------
@@ -610,6 +618,8 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     With double-double operations for sums that may cancel: 326, 20 of them errors of products.
 
     Measured error in float64: 0.335 ULP in the median and 1.74 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.553 ULP in the median, 2.04e+03 ULP at most on ordinary input, 2.04e+03 ULP on
+    any.
 
     Examples
     --------
@@ -682,6 +692,7 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
     With double-double operations for sums that may cancel: 146, 9 of them errors of products.
 
     Measured error in float64: 0.412 ULP in the median and 2.27 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.05 ULP in the median, 65.5 ULP at most on ordinary input, 8.53e+14 ULP on any.
 
     Examples
     --------
@@ -781,6 +792,7 @@ def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray
     With double-double operations for sums that may cancel: 466, 21 of them errors of products.
 
     Measured error in float64: 0.369 ULP in the median and 2.32 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.45 ULP in the median, 63.9 ULP at most on ordinary input, 1.08e+15 ULP on any.
 
     Examples
     --------
@@ -872,6 +884,7 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
     With double-double operations for sums that may cancel: 146, 9 of them errors of products.
 
     Measured error in float64: 0.472 ULP in the median and 1.8 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.37 ULP in the median, 60.8 ULP at most on ordinary input, 8.99e+14 ULP on any.
 
     Examples
     --------
@@ -971,6 +984,7 @@ def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArr
     With double-double operations for sums that may cancel: 467, 21 of them errors of products.
 
     Measured error in float64: 0.385 ULP in the median and 2.39 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.58 ULP in the median, 86 ULP at most on ordinary input, 7.62e+14 ULP on any.
 
     Examples
     --------
@@ -1063,6 +1077,7 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
     With double-double operations for sums that may cancel: 79, 4 of them errors of products.
 
     Measured error in float64: 0.128 ULP in the median and 1.05 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.13 ULP in the median, 1.28 ULP at most on ordinary input, 1.38 ULP on any.
 
     Examples
     --------
@@ -1142,6 +1157,7 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
     With double-double operations for sums that may cancel: 501, 32 of them errors of products.
 
     Measured error in float64: 0.238 ULP in the median and 0.499 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.77 ULP in the median, 62.6 ULP at most on ordinary input, 2.67e+15 ULP on any.
 
     Examples
     --------
@@ -1245,6 +1261,7 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     With double-double operations for sums that may cancel: 1598, 87 of them errors of products.
 
     Measured error in float64: 0.264 ULP in the median and 0.499 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 2.97 ULP in the median, 139 ULP at most on ordinary input, 1.07e+15 ULP on any.
 
     Examples
     --------
@@ -1365,6 +1382,7 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     With double-double operations for sums that may cancel: 1021, 52 of them errors of products.
 
     Measured error in float64: 0.258 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.958 ULP in the median, 114 ULP at most on ordinary input, 114 ULP on any.
 
     Examples
     --------

@@ -68,6 +68,8 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
     With double-double operations for sums that may cancel: 38.
 
     Measured error in float64: 0.474 ULP in the median and 2.1 ULP at most (300 samples, near singularities too).
+    Without compensation (`plain`): 0.593 ULP in the median, 2.85 ULP at most on ordinary input, 6.26e+12 ULP on
+    any.
 
     Examples
     --------
@@ -147,6 +149,8 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
     With double-double operations for sums that may cancel: 408, 16 of them errors of products.
 
     Measured error in float64: 0.253 ULP in the median and 0.5 ULP at most (300 samples, near singularities too).
+    Without compensation (`plain`): 0.664 ULP in the median, 6.15e+03 ULP at most on ordinary input, 3.64e+14 ULP on
+    any.
 
     Examples
     --------
@@ -232,6 +236,7 @@ def transform(tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     Operations: 2 (2 -); the derived expression as written takes 2.
 
     Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.0 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
 
     Examples
     --------
@@ -291,6 +296,8 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     With double-double operations for sums that may cancel: 58, 2 of them errors of products.
 
     Measured error in float64: 0.322 ULP in the median and 1.4 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.804 ULP in the median, 7.65 ULP at most on ordinary input, 3.89e+13 ULP on
+    any.
 
     Examples
     --------
@@ -383,6 +390,7 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     With double-double operations for sums that may cancel: 492, 28 of them errors of products.
 
     Measured error in float64: 0.191 ULP in the median and 3.77 ULP at most (500 samples, near singularities too).
+    Without compensation (`plain`): 0.722 ULP in the median, 89 ULP at most on ordinary input, 7.05e+16 ULP on any.
 
     Examples
     --------
@@ -487,6 +495,7 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     With double-double operations for sums that may cancel: 86, 3 of them errors of products.
 
     Measured error in float64: 0.447 ULP in the median and 2.32 ULP at most (250 samples, near singularities too).
+    Without compensation (`plain`): 1.48 ULP in the median, 8.55 ULP at most on ordinary input, 1.28e+15 ULP on any.
 
     Examples
     --------
@@ -573,6 +582,7 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     With double-double operations for sums that may cancel: 491, 25 of them errors of products.
 
     Measured error in float64: 0.258 ULP in the median and 0.5 ULP at most (350 samples, near singularities too).
+    Without compensation (`plain`): 1.63 ULP in the median, 53.1 ULP at most on ordinary input, 6.64e+14 ULP on any.
 
     Examples
     --------
@@ -664,6 +674,7 @@ def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDA
     Operations: 10 (1 +, 2 *, 4 /, 3 neg); the derived expression as written takes 11.
 
     Measured error in float64: 0.267 ULP in the median and 1.65 ULP at most (300 samples, near singularities too).
+    Without compensation (`plain`): 0.267 ULP in the median, 1.65 ULP at most on ordinary input, 1.65 ULP on any.
 
     Examples
     --------
@@ -741,6 +752,7 @@ def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) ->
 
     Measured error in float64: 0.000924 ULP in the median and 1.39 ULP at most (150 samples, near singularities
     too).
+    Without compensation (`plain`): 0.000924 ULP in the median, 1.39 ULP at most on ordinary input, 1.39 ULP on any.
 
     Examples
     --------

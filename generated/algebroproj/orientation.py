@@ -68,6 +68,7 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
     With double-double operations for sums that may cancel: 210, 10 of them errors of products.
 
     Measured error in float64: 0.454 ULP in the median and 3.01 ULP at most (250 samples, near singularities too).
+    Without compensation (`plain`): 2.45 ULP in the median, 28.3 ULP at most on ordinary input, 6.25e+15 ULP on any.
 
     Examples
     --------
@@ -158,6 +159,7 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     With double-double operations for sums that may cancel: 239, 10 of them errors of products.
 
     Measured error in float64: 0.478 ULP in the median and 3.02 ULP at most (350 samples, near singularities too).
+    Without compensation (`plain`): 1.63 ULP in the median, 139 ULP at most on ordinary input, 5.26e+14 ULP on any.
 
     Examples
     --------
@@ -275,6 +277,8 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     With double-double operations for sums that may cancel: 2302, 112 of them errors of products.
 
     Measured error in float64: 0.543 ULP in the median and 2.32 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 1.21 ULP in the median, 1.02e+03 ULP at most on ordinary input, 3.79e+06 ULP on
+    any.
 
     Examples
     --------

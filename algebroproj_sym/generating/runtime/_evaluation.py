@@ -226,8 +226,8 @@ def _fill(
     if signature.recordable and dtype.kind in "fc" and all(entry.shape == batch for entry in entries):
         tape = recorded(body, len(entries))
         for block in _blocks(batch, signature.block):
-            taken = [entry[block].astype(dtype, order="C", copy=False) for entry in entries]
-            tape.run(taken, [target[block] for target in targets])
+            whole = [entry[block].astype(dtype, order="C", copy=False) for entry in entries]
+            tape.run(whole, [target[block] for target in targets])
         return
     if prod(batch) <= signature.block:
         values = body(*(entry.astype(dtype, copy=False) for entry in entries))
@@ -267,7 +267,7 @@ def _part(entry: NDArray[Any], block: tuple[slice, ...]) -> NDArray[Any]:
 def _of_other_library(signature: Signature, body: Body, given: Sequence[Any], out: Any) -> Any:
     """Evaluate whole arrays of a library that follows the Python array API standard."""
     xp = namespace(given)
-    if any(is_foreign(value) and value.__array_namespace__() is not xp for value in given):
+    if any(is_foreign(value) and namespace([value]) is not xp for value in given):
         kinds = sorted({type(value).__name__ for value in given if is_foreign(value)})
         raise TypeError(f"{signature.name}: expected arrays of one library, got {', '.join(kinds)}")
     if out is not None:

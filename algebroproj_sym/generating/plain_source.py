@@ -89,7 +89,7 @@ def _function(low: Lowered) -> dict[str, object]:
     written = [rows.get(entry, direct[entry]) for entry in values if entry not in constant]
     loops = [
         [f"{row} = {direct[entry]};" for entry, row in rows.items() if entry not in values],
-        statements(computed, read, written, _solved),
+        statements(computed, read, written, solved_once),
         [f"{direct[entry]} = {constant.get(entry, row)};" for entry, row in rows.items() if entry in values],
     ]
     return {
@@ -118,7 +118,7 @@ def _arrays(kernel: Kernel) -> dict[str, int]:
     return inputs | {f"out{place}": prod(shape) for place, shape in enumerate(shapes[split:])}
 
 
-def _solved(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
+def solved_once(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
     """Return the statements that solve a linear system."""
     size = len(call.rows)
     return [

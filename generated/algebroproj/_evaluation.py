@@ -89,9 +89,9 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     >>> float(evaluate(ratio, lambda x0, x1: (x0 / x1,), ([1, 2],)))
     0.5
     """
-    if signature.twin is not None and out is None and _are_alike(given):
+    if signature.twin is not None and _are_alike(given) and (out is None or _is_fitting(signature, given, out)):
         try:
-            return signature.twin(*given)
+            return signature.twin(*given) if out is None else signature.twin(*given, out)
         except ValueError:  # another shape, of which the rest of this function knows what to say
             pass
     if any(map(is_foreign, given)):
@@ -134,7 +134,20 @@ def _are_alike(given: Sequence[Any]) -> bool:
     first = given[0]
     if type(first) is not np.ndarray or not _is_compiled(first.dtype):
         return False
-    return all(type(array) is np.ndarray and array.dtype is first.dtype for array in given)
+    dtype = first.dtype
+    return all(type(array) is np.ndarray and array.dtype is dtype for array in given)
+
+
+def _is_fitting(signature: Signature, given: Sequence[Any], out: Any) -> bool:
+    """Whether alike arguments have the same leading shape, and the one array for the result has it as well."""
+    first = given[0]
+    if type(out) is not np.ndarray or out.dtype is not first.dtype or len(signature.results) > 1:
+        return False
+    batch = first.shape[: first.ndim - len(signature.arguments[0][1])]
+    cores = [core for _, core in signature.arguments]
+    return out.shape == batch + signature.results[0] and all(
+        array.shape == batch + core for array, core in zip(given, cores, strict=True)
+    )
 
 
 def _is_compiled(dtype: np.dtype[Any]) -> bool:

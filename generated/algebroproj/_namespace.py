@@ -51,4 +51,4 @@ def _of_tensors() -> Any:
     try:
         return import_module("array_api_compat.torch")
     except ImportError as error:
-        raise TypeError("expected the package array-api-compat, which tensors of torch need, to be installed") from error
+        raise TypeError("expected the package array-api-compat, which tensors of torch need, got none") from error

@@ -45,7 +45,7 @@ def shipped(folder, kernel, *changes):
     return load_package(folder)
 
 
-# verifying/samples.py: `_near` never ends, or raises
+# generating/samples.py: `_near` never ends, or raises
 
 
 @pytest.mark.parametrize(

@@ -48,7 +48,6 @@ def jacobian_parts(kernel: Kernel) -> KernelParts:
         "example": kernel.example,
         "describe": kernel.describe,
         "normwise": kernel.normwise,
-        "throughout": kernel.throughout,
     }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from keyword import iskeyword
 from typing import Any, NotRequired, TypedDict, Unpack
 
@@ -84,9 +84,8 @@ class Kernel:
         Decimal values of the arguments for the example of its docstring.
     describe : mapping of str to str
         What each argument is, with its unit.
-    throughout : bool
-        Whether all its operations have twice the digits, and not only those that sums which may cancel rest on: for
-        long products, where the roundings add up.
+    alternatives : tuple of Kernel
+        The same kernel with other forms and abbreviations, of which the generator may choose.
     normwise : bool
         Whether errors are measured against the largest entry of an argument or result, as for points in one unit that
         make up a linear system, instead of entry by entry.
@@ -105,7 +104,7 @@ class Kernel:
     describe: Mapping[str, str]
     stages: tuple[Stage, ...] = ()
     normwise: bool = False
-    throughout: bool = False
+    alternatives: tuple[Kernel, ...] = ()
 
     @property
     def qualified_name(self) -> str:
@@ -137,6 +136,13 @@ def _joined(forms: Sequence[Expression]) -> Expression:
     return forms[0] if len(forms) == 1 else vector(*(entry for form in forms for entry in entries(form)))
 
 
+class Alternative(TypedDict):
+    """Another form of a kernel, with its own abbreviations."""
+
+    form: Any
+    where: NotRequired[Mapping[sympy.Symbol, Any]]
+
+
 class KernelParts(TypedDict):
     """What a kernel declares beside its name and summary."""
 
@@ -149,7 +155,7 @@ class KernelParts(TypedDict):
     where: NotRequired[Mapping[sympy.Symbol, Any]]
     through: NotRequired[Sequence[Stage]]
     normwise: NotRequired[bool]
-    throughout: NotRequired[bool]
+    alternatives: NotRequired[Sequence[Alternative]]
 
 
 def declared_kernel(
@@ -173,16 +179,31 @@ def declared_kernel(
         summary=summary,
         arguments=tuple(Argument(key, rational(value, f"{label}, {key}")) for key, value in parts["arguments"].items()),
         results=_results(parts["derived"], parts.get("form", parts["derived"]), label),
-        where=tuple((symbol, rational(value, f"{label}, where")) for symbol, value in parts.get("where", {}).items()),
+        where=_where(parts.get("where", {}), label),
         claims=tuple(parts["claims"]),
         example=parts["example"],
         describe=parts["describe"],
         stages=tuple(parts.get("through", ())),
         normwise=parts.get("normwise", False),
-        throughout=parts.get("throughout", False),
     )
-    _require_complete(kernel, label)
-    return kernel
+    alternatives = tuple(
+        _alternative(kernel, parts["derived"], other, label) for other in parts.get("alternatives", ())
+    )
+    for each in (kernel, *alternatives):
+        _require_complete(each, label)
+    return replace(kernel, alternatives=alternatives)
+
+
+def _alternative(kernel: Kernel, derived: Any, other: Alternative, label: str) -> Kernel:
+    return replace(
+        kernel,
+        results=_results(derived, other["form"], label),
+        where=_where(other.get("where", {}), label),
+    )
+
+
+def _where(given: Mapping[sympy.Symbol, Any], label: str) -> tuple[tuple[sympy.Symbol, sympy.Expr], ...]:
+    return tuple((symbol, rational(value, f"{label}, where")) for symbol, value in given.items())
 
 
 def _results(derived: Any, form: Any, label: str) -> tuple[Result, ...]:

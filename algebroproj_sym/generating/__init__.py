@@ -1,13 +1,15 @@
 """Generating: from a kernel to a straight-line program to NumPy and C source.
 
 graph (expressions without signs and repetitions) → sharing (common pairs) → lowering (a proved program)
-→ compensation (twice the digits where sums may cancel) → numpy_source; expansion (single numbers again) → c_source;
-plain_source (C without compensation); package (all files).  runtime has what the generated package brings along.
+→ compensation (twice the digits where sums may cancel) → choosing (among equal forms, on samples) → numpy_source;
+expansion (single numbers again) → c_source; plain_source (C without compensation); package (all files).  runtime has
+what the generated package brings along.
 """
 
 from algebroproj_sym.generating.c_source import c_files, c_name, is_compiled, is_compiled_plain
+from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.generating.compensation import compensated
-from algebroproj_sym.generating.lowering import Lowered, LoweringError, lower
+from algebroproj_sym.generating.lowering import Lowered, LoweringError
 from algebroproj_sym.generating.measured import Measured, measured_errors, recorded_errors
 from algebroproj_sym.generating.operation_counts import OperationCounts, operation_counts
 from algebroproj_sym.generating.package import PACKAGE, drift, render, superfluous, write

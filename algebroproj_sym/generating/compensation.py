@@ -1,7 +1,7 @@
 """Compensation: sums that may cancel are computed from operands of twice the digits, and rounded once.
 
 A rounded operand of a sum is an error that cancellation enlarges.  Going from the results back to the inputs, each sum
-asks its operands for twice the digits (double-double numbers, which begin with ``wide``); so do the operations that
+asks its operands for twice the digits (compensated numbers, which begin with ``wide``); so do the operations that
 such an operand is made of, down to the inputs, which are exact, and linear systems, whose residuals cancel.  Products
 and quotients enlarge no relative error, and take ``rounded`` operands.  In real arithmetic nothing changes: there
 ``wide`` and ``rounded`` are the identity.

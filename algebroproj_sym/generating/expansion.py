@@ -1,6 +1,6 @@
 """Expansion: a program without changes of digits, for printers that know only single numbers.
 
-The program is run on recorded numbers: what double-double arithmetic does with them is written down as steps.
+The program is run on recorded numbers: what compensated arithmetic does with them is written down as steps.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from typing import Any
 
 from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
-from algebroproj_sym.generating.runtime._double_double import DoubleDouble
+from algebroproj_sym.generating.runtime._compensated import Compensated
 
 
 @cache
 def expanded(program: Program) -> Program:
-    """Return the program whose steps are the operations of double-double arithmetic on single numbers.
+    """Return the program whose steps are the operations of compensated arithmetic on single numbers.
 
     Examples
     --------
@@ -62,23 +62,23 @@ class _Recorder:
 
     def call(self, call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
         """Return the results of a call; in a row with numbers of twice the digits the second parts follow the first."""
-        doubled = any(isinstance(operand, DoubleDouble) for row in rows for operand in row)
+        doubled = any(isinstance(operand, Compensated) for row in rows for operand in row)
         written = tuple(map(_parts, rows)) if doubled else rows
         single = call.primitive in LINEAR or not doubled
         names = call.names if single else tuple(part for name in call.names for part in (name, f"{name}_rest"))
         self.steps.append(Call(names, call.primitive, tuple(tuple(map(_operand, row)) for row in written)))
         numbers = [_Recorded(self, name) for name in names]
-        return tuple(numbers) if single else tuple(map(DoubleDouble, numbers[::2], numbers[1::2]))
+        return tuple(numbers) if single else tuple(map(Compensated, numbers[::2], numbers[1::2]))
 
 
 def _parts(row: tuple[Any, ...]) -> tuple[Any, ...]:
-    pairs = [operand if isinstance(operand, DoubleDouble) else DoubleDouble(operand) for operand in row]
+    pairs = [operand.separated() if isinstance(operand, Compensated) else Compensated(operand) for operand in row]
     return (*(pair.hi for pair in pairs), *(0 if pair.lo is None else pair.lo for pair in pairs))
 
 
 def _operation(operator: Operator, reflected: bool = False) -> Callable[[_Recorded, Any], Any]:
     def method(number: _Recorded, other: Any) -> Any:
-        if isinstance(other, DoubleDouble):
+        if isinstance(other, Compensated):
             return NotImplemented
         return number.recorder.step(operator, *((other, number) if reflected else (number, other)))
 

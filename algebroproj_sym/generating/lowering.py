@@ -19,7 +19,7 @@ from algebroproj_sym.expressions import Scalar, determinant, divided, entries, e
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.graph import Graph, Node, Signed
 from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
-from algebroproj_sym.generating.sharing import share_pairs
+from algebroproj_sym.generating.sharing import share_pairs, share_reciprocals
 from algebroproj_sym.proving import RationalFunctionField
 
 
@@ -43,6 +43,8 @@ class Lowered:
         The irreducible factors that must not vanish.
     guarded : tuple of sympy.Expr
         Those of them that only guards divide by.
+    forms : int
+        Among how many forms, all proved equal, this one was chosen.
     """
 
     kernel: Kernel
@@ -50,6 +52,7 @@ class Lowered:
     plain: Program
     hypotheses: tuple[Scalar, ...]
     guarded: tuple[Scalar, ...]
+    forms: int = 1
 
     @property
     def input_hypotheses(self) -> tuple[Scalar, ...]:
@@ -63,8 +66,8 @@ class Lowered:
         return tuple(determinant(m) for m in systems if not m.free_symbols & {*self.kernel.intermediate})
 
 
-def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
-    """Lower a kernel and prove the program.
+def lowered_form(kernel: Kernel, engine: str = "flint", reciprocals: bool = False) -> Lowered:
+    """Lower the form of a kernel and prove the program.
 
     Parameters
     ----------
@@ -72,6 +75,8 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
         As declared by a derivation.
     engine : {"flint", "sympy"}
         The polynomial arithmetic for the proof.
+    reciprocals : bool
+        Whether quotients with one divisor are products with its reciprocal.
 
     Returns
     -------
@@ -87,20 +92,20 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     wanted = (*(stage.derived for stage in kernel.stages), kernel.derived)
     derived = [value for expression in wanted for value in evaluate(expression, field.variables, field.lift)]
     hypotheses = field.divisors()
-    unguarded = program_of(kernel, ())
+    unguarded = program_of(kernel, (), reciprocals)
     steps = [step for step in unguarded.steps if isinstance(step, Step)]
     if any(all(isinstance(operand, int) for operand in step.operands) for step in steps):
         raise LoweringError(f"kernel {kernel.qualified_name}: expected no constant fraction as an entry of its form")
     divisors = divisors_of(kernel, unguarded, engine)
     guarded = tuple(factor for factor in hypotheses if factor not in divisors)
-    program = program_of(kernel, guarded)
+    program = program_of(kernel, guarded, reciprocals)
     for place, (expected, value) in enumerate(zip(derived, computed_values(program, field), strict=True)):
         if not (expected - value).is_zero:
             raise LoweringError(
                 f"kernel {kernel.qualified_name}: entry {place} of its form differs from the derivation"
             )
     hypotheses = divisors_of(kernel, program, engine)
-    return Lowered(kernel, compensated(program, kernel.throughout), program, hypotheses, guarded)
+    return Lowered(kernel, compensated(program), program, hypotheses, guarded)
 
 
 def computed_values(program: Program, field: RationalFunctionField) -> tuple[Any, ...]:
@@ -126,7 +131,7 @@ def divisors_of(kernel: Kernel, program: Program, engine: str) -> tuple[Scalar, 
     return field.divisors()
 
 
-def program_of(kernel: Kernel, guarded: Sequence[Scalar]) -> Program:
+def program_of(kernel: Kernel, guarded: Sequence[Scalar], reciprocals: bool = False) -> Program:
     """Lower the form of a kernel, with a guard for each of the given factors."""
     graph = Graph()
     known = {symbol: graph.input(symbol.name) for symbol in (*kernel.symbols, *kernel.intermediate)}
@@ -142,7 +147,10 @@ def program_of(kernel: Kernel, guarded: Sequence[Scalar]) -> Program:
         constant = {out for out in outputs if graph.nodes[out[1]].kind == "number"}
         kept = constant if constant < set(outputs) else set()
         outputs = [out if out in kept else graph.sum([out, guard]) for out in outputs]
-    share_pairs(graph, [*(operand for _, operands in calls for operand in operands), *abbreviations.values(), *outputs])
+    wanted = [*(operand for _, operands in calls for operand in operands), *abbreviations.values(), *outputs]
+    if reciprocals:
+        share_reciprocals(graph, wanted)
+    share_pairs(graph, wanted)
     emitter = _Emitter(graph)
     for stage, operands in calls:
         emitter.call(stage, [emitter.signed(operand) for operand in operands])

@@ -249,7 +249,9 @@ def _operations(low: Lowered) -> str:
         return text
     single = expanded(low.program).operations()
     errors = f", {single['product_error']} of them errors of products" if single["product_error"] else ""
-    return f"{text}\n    With double-double operations for sums that may cancel: {single.total()}{errors}."
+    compensated = f"In compensated arithmetic, where sums may cancel: {single.total()}{errors}."
+    forms = f"\n    The cheapest of {low.forms} equal programs that err little." if low.forms > 1 else ""
+    return f"{text}\n    {compensated}{forms}"
 
 
 def _measured(low: Lowered, measured: Measured | None) -> str:

@@ -14,7 +14,8 @@ from operator import add, mul, neg, sub, truediv
 from typing import Any, Literal, TypeAlias
 
 from algebroproj_sym.declaring import Primitive
-from algebroproj_sym.generating.runtime._double_double import product_error, rounded, wide
+from algebroproj_sym.generating.runtime._compensated import rounded, wide
+from algebroproj_sym.generating.runtime._double_double import product_error
 
 Operator = Literal["+", "-", "*", "/", "neg", "wide", "rounded", "product_error"]
 Operand: TypeAlias = "str | int"

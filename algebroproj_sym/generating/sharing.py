@@ -1,6 +1,7 @@
 """Common subexpressions: sums and products that share terms or factors are built from shared pairs.
 
-The most frequent pair becomes a node of its own, again and again, until no pair occurs twice.
+The most frequent pair becomes a node of its own, again and again, until no pair occurs twice.  Quotients that share a
+divisor can be made products with its reciprocal.
 """
 
 from __future__ import annotations
@@ -48,6 +49,33 @@ def share_pairs(graph: Graph, outputs: Sequence[Signed]) -> None:
         for place in below(graph, outputs):
             if place != joined:
                 graph.nodes[place] = _with_pair(graph.nodes[place], pair, joined)
+
+
+def share_reciprocals(graph: Graph, outputs: Sequence[Signed]) -> None:
+    """Rewrite the quotients below some outputs whose divisor is that of others as products with its reciprocal.
+
+    Examples
+    --------
+    >>> import sympy
+    >>> symbols = sympy.symbols("a b c")
+    >>> graph = Graph()
+    >>> known = {symbol: graph.input(symbol.name) for symbol in symbols}
+    >>> a, b, c = symbols
+    >>> outputs = [graph.add(a / c, known), graph.add(b / c, known)]
+    >>> share_reciprocals(graph, outputs)
+    >>> [graph.nodes[place].kind for _, place in outputs]
+    ['product', 'product']
+    """
+    one, zero = Node("number", value=1), Node("number")
+    quotients = [place for place in below(graph, outputs) if graph.nodes[place].kind == "quotient"]
+    dividends = {place: graph.nodes[graph.nodes[place].operands[0][1]] for place in quotients}
+    divisors = Counter(graph.nodes[place].operands[1] for place in quotients if dividends[place] != zero)
+    for place in quotients:
+        dividend, divisor = graph.nodes[place].operands
+        is_integer = graph.nodes[divisor[1]].kind == "number"
+        if divisors[divisor] > 1 and not is_integer and dividends[place] not in (one, zero):
+            reciprocal = graph.quotient(graph.number(1), divisor)
+            graph.nodes[place] = graph.nodes[graph.product([dividend, reciprocal])[1]]
 
 
 def below(graph: Graph, outputs: Sequence[Signed]) -> tuple[int, ...]:

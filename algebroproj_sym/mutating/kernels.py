@@ -8,12 +8,12 @@ from types import ModuleType, SimpleNamespace
 from typing import Any, cast
 
 from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.mutating.forms import sampled
 from algebroproj_sym.mutating.sources import SourceMutant, source_mutants
 from algebroproj_sym.proving import seed_of
 from algebroproj_sym.verifying.accuracy import BOUND, measured, truths
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
-from algebroproj_sym.verifying.samples import stratified
 from algebroproj_sym.verifying.shipped import function_of
 
 

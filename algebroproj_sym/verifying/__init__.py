@@ -5,12 +5,12 @@ proof_of_c_source and singular_input ask the shipped function what no sample can
 against each other.
 """
 
+from algebroproj_sym.generating.samples import Sample, stratified
 from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, Stratum, accuracy, as_record, measured, truths
 from algebroproj_sym.verifying.identity import is_identical
 from algebroproj_sym.verifying.oracle import NoAgreementError, oracle
 from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
-from algebroproj_sym.verifying.samples import Sample, stratified
 from algebroproj_sym.verifying.shipped import NotShippedError, call, function_of, load_package, without_twin
 from algebroproj_sym.verifying.singular_input import silent_factors
 from algebroproj_sym.verifying.verification import Verification, verification_record, verify

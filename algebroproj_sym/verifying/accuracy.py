@@ -25,8 +25,8 @@ import numpy as np
 
 from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.samples import Sample, stratified
 from algebroproj_sym.verifying.oracle import Truth, oracle
-from algebroproj_sym.verifying.samples import Sample, stratified
 from algebroproj_sym.verifying.shipped import Function, call, function_of
 
 UNIT_ROUNDOFF = 2.0**-53

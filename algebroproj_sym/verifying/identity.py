@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj_sym.generating import Lowered
-from algebroproj_sym.verifying.samples import stratified
+from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.verifying.shipped import call, function_of, without_twin
 
 SPECIAL = (0.0, -0.0, 1.0, -1.0, np.inf, -np.inf, np.nan, 1e-300, 1e300, 1e-30, 1e30)

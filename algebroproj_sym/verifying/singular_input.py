@@ -8,7 +8,7 @@ import numpy as np
 
 from algebroproj_sym.expressions import Scalar
 from algebroproj_sym.generating import Lowered
-from algebroproj_sym.verifying.samples import on_factor
+from algebroproj_sym.generating.samples import on_factor
 from algebroproj_sym.verifying.shipped import call, function_of
 
 POINTS = 8

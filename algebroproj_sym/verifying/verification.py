@@ -8,11 +8,11 @@ from typing import Any
 
 from algebroproj_sym.expressions import Scalar
 from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, as_record, measured, strata_record, truths
 from algebroproj_sym.verifying.identity import is_identical
 from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved, plain_c_source_is_proved
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
-from algebroproj_sym.verifying.samples import stratified
 from algebroproj_sym.verifying.shipped import function_of
 from algebroproj_sym.verifying.singular_input import silent_factors
 

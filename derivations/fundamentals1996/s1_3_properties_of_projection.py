@@ -534,6 +534,22 @@ section.kernel(
         ]
     ),
     where=BARYCENTRIC | DIFFERENCES,
+    alternatives=[
+        {
+            "form": Matrix(
+                [
+                    [
+                        (u31 * y00 - u30 * y01) / (u30 * y01),
+                        (u32 * y00 - u30 * y02) / (u30 * y02),
+                        -(y00 + u30 * y03) / (u30 * y03),
+                    ],
+                    [u31 * y00 / (u30 * y01), 0, -u31 * y00 / (u30 * y03)],
+                    [0, u32 * y00 / (u30 * y02), -u32 * y00 / (u30 * y03)],
+                ]
+            ),
+            "where": BARYCENTRIC,
+        },
+    ],
     claims=["1.3.6#row0", "1.3.6#rows12"],
     example=EXAMPLE_CENTER,
     jacobian=True,
@@ -555,7 +571,6 @@ section.kernel(
     where=BARYCENTRIC,
     claims=["1.3.8"],
     example=EXAMPLE_CENTER,
-    throughout=True,
 )
 section.kernel(
     "projection.projection_determinant_from_mu",
@@ -579,6 +594,18 @@ section.kernel(
         ]
     ),
     where=DIFFERENCES | {D1: u31 * (A1 - y01), D2: u32 * (A2 - y02)},
+    alternatives=[
+        {
+            "form": Matrix(
+                [
+                    [-y01, y01 * (D1 + u30 * (1 - y01)) / D1, y01 * W2 / D2],
+                    [-y02, y02 * W1 / D1, y02 * (D2 + u30 * (1 - y02)) / D2],
+                    [-y03, y03 * W1 / D1, y03 * W2 / D2],
+                ]
+            ),
+            "where": BARYCENTRIC | {D1: u31 * y00, D2: u32 * y00, W1: D1 - u30 * y01, W2: D2 - u30 * y02},
+        },
+    ],
     claims=["1.3.7"],
     example=EXAMPLE_CENTER,
 )

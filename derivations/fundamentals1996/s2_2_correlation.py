@@ -789,7 +789,6 @@ section.kernel(
         "mu_right": ("0.75", "0.625", "0.875"),
         "u3_right": ("0.3125", "-0.25"),
     },
-    throughout=True,
 )
 
 # %% [markdown]

@@ -750,7 +750,6 @@ section.kernel(
         "u3": ("0.309509", "-0.258189"),
         "z_n": "0.1214564",
     },
-    throughout=True,
 )
 
 # %% [markdown]

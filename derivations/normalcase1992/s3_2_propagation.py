@@ -297,7 +297,6 @@ section.kernel(
     where=SLOPES,
     claims=["3.2.1#B_x", "3.2.1"],
     example=EXAMPLE,
-    throughout=True,
 )
 section.kernel(
     "metric.normal_covariance",

@@ -403,5 +403,4 @@ section.kernel(
     form=point_jacobian,
     where={w: denominator},
     claims=["1#matrix", "7/beyond/by-point"],
-    throughout=True,
 )

@@ -565,5 +565,4 @@ section.kernel(
         *("2.1/beyond/normal-equations", "2.1/beyond/exact", "2.1/beyond/rays"),
     ],
     normwise=True,
-    throughout=True,
 )

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "a99a536433c8dff8"
+DIGEST = "ab11b419636b0e19"
 """What identifies the C source that belongs to this package."""
 
 

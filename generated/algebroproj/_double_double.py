@@ -25,12 +25,11 @@ __all__ = [
     "DoubleDouble",
     "Unrounded",
     "chosen",
+    "fast_two_sum",
     "product_error",
-    "rounded",
     "splitter_of",
     "two_product",
     "two_sum",
-    "wide",
 ]
 
 Number: TypeAlias = Any
@@ -114,7 +113,11 @@ class DoubleDouble:
         return self._of(other).__truediv__(self)
 
     def _of(self, number: Number) -> DoubleDouble:
-        return number if isinstance(number, DoubleDouble) else type(self)(number)
+        if isinstance(number, DoubleDouble):
+            return number
+        if hasattr(number, "hi"):
+            raise TypeError(f"DoubleDouble: expected a number of the same kind, got a {type(number).__name__}")
+        return type(self)(number)
 
 
 class Unrounded(DoubleDouble):
@@ -122,7 +125,7 @@ class Unrounded(DoubleDouble):
 
     Examples
     --------
-    >>> rounded(Unrounded(1.0) / 10.0).lo
+    >>> (Unrounded(1.0) / 10.0).rounded().lo
     -5.551115123125783e-18
     """
 
@@ -131,16 +134,6 @@ class Unrounded(DoubleDouble):
     def rounded(self) -> Number:
         """Return the number itself."""
         return self
-
-
-def wide(number: Number) -> Number:
-    """Return a number whose sums, products and quotients are to be kept as two numbers."""
-    return number.wide() if hasattr(number, "wide") else DoubleDouble(number)
-
-
-def rounded(number: Number) -> Number:
-    """Return the one number nearest to a sum of two."""
-    return number.rounded()
 
 
 def chosen(condition: Any, first: DoubleDouble, second: DoubleDouble) -> DoubleDouble:

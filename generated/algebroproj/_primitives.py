@@ -19,6 +19,7 @@ from ._bounded_primitives import (
     null_vector_with_bounds,
     solution_with_bounds,
 )
+from ._compensated import Compensated, double_double
 from ._double_double import DoubleDouble, Unrounded, two_product, two_sum
 from ._elementary import arctan2_of_pair, cos_sin_of_pair
 from ._error_bounds import Bounded
@@ -32,8 +33,8 @@ def cos_sin(angle: Any) -> tuple[Any, Any]:
     """Return cosine and sine of an angle in radians, with as many digits as the angle has."""
     if isinstance(angle, Bounded):
         return cos_sin_with_bounds(angle, cos_sin)
-    if isinstance(angle, DoubleDouble):
-        cosine, sine = cos_sin_of_pair(angle)
+    if isinstance(angle, DoubleDouble | Compensated):
+        cosine, sine = cos_sin_of_pair(double_double(angle))
         return type(angle)(cosine.hi, cosine.lo), type(angle)(sine.hi, sine.lo)
     xp = namespace([angle])
     return xp.cos(angle), xp.sin(angle)
@@ -43,9 +44,9 @@ def arctan2(y: Any, x: Any) -> Any:
     """Return the angle, in radians between -pi and pi, of the direction (x, y), with as many digits as these have."""
     if isinstance(y, Bounded) or isinstance(x, Bounded):
         return arctan2_with_bound(y, x, arctan2)
-    kind = next((type(number) for number in (y, x) if isinstance(number, DoubleDouble)), None)
+    kind = next((type(number) for number in (y, x) if isinstance(number, DoubleDouble | Compensated)), None)
     if kind is not None:
-        angle = arctan2_of_pair(*(number if isinstance(number, DoubleDouble) else kind(number) for number in (y, x)))
+        angle = arctan2_of_pair(double_double(y), double_double(x))
         return kind(angle.hi, angle.lo)
     return namespace([y, x]).atan2(y, x)
 
@@ -219,7 +220,7 @@ def _scaled(xp: Any, vector: Sequence[Any]) -> tuple[Any, ...]:
 
 def _stacked_pairs(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any, Any]:
     """Return the array library of the entries, and their two parts as arrays of shape (rows, columns, ...)."""
-    entries = [entry if isinstance(entry, DoubleDouble) else DoubleDouble(entry) for row in rows for entry in row]
+    entries = [_two_parts(entry) for row in rows for entry in row]
     xp, both = _stacked([[entry.hi for entry in entries], [0 if entry.lo is None else entry.lo for entry in entries]])
     parts = xp.reshape(both, (2, len(rows), len(rows[0]), *both.shape[2:]))
     return xp, parts[0, ...], parts[1, ...]
@@ -234,6 +235,13 @@ def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any]:
         entries = _of_one_kind(entries)
     arrays = xp.broadcast_arrays(*(xp.asarray(entry, dtype=dtype) for entry in entries))
     return xp, xp.reshape(xp.stack(arrays), (len(rows), len(rows[0]), *arrays[0].shape))
+
+
+def _two_parts(number: Any) -> Compensated | DoubleDouble:
+    """Return a number of two parts, of which the first one is near the number."""
+    if isinstance(number, Compensated):
+        return number.separated()
+    return number if isinstance(number, DoubleDouble) else DoubleDouble(number)
 
 
 def _dtype(xp: Any, entries: Sequence[Any]) -> Any:

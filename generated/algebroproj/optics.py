@@ -10,7 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from ._backend import ufunc
-from ._double_double import rounded, wide
+from ._compensated import rounded, wide
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -404,8 +404,9 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0*u1 + mu0*u2 - mu0 - mu1*u1 -
     mu2*u2``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 9 (2 +, 2 -, 3 *, 2 /); the derived expression as written takes 16.
-    With double-double operations for sums that may cancel: 69, 3 of them errors of products.
+    Operations: 10 (2 +, 2 -, 5 *, 1 /); the derived expression as written takes 16.
+    In compensated arithmetic, where sums may cancel: 46, 3 of them errors of products.
+    The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.324 ULP in the median and 1.38 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 0.805 ULP in the median, 15.3 ULP at most on ordinary input, 1.51e+14 ULP on
@@ -423,9 +424,10 @@ def _map_plane_points(
     mu0: Any, mu1: Any, mu2: Any, u1: Any, u2: Any,
 ) -> tuple[Any, ...]:
     t6 = wide(mu1) * u1
-    t10 = wide(mu2) * u2
-    weighted = rounded(t6 + t10 - wide(mu0) * (wide(u1) + u2 - 1))
-    return rounded(t6) / weighted, rounded(t10) / weighted
+    t11 = wide(mu2) * u2
+    weighted = rounded(t6 + t11 - wide(mu0) * (wide(u1) + u2 - 1))
+    t7 = 1 / weighted
+    return rounded(t6) * t7, rounded(t11) * t7
 
 
 _MAP_PLANE_POINTS_SIGNATURE = Signature("map_plane_points", (("mu", (3,)), ("u", (2,))), ((2,),), twin=ufunc("optics_map_plane_points"))

@@ -13,8 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from ._double_double import DoubleDouble, chosen, wide
-from ._error_bounds import DOUBLED, SLACK, Bounded, bounded, guaranteed, high, magnitude, unit_of
+from ._compensated import double_double
+from ._double_double import DoubleDouble, chosen
+from ._error_bounds import DOUBLED, SLACK, Bounded, bounded, guaranteed, high, magnitude, tail, unit_of
 
 __all__ = ["arctan2_with_bound", "cos_sin_with_bounds", "null_vector_with_bounds", "solution_with_bounds"]
 
@@ -49,14 +50,14 @@ def arctan2_with_bound(y: Any, x: Any, function: Function) -> Bounded:
 def _of_library(value: Any) -> Any:
     """Return the assumed error of a function of the library, and that of its double-double counterpart, below 1."""
     unit = unit_of(value)
-    return 4 * DOUBLED * unit * unit if isinstance(value, DoubleDouble) else 2 * ULPS * unit
+    return 4 * DOUBLED * unit * unit if hasattr(value, "hi") else 2 * ULPS * unit
 
 
 def solution_with_bounds(rows: Sequence[Sequence[Any]], solve: Function) -> list[Bounded]:
     """Solve linear systems whose rows are coefficients and right side."""
     system = _system(rows)
     unknowns = solve(*([entry.value for entry in row] for row in system))
-    errors = _errors(system, unknowns, solve)
+    errors = _errors(_in_double_double(system), unknowns, solve)
     return [guaranteed(bounded(value, error)) for value, error in zip(unknowns, errors, strict=True)]
 
 
@@ -68,7 +69,7 @@ def null_vector_with_bounds(rows: Sequence[Sequence[Any]], null_vector: Function
     """
     matrix = _system(rows)
     vector = null_vector(*([entry.value for entry in row] for row in matrix))
-    columns = [list(column) for column in zip(*matrix, strict=True)]
+    columns = [list(column) for column in zip(*_in_double_double(matrix), strict=True)]
     last = len(vector) - 1
     right, left, others = columns[last], [], []
     ones = [_is_one(component) for component in vector]
@@ -89,7 +90,7 @@ def null_vector_with_bounds(rows: Sequence[Sequence[Any]], null_vector: Function
 
 
 def _is_one(number: Any) -> Any:
-    return (high(number) == 1) & (_tail(number) == 0)
+    return (high(number) == 1) & (tail(number) == 0)
 
 
 def _either(condition: Any, first: Any, second: Any) -> Any:
@@ -103,8 +104,12 @@ def _system(rows: Sequence[Sequence[Any]]) -> list[list[Bounded]]:
     return [[entry if isinstance(entry, Bounded) else Bounded(entry, 0.0) for entry in row] for row in rows]
 
 
+def _in_double_double(system: list[list[Bounded]]) -> list[list[Bounded]]:
+    return [[Bounded(double_double(entry.value), entry.error) for entry in row] for row in system]
+
+
 def _chosen(condition: Any, first: Bounded, second: Bounded) -> Bounded:
-    value = chosen(condition, wide(first.value), wide(second.value))
+    value = chosen(condition, first.value, second.value)
     return Bounded(value, np.where(condition, first.error, second.error))
 
 
@@ -113,7 +118,7 @@ def _errors(system: list[list[Bounded]], unknowns: Sequence[Any], solve: Functio
     size = len(system)
     unit = unit_of(unknowns[0])
     heads = [[high(entry.value) for entry in row[:-1]] for row in system]
-    tails = [[entry.error + _tail(entry.value) for entry in row[:-1]] for row in system]
+    tails = [[entry.error + tail(entry.value) for entry in row[:-1]] for row in system]
     inverse = list(zip(*(solve(*_with_right(heads, k)) for k in range(size)), strict=True))
     residuals = [_residual(row, unknowns, unit) for row in system]
     corrections = [_correction(row, residuals, unit) for row in inverse]
@@ -123,10 +128,6 @@ def _errors(system: list[list[Bounded]], unknowns: Sequence[Any], solve: Functio
     return [(correction + spread) * (1 + 8 * size * SLACK * unit) for correction in corrections]
 
 
-def _tail(number: Any) -> Any:
-    return abs(number.lo) if isinstance(number, DoubleDouble) and number.lo is not None else 0.0
-
-
 def _with_right(matrix: list[list[Any]], place: int) -> list[list[Any]]:
     return [[*row, 1.0 if i == place else 0.0] for i, row in enumerate(matrix)]
 
@@ -134,12 +135,12 @@ def _with_right(matrix: list[list[Any]], place: int) -> list[list[Any]]:
 def _residual(row: list[Bounded], unknowns: Sequence[Any], unit: Any) -> tuple[Any, Any]:
     """Return what an equation leaves, and how far off that may be, whatever its entries are within their bounds."""
     right = row[-1]
-    rest, scale, inherited = wide(right.value), magnitude(right.value), right.error
+    rest, scale, inherited = right.value, magnitude(right.value), right.error
     for entry, unknown in zip(row[:-1], unknowns, strict=True):
-        rest = rest - wide(entry.value) * unknown
+        rest = rest - entry.value * unknown
         scale = scale + magnitude(entry.value) * magnitude(unknown)
         inherited = inherited + entry.error * magnitude(unknown)
-    return rest.hi, _tail(rest) + (len(row) + 2) * DOUBLED * unit * unit * scale + inherited
+    return rest.hi, tail(rest) + (len(row) + 2) * DOUBLED * unit * unit * scale + inherited
 
 
 def _correction(row: Sequence[Any], residuals: Sequence[tuple[Any, Any]], unit: Any) -> Any:

@@ -1,9 +1,10 @@
 """Running error analysis: a number that carries a bound of its distance from the exact value.
 
 Each operation computes what the generated function computes, and adds to the bound what it may have rounded: at most u
-times the result (Wilkinson's running error analysis), a few u**2 for double-double numbers, nothing for error-free
-sums.  The bounds are themselves computed in floating-point arithmetic, and enlarged at each operation by more than it
-rounds.  Where nothing can be said (a divisor that may be zero, an overflow) the bound is infinite.
+times the result (Wilkinson's running error analysis), in compensated arithmetic u times what is rounded of the second
+parts, a few u**2 for double-double numbers, nothing in error-free sums and products.  The bounds are themselves
+computed in floating-point arithmetic, and enlarged at each operation by more than it rounds.  Where nothing can be said
+(a divisor that may be zero, an overflow) the bound is infinite.
 """
 
 from __future__ import annotations
@@ -13,7 +14,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ._double_double import DoubleDouble, wide
+from ._compensated import NEAREST, Compensated, wide
+from ._double_double import DoubleDouble
 
 __all__ = ["Bounded", "bounded", "guaranteed"]
 
@@ -22,10 +24,10 @@ Number: TypeAlias = Any
 SLACK = 16
 """By how many units roundoff a bound is enlarged after each operation on bounds; none takes more than 10 roundings."""
 
-_FLOAT64 = np.dtype(np.float64)
-
 DOUBLED = 16
 """What an operation on double-double numbers rounds at most, in u**2 of its result."""
+
+_FLOAT64 = np.dtype(np.float64)
 
 
 class Bounded:
@@ -33,7 +35,7 @@ class Bounded:
 
     Attributes
     ----------
-    value : number, array or DoubleDouble
+    value : number, array, Compensated or DoubleDouble
         What is computed.
     error : array
         An upper bound of the distance to the exact value.
@@ -58,15 +60,17 @@ class Bounded:
 
     def rounded(self) -> Bounded:
         """Return the rounded number, whose bound grows by what is cut off."""
-        rest = 0 if self.value.lo is None else abs(self.value.lo)
-        return guaranteed(bounded(self.value.hi, self.error + rest))
+        if isinstance(self.value, Compensated) and self.value.overlap != NEAREST:
+            value = self.value.rounded()
+            return guaranteed(bounded(value, self.error + unit_of(value) * abs(value)))
+        return guaranteed(bounded(self.value.hi, self.error + tail(self.value)))
 
     def __neg__(self) -> Bounded:
         return Bounded(-self.value, self.error)
 
     def __add__(self, other: Number) -> Bounded:
         total = self.value + _value(other)
-        return bounded(total, self.error + _error(other) + _rounding(total, self, other))
+        return bounded(total, self.error + _error(other) + _rounding_of_sum(self.value, _value(other), total))
 
     __radd__ = __add__
 
@@ -79,8 +83,9 @@ class Bounded:
     def __mul__(self, other: Number) -> Bounded:
         product = self.value * _value(other)
         a, b = magnitude(self.value), magnitude(_value(other))
-        error = a * _error(other) + b * self.error + self.error * _error(other)
-        return bounded(product, error + _rounding(product, self, other) + _tiny(product))
+        inherited = a * _error(other) + b * self.error + self.error * _error(other)
+        rounding = _rounding_of_product(self.value, _value(other), product)
+        return bounded(product, inherited + rounding + _tiny(product))
 
     __rmul__ = __mul__
 
@@ -93,11 +98,12 @@ class Bounded:
 
 def _quotient(a: Number, b: Number) -> Bounded:
     quotient = _value(a) / _value(b)
-    left = magnitude(_value(b)) * (1 - SLACK * unit_of(quotient)) - _error(b)
-    inherited = (_error(a) + magnitude(quotient) * (1 + SLACK * unit_of(quotient)) * _error(b)) / np.where(
-        left > 0, left, 0
-    )
-    return bounded(quotient, inherited + _rounding(quotient) + _tiny(quotient))
+    unit = unit_of(quotient)
+    left = magnitude(_value(b)) * (1 - SLACK * unit) - _error(b)
+    left = np.where(left > 0, left, 0)
+    inherited = (_error(a) + magnitude(quotient) * (1 + SLACK * unit) * _error(b)) / left
+    rounding = _rounding_of_quotient(_value(a), _value(b), quotient)
+    return bounded(quotient, inherited + rounding + _tiny(quotient))
 
 
 def bounded(value: Number, error: Number) -> Bounded:
@@ -120,26 +126,71 @@ def _error(number: Number) -> Number:
 
 
 def high(number: Number) -> Number:
-    return number.hi if isinstance(number, DoubleDouble) else number
+    return number.hi if hasattr(number, "hi") else number
+
+
+def tail(number: Number) -> Number:
+    """Return the absolute value of the second part of a number, 0 if it has none."""
+    low = getattr(number, "lo", None)
+    return 0 if low is None else abs(low)
 
 
 def magnitude(number: Number) -> Number:
-    """Return the absolute value of a number, of a double-double number that of its first part, a little enlarged."""
-    return abs(number.hi) * (1 + 4 * unit_of(number)) if isinstance(number, DoubleDouble) else abs(number)
+    """Return an upper bound of the absolute value of a number, that number itself if it has no second part."""
+    if _has_no_tail(number):
+        return abs(high(number))
+    return (abs(high(number)) + tail(number)) * (1 + 4 * unit_of(number))
 
 
-def _rounding(result: Number, *error_free: Number) -> Number:
-    """Return what an operation rounds at most; double-double sums and products of single numbers are error-free."""
-    unit = unit_of(result)
-    if not isinstance(result, DoubleDouble):
-        return unit * abs(result)
-    if error_free and all(_is_single(_value(operand)) for operand in error_free):
+def _rounding_of_sum(a: Number, b: Number, total: Number) -> Number:
+    """Return what a sum rounds at most: in compensated arithmetic a sum of the second parts and its error."""
+    if not hasattr(total, "hi"):
+        return unit_of(total) * abs(total)
+    if _has_no_tail(a) and _has_no_tail(b):
         return 0
-    return DOUBLED * unit * unit * magnitude(result)
+    if isinstance(total, DoubleDouble):
+        return _doubled(total)
+    return unit_of(total) * (2 * (tail(a) + tail(b)) + tail(total))
 
 
-def _is_single(number: Number) -> bool:
-    return not isinstance(number, DoubleDouble) or number.lo is None
+def _rounding_of_product(a: Number, b: Number, product: Number) -> Number:
+    """Return what a product rounds at most: in compensated arithmetic the two mixed products and their sums.
+
+    The product of the second parts is left out.
+    """
+    if not hasattr(product, "hi"):
+        return unit_of(product) * abs(product)
+    if _has_no_tail(a) and _has_no_tail(b):
+        return 0
+    if isinstance(product, DoubleDouble):
+        return _doubled(product)
+    a, b = _separated(a), _separated(b)
+    mixed = abs(high(a)) * tail(b) + tail(a) * abs(high(b))
+    return unit_of(product) * (3 * mixed + tail(product)) + tail(a) * tail(b)
+
+
+def _rounding_of_quotient(a: Number, b: Number, quotient: Number) -> Number:
+    """Return what a quotient rounds at most: in compensated arithmetic the remainder, and what divides it."""
+    if not hasattr(quotient, "hi"):
+        return unit_of(quotient) * abs(quotient)
+    if isinstance(quotient, DoubleDouble):
+        return _doubled(quotient)
+    a, b = _separated(a), _separated(b)
+    unit = unit_of(quotient)
+    remainder = unit * (3 * abs(quotient.hi) * tail(b) + 2 * tail(a)) + tail(quotient) * tail(b) + _tiny(quotient)
+    return remainder / abs(high(b)) + 4 * unit * tail(quotient)
+
+
+def _doubled(result: DoubleDouble) -> Number:
+    return DOUBLED * unit_of(result) * unit_of(result) * magnitude(result)
+
+
+def _has_no_tail(number: Number) -> bool:
+    return getattr(number, "lo", None) is None
+
+
+def _separated(number: Number) -> Number:
+    return number.separated() if isinstance(number, Compensated) else number
 
 
 def unit_of(number: Number) -> Number:

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj import correlation
+from algebroproj._double_double import DoubleDouble
 from algebroproj._error_bounds import Bounded, magnitude
 from algebroproj_sym.study.arithmetics import double_double_balls, float64_balls
 from algebroproj_sym.study.precision import Numbers, apply, lift, radius
@@ -228,7 +229,7 @@ def _angle_of_rounding(whole: Numbers, epipole: Array) -> Array:
     a, b = ([_ball(whole[..., i, j]) for j in range(3)] for i in (1, 2))
     exact = _cross(a, b)
     single = [np.ones(epipole.shape[:-1]), epipole[..., 0], epipole[..., 1]]
-    given = [Bounded(entry, np.zeros(entry.shape)).wide() for entry in single]
+    given = [Bounded(DoubleDouble(entry), np.zeros(entry.shape)) for entry in single]
     across = np.stack([_size(entry) for entry in _cross(exact, given)], axis=-1)
     least = [np.maximum(magnitude(entry.value) * (1 - 64 * UNIT_ROUNDOFF) - entry.error, 0) for entry in exact]
     lengths = [np.linalg.norm(np.stack(entries, axis=-1), axis=-1) for entries in (least, single)]

@@ -11,7 +11,7 @@ from itertools import islice
 import sympy
 
 from algebroproj_sym.expressions import Scalar, evaluate
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.proving import seed_of
 
 DISTANCES = tuple(range(1, 15))

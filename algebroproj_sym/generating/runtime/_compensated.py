@@ -1,0 +1,147 @@
+"""Compensated arithmetic: a number, and what rounding has taken from it, as an unevaluated sum that is rounded once.
+
+It has about the digits of double-double arithmetic at half the operations: the two parts may overlap, and are separated
+only before a product or quotient, where that matters (pair arithmetic of Lange and Rump).  Where nothing rounds, as
+with fractions or rational functions, the second part is zero, and the same source gives exact results.
+"""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+from ._double_double import DoubleDouble, fast_two_sum, two_product, two_sum
+
+__all__ = ["Compensated", "double_double", "rounded", "wide"]
+
+Number: TypeAlias = Any
+
+NEAREST, NEAR, SUM, SUMS = range(4)
+"""How far the parts may overlap: not at all, by a few units in the last place, as after one sum, or after several."""
+
+
+class Compensated:
+    """A number ``hi + lo``, where lo has gathered what was rounded off hi.
+
+    Attributes
+    ----------
+    hi, lo : number or array
+        The two parts; lo is None for a number that has no second part.
+    overlap : int
+        How far the parts may overlap.
+
+    Examples
+    --------
+    >>> tenth = Compensated(1.0) / 10.0
+    >>> tenth.hi, tenth.lo
+    (0.1, -5.551115123125783e-18)
+    >>> (tenth - 0.1).rounded()
+    -5.551115123125783e-18
+    """
+
+    __slots__ = ("_separated", "hi", "lo", "overlap")
+    __array_ufunc__ = None
+
+    def __init__(self, hi: Number, lo: Number = None, overlap: int = NEAREST) -> None:
+        self.hi = hi
+        self.lo = lo
+        self.overlap = overlap
+        self._separated: Compensated | None = None
+
+    def rounded(self) -> Number:
+        """Return the one number nearest to the sum of the two."""
+        return self.hi if self.overlap == NEAREST else self.hi + self.lo
+
+    def wide(self) -> Compensated:
+        """Return the number itself, which is one of twice the digits already."""
+        return self
+
+    def separated(self) -> Compensated:
+        """Return the number, with parts that overlap by a few units in the last place at most.
+
+        One sum leaves a first part that is zero or has no digits below the second one's last: the fast way is exact.
+        """
+        if self.overlap <= NEAR:
+            return self
+        if self._separated is None:
+            parts = fast_two_sum if self.overlap == SUM else two_sum
+            self._separated = Compensated(*parts(self.hi, self.lo))
+        return self._separated
+
+    def __neg__(self) -> Compensated:
+        return Compensated(-self.hi, None if self.lo is None else -self.lo, self.overlap)
+
+    def __add__(self, other: Number) -> Compensated:
+        x, y = self, _compensated(other)
+        hi, error = two_sum(x.hi, y.hi)
+        if x.lo is None and y.lo is None:
+            return Compensated(hi, error)
+        if x.lo is None:
+            x, y = y, x
+        rest = x.lo if y.lo is None else x.lo + y.lo
+        return Compensated(hi, rest + error, SUM if max(x.overlap, y.overlap) < SUM else SUMS)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Number) -> Compensated:
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Number) -> Compensated:
+        return self.__neg__().__add__(other)
+
+    def __mul__(self, other: Number) -> Compensated:
+        x, y = self.separated(), _compensated(other).separated()
+        hi, error = two_product(x.hi, y.hi)
+        if x.lo is None and y.lo is None:
+            return Compensated(hi, error)
+        if x.lo is None:
+            x, y = y, x
+        cross = x.lo * y.hi if y.lo is None else x.hi * y.lo + x.lo * y.hi
+        return Compensated(hi, error + cross, NEAR)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Number) -> Compensated:
+        x, y = self.separated(), _compensated(other).separated()
+        quotient = x.hi / y.hi
+        product, error = two_product(quotient, y.hi)
+        remainder = (x.hi - product) - error
+        if y.lo is not None:
+            remainder = remainder - quotient * y.lo
+        if x.lo is not None:
+            remainder = remainder + x.lo
+        return Compensated(quotient, remainder / y.hi, NEAR)
+
+    def __rtruediv__(self, other: Number) -> Compensated:
+        return _compensated(other).__truediv__(self)
+
+
+def _compensated(number: Number) -> Compensated:
+    if isinstance(number, Compensated):
+        return number
+    if isinstance(number, DoubleDouble):
+        raise TypeError("Compensated: expected a number of the same kind, got a DoubleDouble")
+    return Compensated(number)
+
+
+def double_double(number: Number) -> DoubleDouble:
+    """Return a number of any kind as a double-double number.
+
+    >>> double_double(1.0 + Compensated(1.0) / 10.0).lo
+    -8.881784197001253e-17
+    """
+    if isinstance(number, DoubleDouble):
+        return number
+    separated = _compensated(number).separated()
+    if separated.overlap == NEAREST:
+        return DoubleDouble(separated.hi, separated.lo)
+    return DoubleDouble(*fast_two_sum(separated.hi, separated.lo))
+
+
+def wide(number: Number) -> Number:
+    """Return a number whose sums, products and quotients are to be kept as two numbers."""
+    return number.wide() if hasattr(number, "wide") else Compensated(number)
+
+
+def rounded(number: Number) -> Number:
+    """Return the one number nearest to a sum of two."""
+    return number.rounded()

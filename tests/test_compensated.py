@@ -1,0 +1,101 @@
+"""Compensated numbers are what exact fractions say, to about twice the digits of what enters them."""
+
+from fractions import Fraction
+from operator import add, mul, sub, truediv
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from algebroproj_sym.generating.runtime._compensated import Compensated, double_double, rounded, wide
+from algebroproj_sym.generating.runtime._double_double import DoubleDouble
+
+U = Fraction(2) ** -53
+sizes = st.floats(min_value=1e-30, max_value=1e30)
+numbers = sizes | sizes.map(lambda size: -size)
+products = st.builds(lambda a, b: wide(a) * b, numbers, numbers)
+longer = st.builds(lambda p, a, q: p * a * q, products, numbers, products)
+quotients = st.builds(lambda p, q: p / q, products, products)
+single = numbers.map(wide)
+
+
+@st.composite
+def differences(draw, terms=products | longer | quotients):
+    """Return differences that cancel: of a number and one near it, which has other last digits."""
+    number = draw(terms)
+    near = float(exact(number)) * (1 + draw(st.integers(-4, 4)) * 2.0**-52)
+    return number - draw(st.sampled_from([near, wide(near) * 3 / 3, wide(near) * (1 + 2.0**-52)]))
+
+
+sums = st.builds(lambda a, b, c: a - b + c, products, products, numbers) | differences()
+any_numbers = single | products | longer | quotients | sums | differences(sums)
+
+
+def exact(number):
+    if not isinstance(number, Compensated | DoubleDouble):
+        return Fraction(number)
+    return Fraction(number.hi) + (0 if number.lo is None else Fraction(number.lo))
+
+
+@given(any_numbers)
+def test_separated_parts_are_the_same_number_and_overlap_by_a_few_units_at_most(number):
+    parts = number.separated()
+    assert exact(parts) == exact(number) == exact(double_double(number))
+    assert abs(exact(parts) - Fraction(parts.hi)) <= 16 * U * abs(exact(parts))
+    pair = double_double(number)
+    assert pair.lo is None or pair.hi + pair.lo == pair.hi
+
+
+@given(any_numbers)
+def test_a_number_is_rounded_to_the_nearest_one(number):
+    assert rounded(number) == float(exact(number))
+
+
+@given(any_numbers, any_numbers | numbers)
+def test_products_and_quotients_err_by_a_few_units_of_twice_the_digits(x, y):
+    left, right = exact(x), exact(y)
+    for result, truth in ((x * y, left * right), (y * x, left * right), (-x, -left)):
+        assert abs(exact(result) - truth) <= 400 * U**2 * abs(truth)
+    if left and right:
+        assert abs(exact(x / y) - left / right) <= 400 * U**2 * abs(left / right)
+        assert abs(exact(y / x) - right / left) <= 400 * U**2 * abs(right / left)
+
+
+@given(st.lists(st.tuples(products | longer | quotients | numbers, st.sampled_from([1, -1])), min_size=1, max_size=8))
+def test_a_sum_errs_by_a_few_units_of_twice_the_digits_of_its_largest_term(terms):
+    total, truth, largest = wide(0.0), Fraction(0), Fraction(0)
+    for term, sign in terms:
+        total = total + term if sign > 0 else total - term
+        truth += sign * exact(term)
+        largest = max(largest, abs(exact(term)), abs(truth))
+    assert abs(exact(total) - truth) <= 400 * U**2 * largest
+
+
+@given(numbers, numbers)
+def test_sums_and_products_of_two_numbers_are_exact(a, b):
+    assert exact(wide(a) + b) == Fraction(a) + Fraction(b)
+    assert exact(a - wide(b)) == Fraction(a) - Fraction(b)
+    assert exact(wide(a) * b) == Fraction(a) * Fraction(b)
+
+
+@given(numbers, numbers, numbers)
+def test_without_rounding_there_is_no_remainder(a, b, c):
+    x, y, z = map(Fraction, (a, b, c))
+    result = (wide(x) * y - z) / (wide(y) + 3) * wide(z)
+    assert (result.hi, result.lo) == ((x * y - z) / (y + 3) * z, 0)
+
+
+def test_arrays_and_scalars_mix():
+    x = np.array([1.0, 3.0]) / 7
+    result = 1 - wide(x) * x[0] - 0.5
+    assert [float(v) for v in rounded(result)] == [float(Fraction(1, 2) - Fraction(v) * Fraction(x[0])) for v in x]
+    assert isinstance(x * wide(2.0), Compensated)
+    assert isinstance(x[0] - wide(2.0), Compensated)
+
+
+def test_numbers_of_two_kinds_are_not_mixed():
+    for operation in (add, sub, mul, truediv):
+        for x, y in ((wide(1.0), DoubleDouble(2.0)), (DoubleDouble(2.0), wide(1.0))):
+            with pytest.raises(TypeError, match="expected a number of the same kind"):
+                operation(x, y)

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from dataclasses import dataclass
 from functools import partial
-from multiprocessing import active_children, get_context
+from multiprocessing import active_children, get_all_start_methods, get_context
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from algebroproj_sym.declaring import (
     Claim,
@@ -20,6 +20,7 @@ from algebroproj_sym.declaring import (
     Judgement,
     Kernel,
     Outline,
+    abridged,
     derivations_in,
     judge,
     needed_by,
@@ -30,7 +31,7 @@ from algebroproj_sym.expressions import Expression
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
 from algebroproj_sym.remembering import Memory
-from algebroproj_sym.reporting import Notebook, derived_form, run_notebook
+from algebroproj_sym.reporting import Notebook, claim_record, derived_form, run_notebook
 from algebroproj_sym.verifying import Verification, load_package, verify
 
 Task = TypeVar("Task")
@@ -98,18 +99,19 @@ class CheckedModule:
     outlines : tuple of Outline
         What must fit the other modules.
     judgements : tuple of Judgement
-        Of its claims, in order.
-    derived : tuple of Expression or None
-        What is derived in lowest terms, claim by claim, if that was asked for.
+        Of its claims, in order.  Those that are as declared come without forms and evidence: to read expressions that
+        another process has sent takes longer than to judge them.
+    records : tuple of dict
+        The entries of the ledger, if they were asked for.
     """
 
     outlines: tuple[Outline, ...]
     judgements: tuple[Judgement, ...]
-    derived: tuple[Expression | None, ...]
+    records: tuple[dict[str, Any], ...]
 
 
 def check_modules(
-    names: Sequence[str], engine: str, jobs: int, memory: Memory, *, reduce: bool = False
+    names: Sequence[str], engine: str, jobs: int, memory: Memory, *, recorded: bool = False
 ) -> Iterator[CheckedModule]:
     """Import derivation modules and judge their claims where they are imported, in worker processes.
 
@@ -125,8 +127,8 @@ def check_modules(
         How many processes.
     memory : Memory
         What earlier runs have proved.
-    reduce : bool
-        Whether to write also what is derived in lowest terms.
+    recorded : bool
+        Whether to write also the entries of the ledger.
 
     Yields
     ------
@@ -148,7 +150,7 @@ def check_modules(
         held[worker].update(needed_by(chosen))
         return chosen
 
-    yield from _dealt(partial(_check_module, engine=engine, memory=memory, reduce=reduce), names, jobs, nearest)
+    yield from _dealt(partial(_check_module, engine=engine, memory=memory, recorded=recorded), names, jobs, nearest)
 
 
 def derived_forms(claims: Sequence[Claim], jobs: int = 1) -> Iterator[Expression | None]:
@@ -248,13 +250,14 @@ def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Note
     return _in_processes(run_notebook, derivations, jobs)
 
 
-def _check_module(name: str, engine: str, memory: Memory, reduce: bool) -> CheckedModule:
+def _check_module(name: str, engine: str, memory: Memory, recorded: bool) -> CheckedModule:
     sections = [derivation.section for derivation in derivations_in(name)]
     claims = [claim for section in sections for claim in section.claims]
+    judgements = [*check(claims, engine, memory=memory)]
     return CheckedModule(
         tuple(map(outline, sections)),
-        tuple(check(claims, engine, memory=memory)),
-        tuple(map(derived_form, claims)) if reduce else (),
+        tuple(abridged(judgement) if judgement.as_declared else judgement for judgement in judgements),
+        tuple(map(claim_record, judgements)) if recorded else (),
     )
 
 
@@ -319,7 +322,12 @@ def _dealt(
 
 
 def _pool(jobs: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_leave_interrupts_alone)
+    """Return processes that fork from one that has imported what all of them need; where none can fork, new ones."""
+    forks = "forkserver" in get_all_start_methods()
+    context = get_context("forkserver" if forks else "spawn")
+    if forks:
+        context.set_forkserver_preload([__name__])
+    return ProcessPoolExecutor(jobs, mp_context=context, initializer=_leave_interrupts_alone)
 
 
 def _end(pools: Sequence[ProcessPoolExecutor], futures: Sequence[Future[Result]]) -> None:

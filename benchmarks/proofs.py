@@ -1,23 +1,32 @@
 """Our prover beside other ways to decide identities: the same 50 claims, one after the other, in one run.
 
-Run with ``python benchmarks/proofs.py``.  Each way has the same time limit for each claim, in a process of its own that
-is killed when it is over; the time is that of the decision alone, without start and import, but for Singular (Debian:
-singular-ui), which is started for each claim and gets both sides as text, in steps, in its field over Q.
+Run with ``python benchmarks/proofs.py [ROUNDS]``; the ways take turns, each round (of three) in new processes, and the
+shortest time of each claim counts.  Each way has the same limit for each claim.  Limit and time are processor time of
+the decision alone, without start and import, but for Singular (Debian: singular-ui), which is started for each claim
+and gets both sides as text, in steps, in its field over Q.  SymPy keeps no results from one claim to the next.  Its
+polynomials are measured over integers of Python, of GMP (gmpy2) and of FLINT, if these are installed.
 """
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
+import signal
 import subprocess
+import sys
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from importlib.util import find_spec
 from multiprocessing import get_context
 from typing import Any
 
 import sympy
+from sympy.core.cache import clear_cache
 from sympy.polys.domains import QQ, ZZ
 from sympy.polys.fields import field
+from sympy.polys.rings import ring
 
 from algebroproj_sym.declaring import Claim, select
 from algebroproj_sym.declaring.claim import in_derived_terms
@@ -26,6 +35,9 @@ from algebroproj_sym.proving import prove
 
 CLAIMS = 50
 LIMIT = 10.0
+ROUNDS = 3
+WALL = 10
+"""How many times the limit a claim may take on the clock."""
 
 Decide = Callable[[Claim], bool]
 
@@ -58,6 +70,43 @@ def by_field(domain: Any) -> Decide:
     return decide
 
 
+@dataclass(frozen=True)
+class Quotient:
+    """Two polynomials, never reduced."""
+
+    numerator: Any
+    denominator: Any
+
+    def __add__(self, other: Quotient) -> Quotient:
+        """Add over the product of both denominators, unless they are equal."""
+        if self.denominator == other.denominator:
+            return Quotient(self.numerator + other.numerator, self.denominator)
+        crossed = self.numerator * other.denominator + other.numerator * self.denominator
+        return Quotient(crossed, self.denominator * other.denominator)
+
+    def __mul__(self, other: Quotient) -> Quotient:
+        """Multiply numerators and denominators."""
+        return Quotient(self.numerator * other.numerator, self.denominator * other.denominator)
+
+    def __truediv__(self, other: Quotient) -> Quotient:
+        """Multiply crosswise."""
+        return Quotient(self.numerator * other.denominator, self.denominator * other.numerator)
+
+    def __pow__(self, exponent: int) -> Quotient:
+        """Raise both polynomials to a power."""
+        return Quotient(self.numerator**exponent, self.denominator**exponent)
+
+
+def by_ring(claim: Claim) -> bool:
+    """Decide by SymPy's sparse polynomials over the rational numbers: fractions of them, multiplied crosswise."""
+    symbols = symbols_of([e for pair in sides(claim) for e in pair])
+    ground = ring([s.name for s in symbols] or ["unused"], QQ)[0]
+    point = {s: Quotient(g, ground.one) for s, g in zip(symbols, ground.gens, strict=False)}
+    lift = lambda q: Quotient(ground(QQ(q.numerator, q.denominator)), ground.one)  # noqa: E731
+    pairs = [(evaluate(p, point, lift)[0], evaluate(d, point, lift)[0]) for p, d in sides(claim)]
+    return all(p.numerator * d.denominator == d.numerator * p.denominator for p, d in pairs)
+
+
 def by_singular(claim: Claim) -> bool:
     """Decide by Singular, in its field of rational functions over Q."""
     symbols = symbols_of([e for pair in sides(claim) for e in pair])
@@ -82,51 +131,92 @@ def by_singular(claim: Claim) -> bool:
     return True
 
 
-WAYS: dict[str, Decide] = {
-    "algebroproj (FLINT)": ours,
-    "together, expand": by_sympy(lambda e: sympy.expand(sympy.fraction(sympy.together(e))[0])),
-    "ratsimp": by_sympy(sympy.ratsimp),
-    "simplify": by_sympy(sympy.simplify),
-    "field over ZZ": by_field(ZZ),
-    "field over QQ": by_field(QQ),
-    **({"Singular": by_singular} if shutil.which("Singular") else {}),
-}
+@dataclass(frozen=True)
+class Way:
+    """How to decide, and over which integers SymPy computes while it does."""
+
+    name: str
+    decide: Decide
+    integers: str = "python"
 
 
-def serve(connection: Any, way: str) -> None:
+INTEGERS = {"python": "Python", "gmpy": "GMP", "flint": "FLINT"}
+INSTALLED = [name for name, module in (("python", "sys"), ("gmpy", "gmpy2"), ("flint", "flint")) if find_spec(module)]
+WAYS = [
+    Way("algebroproj", ours),
+    Way("together, expand", by_sympy(lambda e: sympy.expand(sympy.fraction(sympy.together(e))[0]))),
+    Way("ratsimp", by_sympy(sympy.ratsimp)),
+    Way("simplify", by_sympy(sympy.simplify)),
+    *(Way(f"ring over QQ, {INTEGERS[name]}", by_ring, name) for name in INSTALLED),
+    *(Way(f"field over ZZ, {INTEGERS[name]}", by_field(ZZ), name) for name in INSTALLED),
+    *(Way(f"field over QQ, {INTEGERS[name]}", by_field(QQ), name) for name in INSTALLED),
+    *([Way("Singular", by_singular)] if shutil.which("Singular") else []),
+]
+
+
+def processor_time() -> float:
+    """Return the processor time of this process and of those that it has waited for."""
+    times = os.times()
+    return times.user + times.system + times.children_user + times.children_system
+
+
+def end(number: int, frame: Any) -> None:
+    """Give a decision up."""
+    raise TimeoutError
+
+
+def serve(connection: Any, place: int) -> None:
     """Decide claims that come in, and send back the decision and the time it took."""
+    signal.signal(signal.SIGPROF, end)
     connection.send("ready")
     while True:
-        claim = connection.recv()
-        start = time.perf_counter()
         try:
-            decided = WAYS[way](claim)
+            claim = connection.recv()
+        except EOFError:
+            return
+        clear_cache()
+        signal.setitimer(signal.ITIMER_PROF, LIMIT)
+        start, precisely = processor_time(), time.process_time()
+        try:
+            decided = "proved" if WAYS[place].decide(claim) else "not"
         except Exception as error:
-            connection.send((type(error).__name__, time.perf_counter() - start))
-        else:
-            connection.send(("proved" if decided else "not", time.perf_counter() - start))
+            decided = "too long" if isinstance(error, TimeoutError) else type(error).__name__
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        spent = time.process_time() - precisely
+        connection.send((decided, processor_time() - start if WAYS[place].decide is by_singular else spent))
 
 
-def decisions(way: str, claims: Sequence[Claim], limit: float) -> list[tuple[str, float]]:
-    """Return what became of each claim, and the seconds it took."""
-    found: list[tuple[str, float]] = []
-    process = connection = None
-    for claim in claims:
-        if process is None:
-            connection, other = get_context("spawn").Pipe()
-            process = get_context("spawn").Process(target=serve, args=(other, way), daemon=True)
-            process.start()
-            connection.recv()
-        connection.send(claim)
-        if connection.poll(limit):
-            found.append(connection.recv())
-        else:
-            found.append(("too long", limit))
-            process.kill()
-            process = None
-    if process is not None:
-        process.kill()
-    return found
+class Server:
+    """A process that decides claims in one way, and is started again after it was killed."""
+
+    def __init__(self, place: int) -> None:
+        self.place = place
+        self.process: Any = None
+
+    def decide(self, claim: Claim, limit: float) -> tuple[str, float]:
+        """Return what became of a claim, and the seconds of processor time it took."""
+        if self.process is None:
+            self.start()
+        self.connection.send(claim)
+        if self.connection.poll(WALL * limit):
+            return self.connection.recv()
+        self.process.kill()
+        self.process = None
+        return "too long", limit
+
+    def start(self) -> None:
+        """Start the process with the integers that SymPy is to use."""
+        self.connection, other = get_context("spawn").Pipe()
+        os.environ["SYMPY_GROUND_TYPES"] = WAYS[self.place].integers
+        self.process = get_context("spawn").Process(target=serve, args=(other, self.place), daemon=True)
+        self.process.start()
+        self.connection.recv()
+
+
+def decisions(place: int, claims: Sequence[Claim]) -> list[tuple[str, float]]:
+    """Return what became of each claim in one of the ways, and the seconds it took."""
+    server = Server(place)
+    return [server.decide(claim, LIMIT) for claim in claims]
 
 
 def chosen() -> list[Claim]:
@@ -137,19 +227,23 @@ def chosen() -> list[Claim]:
 
 def main() -> None:
     """Print a row for each way: how many are proved within the limit, the time of all, the median and the longest."""
-    claims = chosen()
-    print(f"{len(claims)} identities, at most {LIMIT:g} s each")
+    claims, rounds = chosen(), int(sys.argv[1]) if len(sys.argv) > 1 else ROUNDS
+    found = [[decisions(place, claims) for place in range(len(WAYS))] for _ in range(rounds)]
+    print(f"{len(claims)} identities, at most {LIMIT:g} s each, {rounds} rounds; SymPy {sympy.__version__}")
+    print("| way | proved | too long | seconds in all | of the rounds | median, ms | longest, s | faster than ours |")
+    print("|---|---|---|---|---|---|---|---|")
     reference: list[float] = []
-    for way in WAYS:
-        found = decisions(way, claims, LIMIT)
-        times = sorted(seconds for _, seconds in found)
-        proved = sum(verdict == "proved" for verdict, _ in found)
-        reference = reference or [seconds for _, seconds in found]
-        ahead = sum(seconds < ours for (_, seconds), ours in zip(found, reference, strict=True))
-        others = sorted({verdict for verdict, _ in found} - {"proved"})
+    for place, way in enumerate(WAYS):
+        of_rounds = [sum(seconds for _, seconds in one[place]) for one in found]
+        verdicts = [verdict for verdict, _ in found[0][place]]
+        times = [min(one[place][k][1] for one in found) for k in range(len(claims))]
+        reference = reference or times
+        ahead = sum(seconds < ours for seconds, ours in zip(times, reference, strict=True))
+        spread = f"{min(of_rounds):.2f} to {max(of_rounds):.2f}"
+        middle, longest = 1000 * sorted(times)[len(times) // 2], max(times)
+        counts = f"{verdicts.count('proved')} | {verdicts.count('too long')}"
         print(
-            f"{way:<20} {proved:3} proved, {sum(times):8.2f} s in all, median {1000 * times[len(times) // 2]:7.1f} ms, "
-            f"longest {times[-1]:6.2f} s, faster than the first on {ahead} {', '.join(others)}",
+            f"| {way.name} | {counts} | {sum(times):.2f} | {spread} | {middle:.1f} | {longest:.2f} | {ahead} |",
             flush=True,
         )
 

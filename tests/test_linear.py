@@ -15,6 +15,7 @@ from algebroproj_sym.expressions import (
     homogeneous,
     inverse,
     linear_system,
+    minors_of,
     over,
     rows,
     solve,
@@ -248,3 +249,42 @@ def test_coefficients_of_unknowns_are_letter_by_letter_derivatives(expression):
     assume(x not in derivative.free_symbols)
     matrix, _ = linear_system([expression], [x])
     assert matrix == Matrix([[derivative]])
+
+
+@given(matrices(4, polynomials), st.sets(st.integers(0, 3), min_size=2, max_size=2), st.permutations(range(4)))
+@settings(max_examples=20, deadline=None)
+def test_minors_are_determinants_of_parts(matrix, rows, columns):
+    chosen = tuple(sorted(rows)), tuple(columns[:2])
+    part = sympy.Matrix(2, 2, lambda i, j: matrix[chosen[0][i], chosen[1][j]])
+    assert sympy.expand(minors_of(matrix)(*chosen) - part.det(method="berkowitz")) == 0
+
+
+@given(matrices(3))
+def test_minors_of_numbers_are_those_of_symbols_with_these_values(matrix):
+    symbols = Matrix(3, 3, sympy.symbols("a:3:3"))
+    expanded = minors_of(symbols)((0, 2), (2, 1)).xreplace(dict(zip(symbols, matrix, strict=True)))
+    assert minors_of(matrix)((0, 2), (2, 1)) == expanded
+
+
+def test_a_zero_minor_does_not_hide_an_infinite_entry():
+    assert determinant(Matrix([[sympy.zoo, x], [y, 0]])) is sympy.nan
+    assert dot(vector(sympy.zoo, x), vector(0, y)) is sympy.nan
+
+
+def test_only_square_systems_are_solved():
+    with pytest.raises(ValueError, match="expected a square matrix"):
+        solve(Matrix([[x, y]]), vector(z))
+
+
+def test_columns_of_different_heights_are_refused():
+    with pytest.raises(ValueError, match="expected parts of equal height"):
+        columns(vector(x), vector(x, y))
+
+
+@given(st.integers(1, 3), st.integers(1, 3), st.booleans())
+def test_entries_are_listed_as_sympy_lists_them(height, width, symbolic):
+    entries = sympy.symbols(f"a:{height * width}") if symbolic else range(height * width)
+    ours, sympys = (kind(height, width, list(entries)) for kind in (Matrix, sympy.ImmutableDenseMatrix))
+    assert [*ours] == [*sympys]
+    assert ours.flat() == sympys.flat()
+    assert ours.tolist() == sympys.tolist()

@@ -7,9 +7,10 @@ import flint
 import numpy as np
 import pytest
 
-from algebroproj import correlation, critical
+from algebroproj import DoubleDouble, correlation, critical
 from algebroproj_sym.study.arithmetics import arb, float64, rational
 from algebroproj_sym.study.precision import apply, lift
+from algebroproj_sym.study.stereo.accuracy import matrix_error
 from algebroproj_sym.study.stereo.chain import images
 from algebroproj_sym.study.stereo.configurations import BASIC, critical_quadric, near_critical, ordinary
 from algebroproj_sym.study.stereo.indicators import diagnosis, eight_point_matrix, indicators
@@ -139,3 +140,12 @@ def test_a_singular_pair_has_no_bound():
     _, bound = bound_of_correlation(left, right, 0 * left, 0 * right)
     assert np.isinf(bound[1]).any()
     assert np.isfinite(bound[[0, 2]]).all()
+
+
+def test_measured_errors_do_not_depend_on_the_layout_of_memory():
+    """A compiled function returns its matrices row by row, the NumPy source entry by entry."""
+    matrices = np.random.default_rng(4).normal(size=(2000, 3, 3))
+    reference = DoubleDouble(matrices * (1 + 1e-9 * matrices), np.zeros_like(matrices))
+    by_entry = np.moveaxis(np.moveaxis(matrices, 0, -1).copy(), -1, 0)
+    assert by_entry.strides != matrices.strides
+    np.testing.assert_array_equal(matrix_error(by_entry, reference), matrix_error(matrices, reference))

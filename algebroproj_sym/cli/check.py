@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -17,8 +18,10 @@ from algebroproj_sym.reporting import (
     answers_record,
     answers_summary,
     answers_table,
+    claim_record,
     claims_table,
-    ledger,
+    ledger_of,
+    summary,
     summary_text,
 )
 
@@ -46,15 +49,17 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, outpu
         _check_files(files, engine, jobs, output, seconds)
         return
     papers = tuple(dict.fromkeys(selectors or installed_papers()))
+    records: Sequence[dict[str, Any]] = ()
     if jobs > 1 and {*papers} <= {*installed_papers()}:
-        judgements = judged_where_declared(papers, engine, jobs, fresh=fresh, reduce=output == "json")
+        judgements, records = judged_where_declared(papers, engine, jobs, fresh=fresh, recorded=output == "json")
     else:
         claims = select(selectors)
         judgements = judged(claims, engine, jobs, fresh=fresh)
         if output == "json":
             derived(claims, jobs)
+            records = list(map(claim_record, judgements))
     if output == "json":
-        click.echo(json.dumps(ledger(judgements), indent=1, ensure_ascii=False))
+        click.echo(json.dumps(ledger_of(records, summary(judgements)), indent=1, ensure_ascii=False))
     else:
         console().print(claims_table(judgements))
         console().print(summary_text(judgements))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -26,17 +27,15 @@ def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = Tru
 
 
 def judged_where_declared(
-    papers: Sequence[str], engine: str, jobs: int, *, fresh: bool, reduce: bool = False
-) -> list[Judgement]:
-    """Judge all claims of installed papers in the processes that import them; `reduce` does what `derived` does."""
+    papers: Sequence[str], engine: str, jobs: int, *, fresh: bool, recorded: bool = False
+) -> tuple[list[Judgement], list[dict[str, Any]]]:
+    """Judge all claims of installed papers in the processes that import them; `recorded` gives the ledger's entries."""
     names = modules_of_papers(papers)
-    modules = pipeline.check_modules(names, engine, jobs, _memory(fresh), reduce=reduce)
+    modules = pipeline.check_modules(names, engine, jobs, _memory(fresh), recorded=recorded)
     checked = list(progressing(modules, len(names), "checking modules"))
     require_consistent([outline for module in checked for outline in module.outlines])
     judgements = [judgement for module in checked for judgement in module.judgements]
-    if reduce:
-        remember([judgement.claim for judgement in judgements], [form for module in checked for form in module.derived])
-    return judgements
+    return judgements, [record for module in checked for record in module.records]
 
 
 def _memory(fresh: bool) -> Memory:

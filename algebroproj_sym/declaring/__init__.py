@@ -35,7 +35,7 @@ from algebroproj_sym.declaring.display import evidence_lines, markdown
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
 from algebroproj_sym.declaring.importing import BrokenModuleError, import_root, makes_section
-from algebroproj_sym.declaring.judging import Judgement, judge
+from algebroproj_sym.declaring.judging import Judgement, abridged, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.quotes import UNPARSED, UNQUOTED, Quotations, Quote, quotations
 from algebroproj_sym.declaring.section import Section
@@ -79,6 +79,7 @@ __all__ = [
     "Statement",
     "UnknownSelectorError",
     "Verdict",
+    "abridged",
     "arctan2",
     "bibtex",
     "cos_sin",

@@ -94,6 +94,24 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
     )
 
 
+def abridged(judgement: Judgement) -> Judgement:
+    """Return what a table shows of a judgement: the claim without its forms, the verdict without its evidence."""
+    claim = judgement.claim
+    named = Claim(
+        claim.paper,
+        claim.section,
+        claim.number,
+        claim.title,
+        claim.kind,
+        printed=None,
+        derived=None,
+        expected=claim.expected,
+        instead=claim.instead,
+        note=claim.note,
+    )
+    return replace(judgement, claim=named, hypotheses=(), certificate=None, counterexample=None)
+
+
 def _completed(claim: Claim, point: Mapping[sympy.Symbol, Fraction] | None) -> Mapping[sympy.Symbol, Fraction] | None:
     """Give a value also to symbols that cancel when the meanings of others are put in, wherever a point has values."""
     shown = {symbol for form in expressions_of(claim.printed) for symbol in free_symbols(form)}

@@ -1,6 +1,7 @@
 """Rational expressions: what they are, how they are built without losing a divisor, how they are evaluated."""
 
-from algebroproj_sym.expressions.dual import derivatives
+from algebroproj_sym.expressions.differentiation import diff
+from algebroproj_sym.expressions.dual import derivatives, jacobian
 from algebroproj_sym.expressions.evaluation import evaluate
 from algebroproj_sym.expressions.grammar import (
     Expression,
@@ -24,6 +25,7 @@ from algebroproj_sym.expressions.linear import (
     homogeneous,
     inverse,
     linear_system,
+    minors_of,
     rows,
     solve,
     vector,
@@ -45,6 +47,7 @@ __all__ = [
     "cross",
     "derivatives",
     "determinant",
+    "diff",
     "divided",
     "dot",
     "entries",
@@ -53,8 +56,10 @@ __all__ = [
     "homogeneous",
     "in_steps",
     "inverse",
+    "jacobian",
     "keeps_divisions",
     "linear_system",
+    "minors_of",
     "over",
     "parse",
     "parse_zero",

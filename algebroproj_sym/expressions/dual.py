@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions.evaluation import evaluate
-from algebroproj_sym.expressions.exact import fmpq, fraction
+from algebroproj_sym.expressions.exact import exact, fmpq, fraction
 from algebroproj_sym.expressions.grammar import Expression
 
 
@@ -35,6 +35,67 @@ class Dual:
         if exponent == 0:
             return Dual(self.value**0, self.derivative * 0)
         return Dual(self.value**exponent, self.value ** (exponent - 1) * self.derivative * exponent)
+
+
+@dataclass(frozen=True)
+class Gradient:
+    """Derivatives by several variables; those that are not listed are zero."""
+
+    slopes: Mapping[sympy.Symbol, Any]
+
+    def __add__(self, other: Gradient) -> Gradient:
+        slopes = dict(self.slopes)
+        for variable, slope in other.slopes.items():
+            slopes[variable] = slopes[variable] + slope if variable in slopes else slope
+        return Gradient(slopes)
+
+    def __sub__(self, other: Gradient) -> Gradient:
+        return self + other * -1
+
+    def __mul__(self, factor: Any) -> Gradient:
+        return Gradient({variable: slope * factor for variable, slope in self.slopes.items()})
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: Any) -> Gradient:
+        return Gradient({variable: slope / divisor for variable, slope in self.slopes.items()})
+
+
+def jacobian(
+    expression: Expression, point: Mapping[sympy.Symbol, Fraction], variables: Sequence[sympy.Symbol]
+) -> list[list[Fraction]]:
+    """Return the derivatives of the entries of an expression by some variables, at a rational point.
+
+    Parameters
+    ----------
+    expression : sympy.Expr or sympy matrix
+        A rational expression.
+    point : mapping of Symbol to Fraction
+        A value for every symbol of the expression and every variable.
+    variables : sequence of Symbol
+        In which symbols to differentiate; the others are constants.
+
+    Returns
+    -------
+    list of list of Fraction
+        A row for each entry, with the derivatives in the order of the variables.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If the expression is not defined at the point.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> jacobian(x**2 / y, {x: Fraction(3), y: Fraction(2)}, [x, y])
+    [[Fraction(3, 1), Fraction(-9, 4)]]
+    """
+    constant, units = Gradient({}), {variable: Gradient({variable: fmpq(Fraction(1))}) for variable in variables}
+    dual = {symbol: Dual(fmpq(value), units.get(symbol, constant)) for symbol, value in point.items()}
+    found = evaluate(expression, dual, lambda value: Dual(fmpq(value), constant))
+    zero = fmpq(Fraction(0))
+    return [[fraction(entry.derivative.slopes.get(variable, zero)) for variable in variables] for entry in found]
 
 
 def derivatives(
@@ -76,9 +137,9 @@ def derivatives(
     (Fraction(3, 1),)
     """
     if lift is Fraction:
-        exact = {symbol: fmpq(value) for symbol, value in point.items()}
-        return tuple(map(fraction, derivatives(expression, exact, variables, list(map(fmpq, direction)), fmpq)))
+        along = list(map(fmpq, direction))
+        return tuple(map(fraction, derivatives(expression, exact(point), variables, along, fmpq)))
     zero = lift(Fraction(0))
-    along = dict(zip(variables, direction, strict=True))
-    dual = {symbol: Dual(value, along.get(symbol, zero)) for symbol, value in point.items()}
+    slopes = dict(zip(variables, direction, strict=True))
+    dual = {symbol: Dual(value, slopes.get(symbol, zero)) for symbol, value in point.items()}
     return tuple(entry.derivative for entry in evaluate(expression, dual, lambda value: Dual(lift(value), zero)))

@@ -57,7 +57,7 @@ def rational(value: Any, argument: str) -> Expression:
     """
     if isinstance(value, sympy.MatrixBase):
         matrix = sympy.ImmutableDenseMatrix(value)
-        for entry in matrix:
+        for entry in matrix.flat():
             _require_rational(entry, argument)
         return matrix
     if isinstance(value, Fraction):
@@ -98,7 +98,7 @@ def _offender(node: Any) -> Any:
 
 def entries(expression: Expression) -> tuple[Scalar, ...]:
     """Return the entries of a matrix row by row, or the scalar alone."""
-    return tuple(expression) if isinstance(expression, sympy.MatrixBase) else (expression,)
+    return tuple(expression.flat()) if isinstance(expression, sympy.MatrixBase) else (expression,)
 
 
 def shape(expression: Expression) -> tuple[int, ...]:

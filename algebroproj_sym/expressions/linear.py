@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache, lru_cache
-from typing import Any
+from typing import Any, TypeAlias
 
+import flint
 import sympy
 
+from algebroproj_sym.expressions.differentiation import diff
 from algebroproj_sym.expressions.grammar import REMEMBERED, Scalar, free_symbols
 from algebroproj_sym.expressions.quotient import over
+
+Places: TypeAlias = tuple[int, ...]
 
 _INFINITE = frozenset((sympy.zoo, sympy.nan, sympy.oo, -sympy.oo))
 
@@ -35,15 +39,29 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
         """Return the hash of SymPy's matrix, to which this one is equal."""
         return hash((sympy.ImmutableDenseMatrix.__name__, *self._hashable_content()))
 
+    def __iter__(self) -> Iterator[Scalar]:
+        """Yield the entries row by row."""
+        return iter(self.args[2].args)
+
+    def flat(self) -> list[Scalar]:
+        """Return the entries row by row."""
+        return list(self.args[2].args)
+
+    def tolist(self) -> list[list[Scalar]]:
+        """Return the rows."""
+        entries = self.flat()
+        return [entries[i * self.cols : (i + 1) * self.cols] for i in range(self.rows)]
+
     def _eval_matrix_mul(self, other: Any) -> Any:
         parts = {*self.flat(), *other.flat()}
         if all(part.is_Rational for part in parts) or any(map(_has_infinity, parts)):
             return super()._eval_matrix_mul(other)
         left, right = _nonzero(self.tolist()), [dict(row) for row in _nonzero(other.tolist())]
-        sums = [
-            [sympy.Add(*(a * right[k][j] for k, a in row if j in right[k])) for j in range(other.cols)] for row in left
-        ]
-        return self._new(self.rows, other.cols, [entry for row in sums for entry in row])
+
+        def entry(row: Sequence[tuple[int, Scalar]], column: int) -> Scalar:
+            return sympy.Add(*(sympy.Mul(a, right[k][column]) for k, a in row if column in right[k]))
+
+        return self._new(self.rows, other.cols, [entry(row, column) for row in left for column in range(other.cols)])
 
 
 @lru_cache(maxsize=REMEMBERED)
@@ -62,7 +80,7 @@ def vector(*components: Scalar | int) -> Matrix:
 
 
 def columns(*vectors: Matrix) -> Matrix:
-    """Return the matrix with the given columns.
+    """Return the matrix with the given columns; what has several columns gives them all.
 
     Examples
     --------
@@ -71,8 +89,12 @@ def columns(*vectors: Matrix) -> Matrix:
     [1, 3],
     [2, 4]])
     """
-    joined: Matrix = Matrix.hstack(*vectors)
-    return joined
+    if len({part.rows for part in vectors}) > 1:
+        raise ValueError(f"columns: expected parts of equal height, got {[part.shape for part in vectors]}")
+    joined = [
+        [entry for row in parts for entry in row] for parts in zip(*(part.tolist() for part in vectors), strict=True)
+    ]
+    return Matrix(joined)
 
 
 def rows(*vectors: Matrix) -> Matrix:
@@ -95,35 +117,75 @@ def determinant(matrix: Matrix) -> Scalar:
     >>> determinant(Matrix([[a, b], [c, d]]))
     a*d - b*c
     """
-    size, width = matrix.shape
-    if size != width:
-        raise ValueError(f"determinant: expected a square matrix, got shape {matrix.shape}")
+    everything = tuple(range(_size(matrix, "determinant")))
+    return minors_of(matrix)(everything, everything)
 
+
+def minors_of(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
+    """Return the function that gives the minors of a matrix by the places of their rows and columns.
+
+    Minors of symbols are expanded along their first rows; what several of them need is computed once.
+
+    Examples
+    --------
+    >>> a, b, c, d = sympy.symbols("a b c d")
+    >>> minors_of(Matrix([[a, b, 1], [c, d, 2]]))((0, 1), (0, 2))
+    2*a - c
+    """
+    if all(entry.is_Rational for entry in matrix.flat()):
+        return _numeric_minors(matrix)
     entries = matrix.tolist()
+    signed = entries, [[-entry for entry in row] for row in entries]
 
     @cache
-    def minor(row: int, remaining: tuple[int, ...]) -> Scalar:
-        if row == size:
-            return sympy.Integer(1)
+    def minor(rows: Places, columns: Places) -> Scalar:
+        if not rows:
+            return sympy.S.One
+        first, *others = rows
         terms = []
-        for place, column in enumerate(remaining):
-            entry = entries[row][column]
-            if entry != 0:
-                rest = remaining[:place] + remaining[place + 1 :]
-                terms.append((-1) ** place * entry * minor(row + 1, rest))
+        for place, column in enumerate(columns):
+            if entries[first][column] is not sympy.S.Zero:
+                rest = minor(tuple(others), columns[:place] + columns[place + 1 :])
+                terms.append(_times(signed[place % 2][first][column], rest))
         return sympy.Add(*terms)
 
-    return minor(0, tuple(range(size)))
+    return minor
+
+
+def _size(matrix: Matrix, function: str) -> int:
+    if matrix.rows != matrix.cols:
+        raise ValueError(f"{function}: expected a square matrix, got shape {matrix.shape}")
+    return int(matrix.rows)
+
+
+def _numeric_minors(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
+    entries = [[flint.fmpq(int(entry.p), int(entry.q)) for entry in row] for row in matrix.tolist()]
+
+    def minor(rows: Places, columns: Places) -> Scalar:
+        part = flint.fmpq_mat(len(rows), len(columns), [entries[i][j] for i in rows for j in columns])
+        value = part.det()
+        return sympy.Rational(int(value.p), int(value.q))
+
+    return minor
+
+
+def _times(left: Scalar, right: Scalar) -> Scalar:
+    """Return what SymPy returns, but without its search for infinities each time that a factor is zero."""
+    if (left is sympy.S.Zero or right is sympy.S.Zero) and not (_has_infinity(left) or _has_infinity(right)):
+        return sympy.S.Zero
+    return sympy.Mul(left, right)
 
 
 def adjugate(matrix: Matrix) -> Matrix:
     """Return the adjugate, the transpose of the matrix of cofactors."""
-    size = matrix.shape[0]
+    size = _size(matrix, "adjugate")
+    minor, everything = minors_of(matrix), range(size)
 
-    def cofactor(i: int, j: int) -> Scalar:
-        return (-1) ** (i + j) * determinant(matrix.minor_submatrix(i, j))
+    def without(place: int) -> Places:
+        return tuple(k for k in everything if k != place)
 
-    return Matrix(size, size, [cofactor(j, i) for i in range(size) for j in range(size)])
+    cofactors = [(-1) ** (i + j) * minor(without(i), without(j)) for j in everything for i in everything]
+    return Matrix(size, size, cofactors)
 
 
 def inverse(matrix: Matrix) -> Matrix:
@@ -141,17 +203,16 @@ def inverse(matrix: Matrix) -> Matrix:
 
 def solve(matrix: Matrix, right_side: Matrix) -> Matrix:
     """Return the solution of a regular linear system by Cramer's rule."""
-    divisor = determinant(matrix)
-    size = matrix.shape[0]
+    size = _size(matrix, "solve")
     if len(right_side) != size:
         raise ValueError(f"solve: expected a right side of {size} entries, got {len(right_side)}")
-    known = matrix.tolist()
+    minor, everything = minors_of(columns(matrix, vector(*right_side))), tuple(range(size))
+    divisor = minor(everything, everything)
 
-    def replaced(column: int) -> Matrix:
-        pairs = zip(known, right_side, strict=True)
-        return Matrix([[*row[:column], entry, *row[column + 1 :]] for row, entry in pairs])
+    def numerator(column: int) -> Scalar:
+        return minor(everything, (*everything[:column], size, *everything[column + 1 :]))
 
-    return vector(*(over(determinant(replaced(column)), divisor) for column in range(size)))
+    return vector(*(over(numerator(column), divisor) for column in everything))
 
 
 def linear_system(equations: Sequence[Scalar], unknowns: Sequence[sympy.Symbol]) -> tuple[Matrix, Matrix]:
@@ -172,34 +233,22 @@ def linear_system(equations: Sequence[Scalar], unknowns: Sequence[sympy.Symbol])
     [2],
     [0]]))
     """
-    origin = dict.fromkeys(unknowns, 0)
-    slopes = [_slope(equation, unknown) for equation in equations for unknown in unknowns]
+    origin = dict.fromkeys(unknowns, sympy.S.Zero)
+    slopes = [diff(equation, unknown) for equation in equations for unknown in unknowns]
     matrix = Matrix(len(equations), len(unknowns), slopes)
     if free_symbols(matrix) & set(unknowns):
         raise ValueError(f"linear_system: expected equations linear in {list(unknowns)}, got {list(equations)}")
-    return matrix, vector(*(-equation.subs(origin) for equation in equations))
-
-
-def _slope(expression: Any, unknown: sympy.Symbol) -> Any:
-    """Return what `sympy.diff` returns, without its detours where at most one factor of a product has the unknown."""
-    if expression == unknown:
-        return sympy.S.One
-    if unknown not in free_symbols(expression):
-        return sympy.S.Zero
-    if isinstance(expression, sympy.Add):
-        return sympy.Add(*(_slope(term, unknown) for term in expression.args))
-    if isinstance(expression, sympy.Mul) and sum(unknown in free_symbols(factor) for factor in expression.args) == 1:
-        return sympy.Mul(*(_slope(f, unknown) if unknown in free_symbols(f) else f for f in expression.args))
-    return sympy.diff(expression, unknown)
+    return matrix, vector(*(-equation.xreplace(origin) for equation in equations))
 
 
 def cross(a: Matrix, b: Matrix) -> Matrix:
     """Return the cross product of two vectors with three components."""
     if len(a) != 3 or len(b) != 3:
         raise ValueError(f"cross: expected two vectors of 3 components, got {len(a)} and {len(b)}")
-    return vector(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    (a0, a1, a2), (b0, b1, b2) = a.flat(), b.flat()
+    return vector(a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0)
 
 
 def dot(a: Matrix, b: Matrix) -> Scalar:
     """Return the scalar product of two vectors."""
-    return sympy.Add(*(p * q for p, q in zip(a, b, strict=True)))
+    return sympy.Add(*(_times(p, q) for p, q in zip(a.flat(), b.flat(), strict=True)))

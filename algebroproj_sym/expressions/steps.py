@@ -69,7 +69,7 @@ def _text(node: Any, written: dict[Any, tuple[str, int]]) -> tuple[str, int]:
     if isinstance(node, sympy.Pow):
         exponent = int(node.exp)
         return f"{within(node.base, _ATOM)}**{exponent if exponent >= 0 else f'({exponent})'}", _POWER
-    text = str(node)
+    text = str(node.name if isinstance(node, sympy.Symbol) else node)
     return text, _ATOM if text.isalnum() or not isinstance(node, sympy.Rational) else _SUM
 
 

@@ -54,6 +54,8 @@ def written(expression: Any, *, ordered: bool = True) -> str:
     >>> written((x + y) * y**2 / (2 * x) - 1)
     '-1 + y**2*(x + y)/(2*x)'
     """
+    if type(expression) in _WRITERS:
+        return _written(expression, ordered)[0]
     if isinstance(expression, sympy.MatrixBase) and ordered and 0 not in expression.shape:
         rows = (", ".join(_written(entry, True)[0] for entry in expression.row(i)) for i in range(expression.rows))
         return f"Matrix([{', '.join(f'[{row}]' for row in rows)}])"

@@ -1,9 +1,9 @@
-"""Choosing among equal forms of a kernel: by the errors that are measured, and then by the operations that they take.
+"""Choosing among equal forms of a kernel: by the errors that are measured, and then by the operations they take.
 
-A derivation may offer several forms of a kernel, and there is the factored form of what it derives.  Each can be lowered
-with quotients as written, or with the reciprocals of shared divisors; with twice the digits where sums may cancel, or
-throughout, for long products, where the roundings add up.  All are proved equal to the derivation.  On stratified
-samples they differ: their errors are those of the program on machine numbers against its value on fractions.
+A derivation may offer several forms of a kernel, and there is the factored form of what it derives.  Each can be
+lowered with quotients as written, or with the reciprocals of shared divisors; with twice the digits where sums may
+cancel, or throughout, for long products, where roundings add up.  All are proved equal to the derivation.  On
+stratified samples they differ: their errors are those of the program on machine numbers against its value on fractions.
 """
 
 from __future__ import annotations
@@ -43,8 +43,8 @@ class _Candidate:
 def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     """Lower a kernel, prove the program, and choose it among those of equal forms.
 
-    The cheapest one is taken whose errors are small, or where none is good, as small as those of the best.  Programs with
-    primitive functions, which are not exact on fractions, cannot be compared: there the first form is taken.
+    The cheapest one is taken whose errors are small, or where none is good, as small as those of the best.  Programs
+    with primitive functions, which are not exact on fractions, cannot be compared: there the first form is taken.
 
     Parameters
     ----------

@@ -6,14 +6,18 @@ import hashlib
 import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from typing import Any
 
 import sympy
 
 from algebroproj_sym.expressions import evaluate, free_symbols
+from algebroproj_sym.expressions.exact import ExactPoint, exact, fmpq, fraction
 from algebroproj_sym.proving.rational_function import RationalFunctionField
 from algebroproj_sym.proving.varieties import real_points
 
 Point = dict[sympy.Symbol, Fraction]
+
+_PLACES = tuple(fmpq(Fraction(place)) for place in range(3))
 
 
 def seed_of(*parts: object) -> int:
@@ -73,7 +77,7 @@ def rational_zeros(
 
 
 def _onto(constraints: Sequence[sympy.Expr], start: Point, generator: random.Random) -> Point | None:
-    point, solved = dict(start), set[sympy.Symbol]()
+    point, solved = exact(start), set[sympy.Symbol]()
     for constraint in constraints:
         free = sorted(free_symbols(constraint) - solved, key=lambda symbol: symbol.name)
         generator.shuffle(free)
@@ -85,19 +89,16 @@ def _onto(constraints: Sequence[sympy.Expr], start: Point, generator: random.Ran
                 break
         else:
             return None
-    return point
+    return {symbol: fraction(value) for symbol, value in point.items()}
 
 
-def _affine_root(constraint: sympy.Expr, point: Point, variable: sympy.Symbol) -> Fraction | None:
+def _affine_root(constraint: sympy.Expr, point: ExactPoint, variable: sympy.Symbol) -> Any:
     try:
-        at_0, at_1, at_2 = (evaluate(constraint, {**point, variable: Fraction(k)})[0] for k in range(3))
+        at_0, at_1, at_2 = (evaluate(constraint, {**point, variable: place}, fmpq)[0] for place in _PLACES)
     except ZeroDivisionError:
         return None
-    slope: Fraction = at_1 - at_0
-    if slope == 0 or at_2 - at_1 != slope:
-        return None
-    root: Fraction = -at_0 / slope
-    return root
+    slope = at_1 - at_0
+    return None if slope == 0 or at_2 - at_1 != slope else -at_0 / slope
 
 
 def _vanish(constraints: Sequence[sympy.Expr], point: Point) -> bool:

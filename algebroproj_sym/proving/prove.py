@@ -17,6 +17,7 @@ from typing import Any, Literal
 import sympy
 
 from algebroproj_sym.expressions import Expression, evaluate, rational, shape, symbols_of, text, written
+from algebroproj_sym.expressions.exact import exact, fmpq
 from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.membership import cofactors
 from algebroproj_sym.proving.points import Point, points_on, rational_points, rational_zeros, seed_of
@@ -157,10 +158,11 @@ class _Question:
 
     def differs_at(self, point: Point) -> bool | None:
         """Whether the sides differ at a point; None where a side is undefined or a hypothesis fails."""
+        at = exact(point)
         try:
-            if any(evaluate(unit, point)[0] == 0 for unit in self.nonzero):
+            if any(evaluate(unit, at, fmpq)[0] == 0 for unit in self.nonzero):
                 return None
-            return evaluate(self.left, point) != evaluate(self.right, point)
+            return evaluate(self.left, at, fmpq) != evaluate(self.right, at, fmpq)
         except ZeroDivisionError:
             return None
 

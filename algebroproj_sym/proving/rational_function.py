@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import sympy
@@ -78,9 +79,11 @@ class RationalFunctionField:
 
     def place(self, factor: Any) -> int:
         """Return the place of an irreducible factor in the list of denominators, entering it if it is new."""
-        if factor not in self.factors:
-            self.factors.append(factor)
-        return self.factors.index(factor)
+        for place, known in enumerate(self.factors):
+            if known == factor:
+                return place
+        self.factors.append(factor)
+        return len(self.factors) - 1
 
     def product(self, exponents: Exponents) -> Any:
         """Return the product of powers of denominator factors."""
@@ -110,9 +113,7 @@ class RationalFunction:
         if self.is_zero or right.is_zero:
             return right if self.is_zero else self
         common = _union(self.denominator, right.denominator)
-        numerator = self.numerator * self.field.product(_missing(common, self.denominator))
-        numerator = numerator + right.numerator * self.field.product(_missing(common, right.denominator))
-        return RationalFunction(self.field, numerator, common)
+        return RationalFunction(self.field, self._numerator_over(common) + right._numerator_over(common), common)
 
     def __neg__(self) -> RationalFunction:
         return RationalFunction(self.field, -self.numerator, self.denominator)
@@ -129,13 +130,13 @@ class RationalFunction:
 
     def __truediv__(self, other: object) -> RationalFunction:
         right = self._coerce(other)
-        return NotImplemented if right is None else self * right._reciprocal()
+        return NotImplemented if right is None else self * right._reciprocal
 
     def __pow__(self, exponent: object) -> RationalFunction:
         if not isinstance(exponent, int):
             return NotImplemented
         if exponent < 0:
-            return (self**-exponent)._reciprocal()
+            return (self**-exponent)._reciprocal
         if exponent == 0:
             return self.field.lift(Fraction(1))
         powers = tuple((index, count * exponent) for index, count in self.denominator)
@@ -163,6 +164,11 @@ class RationalFunction:
             return self.field.lift(Fraction(other))
         return None
 
+    def _numerator_over(self, common: Exponents) -> Any:
+        missing = _missing(common, self.denominator)
+        return self.numerator * self.field.product(missing) if missing else self.numerator
+
+    @cached_property
     def _reciprocal(self) -> RationalFunction:
         if self.is_zero:
             raise ZeroDivisionError("division by the zero function")
@@ -178,12 +184,12 @@ def _combine(left: Exponents, right: Exponents, join: Any) -> Exponents:
 
 
 def _union(left: Exponents, right: Exponents) -> Exponents:
-    return _combine(left, right, max)
+    return left if left == right else _combine(left, right, max)
 
 
 def _sum(left: Exponents, right: Exponents) -> Exponents:
-    return _combine(left, right, int.__add__)
+    return _combine(left, right, int.__add__) if left and right else left or right
 
 
 def _missing(whole: Exponents, part: Exponents) -> Exponents:
-    return tuple((i, n) for i, n in _combine(whole, part, int.__sub__) if n)
+    return () if whole == part else tuple((i, n) for i, n in _combine(whole, part, int.__sub__) if n)

@@ -3,7 +3,7 @@
 from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
 from algebroproj_sym.reporting.audits import audit_counts, audit_lines, audit_record, audit_table, audited_share
 from algebroproj_sym.reporting.forms import derived_form, remember
-from algebroproj_sym.reporting.ledger import claim_record, ledger, summary, write_json, write_text
+from algebroproj_sym.reporting.ledger import claim_record, ledger, ledger_of, summary, write_json, write_text
 from algebroproj_sym.reporting.notebooks import Notebook, NotebookError, run_notebook
 from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
@@ -33,6 +33,7 @@ __all__ = [
     "failure_text",
     "findings",
     "ledger",
+    "ledger_of",
     "operations_table",
     "remember",
     "report",

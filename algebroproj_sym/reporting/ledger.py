@@ -33,11 +33,12 @@ def ledger(judgements: Sequence[Judgement], *, timed: bool = True) -> dict[str, 
     dict
         ``{"schema": 1, "claims": [...], "summary": {verdict: count}}``.
     """
-    return {
-        "schema": SCHEMA,
-        "claims": [claim_record(judgement, timed=timed) for judgement in judgements],
-        "summary": summary(judgements),
-    }
+    return ledger_of([claim_record(judgement, timed=timed) for judgement in judgements], summary(judgements))
+
+
+def ledger_of(records: Sequence[Mapping[str, Any]], counts: Mapping[str, int]) -> dict[str, Any]:
+    """Return the ledger of entries that are written already, and of how often each verdict occurs."""
+    return {"schema": SCHEMA, "claims": list(records), "summary": dict(counts)}
 
 
 def summary(judgements: Sequence[Judgement]) -> dict[str, int]:

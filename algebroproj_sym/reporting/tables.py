@@ -49,7 +49,7 @@ def claims_table(judgements: Sequence[Judgement]) -> Table:
         if not judgement.as_declared:
             verdict.append(f", declared {judgement.claim.expected}", style="bold red")
         claim = judgement.claim
-        table.add_row(Text(f"{claim.paper}:{claim.number}"), claim.kind, verdict, Text(claim.title))
+        table.add_row(Text(f"{claim.paper}:{claim.number}"), Text(claim.kind), verdict, Text(claim.title))
     return table
 
 

@@ -191,7 +191,7 @@ def apply(arithmetic: Arithmetic, function: Function, *numbers: Numbers) -> Any:
         if arithmetic.native:
             returned = function(*(argument[0] for argument in aligned))
             results = returned if isinstance(returned, tuple) else (returned,)
-            wrapped = tuple(np.asarray(result)[None] for result in results)
+            wrapped = tuple(np.ascontiguousarray(result).reshape((1, *np.shape(result))) for result in results)
         else:
             wrapped = _evaluated(signature, body, arithmetic, aligned, batch)
     return wrapped[0] if len(wrapped) == 1 else wrapped

@@ -26,8 +26,10 @@ from algebroproj_sym.expressions import (
     columns,
     cross,
     determinant,
+    diff,
     dot,
     homogeneous,
+    minors_of,
     over,
     rows,
     vector,
@@ -178,7 +180,7 @@ section.identity(
     "0/introduction-coefficients",
     "the coefficients are composed of the image coordinates",
     printed=vector(*coefficients(u_left, u_right)),
-    derived=vector(*(sympy.diff(coplanarity, element) for element in C_general)),
+    derived=vector(*(diff(coplanarity, element) for element in C_general)),
 )
 
 # %% [markdown]
@@ -248,7 +250,7 @@ section.rank(
     "0/beyond/quadric#independent",
     "the nine elements of G give eight independent quadrics",
     printed=8,
-    derived=Matrix.hstack(*(quadric(G).diff(element) for element in G)),
+    derived=Matrix.hstack(*(diff(quadric(G), element) for element in G)),
     kernel=[vector(*C)],
     note="C alone gives no quadric: its equation holds for all points.",
 )
@@ -281,11 +283,8 @@ seven_points = [vector(*map(sympy.Integer, point)) for point in SEVEN]
 
 def signed_minors(matrix: Matrix) -> Matrix:
     """Return the vector of signed minors, which a matrix with one column more than rows takes to zero."""
-
-    def without(column: int) -> Matrix:
-        return columns(*(matrix.col(j) for j in range(matrix.cols) if j != column))
-
-    return vector(*((-1) ** j * determinant(without(j)) for j in range(matrix.cols)))
+    minor, everything = minors_of(matrix), tuple(range(matrix.cols))
+    return vector(*((-1) ** j * minor(everything[:-1], everything[:j] + everything[j + 1 :]) for j in everything))
 
 
 def on_quadric(point: Matrix) -> Matrix:
@@ -368,7 +367,7 @@ turn = vector(*sympy.symbols("turn:3"))
 changes = (db0, db2, *turn)
 unchanged = dict.fromkeys(changes, sympy.Integer(0))
 changed = matrix_of(base_direction + vector(db0, 0, db2)) * (Matrix.eye(3) + matrix_of(turn))
-derivatives = [changed.diff(change).xreplace(unchanged) for change in changes]
+derivatives = [diff(changed, change).xreplace(unchanged) for change in changes]
 
 
 def orientation_row(point: Matrix) -> list[sympy.Expr]:

@@ -14,6 +14,7 @@ from algebroproj_sym.expressions import (
     Matrix,
     columns,
     determinant,
+    diff,
     dot,
     homogeneous,
     inverse,
@@ -355,7 +356,7 @@ section.identity(
     "1.5/conics",
     "symmetric matrix of the image of a quadric",
     printed=M_inverse.T * A * M_inverse,
-    derived=Matrix(4, 4, lambda i, j: sympy.diff(quadratic_form, Y[i], Y[j]) / 2),
+    derived=Matrix(4, 4, lambda i, j: diff(quadratic_form, Y[i], Y[j]) / 2),
 )
 
 # %% [markdown]

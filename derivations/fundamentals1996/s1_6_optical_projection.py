@@ -14,6 +14,7 @@ from algebroproj_sym.expressions import (
     columns,
     cross,
     determinant,
+    diff,
     divided,
     dot,
     homogeneous,
@@ -626,7 +627,7 @@ for name, plane_normal in (("E", normal), ("E'", image_normal)):
         f"1.6/maximum-inclination#{name}",
         f"the principal normal is the line of maximum inclination of {name}",
         printed=(t,),
-        derived=over(-(inclined[2] ** 2) * sympy.diff(squared, t), squared**2),
+        derived=over(-(inclined[2] ** 2) * diff(squared, t), squared**2),
         note="The derivative of the squared sine with respect to t.",
     )
 

@@ -23,6 +23,7 @@ from algebroproj_sym.expressions import (
     columns,
     cross,
     determinant,
+    diff,
     dot,
     homogeneous,
     inverse,
@@ -313,7 +314,7 @@ section.identity(
     "2.2/C-bar",
     "correlation in other coordinates",
     printed=A_left.T * c * A_right,
-    derived=Matrix(3, 3, lambda i, j: sympy.diff(transformed, v_left[i], v_right[j])),
+    derived=Matrix(3, 3, lambda i, j: diff(transformed, v_left[i], v_right[j])),
     note="For any homogeneous transformation of the images.  The scan lacks the prime of v' in the products.",
 )
 AFFINE_REFERENCE = (
@@ -849,7 +850,7 @@ section.kernel(
     normwise=True,
 )
 eight_left, eight_right = (Matrix(8, 2, sympy.symbols(f"{name}(:8)(1:3)")) for name in ("vp", "vpp"))
-any_row = Matrix([[sympy.diff(equation(c), element) for element in c]])
+any_row = Matrix([[diff(equation(c), element) for element in c]])
 section.kernel(
     "correlation.general_correlation_matrix",
     "Matrix of correlation, from eight homologous points in any image coordinates, scaled to its largest element.",

@@ -21,6 +21,7 @@ from algebroproj_sym.expressions import (
     columns,
     cross,
     determinant,
+    diff,
     dot,
     homogeneous,
     inverse,
@@ -502,7 +503,7 @@ section.identity(
     "2.4/beyond/left-out",
     "the sums are free of the parameter that they leave out",
     printed=Matrix.zeros(4, 1),
-    derived=vector(*(e.diff(mu3) for e in without_mu3), *(e.diff(mu1) for e in without_mu1)),
+    derived=vector(*(diff(e, mu3) for e in without_mu3), *(diff(e, mu1) for e in without_mu1)),
     note="Not in the paper: why the parameter may be set to zero there.",
 )
 section.identity(
@@ -767,7 +768,7 @@ def correlation_of(first: Matrix, second: Matrix) -> Matrix:
 five = (mup2, mup3, *mu_pp)
 C_of_five = correlation_of(M_left.subs(mup1, mup2), M_right)
 minors = vector(*C_of_five)
-changes = columns(*(minors.diff(parameter) for parameter in five))
+changes = columns(*(diff(minors, parameter) for parameter in five))
 section.rank(
     "2.4/beyond/parameters",
     "the images alone determine three of the five parameters",

@@ -35,6 +35,7 @@ from algebroproj_sym.expressions import (
     adjugate,
     columns,
     cross,
+    diff,
     dot,
     homogeneous,
     linear_system,
@@ -68,7 +69,7 @@ h_right = Z.T * homogeneous(u_left)
 
 # %%
 def jacobian(form: Matrix, variables: Matrix) -> Matrix:
-    return Matrix(len(form), len(variables), lambda i, j: sympy.diff(form[i], variables[j]))
+    return Matrix(len(form), len(variables), lambda i, j: diff(form[i], variables[j]))
 
 
 section.identity(

@@ -8,7 +8,7 @@
 # %%
 import sympy
 
-from algebroproj_sym.expressions import Matrix, columns, cross, over, rows, vector
+from algebroproj_sym.expressions import Matrix, columns, cross, diff, over, rows, vector
 
 c = sympy.Symbol("c")
 x, y, xp, yp, xpp, ypp = sympy.symbols("x y xp yp xpp ypp")
@@ -106,7 +106,7 @@ def on_circle(cosine: sympy.Expr, sine: sympy.Expr) -> sympy.Expr:
 def derivative(expression, angle: tuple[sympy.Symbol, sympy.Symbol]):
     """Return the derivative of a polynomial in cosine and sine of an angle with respect to the angle."""
     cosine, sine = angle
-    return cosine * expression.diff(sine) - sine * expression.diff(cosine)
+    return cosine * diff(expression, sine) - sine * diff(expression, cosine)
 
 
 # %% [markdown]

@@ -10,7 +10,7 @@ import sympy
 from algebroproj_derivations.drivers import adjust
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, determinant, dot, inverse, over, vector
+from algebroproj_sym.expressions import Matrix, determinant, diff, dot, inverse, over, vector
 
 section = Section("normalcase1992", "2.3", "Adjustment")
 
@@ -76,7 +76,7 @@ section.identity(
 small = sympy.Symbol("epsilon")
 turned_left, turned_right = (E3 + small * small_left) * R_left, (E3 + small * small_right) * R_right
 condition = dot(turned_left * (x_left + small * v_left), B * turned_right * (x_right + small * v_right))
-first_order = sympy.diff(condition, small).subs(small, 0)
+first_order = diff(condition, small).subs(small, 0)
 C = correlation(R_left, R_right, unit_base)
 p_left, p_right = R_left * x_left, R_right * x_right
 section.identity(
@@ -138,7 +138,7 @@ for unknown, (name, coefficient) in PRINTED.items():
         f"coefficient of {name} in the linearised equation",
         printed=coefficient,
         where=IN_IMAGES,
-        derived=-sympy.diff(first_order, unknown),
+        derived=-diff(first_order, unknown),
         **verdict,
     )
 section.identity(
@@ -185,7 +185,7 @@ section.identity(
 
 def variance_of(linear_form: sympy.Expr, variables: tuple[sympy.Symbol, ...], dispersion: Matrix) -> sympy.Expr:
     """Return the variance of a linear form of stochastic variables."""
-    gradient = vector(*(sympy.diff(linear_form, variable) for variable in variables))
+    gradient = vector(*(diff(linear_form, variable) for variable in variables))
     return dot(gradient, dispersion * gradient)
 
 
@@ -223,7 +223,7 @@ def of_point(expression: sympy.Expr, number: int) -> sympy.Expr:
 
 
 equations = [of_point(fictitious - dot(coefficients_of_projectors, vector(*unknowns)), n) for n in numbers]
-scheme = Matrix(8, 37, lambda i, j: sympy.diff(equations[i], (*all_residuals, *unknowns)[j]))
+scheme = Matrix(8, 37, lambda i, j: diff(equations[i], (*all_residuals, *unknowns)[j]))
 stars = Matrix(8, 37, lambda i, j: sympy.Symbol(f"s{i}_{j}") if j // 4 == i or j >= 32 else sympy.Integer(0))
 section.structure(
     "table:2.3",
@@ -348,7 +348,7 @@ section.identity(
 # The row of one point; the right side is its parallax $\delta p$.
 
 # %%
-coefficients_of_rotations = vector(*(-sympy.diff(first_order, unknown) for unknown in unknowns))
+coefficients_of_rotations = vector(*(-diff(first_order, unknown) for unknown in unknowns))
 section.kernel(
     "metric.coplanarity_row",
     "Coefficients of the small rotations (dphi', dkappa', dOmega'', dphi'', dkappa'') in the equation of coplanarity.",

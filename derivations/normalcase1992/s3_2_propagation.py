@@ -10,7 +10,7 @@ import sympy
 
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, dot, over, vector
+from algebroproj_sym.expressions import Matrix, columns, diff, dot, over, vector
 
 section = Section("normalcase1992", "3.2", "Propagation of errors concerning transformation")
 
@@ -24,7 +24,7 @@ moved = (E3 + small * small_turn) * R_any * (x_vector + small * d_image)
 
 def rate(expression):
     """Return the differential: the derivative where nothing has moved yet."""
-    return sympy.diff(expression, small).subs(small, 0)
+    return diff(expression, small).subs(small, 0)
 
 
 xn, yn, tau, dtau, dxn, dyn = sympy.symbols("xN yN tau dtau dxN dyN")
@@ -71,7 +71,7 @@ section.identity(
 # ## Coefficients of the rotations
 
 # %%
-B_a = columns(*(sympy.diff(d_coordinates, angle) for angle in d_angles))
+B_a = columns(*(diff(d_coordinates, angle) for angle in d_angles))
 TABLE = "The display is scanned as a table without brackets: "
 BAR = TABLE + "the minus sign before 'xN yN' may be the bar of 1/c.  With it, the element would be wrong."
 BRACKETS = TABLE + "it shows -c^2 + xN^2.  If the scan has lost brackets after the minus sign, the print is right."
@@ -109,7 +109,7 @@ section.identity(
 
 # %%
 i1, j1, _, i2, j2, _, i3, j3, _ = R_any
-B_x = columns(*(sympy.diff(d_coordinates, shift) for shift in (dx, dy)))
+B_x = columns(*(diff(d_coordinates, shift) for shift in (dx, dy)))
 B_x_printed = Matrix([[xn * i3 + c * i1, xn * j3 + c * j1], [yn * i3 + c * i2, yn * j3 + c * j2]])
 section.identity(
     "3.2.1#B_x",
@@ -139,7 +139,7 @@ section.identity(
 # %%
 sigma = sympy.Symbol("sigma")
 Q_a = Matrix(3, 3, lambda r, s: sympy.Symbol(f"Q{min(r, s) + 1}{max(r, s) + 1}"))
-jacobian = columns(*(sympy.diff(d_coordinates, variable) for variable in (*d_angles, dx, dy)))
+jacobian = columns(*(diff(d_coordinates, variable) for variable in (*d_angles, dx, dy)))
 joint = sigma**2 * Matrix.diag(Q_a, Matrix.eye(2))
 S_N = jacobian * joint * jacobian.T
 B_a_any = Matrix(2, 3, lambda r, s: sympy.Symbol(f"Ba{r + 1}{s + 1}"))
@@ -217,7 +217,7 @@ section.identity(
 
 # %%
 parallax = dot(x_left, correlation(E3, E3, unit_base) * x_right)
-variance = sum(sigma**2 * sympy.diff(parallax, coordinate) ** 2 for coordinate in (xp, yp, xpp, ypp))
+variance = sum(sigma**2 * diff(parallax, coordinate) ** 2 for coordinate in (xp, yp, xpp, ypp))
 section.identity(
     "3.2.3",
     "weight of a fictitious residual in the normal case",
@@ -234,7 +234,7 @@ section.identity(
     "3.2/decrease",
     "in the normal case the weights depend on the ordinate",
     printed=4 * sigma**2 * y,
-    derived=sympy.diff(variance, yp) + sympy.diff(variance, ypp),
+    derived=diff(variance, yp) + diff(variance, ypp),
     expect="false",
     instead="3.2.3",
     note="The sentence that the weights decrease strictly with y: 1/g would have the derivative 4 sigma^2 y.  In fact "

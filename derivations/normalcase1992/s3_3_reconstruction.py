@@ -9,7 +9,7 @@ import sympy
 
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, dot, over, vector
+from algebroproj_sym.expressions import Matrix, columns, diff, dot, over, vector
 
 section = Section("normalcase1992", "3.3", "Propagation of errors concerning reconstruction")
 
@@ -37,7 +37,7 @@ coordinates, shifts = (xp, yp, xpp), (dxp, dyp, dxpp)
 
 def differential(expression):
     zero = expression * 0
-    return sum((sympy.diff(expression, q) * dq for q, dq in zip(coordinates, shifts, strict=True)), zero)
+    return sum((diff(expression, q) * dq for q, dq in zip(coordinates, shifts, strict=True)), zero)
 
 
 section.identity(
@@ -72,7 +72,7 @@ all_shifts = (dxp, dyp, dxpp, dypp)
 
 def expectation(first: sympy.Expr, second: sympy.Expr) -> sympy.Expr:
     """Return the expectation of the product of two linear forms of the differentials."""
-    gradients = (vector(*(sympy.diff(form, shift) for shift in all_shifts)) for form in (first, second))
+    gradients = (vector(*(diff(form, shift) for shift in all_shifts)) for form in (first, second))
     left, right = gradients
     return dot(left, Sigma * right)
 
@@ -175,7 +175,7 @@ section.identity(
     printed=Matrix.zeros(2, 24),
     derived=Matrix.hstack(
         *(
-            sympy.diff(jacobian * joint * jacobian.T, element)
+            diff(jacobian * joint * jacobian.T, element)
             for jacobian in (jacobian_left, jacobian_right)
             for element in Q12
         )
@@ -230,7 +230,7 @@ section.identity(
 # %%
 S_left, S_right, S_mixed = (Matrix(2, 2, sympy.symbols(f"{n}:2:2")) for n in ("sl", "sr", "sm"))
 dispersion = S_left.row_join(S_mixed).col_join(S_mixed.T.row_join(S_right))
-jacobian = columns(*(sympy.diff(point, coordinate) for coordinate in (xp, yp, xpp, ypp)))
+jacobian = columns(*(diff(point, coordinate) for coordinate in (xp, yp, xpp, ypp)))
 numerators = Matrix([[-xpp, 0, xp, 0], [-yp, parallax, yp, 0], [c, 0, -c, 0]])
 section.kernel(
     "metric.model_covariance",

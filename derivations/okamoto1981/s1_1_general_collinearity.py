@@ -10,7 +10,7 @@ import sympy
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import cos_sin
-from algebroproj_sym.expressions import Matrix, Scalar, dot, over, vector
+from algebroproj_sym.expressions import Matrix, Scalar, diff, dot, over, vector
 
 section = Section("okamoto1981", "1.1", "Characteristics of the general collinearity equations")
 
@@ -263,8 +263,8 @@ section.count(
 
 # %%
 w = sympy.Symbol("w")
-by_coefficients = Matrix(2, 11, lambda i, j: sympy.diff(projected[i], A[j]))
-by_point = Matrix(2, 3, lambda i, j: sympy.diff(projected[i], point[j]))
+by_coefficients = Matrix(2, 11, lambda i, j: diff(projected[i], A[j]))
+by_point = Matrix(2, 3, lambda i, j: diff(projected[i], point[j]))
 numerator_row = vector(X, Y, Z, 1).T / w
 nothing = Matrix.zeros(1, 4)
 denominator_rows = Matrix(2, 3, lambda i, j: -projected[i] * point[j] / w)

@@ -55,7 +55,7 @@ from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
 )
 from algebroproj_derivations.okamoto1981.s4_1_usual_case import conditions, xh, yh
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, Scalar, columns, determinant, dot, over, vector
+from algebroproj_sym.expressions import Matrix, Scalar, columns, determinant, diff, dot, over, vector
 
 section = Section("okamoto1981", "4.2", "Usual case, orientation problem of a stereoscopic pair")
 
@@ -266,12 +266,9 @@ generators = [Matrix(4, 4, lambda i, j, k=k: int((i, j) == divmod(k, 4))) for k 
 def rates_of_conditions(matrix: Matrix) -> list[list[Scalar]]:
     """Return the rates of the two conditions of a camera under each of the infinitesimal collineations."""
     at_camera = dict(zip(q, matrix[:, :3], strict=True))
-    gradients = [[sympy.diff(condition, entry).xreplace(at_camera) for entry in q] for condition in conditions(q)]
-    changes = [list((matrix * generator)[:, :3]) for generator in generators]
-    return [
-        [sympy.Add(*(g * h for g, h in zip(gradient, change, strict=True))) for change in changes]
-        for gradient in gradients
-    ]
+    gradients = [vector(*(diff(condition, entry).xreplace(at_camera) for entry in q)) for condition in conditions(q)]
+    changes = [vector(*(matrix * generator)[:, :3]) for generator in generators]
+    return [[dot(gradient, change) for change in changes] for gradient in gradients]
 
 
 left_camera = camera(inner_of(inner_left), left_rotation.T, vector(0, 0, 0))

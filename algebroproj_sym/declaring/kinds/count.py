@@ -6,7 +6,6 @@ functions stay what they are.  The derivatives are those of dual numbers, over f
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any
 
 import sympy
@@ -14,7 +13,7 @@ import sympy
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kinds.minor import Minor, largest_minor
 from algebroproj_sym.declaring.kinds.rank import Bound, bounded, generic_rank, values_at
-from algebroproj_sym.expressions import columns, derivatives, entries, evaluate, symbols_of
+from algebroproj_sym.expressions import columns, derivatives, entries, evaluate, jacobian, symbols_of
 from algebroproj_sym.proving import Point, Proof, RationalFunctionField
 
 
@@ -31,8 +30,7 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     symbols = symbols_of((functions, *claim.kernel, *claim.variables))
 
     def minor_at(point: Point) -> Minor:
-        by_variable = [_derivatives(claim, point, unit) for unit in _units(len(claim.variables))]
-        return largest_minor([list(row) for row in zip(*by_variable, strict=True)])
+        return largest_minor(jacobian(functions, point, claim.variables))
 
     field = RationalFunctionField(symbols, engine)
     invariant = all(_is_invariant(claim, direction, field) for direction in claim.kernel)
@@ -44,15 +42,6 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
         return bounded(largest, len(claim.variables), largest_minor(values_at(columns(*claim.kernel), point)))
 
     return generic_rank(claim, printed, symbols, minor_at, bound_at, field.divisors, engine)
-
-
-def _units(count: int) -> list[list[Fraction]]:
-    return [[Fraction(int(i == j)) for j in range(count)] for i in range(count)]
-
-
-def _derivatives(claim: Claim, point: Point, direction: list[Fraction]) -> list[Fraction]:
-    functions: Any = claim.derived
-    return list(derivatives(functions, point, claim.variables, direction))
 
 
 def _is_invariant(claim: Claim, direction: sympy.MatrixBase, field: RationalFunctionField) -> bool:

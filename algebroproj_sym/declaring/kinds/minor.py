@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from sympy import QQ
-from sympy.polys.matrices import DomainMatrix
+import flint
+
+from algebroproj_sym.expressions.exact import fmpq, fraction
 
 
 class Minor(NamedTuple):
@@ -28,16 +29,17 @@ def largest_minor(matrix: Sequence[Sequence[Fraction]]) -> Minor:
     """
     columns = _independent(matrix)
     rows = _independent([[row[place] for row in matrix] for place in columns])
-    part = [[matrix[i][j] for j in columns] for i in rows]
-    value = _exact(part).det() if part else QQ(1)
-    return Minor(rows, columns, Fraction(int(value.numerator), int(value.denominator)))
+    value = _exact([[matrix[i][j] for j in columns] for i in rows]).det()
+    return Minor(rows, columns, fraction(value))
 
 
 def _independent(matrix: Sequence[Sequence[Fraction]]) -> list[int]:
-    """Return the places of the first columns that are independent."""
-    return [int(place) for place in _exact(matrix).rref()[1]] if matrix and matrix[0] else []
+    """Return the places of the first columns that are independent: those of the pivots."""
+    reduced, rank = _exact(matrix).rref()
+    rows = reduced.table()[:rank]
+    return [next(place for place, value in enumerate(row) if value != 0) for row in rows]
 
 
-def _exact(matrix: Sequence[Sequence[Fraction]]) -> DomainMatrix:
-    values = [[QQ(value.numerator, value.denominator) for value in row] for row in matrix]
-    return DomainMatrix(values, (len(values), len(values[0])), QQ)
+def _exact(matrix: Sequence[Sequence[Fraction]]) -> flint.fmpq_mat:
+    width = len(matrix[0]) if matrix else 0
+    return flint.fmpq_mat(len(matrix), width, [fmpq(value) for row in matrix for value in row])

@@ -64,7 +64,7 @@ def _flat(matrices: DoubleDouble) -> DoubleDouble:
 def _wide(numbers: Any) -> DoubleDouble:
     if isinstance(numbers, DoubleDouble) and numbers.lo is not None:
         return numbers
-    return DoubleDouble(np.asarray(numbers), np.zeros_like(numbers))
+    return DoubleDouble(np.ascontiguousarray(numbers), np.zeros(np.shape(numbers)))
 
 
 def _inner(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:

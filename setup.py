@@ -16,7 +16,7 @@ setup(
         Extension(
             "algebroproj._compiled",
             [f"{FOLDER}/_compiled.c"],
-            depends=[f"{FOLDER}/_kernels.h", f"{FOLDER}/_loops.h"],
+            depends=[f"{FOLDER}/{name}.h" for name in ("_kernels", "_loops", "_plain_kernels", "_plain_loops")],
             include_dirs=[numpy.get_include()],
             extra_compile_args=OPTIONS,
             optional=True,

@@ -120,9 +120,36 @@ def installed(jobs: Iterator[tuple[str, Callable[[], Job]]]) -> Iterator[tuple[s
 def matrices(pairs: int) -> Iterator[tuple[str, Callable[[], Job]]]:
     """Yield what finds the matrix F of all tasks; the closed form takes eight of the pairs."""
     yield "algebroproj" if pairs == 8 else "algebroproj, eight of them", lambda: own_matrix
+    if pairs > 8:
+        yield "algebroproj, least squares", lambda: least_squares_matrix
     yield "opencv", opencv_matrix
     yield "poselib", poselib_matrix
     yield "kornia", kornia_matrix
+
+
+def least_squares_matrix(left: Array, right: Array) -> Array:
+    """Fit a matrix to all pairs: of their rows, scaled by columns, the singular vector of the least singular value.
+
+    Each image is shifted to its mean and scaled to its extent; a triangular factor of the rows has their singular
+    vectors, and is small.
+    """
+    (first, to_first), (second, to_second) = map(normalised, (left, right))
+    rays = [np.concatenate([np.ones((*points.shape[:2], 1)), points], axis=-1) for points in (first, second)]
+    rows = (rays[0][..., :, None] * rays[1][..., None, :]).reshape(*left.shape[:2], 9)
+    vectors = np.linalg.svd(np.linalg.qr(rows, mode="r"))[2]
+    matrix = np.swapaxes(to_first, -1, -2) @ vectors[:, -1].reshape(-1, 3, 3) @ to_second
+    return np.swapaxes(matrix, -1, -2)[:, LAST][..., LAST]
+
+
+def normalised(points: Array) -> tuple[Array, Array]:
+    """Return points with mean zero and extent one, and the matrices that map rays (1, x, y) to theirs."""
+    mean = points.mean(axis=1, keepdims=True)
+    extent = abs(points - mean).max(axis=(1, 2), keepdims=True)
+    matrices = np.zeros((len(points), 3, 3))
+    matrices[:, 0, 0] = 1
+    matrices[:, 1:, 0] = -(mean / extent)[:, 0]
+    matrices[:, [1, 2], [1, 2]] = 1 / extent[:, 0]
+    return (points - mean) / extent, matrices
 
 
 def own_matrix(left: Array, right: Array) -> Array:

@@ -27,8 +27,10 @@ import algebroproj
 from algebroproj_sym.declaring import Kernel, kernels
 from algebroproj_sym.expressions import divided, entries
 from algebroproj_sym.generating import Lowered, lower
+from algebroproj_sym.generating.c_elimination import solve_once_body
 from algebroproj_sym.generating.c_source import statements
 from algebroproj_sym.generating.expansion import expanded
+from algebroproj_sym.generating.plain_source import solved_once
 from algebroproj_sym.verifying import function_of, without_twin
 
 KERNELS = (
@@ -46,6 +48,9 @@ MANY = 100_000
 LEAST_SECONDS = 0.002
 
 DEKKER = """
+#include <math.h>
+#define NAME(name) name
+#define absolute fabs
 typedef double real;
 static inline double halved(double a) { double c = 134217729.0 * a; return c - (c - a); }
 static inline double product_error(double a, double b, double p)
@@ -120,13 +125,16 @@ def contestants(lowered: Lowered, arguments: list[np.ndarray]) -> Iterator[tuple
     function = function_of(kernel, algebroproj)
     if algebroproj.backend() == "compiled":
         yield "compiled", partial(function, *arguments)
+        yield "compiled, plain", partial(algebroproj.plain(function), *arguments)
     yield "numpy", partial(without_twin(function), *arguments)
+    yield "numpy, plain", partial(without_twin(algebroproj.plain(function)), *arguments)
     if len(arguments[0]) < MANY:
         yield "dd", partial(algebroproj.dd(function), *arguments)
         yield "bounds", partial(algebroproj.bounds(function), *arguments)
     result = function(*arguments)
     yield "memory copy", partial(copied, arguments, result, [a.copy() for a in arguments], result.copy())
     if any(stage.primitive != "let" for stage in kernel.stages):
+        yield "C loop, plain", c_loop(lowered.plain, arguments, kernel)
         yield "lambdify, LAPACK", with_lapack(kernel, arguments)
         return
     yield "C loop", c_loop(lowered.program, arguments, kernel)
@@ -151,16 +159,12 @@ def c_loop(program: Any, arguments: list[np.ndarray], kernel: Kernel) -> Run:
     folder = Path(tempfile.mkdtemp())
     sizes = [len(argument.symbols) for argument in kernel.arguments]
     outputs = len(program.outputs)
-    body = "\n".join(statements(expanded(program)))
-    place = 0
-    for number, size in enumerate(sizes):
-        for entry in range(size):
-            body = body.replace(f"in[{place}][i]", f"x{number}[{size} * i + {entry}]")
-            place += 1
-    for entry in range(outputs):
-        body = body.replace(f"out[{entry}][i]", f"y[{outputs} * i + {entry}]")
+    read = [f"x{number}[{size} * i + {entry}]" for number, size in enumerate(sizes) for entry in range(size)]
+    written = [f"y[{outputs} * i + {entry}]" for entry in range(outputs)]
+    body = "\n".join(statements(expanded(program), read, written, solved_once))
+    solvers = "\n".join(elimination(stage.derived.rows) for stage in kernel.stages if stage.primitive == "solve")
     parameters = "".join(f"const double *restrict x{number}, " for number in range(len(sizes)))
-    text = f"{DEKKER}void f({parameters}double *restrict y, long n)\n"
+    text = f"{DEKKER}{solvers}\nvoid f({parameters}double *restrict y, long n)\n"
     (folder / "f.c").write_text(f"{text}{{for (long i = 0; i < n; i++) {{\n{body}\n}}}}\n")
     command = [
         "cc",
@@ -184,6 +188,12 @@ def c_loop(program: Any, arguments: list[np.ndarray], kernel: Kernel) -> Run:
         return result
 
     return run
+
+
+def elimination(size: int) -> str:
+    """Return the C function that solves systems of one size by elimination with pivoting."""
+    head = f"static inline void solve_once_{size}(const real system[{size}][{size + 1}], real solution[{size}])"
+    return f"{head}\n{{\n{chr(10).join(solve_once_body(size))}\n}}"
 
 
 def formula(kernel: Kernel) -> tuple[list[sympy.Symbol], list[sympy.Expr]]:

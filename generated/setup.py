@@ -14,7 +14,7 @@ setup(
         Extension(
             "algebroproj._compiled",
             ["algebroproj/_compiled.c"],
-            depends=["algebroproj/_kernels.h", "algebroproj/_loops.h"],
+            depends=[f"algebroproj/{name}.h" for name in ("_kernels", "_loops", "_plain_kernels", "_plain_loops")],
             include_dirs=[numpy.get_include()],
             extra_compile_args=OPTIONS,
             optional=True,

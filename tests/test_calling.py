@@ -1,5 +1,6 @@
 """How bodies are called: in blocks, into any memory, and with arrays of other libraries."""
 
+import sys
 import tracemalloc
 from itertools import product
 
@@ -9,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import algebroproj
 from algebroproj import correlation, metric, normal_case, optics, projection, space
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating.runtime._evaluation import Signature, evaluate
@@ -211,3 +213,28 @@ def test_a_singular_member_of_the_standard_leaves_the_others_alone():
     with np.errstate(all="ignore"):
         result = np.asarray(correlation.correlation_matrix(strict(left), strict(right)))
     assert np.isfinite(result).all(axis=(1, 2)).tolist() == [True, False, True]
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_every_function_takes_tensors_of_torch(name):
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("array_api_compat")
+    function = function_of(KERNELS[name], load_package())
+    ours = [drawn((4, *argument.shape), k) for k, argument in enumerate(KERNELS[name].arguments)]
+    for version in (function, algebroproj.plain(function)):
+        theirs = version(*map(torch.asarray, ours))
+        expected = version(*ours)
+        for result, value in zip(*((r if isinstance(r, tuple) else (r,)) for r in (theirs, expected)), strict=True):
+            assert isinstance(result, torch.Tensor)
+            assert result.dtype == torch.float64
+            np.testing.assert_allclose(result.numpy(), value, rtol=1e-12)
+
+
+def test_tensors_need_what_speaks_for_them(monkeypatch):
+    class Tensor:
+        pass
+
+    Tensor.__module__ = "torch"
+    monkeypatch.setitem(sys.modules, "array_api_compat.torch", None)
+    with pytest.raises(TypeError, match="expected the package array-api-compat"):
+        optics.scale(1.0, Tensor())

@@ -2,7 +2,7 @@
 
 A compiler can then solve several systems at once.  The operations and their order are those of ``solve`` and
 ``null_vector`` in the NumPy source: partial pivoting, and one step of refinement with the residual in twice the
-precision.
+precision; or those of ``solve_once`` and ``null_vector_once``, without refinement.
 """
 
 from __future__ import annotations
@@ -24,11 +24,7 @@ def solve_body(size: int) -> list[str]:
     const real x0 = b0 / a0_0;
     """
     return [
-        *(f"real a{i}_{j} = system[{i}][{j}];" for i in range(size) for j in range(size)),
-        *(f"real b{i} = system[{i}][{size}];" for i in range(size)),
-        "real kept;",
-        *_eliminated(size, "b"),
-        *_upper_solved("x", "b", size),
+        *_solution(size),
         *_residual([(f"system[{i}][{size}]", f"system[{i}][{2 * size + 1}]") for i in range(size)], size, size),
         *_forward(size, "r"),
         *_upper_solved("d", "r", size),
@@ -54,19 +50,67 @@ def null_vector_body(height: int) -> list[str]:
     """
     width = height + 1
     return [
-        *(f"real a{i}_{j} = system[{i}][{j}];" for i in range(height) for j in range(width)),
-        "const real zero = system[0][0] * 0;",
-        "real kept;",
-        *_columns_pivoted(height),
-        *_substituted_in_order("x", ["zero"] * height, "zero + 1"),
+        *_spanning(height),
         *_residual([("zero", "zero")] * height, height, width),
         *_forward(height, "r", exchanged=False),
         *_substituted_in_order("d", [f"r{i}" for i in range(height)], "zero"),
         *_refined(width),
-        "real largest = y0;",
-        *(f"largest = isgreater(absolute(y{k}), absolute(largest)) ? y{k} : largest;" for k in range(1, width)),
-        *(f"solution[{k}] = y{k} / largest;" for k in range(width)),
+        *_scaled("y", width),
         *_guards(height, width),
+    ]
+
+
+def solve_once_body(size: int) -> list[str]:
+    r"""Return the statements that solve ``system`` into ``solution`` without refinement.
+
+    Examples
+    --------
+    >>> print(*solve_once_body(1), sep="\n")
+    real a0_0 = system[0][0];
+    real b0 = system[0][1];
+    real kept;
+    const real x0 = b0 / a0_0;
+    solution[0] = x0;
+    """
+    return [*_solution(size), *(f"solution[{k}] = x{k};" for k in range(size))]
+
+
+def null_vector_once_body(height: int) -> list[str]:
+    """Return the statements that span the null space of ``system`` without refinement."""
+    return [*_spanning(height), *_scaled("x", height + 1)]
+
+
+def _solution(size: int) -> list[str]:
+    """Eliminate and substitute."""
+    return [
+        *(f"real a{i}_{j} = system[{i}][{j}];" for i in range(size) for j in range(size)),
+        *(f"real b{i} = system[{i}][{size}];" for i in range(size)),
+        "real kept;",
+        *_eliminated(size, "b"),
+        *_upper_solved("x", "b", size),
+    ]
+
+
+def _spanning(height: int) -> list[str]:
+    """Eliminate and substitute, beginning with one for the last unknown."""
+    return [
+        *(f"real a{i}_{j} = system[{i}][{j}];" for i in range(height) for j in range(height + 1)),
+        "const real zero = system[0][0] * 0;",
+        "real kept;",
+        *_columns_pivoted(height),
+        *_substituted_in_order("x", ["zero"] * height, "zero + 1"),
+    ]
+
+
+def _scaled(component: str, width: int) -> list[str]:
+    """Divide a vector by its largest component."""
+    return [
+        f"real largest = {component}0;",
+        *(
+            f"largest = isgreater(absolute({component}{k}), absolute(largest)) ? {component}{k} : largest;"
+            for k in range(1, width)
+        ),
+        *(f"solution[{k}] = {component}{k} / largest;" for k in range(width)),
     ]
 
 

@@ -5,11 +5,14 @@ operations both give the same bits.  The errors of products, which are numbers a
 from halves, as in NumPy, or from one operation that does not round in between; where operands are so large or products
 so small that the two might differ, floating-point exceptions tell.  Kernels that call a function of the C library,
 whose last digit is not the same everywhere, are left to the NumPy source.
+
+Without compensation there are other functions, of plain_source.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Callable, Mapping, Sequence
 from hashlib import sha256
 from itertools import chain, count
 
@@ -74,6 +77,7 @@ _WORDS = """
     within
 """
 _RESERVED = frozenset(_WORDS.split())
+_OPERAND = re.compile(r"(in|out)\d+")
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.generating"), undefined=StrictUndefined, keep_trailing_newline=True
@@ -94,12 +98,14 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     -------
     dict of str to str
         The text of each file by its name: ``_kernels.h`` with the formulas, ``_loops.h`` and ``_compiled.c`` with what
-        makes ufuncs of them.
+        makes ufuncs of them, and of the formulas without compensation, which `plain_files` writes.
     """
     compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
+    plain = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
+    both = [*compiled, *plain]
     calls = {(call.primitive, len(call.rows)) for low in compiled for call in _calls(low.program)}
     return {
-        "_kernels.h": _rendered(
+        "_kernels.h": rendered(
             "kernels.h.j2",
             notice=notice,
             errors=any(_products(expanded(low.program)) for low in compiled)
@@ -120,17 +126,18 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
                 for program in [expanded(low.program)]
             ],
         ),
-        "_loops.h": _rendered("loops.h.j2", notice=notice),
-        "_compiled.c": _rendered(
+        "_loops.h": rendered("loops.h.j2", notice=notice),
+        "_compiled.c": rendered(
             "compiled.c.j2",
             notice=notice,
             digest=DIGEST,
             block=BLOCK,
             types=TYPES,
             kernels=[_table_row(low.kernel) for low in compiled],
-            operands=max((len(_operands(low.kernel)) for low in compiled), default=1),
-            inputs=max((len(low.kernel.symbols) for low in compiled), default=1),
-            outputs=max((len(entries(low.kernel.form)) for low in compiled), default=1),
+            plain_kernels=[_table_row(low.kernel) for low in plain],
+            operands=max((len(core_shapes(low.kernel)) for low in both), default=1),
+            inputs=max((len(low.kernel.symbols) for low in both), default=1),
+            outputs=max((len(entries(low.kernel.form)) for low in both), default=1),
         ),
     }
 
@@ -154,13 +161,32 @@ def is_compiled(low: Lowered) -> bool:
     return short and all(stage.primitive in COMPILED for stage in low.kernel.stages)
 
 
+def is_compiled_plain(low: Lowered) -> bool:
+    """Whether a kernel has a compiled version without compensation."""
+    return len(low.plain.steps) <= LONGEST and all(stage.primitive in COMPILED for stage in low.kernel.stages)
+
+
 def c_name(kernel: Kernel) -> str:
     """Return what the C function and the ufunc of a kernel are called."""
     return f"{kernel.module}_{kernel.name}"
 
 
-def statements(program: Program) -> list[str]:
-    r"""Return the statements of a program for point ``i``, which reads rows of ``in`` and writes rows of ``out``.
+def statements(
+    program: Program,
+    inputs: Sequence[str] | None = None,
+    outputs: Sequence[str] | None = None,
+    solved: Callable[[Call, int, Mapping[Operand, str]], list[str]] | None = None,
+) -> list[str]:
+    r"""Return the statements of a program for point ``i``.
+
+    Parameters
+    ----------
+    program : Program
+        What is to be computed.
+    inputs, outputs : sequence of str, optional
+        Where the inputs are read and the outputs are written; by default in rows of ``in`` and of ``out``.
+    solved : callable, optional
+        The statements that solve a linear system: from a call, its place among the calls and the C names.
 
     Examples
     --------
@@ -174,7 +200,10 @@ def statements(program: Program) -> list[str]:
     """
     names = _c_names(program)
     used = program.needed()
-    lines = [f"const real {names[name]} = in[{place}][i];" for place, name in enumerate(program.inputs) if name in used]
+    read = [f"in[{place}][i]" for place in range(len(program.inputs))] if inputs is None else inputs
+    written = [f"out[{place}][i]" for place in range(len(program.outputs))] if outputs is None else outputs
+    given = zip(program.inputs, read, strict=True)
+    lines = [f"const real {names[name]} = {place};" for name, place in given if name in used]
     systems = count()
     for step in program.steps:
         if used.isdisjoint(step.names):
@@ -183,13 +212,14 @@ def statements(program: Program) -> list[str]:
             lines.append(f"const real {names[step.name]} = {_operation(step, names)};")
         elif step.primitive == "let":
             lines += [
-                f"const real {names[n]} = {_operand(operand, names)};"
+                f"const real {names[n]} = {c_operand(operand, names)};"
                 for n, operand in zip(step.names, step.rows[0], strict=True)
                 if n in used
             ]
         else:
-            lines += _solve(step, next(systems), names)
-    return lines + [f"out[{place}][i] = {_operand(output, names)};" for place, output in enumerate(program.outputs)]
+            lines += (solved or _solve)(step, next(systems), names)
+    results = zip(written, program.outputs, strict=True)
+    return lines + [f"{place} = {c_operand(output, names)};" for place, output in results]
 
 
 def guards(program: Program) -> list[str]:
@@ -214,7 +244,7 @@ def _products(program: Program) -> list[Step]:
 
 def _solve(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
     size = len(call.rows)
-    written = [[_operand(operand, names) for operand in row] for row in call.rows]
+    written = [[c_operand(operand, names) for operand in row] for row in call.rows]
     padded = [[*row, *["0"] * (2 * size + 2 - len(row))] for row in written]
     rows = [f"    {{{', '.join(row)}}}," for row in padded]
     return [
@@ -228,13 +258,14 @@ def _solve(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
 
 
 def _operation(step: Step, names: Mapping[Operand, str]) -> str:
-    operands = [_operand(operand, names) for operand in step.operands]
+    operands = [c_operand(operand, names) for operand in step.operands]
     if step.operator == "product_error":
         return f"product_error({', '.join(operands)})"
     return f"-{operands[0]}" if step.operator == "neg" else f" {step.operator} ".join(operands)
 
 
-def _operand(operand: Operand, names: Mapping[Operand, str]) -> str:
+def c_operand(operand: Operand, names: Mapping[Operand, str]) -> str:
+    """Return an operand as C has it."""
     if isinstance(operand, int):
         return str(operand) if operand >= 0 else f"({operand})"
     return names[operand]
@@ -249,20 +280,21 @@ def _c_names(program: Program) -> dict[Operand, str]:
 
 
 def _is_free(name: str) -> bool:
-    return name.isascii() and name not in _RESERVED and not name.startswith(("system", "solution"))
+    taken = name in _RESERVED or _OPERAND.fullmatch(name) or name.startswith(("system", "solution"))
+    return name.isascii() and not taken
 
 
 def _calls(program: Program) -> list[Call]:
     return [step for step in program.steps if isinstance(step, Call)]
 
 
-def _operands(kernel: Kernel) -> list[tuple[int, ...]]:
+def core_shapes(kernel: Kernel) -> list[tuple[int, ...]]:
     """Return the core shapes of arguments and results."""
     return [*(argument.shape for argument in kernel.arguments), *(result.shape for result in kernel.results)]
 
 
 def _table_row(kernel: Kernel) -> dict[str, object]:
-    cores = [f"({','.join(map(str, shape))})" for shape in _operands(kernel)]
+    cores = [f"({','.join(map(str, shape))})" for shape in core_shapes(kernel)]
     split = len(kernel.arguments)
     return {
         "name": c_name(kernel),
@@ -272,10 +304,11 @@ def _table_row(kernel: Kernel) -> dict[str, object]:
         "refined": any(stage.primitive in LINEAR for stage in kernel.stages),
         "operands": [
             {"dimensions": len(shape), "rows": shape[0] if len(shape) == 2 else 1, "columns": shape[-1] if shape else 1}
-            for shape in _operands(kernel)
+            for shape in core_shapes(kernel)
         ],
     }
 
 
-def _rendered(template: str, **given: object) -> str:
+def rendered(template: str, **given: object) -> str:
+    """Return what a template gives."""
     return _TEMPLATES.get_template(template).render(**given)

@@ -10,6 +10,34 @@ from typing import Any
 
 
 @dataclass(frozen=True)
+class Plain:
+    """The errors of a function without compensation, in units in the last place of the exact result.
+
+    Attributes
+    ----------
+    median_ulp, max_ulp : float
+        Over all samples.
+    max_ulp_of_ordinary : float
+        Over those of ordinary size, which come near no singularity on purpose.
+    """
+
+    median_ulp: float
+    max_ulp: float
+    max_ulp_of_ordinary: float
+
+    def sentence(self) -> str:
+        """Return what a docstring says.
+
+        Examples
+        --------
+        >>> Plain(0.5, 1e13, 12.0).sentence()
+        'Without compensation (`plain`): 0.5 ULP in the median, 12 ULP at most on ordinary input, 1e+13 ULP on any.'
+        """
+        largest = f"{self.max_ulp_of_ordinary:.3g} ULP at most on ordinary input, {self.max_ulp:.3g} ULP on any"
+        return f"Without compensation (`plain`): {self.median_ulp} ULP in the median, {largest}."
+
+
+@dataclass(frozen=True)
 class Measured:
     """The errors of a function over all samples.
 
@@ -21,12 +49,15 @@ class Measured:
         Errors in units in the last place of the exact result.
     max_ratio : float
         The largest error, over what rounding the input or the result changes.
+    plain : Plain, optional
+        The errors without compensation.
     """
 
     samples: int
     median_ulp: float
     max_ulp: float
     max_ratio: float
+    plain: Plain | None = None
 
     def sentence(self, backward: bool) -> str:
         """Return what a docstring says; of a `backward` function, which solves a linear system, the ratio.
@@ -48,12 +79,22 @@ def measured_errors(record: Mapping[str, Any]) -> dict[str, Measured]:
     --------
     >>> figures = {"samples": 2, "median_ulp": 0.1, "max_ulp": 0.5, "max_ratio": 1.0}
     >>> measured_errors({"functions": [{"function": "first.double", "all": figures}]})
-    {'first.double': Measured(samples=2, median_ulp=0.1, max_ulp=0.5, max_ratio=1.0)}
+    {'first.double': Measured(samples=2, median_ulp=0.1, max_ulp=0.5, max_ratio=1.0, plain=None)}
     """
+    return {entry["function"]: _measured(entry) for entry in record["functions"]}
+
+
+def _measured(entry: Mapping[str, Any]) -> Measured:
     names = ("samples", "median_ulp", "max_ulp", "max_ratio")
-    return {
-        entry["function"]: Measured(**{name: entry["all"][name] for name in names}) for entry in record["functions"]
-    }
+    return Measured(
+        **{name: entry["all"][name] for name in names}, plain=_plain(entry["plain"]) if "plain" in entry else None
+    )
+
+
+def _plain(figures: Mapping[str, Any]) -> Plain:
+    everywhere = figures["all"]
+    ordinary = next(stratum for stratum in figures["strata"] if stratum["name"] == "ordinary")
+    return Plain(everywhere["median_ulp"], everywhere["max_ulp"], ordinary["max_ulp"])
 
 
 def recorded_errors(path: Path) -> dict[str, Measured]:

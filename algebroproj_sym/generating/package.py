@@ -22,6 +22,7 @@ from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.measured import Measured
 from algebroproj_sym.generating.numpy_source import packed, statements
 from algebroproj_sym.generating.operation_counts import operation_counts
+from algebroproj_sym.generating.plain_source import plain_files
 from algebroproj_sym.generating.program import Call, Step, run
 from algebroproj_sym.generating.runtime import _primitives as primitives
 
@@ -72,7 +73,8 @@ def render(
     files["__init__.py"] = _TEMPLATES.get_template("init.py.j2").render(notice=NOTICE, modules=sorted(modules))
     files |= {path.name: _with_notice(path.read_text(encoding="utf-8")) for path in runtime_modules()}
     files["py.typed"] = ""
-    files |= c_files([low for group in modules.values() for low in group], NOTICE)
+    every = [low for group in modules.values() for low in group]
+    files |= c_files(every, NOTICE) | plain_files(every, NOTICE)
     return stamped(dict(sorted(files.items())))
 
 
@@ -256,7 +258,8 @@ def _measured(low: Lowered, measured: Measured | None) -> str:
     if measured is None:
         return ""
     backward = any(stage.primitive in LINEAR for stage in low.kernel.stages)
-    return fill(measured.sentence(backward), width=112, subsequent_indent="    ")
+    sentences = [measured.sentence(backward)] + ([measured.plain.sentence()] if measured.plain else [])
+    return "\n    ".join(fill(sentence, width=112, subsequent_indent="    ") for sentence in sentences)
 
 
 def _example_call(kernel: Kernel) -> str:

@@ -216,8 +216,13 @@ def _summary(name: str, errors: Sequence[_Errors]) -> Stratum:
 
 def as_record(measured_accuracy: Accuracy) -> Mapping[str, object]:
     """Return the figures as plain data, rounded to three digits."""
+    return {"function": measured_accuracy.function, **strata_record(measured_accuracy)}
+
+
+def strata_record(measured_accuracy: Accuracy) -> Mapping[str, object]:
+    """Return the figures over all samples and of each stratum as plain data, rounded to three digits."""
     strata = [_stratum_record(stratum) for stratum in measured_accuracy.strata]
-    return {"function": measured_accuracy.function, "all": _stratum_record(measured_accuracy.overall), "strata": strata}
+    return {"all": _stratum_record(measured_accuracy.overall), "strata": strata}
 
 
 def _stratum_record(stratum: Stratum) -> Mapping[str, object]:

@@ -19,7 +19,9 @@ from pycparser import CParser, c_ast
 from pycparser.c_parser import ParseError
 
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
-_FUNCTION = re.compile(r"^(KERNEL|SOLVER|INLINE)(\(.*?\)+)\n(\{\n.*?^\})", re.DOTALL | re.MULTILINE)
+_HEADS = ("KERNEL", "SOLVER", "INLINE", "PLAIN", "SOLVER_ONCE")
+_FUNCTION = re.compile(rf"^({'|'.join(_HEADS)})(\(.*?\)+)\n(\{{\n.*?^\}})", re.DOTALL | re.MULTILINE)
+_CALL = re.compile(r"^CALL\((\w+), (\w+), (.*)\)$", re.MULTILINE)
 _NAME = re.compile(r"\bNAME\((\w+)\)")
 _TYPES = "typedef double real; typedef long npy_intp;\n"
 _POINTS = "for (npy_intp i = 0; i < points; i++)"
@@ -74,11 +76,16 @@ class Meaning:
 
 @dataclass(frozen=True)
 class Source:
-    """The functions of a source: the text of each body by its name, after the macro that heads it."""
+    """The functions of a source: the text of each body by its name, after the macro that heads it.
+
+    Those without compensation begin with their parameters; of their calls there are the number of points and the rest.
+    """
 
     kernels: Mapping[str, str]
     solvers: Mapping[str, str]
     inlines: Mapping[str, str]
+    plains: Mapping[str, str] = field(default_factory=dict)
+    calls: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
 
 @cache
@@ -91,18 +98,26 @@ def source_of(text: str) -> Source:
     ['f']
     """
     bare = _COMMENT.sub("", text)
-    rest = _FUNCTION.sub("", bare).split()
+    rest = _CALL.sub("", _FUNCTION.sub("", bare)).split()
     if rest:
         raise NotUnderstoodError(f"C source: expected nothing but functions, got {' '.join(rest[:5])}")
-    functions: dict[str, dict[str, str]] = {"KERNEL": {}, "SOLVER": {}, "INLINE": {}}
+    functions: dict[str, dict[str, str]] = {head: {} for head in _HEADS}
     for head, name, body in _FUNCTION.findall(bare):
         if name in functions[head]:
             raise NotUnderstoodError(f"C source: expected one function {head}{name}, got two")
         functions[head][name] = _NAME.sub(r"\1", body)
     kernels = {name[1:-1]: body for name, body in functions["KERNEL"].items()}
     solvers = {"_".join(name[1:-1].split(", ")[:2]): body for name, body in functions["SOLVER"].items()}
-    inlines = {name.split(")")[0][1:]: name.partition(")")[2] + body for name, body in functions["INLINE"].items()}
-    return Source(kernels, solvers, inlines)
+    for name, body in functions["SOLVER_ONCE"].items():
+        primitive, height = name[1:-1].split(", ")[:2]
+        solvers[f"{primitive}_once_{height}"] = body
+    inlines, plains = (
+        {name.split(")")[0][1:]: name.partition(")")[2] + body for name, body in functions[head].items()}
+        for head in ("INLINE", "PLAIN")
+    )
+    return Source(
+        kernels, solvers, inlines, plains, {name: (length, given) for name, length, given in _CALL.findall(bare)}
+    )
 
 
 def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Meaning) -> list[Any]:
@@ -140,6 +155,70 @@ def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Me
     return [outputs[place] for place in range(len(outputs))]
 
 
+def plain_outputs(
+    source: Source, name: str, inputs: Sequence[Sequence[Any]], sizes: Sequence[int], meaning: Meaning
+) -> list[Any]:
+    """Execute a function without compensation for one point; return the entries of its results.
+
+    Parameters
+    ----------
+    source : Source
+        The functions.
+    name : str
+        Which function.
+    inputs : sequence of sequence of number
+        The entries of each argument.
+    sizes : sequence of int
+        How many entries each result has.
+    meaning : Meaning
+        What the source does not say itself.
+
+    Raises
+    ------
+    NotUnderstoodError
+        If there is no such function, it takes or is given other arrays, it is more than loops over points, or an entry
+        is not set.
+    """
+    if name not in source.plains or name not in source.calls:
+        raise NotUnderstoodError(f"C source: expected a function {name} and its call, there is none")
+    arrays = [("const real", f"in{place}", len(entries)) for place, entries in enumerate(inputs)]
+    arrays += [("real", f"out{place}", size) for place, size in enumerate(sizes)]
+    parameters = ", ".join(f"{kind} (*restrict {array})[{size}]" for kind, array, size in arrays)
+    given = ", ".join(f"({kind} (*)[{size}])data[{place}] + first" for place, (kind, _, size) in enumerate(arrays))
+    head, _, body = source.plains[name].partition("{")
+    length, really_given = source.calls[name]
+    if (head, really_given) != (f"({parameters}, const npy_intp points)", given):
+        raise NotUnderstoodError(f"{name}: expected the arrays {parameters}, got {head} and {really_given}")
+    variables: dict[str, Any] = {f"in{place}": _Points(dict(enumerate(e))) for place, e in enumerate(inputs)}
+    variables |= {f"out{place}": _Points({}) for place in range(len(sizes))}
+    _run_loops(name, f"{{{body}", length, _Scope(variables | {"i": _POINT}, source, meaning))
+    outputs = [variables[f"out{place}"].entries for place in range(len(sizes))]
+    if [sorted(entries) for entries in outputs] != [list(range(size)) for size in sizes]:
+        raise NotUnderstoodError(f"{name}: expected all entries of the results to be set")
+    return [entries[place] for entries in outputs for place in range(len(entries))]
+
+
+def _run_loops(name: str, body: str, length: str, scope: _Scope) -> None:
+    """Execute loops over the same points, one after the other; before them, rows may be declared for all of them."""
+    declared, *loops = _parsed(f"void {name}(void)\n{body.replace(_POINTS, '')}").body.block_items
+    rows: dict[int, Any] = {}
+    match declared:
+        case c_ast.Decl(
+            name="rows", init=None, type=c_ast.ArrayDecl(dim=count, type=c_ast.ArrayDecl(dim=strip, type=kind))
+        ):
+            places, same_length = _index(count), str(_index(strip)) == length and kind.type.names == ["real"]
+        case _:
+            loops, places, same_length = [declared, *loops], 0, length == "all"
+    if not same_length or len(loops) != body.count(_POINTS):
+        raise NotUnderstoodError(f"{name}: expected rows for the points of a call, and nothing but loops over them")
+    for loop in loops:
+        if not isinstance(loop, c_ast.Compound):
+            raise NotUnderstoodError(f"{name}: expected loops over points")
+        _run(loop, _Scope(scope.variables | {"rows": rows}, scope.source, scope.meaning))
+    if any(place >= places for place in rows):
+        raise NotUnderstoodError(f"{name}: expected no more than {places} rows")
+
+
 def solver_outputs(source: Source, name: str, system: list[list[Any]], meaning: Meaning) -> list[Any]:
     """Execute a function that solves a linear system, given row by row; return its solution."""
     if name not in source.solvers:
@@ -164,7 +243,14 @@ class _Scope:
 
 
 _POINT = object()
-"""The index of the point: it may only choose the column of inputs and outputs."""
+"""The index of the point: it may only choose the column of inputs and outputs, and the point of an array."""
+
+
+@dataclass(frozen=True)
+class _Points:
+    """An array of points: the entries of the point of the loop by their places."""
+
+    entries: dict[int, Any]
 
 
 @cache
@@ -185,6 +271,8 @@ def _run(block: Any, scope: _Scope) -> Any:
                 _declare(statement, scope)
             case c_ast.Assignment(op="=", lvalue=target) if not _is_range(target):
                 _assign(statement, scope)
+            case c_ast.FuncCall(name=c_ast.ID(name=name), args=c_ast.ExprList(exprs=[system, solution])):
+                _solve(name, system.name, solution.name, scope)
             case _:
                 _keep_range(statement, scope)
     return None
@@ -250,6 +338,13 @@ def _assign(statement: Any, scope: _Scope) -> None:
             if _value(column, scope) is not _POINT:
                 raise NotUnderstoodError("C source: expected outputs of the point of the loop")
             scope.variables["out"][_index(place)] = value
+        case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name=name), subscript=first), subscript=second) if (
+            _has_points(name, scope)
+        ):
+            entries, place = _entry(name, first, second, scope)
+            if name.startswith("in"):
+                raise NotUnderstoodError(f"C source: expected inputs to keep their values at {target.coord}")
+            entries[place] = value
         case c_ast.ArrayRef(name=c_ast.ID(name=name), subscript=place) if isinstance(scope.variables.get(name), dict):
             scope.variables[name][_index(place)] = value
         case _:
@@ -262,6 +357,19 @@ def _solve(name: str, system: str, solution: str, scope: _Scope) -> None:
         raise NotUnderstoodError(f"C source: unexpected call of {name}")
     results = scope.meaning.call(name, scope.variables[system])
     scope.variables[solution] |= dict(enumerate(results))
+
+
+def _has_points(name: str, scope: _Scope) -> bool:
+    return name == "rows" or isinstance(scope.variables.get(name), _Points)
+
+
+def _entry(name: str, first: Any, second: Any, scope: _Scope) -> tuple[dict[int, Any], int]:
+    """Return the entries, at the point of the loop, of an array of points or of rows, and which of them is meant."""
+    array = scope.variables.get(name)
+    point, place = (first, second) if isinstance(array, _Points) else (second, first)
+    if array is None or _value(point, scope) is not _POINT:
+        raise NotUnderstoodError(f"C source: expected {name} at the point of the loop")
+    return (array.entries if isinstance(array, _Points) else array), _index(place)
 
 
 def _index(node: Any) -> int:
@@ -291,6 +399,13 @@ def _value(node: Any, scope: _Scope) -> Any:
             if value(column) is not _POINT:
                 raise NotUnderstoodError("C source: expected inputs of the point of the loop")
             return scope.variables["in"][_index(place)][0]
+        case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name=name), subscript=first), subscript=second) if (
+            _has_points(name, scope)
+        ):
+            entries, place = _entry(name, first, second, scope)
+            if place not in entries:
+                raise NotUnderstoodError(f"C source: expected {name} to have an entry {place}")
+            return entries[place]
         case c_ast.ArrayRef():
             return value(node.name)[_index(node.subscript)]
         case c_ast.FuncCall(name=c_ast.ID(name="absolute")):

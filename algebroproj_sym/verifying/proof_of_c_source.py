@@ -7,9 +7,10 @@ sums and products are then zero.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import prod
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -18,7 +19,7 @@ from flint.utils.flint_exceptions import DomainError
 from sympy.polys.polyerrors import ExactQuotientFailed
 
 from algebroproj_sym.declaring import LINEAR, Kernel
-from algebroproj_sym.generating import Lowered, c_name, is_compiled
+from algebroproj_sym.generating import Lowered, c_name, is_compiled, is_compiled_plain
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 from algebroproj_sym.proving.engines import ring
 from algebroproj_sym.verifying.c_execution import (
@@ -28,12 +29,14 @@ from algebroproj_sym.verifying.c_execution import (
     Source,
     inline_value,
     kernel_outputs,
+    plain_outputs,
     solver_outputs,
     source_of,
 )
 from algebroproj_sym.verifying.proof_of_source import expected_values
 
 KERNELS = "_kernels.h"
+PLAIN_KERNELS = "_plain_kernels.h"
 _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""
 
@@ -70,6 +73,38 @@ def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "fli
         return False
 
 
+def plain_c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "flint") -> bool:
+    """Whether the C source of a kernel without compensation, executed on rational functions, is the derivation.
+
+    Parameters
+    ----------
+    lowered : Lowered
+        The kernel and its program.
+    package : module
+        In whose folder the source is.
+    engine : {"flint", "sympy"}
+        The polynomial arithmetic.
+
+    Returns
+    -------
+    bool
+        True also for a kernel that is left to the NumPy source.
+    """
+    if not is_compiled_plain(lowered):
+        return True
+    kernel = lowered.kernel
+    path = Path(str(package.__file__)).parent / PLAIN_KERNELS
+    if not path.is_file():
+        return False
+    try:
+        source = source_of(path.read_text(encoding="utf-8"))
+        systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
+        solved = all(solver_is_proved(source, primitive, height, engine, once=True) for primitive, height in systems)
+        return solved and plain_kernel_is_proved(kernel, source, engine)
+    except NotUnderstoodError:
+        return False
+
+
 def product_errors_are_proved(source: Source, engine: str = "flint") -> bool:
     """Whether the functions for the error of a product are zero in real arithmetic, wherever they are defined."""
     a, b, splitter = ring(engine, ["a", "b", "splitter"]).generators
@@ -80,6 +115,28 @@ def product_errors_are_proved(source: Source, engine: str = "flint") -> bool:
 
 def kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> bool:
     """Whether a kernel gives the derivation, if what it calls solves linear systems and takes errors of products."""
+
+    def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
+        return kernel_outputs(source, c_name(kernel), [field.variables[symbol] for symbol in kernel.symbols], meaning)
+
+    return _is_proved(kernel, engine, outputs, once=False)
+
+
+def plain_kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> bool:
+    """Whether a function without compensation gives the derivation, if what it calls solves linear systems."""
+    sizes = [prod(result.shape) for result in kernel.results]
+
+    def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
+        inputs = [[field.variables[symbol] for symbol in argument.symbols] for argument in kernel.arguments]
+        return plain_outputs(source, c_name(kernel), inputs, sizes, meaning)
+
+    return _is_proved(kernel, engine, outputs, once=True)
+
+
+def _is_proved(
+    kernel: Kernel, engine: str, outputs: Callable[[RationalFunctionField, Meaning], list[Any]], *, once: bool
+) -> bool:
+    """Whether what is given to linear systems, solved once or refined, and the outputs are those of the derivation."""
     called = [stage for stage in kernel.stages if stage.primitive in LINEAR]
     free = [symbol for stage in called for symbol in stage.results]
     field = RationalFunctionField((*kernel.symbols, *free), engine)
@@ -88,28 +145,34 @@ def kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> b
 
     def call(name: str, rows: list[list[Any]]) -> Sequence[Any]:
         stage = next(stages, None)
-        if stage is None or name != f"{stage.primitive}_{stage.derived.rows}":
+        if stage is None or name != solver_name(stage.primitive, stage.derived.rows, once):
             raise NotUnderstoodError(f"{kernel.qualified_name}: unexpected call of {name}")
         width = stage.derived.cols
-        if [len(row) for row in rows] != [2 * width] * stage.derived.rows:
-            raise NotUnderstoodError(f"{kernel.qualified_name}: expected rows of {width} entries, and as many rests")
-        given.extend(row[j] + row[width + j] for row in rows for j in range(width))
+        if [len(row) for row in rows] != [width if once else 2 * width] * stage.derived.rows:
+            raise NotUnderstoodError(
+                f"{kernel.qualified_name}: expected rows of {width} entries, and their rests if any"
+            )
+        given.extend(row[j] if once else row[j] + row[width + j] for row in rows for j in range(width))
         return [field.variables[symbol] for symbol in stage.results]
 
     meaning = Meaning(call=call, is_zero=lambda value: _element(value, field).is_zero)
-    inputs = [field.variables[symbol] for symbol in kernel.symbols]
-    outputs = kernel_outputs(source, c_name(kernel), inputs, meaning)
-    computed = [_element(value, field) for value in (*given, *outputs)]
+    returned = outputs(field, meaning)
+    computed = [_element(value, field) for value in (*given, *returned)]
     expected = expected_values(kernel, field.variables, field.lift)
     same_length = len(computed) == len(expected)
     return same_length and all((value - got).is_zero for value, got in zip(expected, computed, strict=True))
+
+
+def solver_name(primitive: str, height: int, once: bool) -> str:
+    """Return the name of the function that solves the linear systems of one size, once or with refinement."""
+    return f"{primitive}_once_{height}" if once else f"{primitive}_{height}"
 
 
 def _element(value: Any, field: RationalFunctionField) -> RationalFunction:
     return value if isinstance(value, RationalFunction) else field.lift(Fraction(value))
 
 
-def solver_is_proved(source: Source, primitive: str, height: int, engine: str = "flint") -> bool:
+def solver_is_proved(source: Source, primitive: str, height: int, engine: str = "flint", *, once: bool = False) -> bool:
     """Whether a function solves the linear systems of one size.
 
     It is executed on systems that are made backwards, from what elimination leaves of them: the triangle, the factors
@@ -127,17 +190,20 @@ def solver_is_proved(source: Source, primitive: str, height: int, engine: str = 
         The number of equations.
     engine : {"flint", "sympy"}
         The polynomial arithmetic.
+    once : bool
+        Whether it is the one without refinement.
     """
     lines = height if primitive == "solve" else height + 1
     places = [(k, i) for k in range(height) for i in range(k + 1, lines)]
     chosen = [[], *([place] for place in places), places]
     proved = _solves if primitive == "solve" else _spans
-    systems = (_system(primitive, height, places, exchanges, engine) for exchanges in chosen)
+    systems = (_system(primitive, height, places, exchanges, engine, once) for exchanges in chosen)
+    name = solver_name(primitive, height, once)
     try:
         return all(
-            proved(source, f"{primitive}_{height}", system, _meaning(system, finite))
+            proved(source, name, system, _meaning(system, finite))
             for system in systems
-            for finite in (True, False)
+            for finite in ((True,) if once else (True, False))
         )
     except _REMAINDERS:
         return False
@@ -153,7 +219,12 @@ class _System:
 
 
 def _system(
-    primitive: str, height: int, places: Sequence[tuple[int, int]], exchanges: Sequence[tuple[int, int]], engine: str
+    primitive: str,
+    height: int,
+    places: Sequence[tuple[int, int]],
+    exchanges: Sequence[tuple[int, int]],
+    engine: str,
+    once: bool,
 ) -> _System:
     """Undo an elimination: of the rows of a system that is solved, of the columns where a vector is to be spanned."""
     names = [f"x{k}" for k in range(height)]
@@ -163,7 +234,7 @@ def _system(
     unknowns = [free[f"x{k}"] for k in range(height)]
     upper = [[free.get(f"u{k}_{j}", 0) for j in range(height)] for k in range(height)]
     sign = 1 if primitive == "solve" else -1
-    rests = [0] * (height + 1)
+    rests = [] if once else [0] * (height + 1)
     rows = [[*row, sign * _product(row, unknowns)] for row in upper]
     for k in reversed(range(height)):
         for i in range(k + 1, height):

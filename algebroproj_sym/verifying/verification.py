@@ -8,10 +8,12 @@ from typing import Any
 
 from algebroproj_sym.expressions import Scalar
 from algebroproj_sym.generating import Lowered
-from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, accuracy, as_record
+from algebroproj_sym.generating.samples import stratified
+from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, as_record, measured, strata_record, truths
 from algebroproj_sym.verifying.identity import is_identical
-from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved
+from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved, plain_c_source_is_proved
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
+from algebroproj_sym.verifying.shipped import function_of
 from algebroproj_sym.verifying.singular_input import silent_factors
 
 
@@ -23,8 +25,10 @@ class Verification:
     ----------
     accuracy : Accuracy
         Its errors on stratified samples.
+    plain : Accuracy
+        Those without compensation, of which nothing is asked.
     source_proved : bool
-        Whether its source, run on rational functions, gives the derivation.
+        Whether its source, run on rational functions, gives the derivation, with compensation and without.
     c_source_proved : bool
         Whether the source of its compiled version, if there is one, does so.
     identical : bool
@@ -34,6 +38,7 @@ class Verification:
     """
 
     accuracy: Accuracy
+    plain: Accuracy
     source_proved: bool
     c_source_proved: bool
     identical: bool
@@ -64,10 +69,16 @@ def verify(lowered: Lowered, package: ModuleType, size: int, engine: str = "flin
     engine : {"flint", "sympy"}
         The polynomial arithmetic for the proof of the source.
     """
+    function = function_of(lowered.kernel, package)
+    samples = stratified(lowered, size)
+    exact = truths(lowered, samples)
+    proofs = (source_is_proved(lowered.kernel, package, engine, plain=plain) for plain in (False, True))
+    c_proofs = (proof(lowered, package, engine) for proof in (c_source_is_proved, plain_c_source_is_proved))
     return Verification(
-        accuracy=accuracy(lowered, package, size),
-        source_proved=source_is_proved(lowered.kernel, package, engine),
-        c_source_proved=c_source_is_proved(lowered, package, engine),
+        accuracy=measured(lowered, function, samples, exact),
+        plain=measured(lowered, package.plain(function), samples, exact),
+        source_proved=all(proofs),
+        c_source_proved=all(c_proofs),
         identical=is_identical(lowered, package, size),
         silent=silent_factors(lowered, package),
     )
@@ -78,6 +89,7 @@ def verification_record(verifications: list[Verification]) -> dict[str, Any]:
     functions = [
         {
             **as_record(v.accuracy),
+            "plain": strata_record(v.plain),
             "source_proved": v.source_proved,
             "c_source_proved": v.c_source_proved,
             "identical": v.identical,

@@ -6,13 +6,15 @@ Every function is a generalized ufunc in behaviour: core dimensions are the last
 and the dtype is preserved.  Singular input follows NumPy's floating-point error handling: see `numpy.errstate`.
 Where the package was built with a C compiler, compiled functions run, which give the same bits: see `backend`.
 Functions of functions give the same formulas with twice the digits (`dd`) and with guaranteed error bounds
-(`bounds`), and the values of the factors that must not vanish (`hypotheses`).
+(`bounds`), without compensation of sums that cancel (`plain`), and the values of the factors that must not vanish
+(`hypotheses`).
 """
 
 from . import affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space
 from ._backend import backend
 from ._double_double import DoubleDouble
 from ._hypotheses import hypotheses
+from ._plain import plain
 from ._precision import bounds, dd
 
-__all__ = ["DoubleDouble", "backend", "bounds", "dd", "hypotheses", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]
+__all__ = ["DoubleDouble", "backend", "bounds", "dd", "hypotheses", "plain", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]

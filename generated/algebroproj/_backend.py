@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "8df6f5bf75d64383"
+DIGEST = "ab11b419636b0e19"
 """What identifies the C source that belongs to this package."""
 
 

@@ -95,15 +95,26 @@ struct kernel {
     evaluate_longdouble *split_longdouble, *fused_longdouble;
 };
 
+/* A kernel without compensation, which is called with the addresses of arrays in the usual layout. */
+typedef void evaluate_plain(char *const *data, npy_intp points);
+
+struct plain_kernel {
+    const char *name, *signature;
+    int arguments, results;
+    struct shape shapes[MOST_OPERANDS];
+    evaluate_plain *usual_float, *fused_float;
+    evaluate_plain *usual_double, *fused_double;
+    evaluate_plain *usual_longdouble, *fused_longdouble;
+};
+
 static int fused_is_available = 0;
 
 /* Read the steps of a generalized ufunc: first those of the points, then those of the core dimensions. */
-static void lay_out(struct layout *layouts, const struct kernel *kernel, const npy_intp *steps)
+static void lay_out(struct layout *layouts, const struct shape *shapes, const int operands, const npy_intp *steps)
 {
-    const int operands = kernel->arguments + kernel->results;
     const npy_intp *core_steps = steps + operands;
     for (int k = 0; k < operands; k++) {
-        const struct shape shape = kernel->shapes[k];
+        const struct shape shape = shapes[k];
         layouts[k].rows = shape.rows;
         layouts[k].columns = shape.columns;
         layouts[k].row_step = shape.dimensions == 2 ? *core_steps++ : 0;
@@ -120,6 +131,16 @@ static void lay_out(struct layout *layouts, const struct kernel *kernel, const n
 #define SOLVER(name, height, width) \
     static FORCED_INLINE real NAME(name##_##height)(const real system[height][2 * height + 2], real solution[width], \
                                                     real range)
+#define SOLVER_ONCE(name, height, width) \
+    static FORCED_INLINE void NAME(name##_once_##height)(const real system[height][height + 1], real solution[width])
+#define PLAIN(name) static VERSION void NAME(name)
+#define CALL(name, length, ...) \
+    static void NAME(call_##name)(char *const *data, const npy_intp all) \
+    { \
+        for (npy_intp first = 0; first < all; first += length) { \
+            NAME(name)(__VA_ARGS__, all - first < length ? all - first : length); \
+        } \
+    }
 #define KERNEL(name) \
     static VERSION void NAME(name)(const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK], \
                                    real *restrict ranges, const npy_intp points)
@@ -154,6 +175,19 @@ static void lay_out(struct layout *layouts, const struct kernel *kernel, const n
 #undef VERSION
 #endif
 #include "_loops.h"
+#define VERSION SPLIT
+#define variant float_plain
+#include "_plain_kernels.h"
+#undef variant
+#undef VERSION
+#ifdef FUSED
+#define VERSION FUSED
+#define variant float_plain_fused
+#include "_plain_kernels.h"
+#undef variant
+#undef VERSION
+#endif
+#include "_plain_loops.h"
 #undef real
 #undef absolute
 #undef multiply_add
@@ -188,6 +222,19 @@ static void lay_out(struct layout *layouts, const struct kernel *kernel, const n
 #undef VERSION
 #endif
 #include "_loops.h"
+#define VERSION SPLIT
+#define variant double_plain
+#include "_plain_kernels.h"
+#undef variant
+#undef VERSION
+#ifdef FUSED
+#define VERSION FUSED
+#define variant double_plain_fused
+#include "_plain_kernels.h"
+#undef variant
+#undef VERSION
+#endif
+#include "_plain_loops.h"
 #undef real
 #undef absolute
 #undef multiply_add
@@ -211,6 +258,12 @@ static void lay_out(struct layout *layouts, const struct kernel *kernel, const n
 #undef within
 #undef VERSION
 #include "_loops.h"
+#define VERSION
+#define variant longdouble_plain
+#include "_plain_kernels.h"
+#undef variant
+#undef VERSION
+#include "_plain_loops.h"
 #undef real
 #undef absolute
 #undef multiply_add
@@ -582,30 +635,409 @@ static struct kernel kernels[] = {
      space_mu_from_fifth_point_longdouble_split, NULL},
 };
 
-enum { KERNELS = sizeof kernels / sizeof kernels[0], TYPES = 3 };
+static struct plain_kernel plain_kernels[] = {
+    {"plain_affine_plane_coordinates", "(2),(3,2)->(2)", 2, 1,
+     {{1, 1, 2}, {2, 3, 2}, {1, 1, 2}},
+     call_affine_plane_coordinates_float_plain, FUSED_VERSION(call_affine_plane_coordinates_float_plain_fused),
+     call_affine_plane_coordinates_double_plain, FUSED_VERSION(call_affine_plane_coordinates_double_plain_fused),
+     call_affine_plane_coordinates_longdouble_plain, NULL},
+    {"plain_affine_plane_frame", "(3,2)->(3,3)", 1, 1,
+     {{2, 3, 2}, {2, 3, 3}},
+     call_affine_plane_frame_float_plain, FUSED_VERSION(call_affine_plane_frame_float_plain_fused),
+     call_affine_plane_frame_double_plain, FUSED_VERSION(call_affine_plane_frame_double_plain_fused),
+     call_affine_plane_frame_longdouble_plain, NULL},
+    {"plain_affine_space_coordinates", "(3),(4,3)->(3)", 2, 1,
+     {{1, 1, 3}, {2, 4, 3}, {1, 1, 3}},
+     call_affine_space_coordinates_float_plain, FUSED_VERSION(call_affine_space_coordinates_float_plain_fused),
+     call_affine_space_coordinates_double_plain, FUSED_VERSION(call_affine_space_coordinates_double_plain_fused),
+     call_affine_space_coordinates_longdouble_plain, NULL},
+    {"plain_affine_space_frame", "(4,3)->(4,4)", 1, 1,
+     {{2, 4, 3}, {2, 4, 4}},
+     call_affine_space_frame_float_plain, FUSED_VERSION(call_affine_space_frame_float_plain_fused),
+     call_affine_space_frame_double_plain, FUSED_VERSION(call_affine_space_frame_double_plain_fused),
+     call_affine_space_frame_longdouble_plain, NULL},
+    {"plain_collinearity_coplanarity_determinant", "(11),(11),(2),(2)->()", 4, 1,
+     {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
+     call_collinearity_coplanarity_determinant_float_plain, FUSED_VERSION(call_collinearity_coplanarity_determinant_float_plain_fused),
+     call_collinearity_coplanarity_determinant_double_plain, FUSED_VERSION(call_collinearity_coplanarity_determinant_double_plain_fused),
+     call_collinearity_coplanarity_determinant_longdouble_plain, NULL},
+    {"plain_collinearity_intersect", "(11),(11),(2),(2)->(3)", 4, 1,
+     {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     call_collinearity_intersect_float_plain, FUSED_VERSION(call_collinearity_intersect_float_plain_fused),
+     call_collinearity_intersect_double_plain, FUSED_VERSION(call_collinearity_intersect_double_plain_fused),
+     call_collinearity_intersect_longdouble_plain, NULL},
+    {"plain_collinearity_intersect_three", "(11),(11),(2),(2)->(3)", 4, 1,
+     {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     call_collinearity_intersect_three_float_plain, FUSED_VERSION(call_collinearity_intersect_three_float_plain_fused),
+     call_collinearity_intersect_three_double_plain, FUSED_VERSION(call_collinearity_intersect_three_double_plain_fused),
+     call_collinearity_intersect_three_longdouble_plain, NULL},
+    {"plain_collinearity_model_point", "(3),(3),()->(3)", 3, 1,
+     {{1, 1, 3}, {1, 1, 3}, {0, 1, 1}, {1, 1, 3}},
+     call_collinearity_model_point_float_plain, FUSED_VERSION(call_collinearity_model_point_float_plain_fused),
+     call_collinearity_model_point_double_plain, FUSED_VERSION(call_collinearity_model_point_double_plain_fused),
+     call_collinearity_model_point_longdouble_plain, NULL},
+    {"plain_collinearity_project", "(11),(3)->(2)", 2, 1,
+     {{1, 1, 11}, {1, 1, 3}, {1, 1, 2}},
+     call_collinearity_project_float_plain, FUSED_VERSION(call_collinearity_project_float_plain_fused),
+     call_collinearity_project_double_plain, FUSED_VERSION(call_collinearity_project_double_plain_fused),
+     call_collinearity_project_longdouble_plain, NULL},
+    {"plain_collinearity_project_jacobian_parameters", "(11),(3)->(2,11)", 2, 1,
+     {{1, 1, 11}, {1, 1, 3}, {2, 2, 11}},
+     call_collinearity_project_jacobian_parameters_float_plain, FUSED_VERSION(call_collinearity_project_jacobian_parameters_float_plain_fused),
+     call_collinearity_project_jacobian_parameters_double_plain, FUSED_VERSION(call_collinearity_project_jacobian_parameters_double_plain_fused),
+     call_collinearity_project_jacobian_parameters_longdouble_plain, NULL},
+    {"plain_collinearity_project_jacobian_point", "(11),(3)->(2,3)", 2, 1,
+     {{1, 1, 11}, {1, 1, 3}, {2, 2, 3}},
+     call_collinearity_project_jacobian_point_float_plain, FUSED_VERSION(call_collinearity_project_jacobian_point_float_plain_fused),
+     call_collinearity_project_jacobian_point_double_plain, FUSED_VERSION(call_collinearity_project_jacobian_point_double_plain_fused),
+     call_collinearity_project_jacobian_point_longdouble_plain, NULL},
+    {"plain_collinearity_space_map", "(15),(3)->(3)", 2, 1,
+     {{1, 1, 15}, {1, 1, 3}, {1, 1, 3}},
+     call_collinearity_space_map_float_plain, FUSED_VERSION(call_collinearity_space_map_float_plain_fused),
+     call_collinearity_space_map_double_plain, FUSED_VERSION(call_collinearity_space_map_double_plain_fused),
+     call_collinearity_space_map_longdouble_plain, NULL},
+    {"plain_correlation_correlation_from_cameras", "(3),(2),(3),(2)->(3,3)", 4, 1,
+     {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
+     call_correlation_correlation_from_cameras_float_plain, FUSED_VERSION(call_correlation_correlation_from_cameras_float_plain_fused),
+     call_correlation_correlation_from_cameras_double_plain, FUSED_VERSION(call_correlation_correlation_from_cameras_double_plain_fused),
+     call_correlation_correlation_from_cameras_longdouble_plain, NULL},
+    {"plain_correlation_correlation_matrix", "(5,2),(5,2)->(3,3)", 2, 1,
+     {{2, 5, 2}, {2, 5, 2}, {2, 3, 3}},
+     call_correlation_correlation_matrix_float_plain, FUSED_VERSION(call_correlation_correlation_matrix_float_plain_fused),
+     call_correlation_correlation_matrix_double_plain, FUSED_VERSION(call_correlation_correlation_matrix_double_plain_fused),
+     call_correlation_correlation_matrix_longdouble_plain, NULL},
+    {"plain_correlation_design_row", "(2),(2)->(5)", 2, 1,
+     {{1, 1, 2}, {1, 1, 2}, {1, 1, 5}},
+     call_correlation_design_row_float_plain, FUSED_VERSION(call_correlation_design_row_float_plain_fused),
+     call_correlation_design_row_double_plain, FUSED_VERSION(call_correlation_design_row_double_plain_fused),
+     call_correlation_design_row_longdouble_plain, NULL},
+    {"plain_correlation_epipolar_line_left", "(3,3),(2)->(3)", 2, 1,
+     {{2, 3, 3}, {1, 1, 2}, {1, 1, 3}},
+     call_correlation_epipolar_line_left_float_plain, FUSED_VERSION(call_correlation_epipolar_line_left_float_plain_fused),
+     call_correlation_epipolar_line_left_double_plain, FUSED_VERSION(call_correlation_epipolar_line_left_double_plain_fused),
+     call_correlation_epipolar_line_left_longdouble_plain, NULL},
+    {"plain_correlation_epipolar_line_right", "(3,3),(2)->(3)", 2, 1,
+     {{2, 3, 3}, {1, 1, 2}, {1, 1, 3}},
+     call_correlation_epipolar_line_right_float_plain, FUSED_VERSION(call_correlation_epipolar_line_right_float_plain_fused),
+     call_correlation_epipolar_line_right_double_plain, FUSED_VERSION(call_correlation_epipolar_line_right_double_plain_fused),
+     call_correlation_epipolar_line_right_longdouble_plain, NULL},
+    {"plain_correlation_epipoles", "(3,3)->(2),(2)", 1, 2,
+     {{2, 3, 3}, {1, 1, 2}, {1, 1, 2}},
+     call_correlation_epipoles_float_plain, FUSED_VERSION(call_correlation_epipoles_float_plain_fused),
+     call_correlation_epipoles_double_plain, FUSED_VERSION(call_correlation_epipoles_double_plain_fused),
+     call_correlation_epipoles_longdouble_plain, NULL},
+    {"plain_correlation_general_correlation_matrix", "(8,2),(8,2)->(3,3)", 2, 1,
+     {{2, 8, 2}, {2, 8, 2}, {2, 3, 3}},
+     call_correlation_general_correlation_matrix_float_plain, FUSED_VERSION(call_correlation_general_correlation_matrix_float_plain_fused),
+     call_correlation_general_correlation_matrix_double_plain, FUSED_VERSION(call_correlation_general_correlation_matrix_double_plain_fused),
+     call_correlation_general_correlation_matrix_longdouble_plain, NULL},
+    {"plain_correlation_rhs", "(2),(2)->()", 2, 1,
+     {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
+     call_correlation_rhs_float_plain, FUSED_VERSION(call_correlation_rhs_float_plain_fused),
+     call_correlation_rhs_double_plain, FUSED_VERSION(call_correlation_rhs_double_plain_fused),
+     call_correlation_rhs_longdouble_plain, NULL},
+    {"plain_correlation_system", "(5,2),(5,2)->(5,5),(5)", 2, 2,
+     {{2, 5, 2}, {2, 5, 2}, {2, 5, 5}, {1, 1, 5}},
+     call_correlation_system_float_plain, FUSED_VERSION(call_correlation_system_float_plain_fused),
+     call_correlation_system_double_plain, FUSED_VERSION(call_correlation_system_double_plain_fused),
+     call_correlation_system_longdouble_plain, NULL},
+    {"plain_critical_algebraic_distance", "(4,4),(3)->()", 2, 1,
+     {{2, 4, 4}, {1, 1, 3}, {0, 1, 1}},
+     call_critical_algebraic_distance_float_plain, FUSED_VERSION(call_critical_algebraic_distance_float_plain_fused),
+     call_critical_algebraic_distance_double_plain, FUSED_VERSION(call_critical_algebraic_distance_double_plain_fused),
+     call_critical_algebraic_distance_longdouble_plain, NULL},
+    {"plain_critical_determinant", "(5,2),(5,2)->()", 2, 1,
+     {{2, 5, 2}, {2, 5, 2}, {0, 1, 1}},
+     call_critical_determinant_float_plain, FUSED_VERSION(call_critical_determinant_float_plain_fused),
+     call_critical_determinant_double_plain, FUSED_VERSION(call_critical_determinant_double_plain_fused),
+     call_critical_determinant_longdouble_plain, NULL},
+    {"plain_critical_invariants", "(4,4)->(4),(3)", 1, 2,
+     {{2, 4, 4}, {1, 1, 4}, {1, 1, 3}},
+     call_critical_invariants_float_plain, FUSED_VERSION(call_critical_invariants_float_plain_fused),
+     call_critical_invariants_double_plain, FUSED_VERSION(call_critical_invariants_double_plain_fused),
+     call_critical_invariants_longdouble_plain, NULL},
+    {"plain_critical_quadric", "(3),(2),(3),(2),(4,3)->(4,4)", 5, 1,
+     {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {2, 4, 3}, {2, 4, 4}},
+     call_critical_quadric_float_plain, FUSED_VERSION(call_critical_quadric_float_plain_fused),
+     call_critical_quadric_double_plain, FUSED_VERSION(call_critical_quadric_double_plain_fused),
+     call_critical_quadric_longdouble_plain, NULL},
+    {"plain_metric_coplanarity_row", "(2),(2),(3,3),(3,3),()->(5)", 5, 1,
+     {{1, 1, 2}, {1, 1, 2}, {2, 3, 3}, {2, 3, 3}, {0, 1, 1}, {1, 1, 5}},
+     call_metric_coplanarity_row_float_plain, FUSED_VERSION(call_metric_coplanarity_row_float_plain_fused),
+     call_metric_coplanarity_row_double_plain, FUSED_VERSION(call_metric_coplanarity_row_double_plain_fused),
+     call_metric_coplanarity_row_longdouble_plain, NULL},
+    {"plain_metric_correlation_matrix", "(3,3),(3,3),(3)->(3,3)", 3, 1,
+     {{2, 3, 3}, {2, 3, 3}, {1, 1, 3}, {2, 3, 3}},
+     call_metric_correlation_matrix_float_plain, FUSED_VERSION(call_metric_correlation_matrix_float_plain_fused),
+     call_metric_correlation_matrix_double_plain, FUSED_VERSION(call_metric_correlation_matrix_double_plain_fused),
+     call_metric_correlation_matrix_longdouble_plain, NULL},
+    {"plain_metric_from_normal", "(3,3),(2),()->(2)", 3, 1,
+     {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}},
+     call_metric_from_normal_float_plain, FUSED_VERSION(call_metric_from_normal_float_plain_fused),
+     call_metric_from_normal_double_plain, FUSED_VERSION(call_metric_from_normal_double_plain_fused),
+     call_metric_from_normal_longdouble_plain, NULL},
+    {"plain_metric_from_normal_jacobian", "(3,3),(2),()->(2,12)", 3, 1,
+     {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 12}},
+     call_metric_from_normal_jacobian_float_plain, FUSED_VERSION(call_metric_from_normal_jacobian_float_plain_fused),
+     call_metric_from_normal_jacobian_double_plain, FUSED_VERSION(call_metric_from_normal_jacobian_double_plain_fused),
+     call_metric_from_normal_jacobian_longdouble_plain, NULL},
+    {"plain_metric_jacobian_angles", "(2),()->(2,3)", 2, 1,
+     {{1, 1, 2}, {0, 1, 1}, {2, 2, 3}},
+     call_metric_jacobian_angles_float_plain, FUSED_VERSION(call_metric_jacobian_angles_float_plain_fused),
+     call_metric_jacobian_angles_double_plain, FUSED_VERSION(call_metric_jacobian_angles_double_plain_fused),
+     call_metric_jacobian_angles_longdouble_plain, NULL},
+    {"plain_metric_jacobian_image", "(3,3),(2),()->(2,2)", 3, 1,
+     {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 2}},
+     call_metric_jacobian_image_float_plain, FUSED_VERSION(call_metric_jacobian_image_float_plain_fused),
+     call_metric_jacobian_image_double_plain, FUSED_VERSION(call_metric_jacobian_image_double_plain_fused),
+     call_metric_jacobian_image_longdouble_plain, NULL},
+    {"plain_metric_model_covariance", "(2),(2),(),(2,2),(2,2),(2,2)->(3,3)", 6, 1,
+     {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {2, 2, 2}, {2, 2, 2}, {2, 2, 2}, {2, 3, 3}},
+     call_metric_model_covariance_float_plain, FUSED_VERSION(call_metric_model_covariance_float_plain_fused),
+     call_metric_model_covariance_double_plain, FUSED_VERSION(call_metric_model_covariance_double_plain_fused),
+     call_metric_model_covariance_longdouble_plain, NULL},
+    {"plain_metric_normal_covariance", "(3,3),(2),(),(3,3),()->(2,2)", 5, 1,
+     {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 3, 3}, {0, 1, 1}, {2, 2, 2}},
+     call_metric_normal_covariance_float_plain, FUSED_VERSION(call_metric_normal_covariance_float_plain_fused),
+     call_metric_normal_covariance_double_plain, FUSED_VERSION(call_metric_normal_covariance_double_plain_fused),
+     call_metric_normal_covariance_longdouble_plain, NULL},
+    {"plain_metric_reconstruct", "(2),(2),()->(3)", 3, 1,
+     {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {1, 1, 3}},
+     call_metric_reconstruct_float_plain, FUSED_VERSION(call_metric_reconstruct_float_plain_fused),
+     call_metric_reconstruct_double_plain, FUSED_VERSION(call_metric_reconstruct_double_plain_fused),
+     call_metric_reconstruct_longdouble_plain, NULL},
+    {"plain_metric_reconstruct_jacobian", "(2),(2),()->(3,5)", 3, 1,
+     {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {2, 3, 5}},
+     call_metric_reconstruct_jacobian_float_plain, FUSED_VERSION(call_metric_reconstruct_jacobian_float_plain_fused),
+     call_metric_reconstruct_jacobian_double_plain, FUSED_VERSION(call_metric_reconstruct_jacobian_double_plain_fused),
+     call_metric_reconstruct_jacobian_longdouble_plain, NULL},
+    {"plain_metric_to_normal", "(3,3),(2),()->(2)", 3, 1,
+     {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}},
+     call_metric_to_normal_float_plain, FUSED_VERSION(call_metric_to_normal_float_plain_fused),
+     call_metric_to_normal_double_plain, FUSED_VERSION(call_metric_to_normal_double_plain_fused),
+     call_metric_to_normal_longdouble_plain, NULL},
+    {"plain_metric_to_normal_jacobian", "(3,3),(2),()->(2,12)", 3, 1,
+     {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 12}},
+     call_metric_to_normal_jacobian_float_plain, FUSED_VERSION(call_metric_to_normal_jacobian_float_plain_fused),
+     call_metric_to_normal_jacobian_double_plain, FUSED_VERSION(call_metric_to_normal_jacobian_double_plain_fused),
+     call_metric_to_normal_jacobian_longdouble_plain, NULL},
+    {"plain_normal_case_frame", "(),(2)->(3,3)", 2, 1,
+     {{0, 1, 1}, {1, 1, 2}, {2, 3, 3}},
+     call_normal_case_frame_float_plain, FUSED_VERSION(call_normal_case_frame_float_plain_fused),
+     call_normal_case_frame_double_plain, FUSED_VERSION(call_normal_case_frame_double_plain_fused),
+     call_normal_case_frame_longdouble_plain, NULL},
+    {"plain_normal_case_from_correlation", "(3,3)->(),(2),(2)", 1, 3,
+     {{2, 3, 3}, {0, 1, 1}, {1, 1, 2}, {1, 1, 2}},
+     call_normal_case_from_correlation_float_plain, FUSED_VERSION(call_normal_case_from_correlation_float_plain_fused),
+     call_normal_case_from_correlation_double_plain, FUSED_VERSION(call_normal_case_from_correlation_double_plain_fused),
+     call_normal_case_from_correlation_longdouble_plain, NULL},
+    {"plain_normal_case_from_orientation", "(3),(3),(3),(2)->(),(2),(2)", 4, 3,
+     {{1, 1, 3}, {1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}, {1, 1, 2}},
+     call_normal_case_from_orientation_float_plain, FUSED_VERSION(call_normal_case_from_orientation_float_plain_fused),
+     call_normal_case_from_orientation_double_plain, FUSED_VERSION(call_normal_case_from_orientation_double_plain_fused),
+     call_normal_case_from_orientation_longdouble_plain, NULL},
+    {"plain_normal_case_map_points", "(2),(2)->(2)", 2, 1,
+     {{1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
+     call_normal_case_map_points_float_plain, FUSED_VERSION(call_normal_case_map_points_float_plain_fused),
+     call_normal_case_map_points_double_plain, FUSED_VERSION(call_normal_case_map_points_double_plain_fused),
+     call_normal_case_map_points_longdouble_plain, NULL},
+    {"plain_normal_case_mu_left", "(3),(2),()->(3)", 3, 1,
+     {{1, 1, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 3}},
+     call_normal_case_mu_left_float_plain, FUSED_VERSION(call_normal_case_mu_left_float_plain_fused),
+     call_normal_case_mu_left_double_plain, FUSED_VERSION(call_normal_case_mu_left_double_plain_fused),
+     call_normal_case_mu_left_longdouble_plain, NULL},
+    {"plain_normal_case_mu_right", "(3),(3),(2),()->(3)", 4, 1,
+     {{1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 3}},
+     call_normal_case_mu_right_float_plain, FUSED_VERSION(call_normal_case_mu_right_float_plain_fused),
+     call_normal_case_mu_right_double_plain, FUSED_VERSION(call_normal_case_mu_right_double_plain_fused),
+     call_normal_case_mu_right_longdouble_plain, NULL},
+    {"plain_normal_case_tau", "(2),(2)->(2)", 2, 1,
+     {{1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
+     call_normal_case_tau_float_plain, FUSED_VERSION(call_normal_case_tau_float_plain_fused),
+     call_normal_case_tau_double_plain, FUSED_VERSION(call_normal_case_tau_double_plain_fused),
+     call_normal_case_tau_longdouble_plain, NULL},
+    {"plain_normal_case_tau_jacobian", "(2),(2)->(2,4)", 2, 1,
+     {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}},
+     call_normal_case_tau_jacobian_float_plain, FUSED_VERSION(call_normal_case_tau_jacobian_float_plain_fused),
+     call_normal_case_tau_jacobian_double_plain, FUSED_VERSION(call_normal_case_tau_jacobian_double_plain_fused),
+     call_normal_case_tau_jacobian_longdouble_plain, NULL},
+    {"plain_normal_case_transform", "(2)->(3,3)", 1, 1,
+     {{1, 1, 2}, {2, 3, 3}},
+     call_normal_case_transform_float_plain, FUSED_VERSION(call_normal_case_transform_float_plain_fused),
+     call_normal_case_transform_double_plain, FUSED_VERSION(call_normal_case_transform_double_plain_fused),
+     call_normal_case_transform_longdouble_plain, NULL},
+    {"plain_optics_image_point", "(),(3)->(3)", 2, 1,
+     {{0, 1, 1}, {1, 1, 3}, {1, 1, 3}},
+     call_optics_image_point_float_plain, FUSED_VERSION(call_optics_image_point_float_plain_fused),
+     call_optics_image_point_double_plain, FUSED_VERSION(call_optics_image_point_double_plain_fused),
+     call_optics_image_point_longdouble_plain, NULL},
+    {"plain_optics_lens_matrix", "()->(4,4)", 1, 1,
+     {{0, 1, 1}, {2, 4, 4}},
+     call_optics_lens_matrix_float_plain, FUSED_VERSION(call_optics_lens_matrix_float_plain_fused),
+     call_optics_lens_matrix_double_plain, FUSED_VERSION(call_optics_lens_matrix_double_plain_fused),
+     call_optics_lens_matrix_longdouble_plain, NULL},
+    {"plain_optics_map_plane_points", "(3),(2)->(2)", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {1, 1, 2}},
+     call_optics_map_plane_points_float_plain, FUSED_VERSION(call_optics_map_plane_points_float_plain_fused),
+     call_optics_map_plane_points_double_plain, FUSED_VERSION(call_optics_map_plane_points_double_plain_fused),
+     call_optics_map_plane_points_longdouble_plain, NULL},
+    {"plain_optics_object_point", "(),(3)->(3)", 2, 1,
+     {{0, 1, 1}, {1, 1, 3}, {1, 1, 3}},
+     call_optics_object_point_float_plain, FUSED_VERSION(call_optics_object_point_float_plain_fused),
+     call_optics_object_point_double_plain, FUSED_VERSION(call_optics_object_point_double_plain_fused),
+     call_optics_object_point_longdouble_plain, NULL},
+    {"plain_optics_plane_homography", "(3)->(3,3)", 1, 1,
+     {{1, 1, 3}, {2, 3, 3}},
+     call_optics_plane_homography_float_plain, FUSED_VERSION(call_optics_plane_homography_float_plain_fused),
+     call_optics_plane_homography_double_plain, FUSED_VERSION(call_optics_plane_homography_double_plain_fused),
+     call_optics_plane_homography_longdouble_plain, NULL},
+    {"plain_optics_scale", "(),()->()", 2, 1,
+     {{0, 1, 1}, {0, 1, 1}, {0, 1, 1}},
+     call_optics_scale_float_plain, FUSED_VERSION(call_optics_scale_float_plain_fused),
+     call_optics_scale_double_plain, FUSED_VERSION(call_optics_scale_double_plain_fused),
+     call_optics_scale_longdouble_plain, NULL},
+    {"plain_optics_vanishing_line", "(3)->(3)", 1, 1,
+     {{1, 1, 3}, {1, 1, 3}},
+     call_optics_vanishing_line_float_plain, FUSED_VERSION(call_optics_vanishing_line_float_plain_fused),
+     call_optics_vanishing_line_double_plain, FUSED_VERSION(call_optics_vanishing_line_double_plain_fused),
+     call_optics_vanishing_line_longdouble_plain, NULL},
+    {"plain_orientation_intersect", "(2),(2),(3),(2),(3),(2)->(3)", 6, 1,
+     {{1, 1, 2}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
+     call_orientation_intersect_float_plain, FUSED_VERSION(call_orientation_intersect_float_plain_fused),
+     call_orientation_intersect_double_plain, FUSED_VERSION(call_orientation_intersect_double_plain_fused),
+     call_orientation_intersect_longdouble_plain, NULL},
+    {"plain_orientation_left_bundle", "(3),(2),(2)->(3)", 3, 1,
+     {{1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     call_orientation_left_bundle_float_plain, FUSED_VERSION(call_orientation_left_bundle_float_plain_fused),
+     call_orientation_left_bundle_double_plain, FUSED_VERSION(call_orientation_left_bundle_double_plain_fused),
+     call_orientation_left_bundle_longdouble_plain, NULL},
+    {"plain_orientation_right_bundle", "(3),(3),(2),(2)->(3)", 4, 1,
+     {{1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     call_orientation_right_bundle_float_plain, FUSED_VERSION(call_orientation_right_bundle_float_plain_fused),
+     call_orientation_right_bundle_double_plain, FUSED_VERSION(call_orientation_right_bundle_double_plain_fused),
+     call_orientation_right_bundle_longdouble_plain, NULL},
+    {"plain_projection_camera_matrix", "(3),(2)->(3,4)", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {2, 3, 4}},
+     call_projection_camera_matrix_float_plain, FUSED_VERSION(call_projection_camera_matrix_float_plain_fused),
+     call_projection_camera_matrix_double_plain, FUSED_VERSION(call_projection_camera_matrix_double_plain_fused),
+     call_projection_camera_matrix_longdouble_plain, NULL},
+    {"plain_projection_center_from_mu", "(3),(2)->(3)", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
+     call_projection_center_from_mu_float_plain, FUSED_VERSION(call_projection_center_from_mu_float_plain_fused),
+     call_projection_center_from_mu_double_plain, FUSED_VERSION(call_projection_center_from_mu_double_plain_fused),
+     call_projection_center_from_mu_longdouble_plain, NULL},
+    {"plain_projection_mu_from_center", "(3),(2)->(3)", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
+     call_projection_mu_from_center_float_plain, FUSED_VERSION(call_projection_mu_from_center_float_plain_fused),
+     call_projection_mu_from_center_double_plain, FUSED_VERSION(call_projection_mu_from_center_double_plain_fused),
+     call_projection_mu_from_center_longdouble_plain, NULL},
+    {"plain_projection_mu_from_center_jacobian", "(3),(2)->(3,5)", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {2, 3, 5}},
+     call_projection_mu_from_center_jacobian_float_plain, FUSED_VERSION(call_projection_mu_from_center_jacobian_float_plain_fused),
+     call_projection_mu_from_center_jacobian_double_plain, FUSED_VERSION(call_projection_mu_from_center_jacobian_double_plain_fused),
+     call_projection_mu_from_center_jacobian_longdouble_plain, NULL},
+    {"plain_projection_project", "(3),(3),(2)->(2)", 3, 1,
+     {{1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}},
+     call_projection_project_float_plain, FUSED_VERSION(call_projection_project_float_plain_fused),
+     call_projection_project_double_plain, FUSED_VERSION(call_projection_project_double_plain_fused),
+     call_projection_project_longdouble_plain, NULL},
+    {"plain_projection_projection_determinant", "(3),(2)->()", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {0, 1, 1}},
+     call_projection_projection_determinant_float_plain, FUSED_VERSION(call_projection_projection_determinant_float_plain_fused),
+     call_projection_projection_determinant_double_plain, FUSED_VERSION(call_projection_projection_determinant_double_plain_fused),
+     call_projection_projection_determinant_longdouble_plain, NULL},
+    {"plain_projection_projection_determinant_from_mu", "(3),(2)->()", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {0, 1, 1}},
+     call_projection_projection_determinant_from_mu_float_plain, FUSED_VERSION(call_projection_projection_determinant_from_mu_float_plain_fused),
+     call_projection_projection_determinant_from_mu_double_plain, FUSED_VERSION(call_projection_projection_determinant_from_mu_double_plain_fused),
+     call_projection_projection_determinant_from_mu_longdouble_plain, NULL},
+    {"plain_projection_projection_matrix", "(3),(2)->(3,3)", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
+     call_projection_projection_matrix_float_plain, FUSED_VERSION(call_projection_projection_matrix_float_plain_fused),
+     call_projection_projection_matrix_double_plain, FUSED_VERSION(call_projection_projection_matrix_double_plain_fused),
+     call_projection_projection_matrix_longdouble_plain, NULL},
+    {"plain_projection_projection_matrix_from_mu", "(3),(2)->(3,3)", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
+     call_projection_projection_matrix_from_mu_float_plain, FUSED_VERSION(call_projection_projection_matrix_from_mu_float_plain_fused),
+     call_projection_projection_matrix_from_mu_double_plain, FUSED_VERSION(call_projection_projection_matrix_from_mu_double_plain_fused),
+     call_projection_projection_matrix_from_mu_longdouble_plain, NULL},
+    {"plain_projection_projection_matrix_jacobian", "(3),(2)->(9,5)", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {2, 9, 5}},
+     call_projection_projection_matrix_jacobian_float_plain, FUSED_VERSION(call_projection_projection_matrix_jacobian_float_plain_fused),
+     call_projection_projection_matrix_jacobian_double_plain, FUSED_VERSION(call_projection_projection_matrix_jacobian_double_plain_fused),
+     call_projection_projection_matrix_jacobian_longdouble_plain, NULL},
+    {"plain_projection_reconstruction_matrix", "(3),(2)->(3,3)", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
+     call_projection_reconstruction_matrix_float_plain, FUSED_VERSION(call_projection_reconstruction_matrix_float_plain_fused),
+     call_projection_reconstruction_matrix_double_plain, FUSED_VERSION(call_projection_reconstruction_matrix_double_plain_fused),
+     call_projection_reconstruction_matrix_longdouble_plain, NULL},
+    {"plain_projection_reconstruction_matrix_from_mu", "(3),(2)->(3,3)", 2, 1,
+     {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
+     call_projection_reconstruction_matrix_from_mu_float_plain, FUSED_VERSION(call_projection_reconstruction_matrix_from_mu_float_plain_fused),
+     call_projection_reconstruction_matrix_from_mu_double_plain, FUSED_VERSION(call_projection_reconstruction_matrix_from_mu_double_plain_fused),
+     call_projection_reconstruction_matrix_from_mu_longdouble_plain, NULL},
+    {"plain_space_homography", "(4)->(4,4)", 1, 1,
+     {{1, 1, 4}, {2, 4, 4}},
+     call_space_homography_float_plain, FUSED_VERSION(call_space_homography_float_plain_fused),
+     call_space_homography_double_plain, FUSED_VERSION(call_space_homography_double_plain_fused),
+     call_space_homography_longdouble_plain, NULL},
+    {"plain_space_map_plane", "(4),(4)->(4)", 2, 1,
+     {{1, 1, 4}, {1, 1, 4}, {1, 1, 4}},
+     call_space_map_plane_float_plain, FUSED_VERSION(call_space_map_plane_float_plain_fused),
+     call_space_map_plane_double_plain, FUSED_VERSION(call_space_map_plane_double_plain_fused),
+     call_space_map_plane_longdouble_plain, NULL},
+    {"plain_space_map_points", "(4),(3)->(3)", 2, 1,
+     {{1, 1, 4}, {1, 1, 3}, {1, 1, 3}},
+     call_space_map_points_float_plain, FUSED_VERSION(call_space_map_points_float_plain_fused),
+     call_space_map_points_double_plain, FUSED_VERSION(call_space_map_points_double_plain_fused),
+     call_space_map_points_longdouble_plain, NULL},
+    {"plain_space_mu_from_fifth_point", "(3),(3)->(4)", 2, 1,
+     {{1, 1, 3}, {1, 1, 3}, {1, 1, 4}},
+     call_space_mu_from_fifth_point_float_plain, FUSED_VERSION(call_space_mu_from_fifth_point_float_plain_fused),
+     call_space_mu_from_fifth_point_double_plain, FUSED_VERSION(call_space_mu_from_fifth_point_double_plain_fused),
+     call_space_mu_from_fifth_point_longdouble_plain, NULL},
+};
+
+enum { KERNELS = sizeof kernels / sizeof kernels[0], PLAIN_KERNELS = sizeof plain_kernels / sizeof plain_kernels[0] };
+enum { TYPES = 3 };
 
 static PyUFuncGenericFunction loops[TYPES] = {loop_float, loop_double, loop_longdouble};
+static PyUFuncGenericFunction plain_loops[TYPES] = {plain_loop_float, plain_loop_double, plain_loop_longdouble};
 static const char type_numbers[TYPES] = {NPY_FLOAT, NPY_DOUBLE, NPY_LONGDOUBLE};
-static char types[KERNELS][TYPES * MOST_OPERANDS];
-static void *data[KERNELS][TYPES];
+static char types[KERNELS][TYPES * MOST_OPERANDS], plain_types[PLAIN_KERNELS][TYPES * MOST_OPERANDS];
+static void *data[KERNELS][TYPES], *plain_data[PLAIN_KERNELS][TYPES];
 
-static int add_ufunc(PyObject *module, const int place)
+/* What the ufunc of a kernel keeps is the kernel itself, once for each type. */
+static int add_ufunc(PyObject *module, const char *name, const char *signature, const int arguments, const int results,
+                     PyUFuncGenericFunction *loops_of_types, char *types_of_loops, void **kept, void *kernel)
 {
-    struct kernel *kernel = &kernels[place];
-    const int operands = kernel->arguments + kernel->results;
+    const int operands = arguments + results;
     for (int type = 0; type < TYPES; type++) {
-        memset(types[place] + type * operands, type_numbers[type], operands);
-        data[place][type] = kernel;
+        memset(types_of_loops + type * operands, type_numbers[type], operands);
+        kept[type] = kernel;
     }
-    PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(loops, data[place], types[place], TYPES, kernel->arguments,
-                                                          kernel->results, PyUFunc_None, kernel->name, NULL, 0,
-                                                          kernel->signature);
+    PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(loops_of_types, kept, types_of_loops, TYPES, arguments, results,
+                                                          PyUFunc_None, name, NULL, 0, signature);
     if (ufunc == NULL) {
         return -1;
     }
-    const int failed = PyModule_AddObjectRef(module, kernel->name, ufunc);
+    const int failed = PyModule_AddObjectRef(module, name, ufunc);
     Py_DECREF(ufunc);
     return failed;
+}
+
+static int add_kernel(PyObject *module, const int place)
+{
+    struct kernel *kernel = &kernels[place];
+    return add_ufunc(module, kernel->name, kernel->signature, kernel->arguments, kernel->results, loops, types[place],
+                     data[place], kernel);
+}
+
+static int add_plain_kernel(PyObject *module, const int place)
+{
+    struct plain_kernel *kernel = &plain_kernels[place];
+    return add_ufunc(module, kernel->name, kernel->signature, kernel->arguments, kernel->results, plain_loops,
+                     plain_types[place], plain_data[place], kernel);
 }
 
 static int execute(PyObject *module)
@@ -617,11 +1049,16 @@ static int execute(PyObject *module)
     fused_is_available = FUSED_IS_AVAILABLE;
 #endif
     for (int place = 0; place < KERNELS; place++) {
-        if (add_ufunc(module, place) < 0) {
+        if (add_kernel(module, place) < 0) {
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "8df6f5bf75d64383");
+    for (int place = 0; place < PLAIN_KERNELS; place++) {
+        if (add_plain_kernel(module, place) < 0) {
+            return -1;
+        }
+    }
+    return PyModule_AddStringConstant(module, "DIGEST", "ab11b419636b0e19");
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -77,7 +77,7 @@ static void TYPED(loop)(char **data, const npy_intp *dimensions, const npy_intp 
     if (raised) {
         feclearexcept(EXCEPTIONS);
     }
-    lay_out(layouts, kernel, steps);
+    lay_out(layouts, kernel->shapes, kernel->arguments + kernel->results, steps);
     for (npy_intp start = 0; start < dimensions[0]; start += BLOCK) {
         const npy_intp points = dimensions[0] - start < BLOCK ? dimensions[0] - start : BLOCK;
         int row = 0;

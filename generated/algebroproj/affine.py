@@ -64,6 +64,7 @@ def plane_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     Operations: 4 (4 -); the derived expression as written takes 4.
 
     Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.0 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
 
     Examples
     --------
@@ -130,6 +131,7 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.387 ULP in the median and 1.96 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.16 ULP in the median, 167 ULP at most on ordinary input, 9.56e+13 ULP on any.
 
     Examples
     --------
@@ -218,6 +220,7 @@ def space_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     Operations: 9 (9 -); the derived expression as written takes 9.
 
     Measured error in float64: 0.0193 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.0193 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
 
     Examples
     --------
@@ -301,6 +304,7 @@ def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.383 ULP in the median and 1.53 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 2.56 ULP in the median, 87.7 ULP at most on ordinary input, 2.72e+15 ULP on any.
 
     Examples
     --------

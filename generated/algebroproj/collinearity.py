@@ -100,6 +100,7 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     In compensated arithmetic, where sums may cancel: 687, 61 of them errors of products.
 
     Measured error in float64: 0.329 ULP in the median and 1.71 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.591 ULP in the median, 202 ULP at most on ordinary input, 202 ULP on any.
 
     Examples
     --------
@@ -209,6 +210,7 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.322 ULP in the median and 1.92 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.02 ULP in the median, 9.67 ULP at most on ordinary input, 5.81e+14 ULP on any.
 
     Examples
     --------
@@ -306,6 +308,7 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.393 ULP in the median and 2.95 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.12 ULP in the median, 21.8 ULP at most on ordinary input, 7.03e+14 ULP on any.
 
     Examples
     --------
@@ -394,6 +397,7 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.25 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 2.19 ULP in the median, 364 ULP at most on ordinary input, 2e+15 ULP on any.
 
     Examples
     --------
@@ -482,6 +486,7 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.373 ULP in the median and 1.94 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.21 ULP in the median, 793 ULP at most on ordinary input, 2.33e+14 ULP on any.
 
     Examples
     --------
@@ -572,6 +577,7 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     In compensated arithmetic, where sums may cancel: 997, 90 of them errors of products.
 
     Measured error in float64: 0.218 ULP in the median and 0.492 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.949 ULP in the median, 57.5 ULP at most on ordinary input, 57.5 ULP on any.
 
     Examples
     --------
@@ -670,6 +676,7 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.38 ULP in the median and 9.61 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 2.41 ULP in the median, 31.4 ULP at most on ordinary input, 1.28e+16 ULP on any.
 
     Examples
     --------
@@ -829,6 +836,7 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.249 ULP in the median and 0.497 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 1.23 ULP in the median, 80.9 ULP at most on ordinary input, 80.9 ULP on any.
 
     Examples
     --------
@@ -1007,6 +1015,8 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.412 ULP in the median and 2.36 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.844 ULP in the median, 15.7 ULP at most on ordinary input, 1.49e+14 ULP on
+    any.
 
     Examples
     --------
@@ -1084,6 +1094,7 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     In compensated arithmetic, where sums may cancel: 265, 26 of them errors of products.
 
     Measured error in float64: 0.233 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.51 ULP in the median, 9.76 ULP at most on ordinary input, 10.9 ULP on any.
 
     Examples
     --------

@@ -68,6 +68,7 @@ def design_row(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | Non
     Operations: 7 (3 -, 4 *); the derived expression as written takes 7.
 
     Measured error in float64: 0.252 ULP in the median and 1.18 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.252 ULP in the median, 1.18 ULP at most on ordinary input, 1.18 ULP on any.
 
     Examples
     --------
@@ -123,6 +124,7 @@ def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = Non
     Operations: 1 (1 -); the derived expression as written takes 1.
 
     Measured error in float64: 0.22 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.22 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
 
     Examples
     --------
@@ -181,6 +183,7 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
     In compensated arithmetic, where sums may cancel: 60, 6 of them errors of products.
 
     Measured error in float64: 0.262 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.365 ULP in the median, 27.8 ULP at most on ordinary input, 27.8 ULP on any.
 
     Examples
     --------
@@ -244,6 +247,7 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
     In compensated arithmetic, where sums may cancel: 60, 6 of them errors of products.
 
     Measured error in float64: 0.252 ULP in the median and 0.498 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.386 ULP in the median, 48.2 ULP at most on ordinary input, 48.2 ULP on any.
 
     Examples
     --------
@@ -325,6 +329,8 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.246 ULP in the median and 0.68 ULP at most (250 samples, near singularities too).
+    Without compensation (`plain`): 12900.0 ULP in the median, 119 ULP at most on ordinary input, 2.9e+15 ULP on
+    any.
 
     Examples
     --------
@@ -451,6 +457,7 @@ def system(u_left: ArrayLike, u_right: ArrayLike, *, out: tuple[NDArray[Any], ND
     Operations: 40 (20 -, 20 *); the derived expression as written takes 40.
 
     Measured error in float64: 0.25 ULP in the median and 1.33 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.25 ULP in the median, 1.33 ULP at most on ordinary input, 1.33 ULP on any.
 
     Examples
     --------
@@ -531,6 +538,7 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
 
     Measured error in float64: 0.36 ULP in the median and 0.173 times what rounding the arguments changes at most
     (150 samples, near singularities too).
+    Without compensation (`plain`): 9.8 ULP in the median, 432 ULP at most on ordinary input, 1.32e+16 ULP on any.
 
     Examples
     --------
@@ -615,6 +623,7 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: ND
 
     Measured error in float64: 0.217 ULP in the median and 0.0805 times what rounding the arguments changes at most
     (100 samples, near singularities too).
+    Without compensation (`plain`): 1.59 ULP in the median, 439 ULP at most on ordinary input, 4.57e+07 ULP on any.
 
     Examples
     --------
@@ -690,6 +699,8 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.361 ULP in the median and 1.82 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.845 ULP in the median, 18.1 ULP at most on ordinary input, 3.32e+14 ULP on
+    any.
 
     Examples
     --------

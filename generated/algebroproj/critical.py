@@ -60,6 +60,7 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | No
     In compensated arithmetic, where sums may cancel: 1190, 95 of them errors of products.
 
     Measured error in float64: 0.273 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 1.15 ULP in the median, 213 ULP at most on ordinary input, 2.5e+04 ULP on any.
 
     Examples
     --------
@@ -160,6 +161,7 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None =
     In compensated arithmetic, where sums may cancel: 171, 15 of them errors of products.
 
     Measured error in float64: 0.299 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.579 ULP in the median, 11.5 ULP at most on ordinary input, 11.5 ULP on any.
 
     Examples
     --------
@@ -242,6 +244,8 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.251 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 2.45 ULP in the median, 3.25e+03 ULP at most on ordinary input, 5.03e+06 ULP on
+    any.
 
     Examples
     --------
@@ -506,6 +510,7 @@ def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = 
     The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.25 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.417 ULP in the median, 219 ULP at most on ordinary input, 219 ULP on any.
 
     Examples
     --------

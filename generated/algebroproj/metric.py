@@ -76,6 +76,7 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDA
     Operations: 6 (1 -, 3 *, 1 /, 1 neg); the derived expression as written takes 6.
 
     Measured error in float64: 0.348 ULP in the median and 1.55 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.348 ULP in the median, 1.55 ULP at most on ordinary input, 1.55 ULP on any.
 
     Examples
     --------
@@ -160,6 +161,8 @@ def reconstruct_jacobian(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *,
     Operations: 14 (2 -, 6 *, 3 /, 3 neg); the derived expression as written takes 25.
 
     Measured error in float64: 0.274 ULP in the median and 1.08 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.396 ULP in the median, 6.15 ULP at most on ordinary input, 2.01e+13 ULP on
+    any.
 
     Examples
     --------
@@ -241,6 +244,7 @@ def rotation_left(phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None 
     Operations: 8 (4 *, 2 neg, 2 cos_sin); the derived expression as written takes 4.
 
     Measured error in float64: 0.269 ULP in the median and 1.64 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.269 ULP in the median, 1.64 ULP at most on ordinary input, 1.64 ULP on any.
 
     Examples
     --------
@@ -315,6 +319,7 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
     In compensated arithmetic, where sums may cancel: 115, 11 of them errors of products.
 
     Measured error in float64: 0.279 ULP in the median and 1.47 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.364 ULP in the median, 8.19 ULP at most on ordinary input, 14.2 ULP on any.
 
     Examples
     --------
@@ -396,6 +401,7 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
     The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.247 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.542 ULP in the median, 130 ULP at most on ordinary input, 130 ULP on any.
 
     Examples
     --------
@@ -508,6 +514,8 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
     In compensated arithmetic, where sums may cancel: 522, 47 of them errors of products.
 
     Measured error in float64: 0.27 ULP in the median and 1.13 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.444 ULP in the median, 26.4 ULP at most on ordinary input, 1.08e+06 ULP on
+    any.
 
     Examples
     --------
@@ -608,6 +616,8 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.335 ULP in the median and 1.74 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.553 ULP in the median, 2.04e+03 ULP at most on ordinary input, 2.04e+03 ULP on
+    any.
 
     Examples
     --------
@@ -681,6 +691,7 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.412 ULP in the median and 2.27 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.05 ULP in the median, 65.5 ULP at most on ordinary input, 8.53e+14 ULP on any.
 
     Examples
     --------
@@ -781,6 +792,7 @@ def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.369 ULP in the median and 2.32 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.45 ULP in the median, 63.9 ULP at most on ordinary input, 1.08e+15 ULP on any.
 
     Examples
     --------
@@ -876,6 +888,7 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.472 ULP in the median and 1.8 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.37 ULP in the median, 60.8 ULP at most on ordinary input, 8.99e+14 ULP on any.
 
     Examples
     --------
@@ -976,6 +989,7 @@ def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArr
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.385 ULP in the median and 2.39 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.58 ULP in the median, 86 ULP at most on ordinary input, 7.62e+14 ULP on any.
 
     Examples
     --------
@@ -1070,6 +1084,7 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
     Operations: 13 (2 +, 7 *, 1 /, 3 neg); the derived expression as written takes 10.
 
     Measured error in float64: 0.128 ULP in the median and 1.05 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.13 ULP in the median, 1.28 ULP at most on ordinary input, 1.38 ULP on any.
 
     Examples
     --------
@@ -1150,6 +1165,7 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.238 ULP in the median and 0.499 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.77 ULP in the median, 62.6 ULP at most on ordinary input, 2.67e+15 ULP on any.
 
     Examples
     --------
@@ -1255,6 +1271,7 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.264 ULP in the median and 0.499 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 2.97 ULP in the median, 139 ULP at most on ordinary input, 1.07e+15 ULP on any.
 
     Examples
     --------
@@ -1377,6 +1394,7 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.258 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.958 ULP in the median, 114 ULP at most on ordinary input, 114 ULP on any.
 
     Examples
     --------

@@ -74,6 +74,7 @@ def lens_matrix(f: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     Operations: 0 (none); the derived expression as written takes 0.
 
     Measured error in float64: 0.0 ULP in the median and 0.0 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.0 ULP in the median, 0 ULP at most on ordinary input, 0 ULP on any.
 
     Examples
     --------
@@ -133,6 +134,7 @@ def image_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) 
     Operations: 5 (1 +, 3 *, 1 /); the derived expression as written takes 9.
 
     Measured error in float64: 0.356 ULP in the median and 1.36 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.356 ULP in the median, 1.36 ULP at most on ordinary input, 1.36 ULP on any.
 
     Examples
     --------
@@ -204,6 +206,7 @@ def object_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None)
     Operations: 5 (1 -, 3 *, 1 /); the derived expression as written takes 9.
 
     Measured error in float64: 0.359 ULP in the median and 1.82 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.359 ULP in the median, 1.82 ULP at most on ordinary input, 1.82 ULP on any.
 
     Examples
     --------
@@ -272,6 +275,7 @@ def scale(f: ArrayLike, x3: ArrayLike, *, out: NDArray[Any] | None = None) -> ND
     Operations: 2 (1 +, 1 /); the derived expression as written takes 2.
 
     Measured error in float64: 0.28 ULP in the median and 1.05 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.28 ULP in the median, 0.932 ULP at most on ordinary input, 1.05 ULP on any.
 
     Examples
     --------
@@ -344,6 +348,7 @@ def plane_homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArr
     Operations: 2 (2 -); the derived expression as written takes 2.
 
     Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.0 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
 
     Examples
     --------
@@ -404,6 +409,8 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = 
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.324 ULP in the median and 1.38 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.805 ULP in the median, 15.3 ULP at most on ordinary input, 1.51e+14 ULP on
+    any.
 
     Examples
     --------
@@ -474,6 +481,7 @@ def vanishing_line(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray
     Operations: 2 (2 -); the derived expression as written takes 2.
 
     Measured error in float64: 0.000109 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.000109 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
 
     Examples
     --------

@@ -69,6 +69,7 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
     The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.454 ULP in the median and 3.01 ULP at most (250 samples, near singularities too).
+    Without compensation (`plain`): 2.45 ULP in the median, 28.3 ULP at most on ordinary input, 6.25e+15 ULP on any.
 
     Examples
     --------
@@ -160,6 +161,7 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.478 ULP in the median and 3.02 ULP at most (350 samples, near singularities too).
+    Without compensation (`plain`): 1.63 ULP in the median, 139 ULP at most on ordinary input, 5.26e+14 ULP on any.
 
     Examples
     --------
@@ -278,6 +280,8 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.543 ULP in the median and 2.32 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 1.21 ULP in the median, 1.02e+03 ULP at most on ordinary input, 3.79e+06 ULP on
+    any.
 
     Examples
     --------

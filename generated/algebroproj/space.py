@@ -71,6 +71,7 @@ def homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     Operations: 3 (3 -); the derived expression as written takes 3.
 
     Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Without compensation (`plain`): 0.0 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
 
     Examples
     --------
@@ -134,6 +135,7 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | Non
     The cheapest of 2 equal programs that err little.
 
     Measured error in float64: 0.258 ULP in the median and 1.66 ULP at most (350 samples, near singularities too).
+    Without compensation (`plain`): 0.29 ULP in the median, 8.95 ULP at most on ordinary input, 1.16e+14 ULP on any.
 
     Examples
     --------
@@ -208,6 +210,7 @@ def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) 
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.338 ULP in the median and 1.48 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 1.08 ULP in the median, 26.4 ULP at most on ordinary input, 3.5e+15 ULP on any.
 
     Examples
     --------
@@ -286,6 +289,7 @@ def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -
     The cheapest of 3 equal programs that err little.
 
     Measured error in float64: 0.253 ULP in the median and 0.5 ULP at most (350 samples, near singularities too).
+    Without compensation (`plain`): 0.332 ULP in the median, 16.4 ULP at most on ordinary input, 48.6 ULP on any.
 
     Examples
     --------

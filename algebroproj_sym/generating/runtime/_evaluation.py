@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._namespace import is_foreign, namespace
+from ._tape import recorded
 
 __all__ = ["Signature", "evaluate"]
 
@@ -43,6 +44,8 @@ class Signature:
         How many points of a batch are computed at once.
     twin : ufunc, optional
         The compiled version of the body.
+    recordable : bool
+        Whether the body consists of + - * / alone, so that it may be run in buffers.
     """
 
     name: str
@@ -50,6 +53,7 @@ class Signature:
     results: tuple[Shape, ...]
     block: int = BLOCK
     twin: Any = None
+    recordable: bool = False
 
 
 def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = None) -> Any:
@@ -83,9 +87,9 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     >>> float(evaluate(ratio, lambda x0, x1: (x0 / x1,), ([1, 2],)))
     0.5
     """
-    if signature.twin is not None and out is None and _are_alike(given):
+    if signature.twin is not None and _are_alike(given) and (out is None or _is_fitting(signature, given, out)):
         try:
-            return signature.twin(*given)
+            return signature.twin(*given) if out is None else signature.twin(*given, out)
         except ValueError:  # another shape, of which the rest of this function knows what to say
             pass
     if any(map(is_foreign, given)):
@@ -128,7 +132,20 @@ def _are_alike(given: Sequence[Any]) -> bool:
     first = given[0]
     if type(first) is not np.ndarray or not _is_compiled(first.dtype):
         return False
-    return all(type(array) is np.ndarray and array.dtype is first.dtype for array in given)
+    dtype = first.dtype
+    return all(type(array) is np.ndarray and array.dtype is dtype for array in given)
+
+
+def _is_fitting(signature: Signature, given: Sequence[Any], out: Any) -> bool:
+    """Whether alike arguments have the same leading shape, and the one array for the result has it as well."""
+    first = given[0]
+    if type(out) is not np.ndarray or out.dtype is not first.dtype or len(signature.results) > 1:
+        return False
+    batch = first.shape[: first.ndim - len(signature.arguments[0][1])]
+    cores = [core for _, core in signature.arguments]
+    return out.shape == batch + signature.results[0] and all(
+        array.shape == batch + core for array, core in zip(given, cores, strict=True)
+    )
 
 
 def _is_compiled(dtype: np.dtype[Any]) -> bool:
@@ -219,6 +236,12 @@ def _fill(
     cores = [core for _, core in signature.arguments]
     entries = [entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)]
     targets = [to for array, core in zip(results, signature.results, strict=True) for to in _entries(array, core)]
+    if signature.recordable and dtype.kind in "fc" and all(entry.shape == batch for entry in entries):
+        tape = recorded(body, len(entries))
+        for block in _blocks(batch, signature.block):
+            whole = [entry[block].astype(dtype, order="C", copy=False) for entry in entries]
+            tape.run(whole, [target[block] for target in targets])
+        return
     if prod(batch) <= signature.block:
         values = body(*(entry.astype(dtype, copy=False) for entry in entries))
         for target, value in zip(targets, values, strict=True):
@@ -257,7 +280,7 @@ def _part(entry: NDArray[Any], block: tuple[slice, ...]) -> NDArray[Any]:
 def _of_other_library(signature: Signature, body: Body, given: Sequence[Any], out: Any) -> Any:
     """Evaluate whole arrays of a library that follows the Python array API standard."""
     xp = namespace(given)
-    if any(is_foreign(value) and value.__array_namespace__() is not xp for value in given):
+    if any(is_foreign(value) and namespace([value]) is not xp for value in given):
         kinds = sorted({type(value).__name__ for value in given if is_foreign(value)})
         raise TypeError(f"{signature.name}: expected arrays of one library, got {', '.join(kinds)}")
     if out is not None:

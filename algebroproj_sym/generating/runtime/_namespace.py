@@ -1,8 +1,12 @@
-"""The array library that some values belong to: NumPy, or one that says so by ``__array_namespace__``."""
+"""The array library that some values belong to: NumPy, or one that says so by ``__array_namespace__``.
+
+Tensors of PyTorch do not say so; the package array-api-compat speaks for them, and is imported if one is given.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -18,7 +22,9 @@ def is_foreign(value: Any) -> bool:
     >>> is_foreign(np.ones(3)), is_foreign(1.0)
     (False, False)
     """
-    return hasattr(value, "__array_namespace__") and not isinstance(value, np.ndarray | np.generic)
+    return _is_tensor(value) or (
+        hasattr(value, "__array_namespace__") and not isinstance(value, np.ndarray | np.generic)
+    )
 
 
 def namespace(values: Iterable[Any]) -> Any:
@@ -31,5 +37,16 @@ def namespace(values: Iterable[Any]) -> Any:
     """
     for value in values:
         if is_foreign(value):
-            return value.__array_namespace__()
+            return _of_tensors() if _is_tensor(value) else value.__array_namespace__()
     return np
+
+
+def _is_tensor(value: Any) -> bool:
+    return type(value).__module__.partition(".")[0] == "torch"
+
+
+def _of_tensors() -> Any:
+    try:
+        return import_module("array_api_compat.torch")
+    except ImportError as error:
+        raise TypeError("expected the package array-api-compat, which tensors of torch need, got none") from error

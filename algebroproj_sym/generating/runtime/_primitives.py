@@ -24,7 +24,7 @@ from ._error_bounds import Bounded
 from ._namespace import namespace
 from ._pair_systems import null_vector_of_pairs, solution_of_pairs
 
-__all__ = ["arctan2", "cos_sin", "null_vector", "solve"]
+__all__ = ["arctan2", "cos_sin", "null_vector", "null_vector_once", "solve", "solve_once"]
 
 
 def cos_sin(angle: Any) -> tuple[Any, Any]:
@@ -77,15 +77,42 @@ def solve(*rows: Sequence[Any]) -> tuple[Any, ...]:
         return tuple(solution_with_bounds(rows, solve))
     if Unrounded in kinds:
         return tuple(solution_of_pairs(rows))
-    xp, system, rest = _stacked(rows)
-    steps = _rows_eliminated(xp, [system[i, ...] for i in range(len(rows))])
-    unknowns = _substituted_backwards([step.head[:-1] for step in steps], [step.head[-1] for step in steps])
+    xp, system, rest = _stacked_pairs(rows)
+    steps, unknowns = _solution(xp, system)
     if _is_refinable(xp, system):
         with np.errstate(all="ignore"):
             left = _residual(system, rest, unknowns, (system[:, -1, ...], rest[:, -1, ...]))
             residual = _substituted_forwards(xp, steps, left)
             corrections = _substituted_backwards([step.head[:-1] for step in steps], residual)
             unknowns = _refined(xp, unknowns, corrections)
+    return tuple(unknowns)
+
+
+def solve_once(*rows: Sequence[Any]) -> tuple[Any, ...]:
+    """Solve linear systems as `solve` does, without refinement.
+
+    Parameters
+    ----------
+    *rows : sequence of array
+        n rows of n + 1 entries, which broadcast.
+
+    Returns
+    -------
+    tuple of array
+        The n unknowns.
+
+    Examples
+    --------
+    >>> x, y = solve_once([2.0, 1.0, 5.0], [1.0, -1.0, 1.0])
+    >>> float(x), float(y)
+    (2.0, 1.0)
+    """
+    kinds = _kinds(rows)
+    if Bounded in kinds:
+        return tuple(solution_with_bounds(rows, solve_once))
+    if Unrounded in kinds:
+        return tuple(solution_of_pairs(rows))
+    _, unknowns = _solution(*_stacked(rows))
     return tuple(unknowns)
 
 
@@ -115,20 +142,45 @@ def null_vector(*rows: Sequence[Any]) -> tuple[Any, ...]:
         return tuple(null_vector_with_bounds(rows, null_vector, solve))
     if Unrounded in kinds:
         return tuple(null_vector_of_pairs(rows))
-    xp, matrix, rest = _stacked(rows)
-    zero = matrix[0, 0, ...] * 0
-    steps = _columns_pivoted(xp, [matrix[:, j, ...] for j in range(len(rows) + 1)])
-    vector = _substituted_in_order(xp, steps, [zero] * len(rows), zero + 1)
+    xp, matrix, rest = _stacked_pairs(rows)
+    steps, vector = _spanning(xp, matrix)
     if _is_refinable(xp, matrix):
         with np.errstate(all="ignore"):
+            zero = matrix[0, 0, ...] * 0
             nothing = xp.stack([zero] * len(rows))
             residual = _residual(matrix, rest, vector, (nothing, nothing))
             residual = _substituted_forwards(xp, [step._replace(swaps=[]) for step in steps], residual)
             vector = _refined(xp, vector, _substituted_in_order(xp, steps, residual, zero))
-    largest = vector[0]
-    for component in vector[1:]:
-        largest = xp.where(abs(component) > abs(largest), component, largest)
-    return tuple(component / largest for component in vector)
+    return _scaled(xp, vector)
+
+
+def null_vector_once(*rows: Sequence[Any]) -> tuple[Any, ...]:
+    """Span null spaces as `null_vector` does, without refinement.
+
+    Parameters
+    ----------
+    *rows : sequence of array
+        n rows of n + 1 entries, which broadcast.
+
+    Returns
+    -------
+    tuple of array
+        The n + 1 components, scaled so that the largest one is 1; not finite if the null space has more dimensions.
+
+    Examples
+    --------
+    >>> x, y = null_vector_once([1.0, 4.0])
+    >>> float(x), float(y)
+    (1.0, -0.25)
+    """
+    kinds = _kinds(rows)
+    if Bounded in kinds:
+        return tuple(null_vector_with_bounds(rows, null_vector_once, solve_once))
+    if Unrounded in kinds:
+        return tuple(null_vector_of_pairs(rows))
+    xp, matrix = _stacked(rows)
+    _, vector = _spanning(xp, matrix)
+    return _scaled(xp, vector)
 
 
 class _Step(NamedTuple):
@@ -143,17 +195,44 @@ def _kinds(rows: Sequence[Sequence[Any]]) -> set[type]:
     return {type(entry) for row in rows for entry in row}
 
 
-def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any, Any]:
+def _solution(xp: Any, system: Any) -> tuple[list[_Step], list[Any]]:
+    """Return the steps of elimination, and the unknowns of a system of shape (n, n + 1, ...)."""
+    steps = _rows_eliminated(xp, [system[i, ...] for i in range(system.shape[0])])
+    return steps, _substituted_backwards([step.head[:-1] for step in steps], [step.head[-1] for step in steps])
+
+
+def _spanning(xp: Any, matrix: Any) -> tuple[list[_Step], list[Any]]:
+    """Return the steps of elimination, and a vector that spans the null space of a matrix of shape (n, n + 1, ...)."""
+    zero = matrix[0, 0, ...] * 0
+    steps = _columns_pivoted(xp, [matrix[:, j, ...] for j in range(matrix.shape[1])])
+    return steps, _substituted_in_order(xp, steps, [zero] * len(steps), zero + 1)
+
+
+def _scaled(xp: Any, vector: Sequence[Any]) -> tuple[Any, ...]:
+    """Return a vector divided by its largest component."""
+    largest = vector[0]
+    for component in vector[1:]:
+        largest = xp.where(abs(component) > abs(largest), component, largest)
+    return tuple(component / largest for component in vector)
+
+
+def _stacked_pairs(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any, Any]:
     """Return the array library of the entries, and their two parts as arrays of shape (rows, columns, ...)."""
     entries = [_two_parts(entry) for row in rows for entry in row]
-    parts = [*(entry.hi for entry in entries), *(0 if entry.lo is None else entry.lo for entry in entries)]
-    xp = namespace(parts)
-    dtype = _dtype(xp, parts)
+    xp, both = _stacked([[entry.hi for entry in entries], [0 if entry.lo is None else entry.lo for entry in entries]])
+    parts = xp.reshape(both, (2, len(rows), len(rows[0]), *both.shape[2:]))
+    return xp, parts[0, ...], parts[1, ...]
+
+
+def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any]:
+    """Return the array library of the entries, and the entries as an array of shape (rows, columns, ...)."""
+    entries = [entry for row in rows for entry in row]
+    xp = namespace(entries)
+    dtype = _dtype(xp, entries)
     if _is_objects(dtype):
-        parts = _of_one_kind(parts)
-    arrays = xp.broadcast_arrays(*(xp.asarray(part, dtype=dtype) for part in parts))
-    both = xp.reshape(xp.stack(arrays), (2, len(rows), len(rows[0]), *arrays[0].shape))
-    return xp, both[0, ...], both[1, ...]
+        entries = _of_one_kind(entries)
+    arrays = xp.broadcast_arrays(*(xp.asarray(entry, dtype=dtype) for entry in entries))
+    return xp, xp.reshape(xp.stack(arrays), (len(rows), len(rows[0]), *arrays[0].shape))
 
 
 def _two_parts(number: Any) -> Compensated | DoubleDouble:

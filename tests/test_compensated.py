@@ -99,3 +99,10 @@ def test_numbers_of_two_kinds_are_not_mixed():
         for x, y in ((wide(1.0), DoubleDouble(2.0)), (DoubleDouble(2.0), wide(1.0))):
             with pytest.raises(TypeError, match="expected a number of the same kind"):
                 operation(x, y)
+
+
+@given(any_numbers)
+def test_linear_systems_are_given_the_nearest_machine_number_and_what_it_lacks(number):
+    parts = number.nearest()
+    assert exact(parts) == exact(number)
+    assert parts.hi == float(exact(number))

@@ -68,7 +68,7 @@ class _Recorder:
 
 
 def _parts(row: tuple[Any, ...]) -> tuple[Any, ...]:
-    pairs = [operand.separated() if isinstance(operand, Compensated) else Compensated(operand) for operand in row]
+    pairs = [operand.nearest() if isinstance(operand, Compensated) else Compensated(operand) for operand in row]
     return (*(pair.hi for pair in pairs), *(0 if pair.lo is None else pair.lo for pair in pairs))
 
 

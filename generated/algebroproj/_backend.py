@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "ab11b419636b0e19"
+DIGEST = "7a22aa094f574324"
 """What identifies the C source that belongs to this package."""
 
 

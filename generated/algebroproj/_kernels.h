@@ -8820,12 +8820,42 @@ KERNEL(correlation_correlation_matrix)
         const real t261 = upp71 - t260;
         const real t262 = t257 - t259;
         const real t263 = t261 + t262;
+        const real t264 = t80 + t83;
+        const real t265 = t264 - t80;
+        const real t266 = t83 - t265;
+        const real t267 = t101 + t104;
+        const real t268 = t267 - t101;
+        const real t269 = t104 - t268;
+        const real t270 = t118 + t121;
+        const real t271 = t270 - t118;
+        const real t272 = t121 - t271;
+        const real t273 = t139 + t142;
+        const real t274 = t273 - t139;
+        const real t275 = t142 - t274;
+        const real t276 = t156 + t159;
+        const real t277 = t276 - t156;
+        const real t278 = t159 - t277;
+        const real t279 = t177 + t180;
+        const real t280 = t279 - t177;
+        const real t281 = t180 - t280;
+        const real t282 = t194 + t197;
+        const real t283 = t282 - t194;
+        const real t284 = t197 - t283;
+        const real t285 = t215 + t218;
+        const real t286 = t285 - t215;
+        const real t287 = t218 - t286;
+        const real t288 = t232 + t235;
+        const real t289 = t288 - t232;
+        const real t290 = t235 - t289;
+        const real t291 = t253 + t256;
+        const real t292 = t291 - t253;
+        const real t293 = t256 - t292;
         const real system0[5][12] = {
-            {t80, t84, t87, t93, t101, t106, t83, t85, t92, t94, t104, t111},
-            {t118, t122, t125, t131, t139, t144, t121, t123, t130, t132, t142, t149},
-            {t156, t160, t163, t169, t177, t182, t159, t161, t168, t170, t180, t187},
-            {t194, t198, t201, t207, t215, t220, t197, t199, t206, t208, t218, t225},
-            {t232, t236, t239, t245, t253, t258, t235, t237, t244, t246, t256, t263},
+            {t264, t84, t87, t93, t267, t106, t266, t85, t92, t94, t269, t111},
+            {t270, t122, t125, t131, t273, t144, t272, t123, t130, t132, t275, t149},
+            {t276, t160, t163, t169, t279, t182, t278, t161, t168, t170, t281, t187},
+            {t282, t198, t201, t207, t285, t220, t284, t199, t206, t208, t287, t225},
+            {t288, t236, t239, t245, t291, t258, t290, t237, t244, t246, t293, t263},
         };
         real solution0[5];
         range = NAME(solve_5)(system0, solution0, range);
@@ -8834,13 +8864,13 @@ KERNEL(correlation_correlation_matrix)
         const real z20 = solution0[2];
         const real z21 = solution0[3];
         const real z22 = solution0[4];
-        const real t264 = z11 + 1;
-        const real t265 = -t264;
-        const real t266 = z20 + z22;
-        const real t267 = -t266;
+        const real t294 = z11 + 1;
+        const real t295 = -t294;
+        const real t296 = z20 + z22;
+        const real t297 = -t296;
         out[0][i] = 0;
-        out[1][i] = t265;
-        out[2][i] = t267;
+        out[1][i] = t295;
+        out[2][i] = t297;
         out[3][i] = 1;
         out[4][i] = z11;
         out[5][i] = z12;

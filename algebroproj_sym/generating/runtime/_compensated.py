@@ -67,6 +67,12 @@ class Compensated:
             self._separated = Compensated(*parts(self.hi, self.lo))
         return self._separated
 
+    def nearest(self) -> Compensated:
+        """Return the number with the nearest machine number as its first part, as linear systems need it."""
+        if self.overlap == NEAR:
+            return Compensated(*fast_two_sum(self.hi, self.lo))
+        return self.separated()
+
     def __neg__(self) -> Compensated:
         return Compensated(-self.hi, None if self.lo is None else -self.lo, self.overlap)
 
@@ -131,10 +137,8 @@ def double_double(number: Number) -> DoubleDouble:
     """
     if isinstance(number, DoubleDouble):
         return number
-    separated = _compensated(number).separated()
-    if separated.overlap == NEAREST:
-        return DoubleDouble(separated.hi, separated.lo)
-    return DoubleDouble(*fast_two_sum(separated.hi, separated.lo))
+    nearest = _compensated(number).nearest()
+    return DoubleDouble(nearest.hi, nearest.lo)
 
 
 def wide(number: Number) -> Number:

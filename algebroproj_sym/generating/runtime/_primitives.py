@@ -238,7 +238,7 @@ def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any]:
 def _two_parts(number: Any) -> Compensated | DoubleDouble:
     """Return a number of two parts, of which the first one is near the number."""
     if isinstance(number, Compensated):
-        return number.separated()
+        return number.nearest()
     return number if isinstance(number, DoubleDouble) else DoubleDouble(number)
 
 

@@ -58,19 +58,7 @@ def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "fli
     bool
         True also for a kernel that is left to the NumPy source.
     """
-    if not is_compiled(lowered):
-        return True
-    kernel = lowered.kernel
-    path = Path(str(package.__file__)).parent / KERNELS
-    if not path.is_file():
-        return False
-    try:
-        source = source_of(path.read_text(encoding="utf-8"))
-        systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
-        solved = all(solver_is_proved(source, primitive, height, engine) for primitive, height in systems)
-        return solved and product_errors_are_proved(source, engine) and kernel_is_proved(kernel, source, engine)
-    except NotUnderstoodError:
-        return False
+    return not is_compiled(lowered) or _file_is_proved(lowered.kernel, package, engine, once=False)
 
 
 def plain_c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "flint") -> bool:
@@ -90,17 +78,20 @@ def plain_c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str 
     bool
         True also for a kernel that is left to the NumPy source.
     """
-    if not is_compiled_plain(lowered):
-        return True
-    kernel = lowered.kernel
-    path = Path(str(package.__file__)).parent / PLAIN_KERNELS
+    return not is_compiled_plain(lowered) or _file_is_proved(lowered.kernel, package, engine, once=True)
+
+
+def _file_is_proved(kernel: Kernel, package: ModuleType, engine: str, *, once: bool) -> bool:
+    """Whether a kernel, and what it calls, is proved in the file that solves linear systems once, or refines them."""
+    path = Path(str(package.__file__)).parent / (PLAIN_KERNELS if once else KERNELS)
     if not path.is_file():
         return False
+    is_proved = plain_kernel_is_proved if once else kernel_is_proved
     try:
         source = source_of(path.read_text(encoding="utf-8"))
         systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
-        solved = all(solver_is_proved(source, primitive, height, engine, once=True) for primitive, height in systems)
-        return solved and plain_kernel_is_proved(kernel, source, engine)
+        solved = all(solver_is_proved(source, primitive, height, engine, once=once) for primitive, height in systems)
+        return solved and product_errors_are_proved(source, engine) and is_proved(kernel, source, engine)
     except NotUnderstoodError:
         return False
 

@@ -23,9 +23,11 @@ __all__ = [
     "DoubleDouble",
     "Unrounded",
     "chosen",
+    "difference_error",
     "fast_two_sum",
     "product_error",
     "splitter_of",
+    "sum_error",
     "two_product",
     "two_sum",
 ]
@@ -148,8 +150,27 @@ def two_sum(a: Number, b: Number) -> tuple[Number, Number]:
     (1.0, 8.673617379884035e-19)
     """
     total = a + b
+    return total, sum_error(a, b, total)
+
+
+def sum_error(a: Number, b: Number, total: Number) -> Number:
+    """Return what the rounded sum of two numbers is short of the exact one.
+
+    >>> sum_error(1.0, 2.0**-60, 1.0)
+    8.673617379884035e-19
+    """
     second = total - a
-    return total, (a - (total - second)) + (b - second)
+    return (a - (total - second)) + (b - second)
+
+
+def difference_error(a: Number, b: Number, difference: Number) -> Number:
+    """Return what the rounded difference of two numbers is short of the exact one.
+
+    >>> difference_error(1.0, 2.0**-60, 1.0)
+    -8.673617379884035e-19
+    """
+    second = difference - a
+    return (a - (difference - second)) - (b + second)
 
 
 def fast_two_sum(a: Number, b: Number) -> tuple[Number, Number]:

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "2fe46087931f3145"
+DIGEST = "2e7227927c2a25ef"
 """What identifies the C source that belongs to this package."""
 
 

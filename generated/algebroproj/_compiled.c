@@ -33,6 +33,22 @@ those of the NumPy source.
 #define FUSED_IS_AVAILABLE 1
 #endif
 
+/* As many numbers in a vector as without: entries are brought into order with fewer operations. */
+#if defined(FUSED) && defined(__x86_64__) && !defined(__clang__)
+#define FUSED_NARROW __attribute__((noinline, target("avx2,fma,prefer-vector-width=128")))
+#else
+#define FUSED_NARROW FUSED
+#endif
+
+/* Neighbouring entries are read and written together where that takes a compiler no minutes. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define PAIRING _Pragma("GCC push_options") _Pragma("GCC optimize (\"tree-slp-vectorize\")")
+#define PAIRING_ENDS _Pragma("GCC pop_options")
+#else
+#define PAIRING
+#define PAIRING_ENDS
+#endif
+
 /* What is only there for processors that do not is kept small. */
 #if defined(FUSED)
 #define SPLIT __attribute__((noinline, cold))
@@ -134,6 +150,7 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define SOLVER_ONCE(name, height, width) \
     static FORCED_INLINE void NAME(name##_once_##height)(const real system[height][height + 1], real solution[width])
 #define PLAIN(name) static VERSION void NAME(name)
+#define NARROW(name) static NARROW_VERSION void NAME(name)
 #define CALL(name, length, ...) \
     static void NAME(call_##name)(char *const *data, const npy_intp all) \
     { \
@@ -174,18 +191,24 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #undef VERSION
 #endif
 #include "_loops.h"
+PAIRING
 #define VERSION SPLIT
+#define NARROW_VERSION VERSION
 #define variant float_plain
 #include "_plain_kernels.h"
 #undef variant
 #undef VERSION
+#undef NARROW_VERSION
 #ifdef FUSED
 #define VERSION FUSED
+#define NARROW_VERSION FUSED_NARROW
 #define variant float_plain_fused
 #include "_plain_kernels.h"
 #undef variant
 #undef VERSION
+#undef NARROW_VERSION
 #endif
+PAIRING_ENDS
 #include "_plain_loops.h"
 #undef real
 #undef absolute
@@ -219,18 +242,24 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #undef VERSION
 #endif
 #include "_loops.h"
+PAIRING
 #define VERSION SPLIT
+#define NARROW_VERSION VERSION
 #define variant double_plain
 #include "_plain_kernels.h"
 #undef variant
 #undef VERSION
+#undef NARROW_VERSION
 #ifdef FUSED
 #define VERSION FUSED
+#define NARROW_VERSION FUSED_NARROW
 #define variant double_plain_fused
 #include "_plain_kernels.h"
 #undef variant
 #undef VERSION
+#undef NARROW_VERSION
 #endif
+PAIRING_ENDS
 #include "_plain_loops.h"
 #undef real
 #undef absolute
@@ -253,11 +282,15 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #undef within
 #undef VERSION
 #include "_loops.h"
+PAIRING
 #define VERSION
+#define NARROW_VERSION VERSION
 #define variant longdouble_plain
 #include "_plain_kernels.h"
 #undef variant
 #undef VERSION
+#undef NARROW_VERSION
+PAIRING_ENDS
 #include "_plain_loops.h"
 #undef real
 #undef absolute
@@ -1052,7 +1085,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "2fe46087931f3145");
+    return PyModule_AddStringConstant(module, "DIGEST", "2e7227927c2a25ef");
 }
 
 static PyModuleDef_Slot slots[] = {

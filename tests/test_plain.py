@@ -327,7 +327,7 @@ def is_accepted(kernel, source):
 
 
 @pytest.mark.parametrize(
-    "name", ["correlation.correlation_matrix", "projection.projection_matrix", "projection.mu_from_center_jacobian"]
+    "name", ["correlation.correlation_matrix", "projection.projection_matrix", "critical.determinant"]
 )
 def test_each_exchange_of_an_operator_or_of_two_rows_or_entries_is_found(name, lowered):
     source = source_of(plain_files([lowered(name)], "")["_plain_kernels.h"])

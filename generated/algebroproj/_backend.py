@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "2e7227927c2a25ef"
+DIGEST = "eac08285cf9728ad"
 """What identifies the C source that belongs to this package."""
 
 

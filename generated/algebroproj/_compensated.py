@@ -53,26 +53,25 @@ class Compensated:
     -5.551115123125783e-18
     """
 
-    __slots__ = ("_lo", "_separated", "hi", "last", "overlap", "rest")
+    __slots__ = ("_last", "_lo", "_separated", "hi", "overlap", "rest")
     __array_ufunc__ = None
 
     def __init__(self, hi: Number, rest: Number = None, overlap: int = NEAREST, last: Last | None = None) -> None:
         self.hi = hi
         self.rest = rest
         self.overlap = overlap
-        self.last = last
-        self._lo: Number = None
+        self._last = last
+        self._lo = rest
         self._separated: Compensated | None = None
 
     @property
     def lo(self) -> Number:
         """The second part, None for a number that has none."""
-        if self.last is None:
-            return self.rest
-        if self._lo is None:
-            error_of, left, right = self.last
+        if self._last is not None:
+            error_of, left, right = self._last
             error = error_of(left, right, self.hi)
             self._lo = error if self.rest is None else self.rest + error
+            self._last = None
         return self._lo
 
     def rounded(self) -> Number:

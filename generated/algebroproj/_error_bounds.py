@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ._compensated import NEAREST, Compensated, wide
+from ._compensated import NEAR, NEAREST, Compensated, wide
 from ._double_double import DoubleDouble
 
 __all__ = ["Bounded", "bounded", "guaranteed"]
@@ -148,7 +148,7 @@ def magnitude(number: Number) -> Number:
 
 def _rounding_of_parts(number: Compensated, value: Number) -> Number:
     """Return what the sum of the two parts rounds at most, and what the last addition rounded off the first part."""
-    dropped = 0 if number.last is None else abs(number.hi)
+    dropped = 0 if number.overlap <= NEAR else abs(number.hi)
     return unit_of(value) * (abs(value) + dropped)
 
 

@@ -93,7 +93,7 @@ def _camera_matrix(
     return 1, mu1 - 1, mu2 - 1, mu3 - 1, 0, mu1, 0, mu3 * u31, 0, 0, mu2, mu3 * u32
 
 
-_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"))
+_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"), recordable=True)
 
 
 def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -139,7 +139,7 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     In compensated arithmetic, where sums may cancel: 32.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.43 ULP in the median and 2.3 ULP at most (350 samples, near singularities too).
+    Measured error in float64: 0.463 ULP in the median and 2.88 ULP at most (350 samples, near singularities too).
     Without compensation (`plain`): 0.595 ULP in the median, 14.2 ULP at most on ordinary input, 1.01e+13 ULP on
     any.
 
@@ -159,7 +159,7 @@ def _mu_from_center(
     return u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -(y00 / (u30 * y03))
 
 
-_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"))
+_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"), recordable=True)
 
 
 def _mu_from_center_factors(
@@ -228,8 +228,8 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
     In compensated arithmetic, where sums may cancel: 75.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.425 ULP in the median and 3.49 ULP at most (350 samples, near singularities too).
-    Without compensation (`plain`): 0.518 ULP in the median, 38.9 ULP at most on ordinary input, 3.86e+14 ULP on
+    Measured error in float64: 0.452 ULP in the median and 3.27 ULP at most (350 samples, near singularities too).
+    Without compensation (`plain`): 0.526 ULP in the median, 38.9 ULP at most on ordinary input, 3.86e+14 ULP on
     any.
 
     Examples
@@ -263,7 +263,7 @@ def _mu_from_center_jacobian(
     )
 
 
-_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"))
+_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"), recordable=True)
 
 
 def _mu_from_center_jacobian_factors(
@@ -320,7 +320,7 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     In compensated arithmetic, where sums may cancel: 63, 7 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.447 ULP in the median and 2.55 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.478 ULP in the median and 2.45 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.14 ULP in the median, 9.03 ULP at most on ordinary input, 3.08e+15 ULP on any.
 
     Examples
@@ -343,7 +343,7 @@ def _center_from_mu(
     return t13 * rounded(t23), t13 * rounded(t20), -(rounded(t11) * t12)
 
 
-_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"))
+_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"), recordable=True)
 
 
 def _center_from_mu_factors(
@@ -408,7 +408,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     In compensated arithmetic, where sums may cancel: 80, 5 of them errors of products.
     The cheapest of 12 equal programs that err little.
 
-    Measured error in float64: 0.433 ULP in the median and 2.03 ULP at most (350 samples, near singularities too).
+    Measured error in float64: 0.44 ULP in the median and 2.39 ULP at most (350 samples, near singularities too).
     Without compensation (`plain`): 0.659 ULP in the median, 167 ULP at most on ordinary input, 1.88e+14 ULP on any.
 
     Examples
@@ -440,7 +440,7 @@ def _projection_matrix(
     )
 
 
-_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"))
+_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"), recordable=True)
 
 
 def _projection_matrix_factors(
@@ -600,7 +600,7 @@ def _projection_matrix_jacobian(
     )
 
 
-_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"))
+_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"), recordable=True)
 
 
 def _projection_matrix_jacobian_factors(
@@ -675,7 +675,7 @@ def _projection_matrix_from_mu(
     return mu1 - 1, mu2 - 1, mu3 - 1, mu1, 0, mu3 * u31, 0, mu2, mu3 * u32
 
 
-_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"))
+_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"), recordable=True)
 
 
 def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -720,7 +720,7 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.261 ULP in the median and 0.5 ULP at most (350 samples, near singularities too).
-    Without compensation (`plain`): 1.1 ULP in the median, 5.19 ULP at most on ordinary input, 4.5e+14 ULP on any.
+    Without compensation (`plain`): 1.15 ULP in the median, 6.02 ULP at most on ordinary input, 4.5e+14 ULP on any.
 
     Examples
     --------
@@ -738,7 +738,7 @@ def _projection_determinant(
     return (rounded(-(wide(u31) * u32 * y00 * y00 / (wide(y01) * y02 * y03 * u30 * u30))),)
 
 
-_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"))
+_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"), recordable=True)
 
 
 def _projection_determinant_factors(
@@ -790,7 +790,7 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
     In compensated arithmetic, where sums may cancel: 57, 7 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.276 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
+    Measured error in float64: 0.389 ULP in the median and 0.996 ULP at most (100 samples, near singularities too).
     Without compensation (`plain`): 0.567 ULP in the median, 8.78 ULP at most on ordinary input, 8.78 ULP on any.
 
     Examples
@@ -808,7 +808,7 @@ def _projection_determinant_from_mu(
     return (rounded(t18),)
 
 
-_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"))
+_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"), recordable=True)
 
 
 def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -865,7 +865,7 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     In compensated arithmetic, where sums may cancel: 116, 6 of them errors of products.
     The cheapest of 12 equal programs that err little.
 
-    Measured error in float64: 0.209 ULP in the median and 2.96 ULP at most (500 samples, near singularities too).
+    Measured error in float64: 0.215 ULP in the median and 2.96 ULP at most (500 samples, near singularities too).
     Without compensation (`plain`): 0.293 ULP in the median, 69.7 ULP at most on ordinary input, 1.99e+14 ULP on
     any.
 
@@ -901,7 +901,7 @@ def _reconstruction_matrix(
     )
 
 
-_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"))
+_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"), recordable=True)
 
 
 def _reconstruction_matrix_factors(
@@ -966,7 +966,7 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     In compensated arithmetic, where sums may cancel: 88, 9 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.457 ULP in the median and 2.14 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.496 ULP in the median and 2.28 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.26 ULP in the median, 123 ULP at most on ordinary input, 2.59e+15 ULP on any.
 
     Examples
@@ -1001,7 +1001,7 @@ def _reconstruction_matrix_from_mu(
     )
 
 
-_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"))
+_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"), recordable=True)
 
 
 def _reconstruction_matrix_from_mu_factors(
@@ -1060,7 +1060,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     In compensated arithmetic, where sums may cancel: 71, 8 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.384 ULP in the median and 1.84 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.425 ULP in the median and 2.13 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.31 ULP in the median, 1.62e+03 ULP at most on ordinary input, 7.65e+14 ULP on
     any.
 
@@ -1081,7 +1081,7 @@ def _project(
     return rounded(wide(mu1) * y1 + t10 * u31) * t13, rounded(wide(mu2) * y2 + t10 * u32) * t13
 
 
-_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"))
+_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"), recordable=True)
 
 
 def _project_factors(

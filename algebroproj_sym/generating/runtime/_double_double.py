@@ -26,6 +26,7 @@ __all__ = [
     "difference_error",
     "fast_two_sum",
     "product_error",
+    "split_product_error",
     "splitter_of",
     "sum_error",
     "two_product",
@@ -197,13 +198,17 @@ def product_error(a: Number, b: Number, product: Number) -> Number:
     """
     if hasattr(product, "product_error"):
         return product.product_error(a, b)
-    splitter = splitter_of(product)
+    return split_product_error(a, b, product, splitter_of(product))
+
+
+def split_product_error(a: Number, b: Number, product: Number, splitter: Number) -> Number:
+    """Return the error of a product from those of halves, which are exact."""
     a_high, a_low = _halves(a, splitter)
     b_high, b_low = _halves(b, splitter)
     return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
 
 
-def _halves(number: Number, splitter: int) -> tuple[Number, Number]:
+def _halves(number: Number, splitter: Number) -> tuple[Number, Number]:
     """Split a number in two of half as many digits, whose products are exact."""
     scaled = splitter * number
     high = scaled - (scaled - number)

@@ -13,10 +13,10 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any, Literal
 
-__all__ = ["backend", "ufunc"]
+__all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "eac08285cf9728ad"
+DIGEST = "38a6b45afe667573"
 """What identifies the C source that belongs to this package."""
 
 
@@ -54,3 +54,6 @@ def _chosen() -> ModuleType | None:
 
 
 _COMPILED = _chosen()
+
+evaluated: Any = getattr(_COMPILED, "evaluated", None)
+"""What calls a ufunc with a tuple of arrays of one dtype and one leading shape; it returns None for other arguments."""

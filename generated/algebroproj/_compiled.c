@@ -8,6 +8,7 @@ those of the NumPy source.
 
 #define PY_SSIZE_T_CLEAN
 #define NPY_NO_DEPRECATED_API NPY_1_22_API_VERSION
+#define NPY_TARGET_VERSION NPY_2_0_API_VERSION
 #include <Python.h>
 #include <numpy/arrayobject.h>
 #include <numpy/ufuncobject.h>
@@ -76,6 +77,7 @@ enum {
     EXCEPTIONS = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW,
     BLOCK = 64,
     MOST_OPERANDS = 7,
+    MOST_DIMENSIONS = 2,
     MOST_INPUTS = 32,
     MOST_OUTPUTS = 45
 };
@@ -1072,6 +1074,8 @@ static int add_plain_kernel(PyObject *module, const int place)
                      plain_types[place], plain_data[place], kernel);
 }
 
+#include "_calls.h"
+
 static int execute(PyObject *module)
 {
     if (_import_array() < 0 || _import_umath() < 0) {
@@ -1090,7 +1094,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "eac08285cf9728ad");
+    return PyModule_AddStringConstant(module, "DIGEST", "38a6b45afe667573");
 }
 
 static PyModuleDef_Slot slots[] = {
@@ -1103,6 +1107,7 @@ static struct PyModuleDef definition = {
     .m_name = "_compiled",
     .m_doc = "The kernels as generalized ufuncs.",
     .m_size = 0,
+    .m_methods = methods,
     .m_slots = slots,
 };
 

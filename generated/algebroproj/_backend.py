@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "2fe46087931f3145"
+DIGEST = "61fdd6f54976ba3c"
 """What identifies the C source that belongs to this package."""
 
 

@@ -12,7 +12,7 @@ import threading
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from multiprocessing import active_children, connection, get_context
 from typing import Any, TypeVar
 
@@ -116,19 +116,16 @@ def forked(function: Callable[[Task], Result], tasks: Iterable[Task], jobs: int)
     >>> sorted(forked(abs, iter([-3, 2, -1]), jobs=2)) if can_fork() else [1, 2, 3]
     [1, 2, 3]
     """
-    forks = _Forks(get_context("fork").Semaphore(jobs - 1), {})
-    waiting = list[Task]()
+    forks = _Forks(function, jobs, get_context("fork").Semaphore(jobs - 1))
     with _uncollected():
         try:
             for task in tasks:
-                waiting.append(task)
+                forks.waiting.append(task)
+                forks.start()
                 yield from forks.results(0)
-                while waiting and len(forks.running) < jobs:
-                    forks.start(function, waiting.pop(0))
             forks.free.release()
-            while waiting or forks.running:
-                while waiting and len(forks.running) < jobs:
-                    forks.start(function, waiting.pop(0))
+            while forks.waiting or forks.running:
+                forks.start()
                 yield from forks.results(None)
         finally:
             forks.end()
@@ -136,18 +133,25 @@ def forked(function: Callable[[Task], Result], tasks: Iterable[Task], jobs: int)
 
 @dataclass(frozen=True)
 class _Forks:
-    """Forks of this process that work or wait for a place, each by the connection on which it answers."""
+    """Tasks that wait for a fork, and forks that work or wait for a place, by the connections on which they answer."""
 
+    function: Callable[[Any], Any]
+    jobs: int
     free: Any
-    running: dict[Any, Any]
+    waiting: list[Any] = field(default_factory=list)
+    running: dict[Any, Any] = field(default_factory=dict)
 
-    def start(self, function: Callable[[Any], Any], task: Any) -> None:
-        context = get_context("fork")
-        reader, writer = context.Pipe(duplex=False)
-        process = context.Process(target=_answer, args=(function, task, self.free, writer), daemon=True)
-        process.start()
-        writer.close()
-        self.running[reader] = process
+    def start(self) -> None:
+        """Fork until one more waits than has a place; the more tasks wait, the more of them a fork is given."""
+        while self.waiting and len(self.running) <= self.jobs:
+            size = max(1, len(self.waiting) // (2 * self.jobs))
+            tasks, self.waiting[:size] = self.waiting[:size], []
+            context = get_context("fork")
+            reader, writer = context.Pipe(duplex=False)
+            process = context.Process(target=_answer, args=(self.function, tasks, self.free, writer), daemon=True)
+            process.start()
+            writer.close()
+            self.running[reader] = process
 
     def results(self, seconds: float | None) -> Iterator[Any]:
         """Yield what has been answered, or is within some seconds; raise what was raised."""
@@ -155,7 +159,7 @@ class _Forks:
         for reader in ready:
             process = self.running[reader]
             try:
-                result, error = reader.recv()
+                results, error = reader.recv()
             except EOFError:
                 process.join()
                 raise ChildProcessError(f"a worker process ended with exit status {process.exitcode}") from None
@@ -163,7 +167,7 @@ class _Forks:
             process.join()
             if error is not None:
                 raise error
-            yield result
+            yield from results
 
     def end(self) -> None:
         for process in self.running.values():
@@ -174,15 +178,15 @@ class _Forks:
             process.join()
 
 
-def _answer(function: Callable[[Any], Any], task: Any, free: Any, writer: Any) -> None:
+def _answer(function: Callable[[Any], Any], tasks: Sequence[Any], free: Any, writer: Any) -> None:
     _leave_interrupts_alone()
     signal.signal(signal.SIGTERM, _leave)
     with free:
-        answer: tuple[Any, Exception | None]
+        answer: tuple[list[Any], Exception | None]
         try:
-            answer = function(task), None
+            answer = list(map(function, tasks)), None
         except Exception as error:  # raised again where the result is expected
-            answer = None, error
+            answer = [], error
     with suppress(BrokenPipeError):
         writer.send(answer)
 

@@ -23,6 +23,22 @@ GRACE = 1.0
 """Seconds that workers have to finish what they do when the work is given up."""
 
 
+@contextmanager
+def uncollected() -> Iterator[None]:
+    """Collect no cycles for a while.
+
+    Expressions make few of them, and to look for them in vain takes time.  A collection also writes to every object,
+    so that a fork shares no more memory with the process it was made from.
+    """
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
+
+
 def mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
     """Yield the result of each task, in order; in this process if it is the only one."""
     if jobs == 1:
@@ -117,7 +133,7 @@ def forked(function: Callable[[Task], Result], tasks: Iterable[Task], jobs: int)
     [1, 2, 3]
     """
     forks = _Forks(function, jobs, get_context("fork").Semaphore(jobs - 1))
-    with _uncollected():
+    with uncollected():
         try:
             for task in tasks:
                 forks.waiting.append(task)
@@ -194,18 +210,6 @@ def _answer(function: Callable[[Any], Any], tasks: Sequence[Any], free: Any, wri
 def _leave(*_: Any) -> None:
     """End this process, but leave every file as it was before or complete."""
     raise SystemExit(1)
-
-
-@contextmanager
-def _uncollected() -> Iterator[None]:
-    """Collect no cycles for a while: a collection writes to every object, and forks would share no memory after it."""
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
 
 
 def _pool(jobs: int) -> ProcessPoolExecutor:

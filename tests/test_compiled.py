@@ -28,13 +28,15 @@ POINTS = 20_000
 
 
 def numbers(shape, dtype, seed=0):
-    """Draw numbers, some of them special, with all digits of the dtype."""
+    """Draw numbers with all digits of the dtype; of the second half some are special."""
     generator = np.random.default_rng(seed)
     drawn = generator.uniform(-4, 4, shape).astype(dtype)
     drawn = drawn * (1 + generator.uniform(0, 1, shape).astype(dtype) * np.finfo(dtype).eps * 1024)
     with np.errstate(over="ignore"):
         special = generator.choice(np.array(SPECIAL), shape).astype(dtype)
-    return np.where(generator.random(shape) < 0.02, special, drawn)
+    chance = generator.random(shape)
+    chance[: shape[0] // 2] = 1
+    return np.where(chance < 0.02, special, drawn)
 
 
 def arguments_of(kernel, dtype, batch=(POINTS,)):
@@ -46,7 +48,7 @@ def both(kernel, arguments, **options):
     function = function_of(kernel, algebroproj)
     with np.errstate(all="ignore"):
         results = [version(*arguments, **options) for version in (function, without_twin(function))]
-    return [result if isinstance(result, tuple) else (result,) for result in results]
+    return [as_tuple(result) for result in results]
 
 
 def assert_same(kernel, arguments, **options):
@@ -59,6 +61,25 @@ def assert_same(kernel, arguments, **options):
 @pytest.mark.parametrize("name", KERNELS)
 def test_the_bits_are_those_of_the_numpy_source(name, dtype):
     assert_same(KERNELS[name], arguments_of(KERNELS[name], dtype))
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("name", KERNELS)
+def test_the_numpy_source_gives_a_batch_the_bits_of_its_points(name, dtype):
+    """A batch is recorded and run in buffers; single points, and batches that broadcast, are not."""
+    arguments = [a[-6:] for a in arguments_of(KERNELS[name], dtype)]
+    source = without_twin(function_of(KERNELS[name], algebroproj))
+    with np.errstate(all="ignore"):
+        results = as_tuple(source(*arguments))
+        points = [as_tuple(source(*(a[place] for a in arguments))) for place in range(6)]
+        spread = as_tuple(source(arguments[0][:1], *arguments[1:]))
+        first = as_tuple(source(np.repeat(arguments[0][:1], 6, axis=0), *arguments[1:]))
+    assert all(same_bits(r, np.stack(p)) for r, p in zip(results, zip(*points, strict=True), strict=True))
+    assert len(arguments) == 1 or all(map(same_bits, first, spread))
+
+
+def as_tuple(result):
+    return result if isinstance(result, tuple) else (result,)
 
 
 def extremes(shape, dtype, seed):

@@ -40,7 +40,6 @@ TYPES = (
         "absolute": "fabsf",
         "multiply_add": "fmaf",
         "headroom": "(FLT_MAX / 4)",
-        "reduction": "1e-30f",
         "splitter": "4097.0f",
         "has_fused": True,
     },
@@ -49,7 +48,6 @@ TYPES = (
         "absolute": "fabs",
         "multiply_add": "fma",
         "headroom": "(DBL_MAX / 4)",
-        "reduction": "1e-300",
         "splitter": "134217729.0",
         "has_fused": True,
     },
@@ -58,7 +56,6 @@ TYPES = (
         "absolute": "fabsl",
         "multiply_add": "fmal",
         "headroom": "(LDBL_MAX / 4)",
-        "reduction": "1e-300L",
         "splitter": "((longdouble)((npy_ulonglong)1 << (LDBL_MANT_DIG + 1) / 2) + 1)",
         "has_fused": False,
     },
@@ -73,7 +70,7 @@ _SOLVERS = {"solve": solve_body, "null_vector": null_vector_body}
 _WORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    in out i points real range ranges variant absolute headroom isgreater multiply_add product_error reduction splitter
+    in out i points real range ranges variant absolute headroom isgreater multiply_add product_error splitter
     within
 """
 _RESERVED = frozenset(_WORDS.split())

@@ -316,4 +316,5 @@ def _signature(low: Lowered) -> str:
     results = tuple(result.shape for result in kernel.results)
     block = f", block={LINEAR_BLOCK}" if any(stage.primitive in LINEAR for stage in kernel.stages) else ""
     twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(low) else ""
-    return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin})".replace("'", '"')
+    recordable = ", recordable=True" if all(stage.primitive == "let" for stage in kernel.stages) else ""
+    return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin}{recordable})".replace("'", '"')

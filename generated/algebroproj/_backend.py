@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "7a22aa094f574324"
+DIGEST = "2fe46087931f3145"
 """What identifies the C source that belongs to this package."""
 
 

@@ -77,7 +77,7 @@ struct shape {
     int dimensions, rows, columns;
 };
 
-/* A kernel for each type.  On the way to what it writes to ranges something overflows if the error of a product might. */
+/* A kernel for each type.  What it writes to ranges is not finite if the error of a product might not be. */
 typedef void evaluate_float(const float (*restrict in)[BLOCK], float (*restrict out)[BLOCK],
                             float *restrict ranges, npy_intp points);
 typedef void evaluate_double(const double (*restrict in)[BLOCK], double (*restrict out)[BLOCK],
@@ -145,14 +145,13 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
     static VERSION void NAME(name)(const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK], \
                                    real *restrict ranges, const npy_intp points)
 
-/* A quarter of the largest number: the sum with the square of an operand overflows if products of such operands, or of
-   their halves, might.  It is reduced before it is kept, so that many of them are kept, and that an infinite one, which
-   is no overflow, hides none of the others.  Then the factor that splits a number into halves, whose products are exact. */
+/* A quarter of the largest number, to which squares of operands are added: the sum is not finite if products of such
+   operands, or of their halves, might not be.  Then the factor that splits a number into halves, whose products are
+   exact. */
 #define real float
 #define absolute fabsf
 #define multiply_add fmaf
 #define headroom (FLT_MAX / 4)
-#define reduction 1e-30f
 #define splitter 4097.0f
 #define VERSION SPLIT
 #define variant float_split
@@ -167,7 +166,7 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define VERSION FUSED
 #define variant float_fused
 #define product_error NAME(fused_product_error)
-#define within(range, operand) multiply_add(multiply_add(operand, operand, headroom), reduction, range)
+#define within(range, operand) multiply_add(operand, operand, range)
 #include "_kernels.h"
 #undef variant
 #undef product_error
@@ -192,14 +191,12 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #undef absolute
 #undef multiply_add
 #undef headroom
-#undef reduction
 #undef splitter
 
 #define real double
 #define absolute fabs
 #define multiply_add fma
 #define headroom (DBL_MAX / 4)
-#define reduction 1e-300
 #define splitter 134217729.0
 #define VERSION SPLIT
 #define variant double_split
@@ -214,7 +211,7 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define VERSION FUSED
 #define variant double_fused
 #define product_error NAME(fused_product_error)
-#define within(range, operand) multiply_add(multiply_add(operand, operand, headroom), reduction, range)
+#define within(range, operand) multiply_add(operand, operand, range)
 #include "_kernels.h"
 #undef variant
 #undef product_error
@@ -239,14 +236,12 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #undef absolute
 #undef multiply_add
 #undef headroom
-#undef reduction
 #undef splitter
 
 #define real longdouble
 #define absolute fabsl
 #define multiply_add fmal
 #define headroom (LDBL_MAX / 4)
-#define reduction 1e-300L
 #define splitter ((longdouble)((npy_ulonglong)1 << (LDBL_MANT_DIG + 1) / 2) + 1)
 #define VERSION
 #define variant longdouble_split
@@ -268,7 +263,6 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #undef absolute
 #undef multiply_add
 #undef headroom
-#undef reduction
 #undef splitter
 
 #ifdef FUSED
@@ -1058,7 +1052,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "7a22aa094f574324");
+    return PyModule_AddStringConstant(module, "DIGEST", "2fe46087931f3145");
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ._compensated import NEAREST, Compensated, wide
+from ._compensated import NEAR, NEAREST, Compensated, wide
 from ._double_double import DoubleDouble
 
 __all__ = ["Bounded", "bounded", "guaranteed"]
@@ -64,7 +64,7 @@ class Bounded:
         """Return the rounded number, whose bound grows by what is cut off."""
         if isinstance(self.value, Compensated) and self.value.overlap != NEAREST:
             value = self.value.rounded()
-            return guaranteed(bounded(value, self.error + unit_of(value) * abs(value)))
+            return guaranteed(bounded(value, self.error + _rounding_of_parts(self.value, value)))
         return guaranteed(bounded(self.value.hi, self.error + tail(self.value)))
 
     def __neg__(self) -> Bounded:
@@ -77,10 +77,12 @@ class Bounded:
     __radd__ = __add__
 
     def __sub__(self, other: Number) -> Bounded:
-        return self.__add__(-other)
+        difference = self.value - _value(other)
+        rounding = _rounding_of_sum(self.value, _value(other), difference)
+        return bounded(difference, self.error + _error(other) + rounding)
 
     def __rsub__(self, other: Number) -> Bounded:
-        return self.__neg__().__add__(other)
+        return Bounded(other, 0).__sub__(self)
 
     def __mul__(self, other: Number) -> Bounded:
         product = self.value * _value(other)
@@ -144,6 +146,12 @@ def magnitude(number: Number) -> Number:
     return (abs(high(number)) + tail(number)) * (1 + 4 * unit_of(number))
 
 
+def _rounding_of_parts(number: Compensated, value: Number) -> Number:
+    """Return what the sum of the two parts rounds at most, and what the last addition rounded off the first part."""
+    dropped = 0 if number.overlap <= NEAR else abs(number.hi)
+    return unit_of(value) * (abs(value) + dropped)
+
+
 def _rounding_of_sum(a: Number, b: Number, total: Number) -> Number:
     """Return what a sum rounds at most: in compensated arithmetic a sum of the second parts and its error."""
     if not hasattr(total, "hi"):
@@ -158,7 +166,8 @@ def _rounding_of_sum(a: Number, b: Number, total: Number) -> Number:
 def _rounding_of_product(a: Number, b: Number, product: Number) -> Number:
     """Return what a product rounds at most: in compensated arithmetic the two mixed products and their sums.
 
-    The product of the second parts is left out.
+    The product of the second parts is left out where one of them is small, and otherwise what rounding took from the
+    sum of two parts that stands for both.
     """
     if not hasattr(product, "hi"):
         return unit_of(product) * abs(product)
@@ -166,9 +175,14 @@ def _rounding_of_product(a: Number, b: Number, product: Number) -> Number:
         return 0
     if isinstance(product, DoubleDouble):
         return _doubled(product)
-    a, b = _separated(a), _separated(b)
-    mixed = abs(high(a)) * tail(b) + tail(a) * abs(high(b))
-    return unit_of(product) * (3 * mixed + tail(product)) + tail(a) * tail(b)
+    unit = unit_of(product)
+    first, second = (number if isinstance(number, Compensated) else Compensated(number) for number in (a, b))
+    if _has_no_tail(first):
+        first, second = second, first
+    partner = first.partner(second)
+    mixed = abs(first.hi) * tail(second) + tail(first) * abs(partner)
+    missing = tail(second) if partner is second.hi else 2 * unit * (abs(partner) + magnitude(second))
+    return unit * (3 * mixed + tail(product)) + tail(first) * missing
 
 
 def _rounding_of_quotient(a: Number, b: Number, quotient: Number) -> Number:
@@ -177,7 +191,7 @@ def _rounding_of_quotient(a: Number, b: Number, quotient: Number) -> Number:
         return unit_of(quotient) * abs(quotient)
     if isinstance(quotient, DoubleDouble):
         return _doubled(quotient)
-    a, b = _separated(a), _separated(b)
+    b = _separated(b)
     unit = unit_of(quotient)
     remainder = unit * (3 * abs(quotient.hi) * tail(b) + 2 * tail(a)) + tail(quotient) * tail(b) + _tiny(quotient)
     return remainder / abs(high(b)) + 4 * unit * tail(quotient)

@@ -48,7 +48,7 @@ static int TYPED(finite)(const real (*restrict rows)[BLOCK], const int count, co
 }
 
 /* Evaluate a block; return what exceptions were raised.  Errors of products are the same in both versions as long as
-   nothing overflows or underflows, ranges included. */
+   nothing overflows or underflows, and ranges are finite. */
 static int TYPED(evaluated)(const struct kernel *kernel, const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK],
                             const npy_intp points)
 {
@@ -57,7 +57,7 @@ static int TYPED(evaluated)(const struct kernel *kernel, const real (*restrict i
     if (fused_is_available && kernel->TYPED(fused) != NULL) {
         kernel->TYPED(fused)(in, out, ranges, points);
         const int raised = fetestexcept(EXCEPTIONS);
-        if ((raised & (FE_OVERFLOW | FE_UNDERFLOW)) == 0) {
+        if ((raised & (FE_OVERFLOW | FE_UNDERFLOW)) == 0 && TYPED(finite)((const real (*)[BLOCK])ranges, 1, points)) {
             return raised;
         }
         feclearexcept(EXCEPTIONS);

@@ -52,10 +52,7 @@ def plain(function: Callable[..., Any]) -> Callable[..., Any]:
     twin = ufunc(f"plain_{function.__module__.rpartition('.')[2]}_{function.__name__}")
     names = function.__globals__ | _WITHOUT_COMPENSATION
     names[body.__name__] = _with_names(body, names)
-    recordable = _PRIMITIVES.isdisjoint(body.__code__.co_names)
-    names[f"_{function.__name__.upper()}_SIGNATURE"] = replace(
-        signature, block=2 * BLOCK if recordable else BLOCK, twin=twin, recordable=recordable
-    )
+    names[f"_{function.__name__.upper()}_SIGNATURE"] = replace(signature, block=BLOCK, twin=twin)
     return _with_names(function, names)
 
 
@@ -70,10 +67,6 @@ _WITHOUT_COMPENSATION = {
     "null_vector": null_vector_once,
 }
 """What the names mean that a body uses for more digits."""
-
-
-_PRIMITIVES = frozenset(["arctan2", "cos_sin", "null_vector", "solve"])
-"""What a body calls beside + - * /."""
 
 
 def _with_names(function: FunctionType, names: dict[str, Any]) -> FunctionType:

@@ -80,7 +80,7 @@ def _plane_frame(
     return 1, 0, 0, g00, g10 - g00, g20 - g00, g01, g11 - g01, g21 - g01
 
 
-_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),), twin=ufunc("affine_plane_frame"))
+_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),), twin=ufunc("affine_plane_frame"), recordable=True)
 
 
 def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -127,10 +127,10 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     g01*g20 + g10*g21 - g11*g20``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 18 (9 -, 8 *, 1 /); the derived expression as written takes 30.
-    In compensated arithmetic, where sums may cancel: 110, 6 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 84, 6 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.422 ULP in the median and 1.94 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.447 ULP in the median and 2.72 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.22 ULP in the median, 167 ULP at most on ordinary input, 9.56e+13 ULP on any.
 
     Examples
@@ -155,7 +155,7 @@ def _plane_coordinates(
     return rounded(c22 * d1 - c21 * d2) * t12, rounded(c11 * d2 - c12 * d1) * t12
 
 
-_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),), twin=ufunc("affine_plane_coordinates"))
+_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),), twin=ufunc("affine_plane_coordinates"), recordable=True)
 
 
 def _plane_coordinates_factors(
@@ -240,7 +240,7 @@ def _space_frame(
     )
 
 
-_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),), twin=ufunc("affine_space_frame"))
+_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),), twin=ufunc("affine_space_frame"), recordable=True)
 
 
 def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -300,10 +300,10 @@ def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     of 24 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 55 (8 +, 18 -, 27 *, 1 /, 1 neg); the derived expression as written takes 177.
-    In compensated arithmetic, where sums may cancel: 370, 24 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 313, 24 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.427 ULP in the median and 2.09 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.478 ULP in the median and 2.36 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 2.56 ULP in the median, 87.7 ULP at most on ordinary input, 2.72e+15 ULP on any.
 
     Examples
@@ -344,7 +344,7 @@ def _space_coordinates(
     )
 
 
-_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),), twin=ufunc("affine_space_coordinates"))
+_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),), twin=ufunc("affine_space_coordinates"), recordable=True)
 
 
 def _space_coordinates_factors(

@@ -84,7 +84,7 @@ def _design_row(
     return upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1)
 
 
-_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),), twin=ufunc("correlation_design_row"))
+_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),), twin=ufunc("correlation_design_row"), recordable=True)
 
 
 def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -140,7 +140,7 @@ def _rhs(
     return (upp1 - up1,)
 
 
-_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),), twin=ufunc("correlation_rhs"))
+_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),), twin=ufunc("correlation_rhs"), recordable=True)
 
 
 def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -180,9 +180,9 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    In compensated arithmetic, where sums may cancel: 60, 6 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 42, 6 of them errors of products.
 
-    Measured error in float64: 0.262 ULP in the median and 0.5 ULP at most (100 samples, near singularities too).
+    Measured error in float64: 0.323 ULP in the median and 0.993 ULP at most (100 samples, near singularities too).
     Without compensation (`plain`): 0.365 ULP in the median, 27.8 ULP at most on ordinary input, 27.8 ULP on any.
 
     Examples
@@ -204,7 +204,7 @@ def _epipolar_line_left(
     )
 
 
-_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_left"))
+_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_left"), recordable=True)
 
 
 def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -244,9 +244,9 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
     Polynomial: no input is singular.
 
     Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    In compensated arithmetic, where sums may cancel: 60, 6 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 42, 6 of them errors of products.
 
-    Measured error in float64: 0.252 ULP in the median and 0.498 ULP at most (100 samples, near singularities too).
+    Measured error in float64: 0.291 ULP in the median and 0.99 ULP at most (100 samples, near singularities too).
     Without compensation (`plain`): 0.386 ULP in the median, 48.2 ULP at most on ordinary input, 48.2 ULP on any.
 
     Examples
@@ -268,7 +268,7 @@ def _epipolar_line_right(
     )
 
 
-_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_right"))
+_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_right"), recordable=True)
 
 
 def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -325,10 +325,10 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     mupp2*mupp3*upp31``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 68 (3 +, 17 -, 45 *, 1 /, 2 neg); the derived expression as written takes 2900.
-    In compensated arithmetic, where sums may cancel: 314, 34 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 361, 46 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.539 ULP in the median and 3.18 ULP at most (250 samples, near singularities too).
+    Measured error in float64: 0.246 ULP in the median and 0.735 ULP at most (250 samples, near singularities too).
     Without compensation (`plain`): 12900.0 ULP in the median, 119 ULP at most on ordinary input, 2.9e+15 ULP on
     any.
 
@@ -346,28 +346,27 @@ def _correlation_from_cameras(
 ) -> tuple[Any, ...]:
     t0 = wide(mup3) * mupp1
     t2 = wide(mup1) * mupp3
-    q1 = rounded(t0 * up31 - t2 * upp31)
+    q1 = t0 * up31 - t2 * upp31
     t5 = wide(mup3) * mupp2
     t7 = wide(mup2) * mupp3
-    q2 = rounded(t5 * up32 - t7 * upp32)
-    t76 = wide(mup1) * mup2 * (wide(mup3) - 1) - wide(mup3) * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
-    deltap = rounded(t76)
-    t83 = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - wide(mupp3) * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
-    deltapp = rounded(t83)
+    q2 = t5 * up32 - t7 * upp32
+    deltap = wide(mup1) * mup2 * (wide(mup3) - 1) - wide(mup3) * (wide(mup1) * up32 * (wide(mup2) - 1) + wide(mup2) * up31 * (wide(mup1) - 1))
+    deltapp = wide(mupp1) * mupp2 * (wide(mupp3) - 1) - wide(mupp3) * (wide(mupp1) * upp32 * (wide(mupp2) - 1) + wide(mupp2) * upp31 * (wide(mupp1) - 1))
     t35 = 1 / (deltap * deltapp)
     t36 = q2 * t35
     t38 = q1 * t35
     t46 = wide(mup3) - mupp3
     t49 = wide(mup1) - mupp1
-    t87 = wide(mup2) - mupp2
+    t53 = wide(mup2) - mupp2
     return (
-        0, t36 * mup1, -(t38 * mup2), -(t36 * mupp1), t36 * (mupp1 - mup1),
-        rounded(wide(mup2) * mupp1 * t46 - t7 * upp31 * t49 - t0 * up32 * t87) * t35, t38 * mupp2,
-        rounded(t2 * upp32 * t87 + t5 * up31 * t49 - wide(mup1) * mupp2 * t46) * t35, t38 * rounded(t87),
+        0, rounded(t36 * mup1), rounded(-(t38 * mup2)), rounded(-(t36 * mupp1)),
+        rounded(t36 * (wide(mupp1) - mup1)),
+        rounded((wide(mup2) * mupp1 * t46 - t7 * upp31 * t49 - t0 * up32 * t53) * t35), rounded(t38 * mupp2),
+        rounded((t2 * upp32 * t53 + t5 * up31 * t49 - wide(mup1) * mupp2 * t46) * t35), rounded(t38 * t53),
     )
 
 
-_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),), twin=ufunc("correlation_correlation_from_cameras"))
+_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),), twin=ufunc("correlation_correlation_from_cameras"), recordable=True)
 
 
 def _correlation_from_cameras_factors(
@@ -481,7 +480,7 @@ def _system(
     )
 
 
-_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)), twin=ufunc("correlation_system"))
+_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)), twin=ufunc("correlation_system"), recordable=True)
 
 
 def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -534,7 +533,7 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
     arbitrarily large.
 
     Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.
-    In compensated arithmetic, where sums may cancel: 225, 20 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 215, 20 of them errors of products.
 
     Measured error in float64: 0.36 ULP in the median and 0.173 times what rounding the arguments changes at most
     (150 samples, near singularities too).
@@ -695,10 +694,10 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
     values are given by the function `hypotheses` of this package.
 
     Operations: 20 (5 -, 14 *, 1 /); the derived expression as written takes 28.
-    In compensated arithmetic, where sums may cancel: 80, 10 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 40, 10 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.418 ULP in the median and 1.82 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.445 ULP in the median and 2.42 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 0.928 ULP in the median, 18.1 ULP at most on ordinary input, 3.32e+14 ULP on
     any.
 
@@ -721,7 +720,7 @@ def _epipoles(
     )
 
 
-_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)), twin=ufunc("correlation_epipoles"))
+_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)), twin=ufunc("correlation_epipoles"), recordable=True)
 
 
 def _epipoles_factors(

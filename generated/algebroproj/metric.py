@@ -93,7 +93,7 @@ def _reconstruct(
     return xp * t1, yp * t1, -(c * t1)
 
 
-_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),), twin=ufunc("metric_reconstruct"))
+_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),), twin=ufunc("metric_reconstruct"), recordable=True)
 
 
 def _reconstruct_factors(
@@ -182,7 +182,7 @@ def _reconstruct_jacobian(
     return xpp * (1 / ((xpp - xp) * t1)), 0, xp * t6, 0, 0, -t8, t10, t8, 0, 0, t11, 0, -t11, 0, -t10
 
 
-_RECONSTRUCT_JACOBIAN_SIGNATURE = Signature("reconstruct_jacobian", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3, 5),), twin=ufunc("metric_reconstruct_jacobian"))
+_RECONSTRUCT_JACOBIAN_SIGNATURE = Signature("reconstruct_jacobian", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3, 5),), twin=ufunc("metric_reconstruct_jacobian"), recordable=True)
 
 
 def _reconstruct_jacobian_factors(
@@ -315,9 +315,9 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
     No input is singular.
 
     Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.
-    In compensated arithmetic, where sums may cancel: 115, 11 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 87, 11 of them errors of products.
 
-    Measured error in float64: 0.279 ULP in the median and 1.47 ULP at most (100 samples, near singularities too).
+    Measured error in float64: 0.304 ULP in the median and 1.47 ULP at most (100 samples, near singularities too).
     Without compensation (`plain`): 0.364 ULP in the median, 8.19 ULP at most on ordinary input, 14.2 ULP on any.
 
     Examples
@@ -396,10 +396,10 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
     Polynomial: no input is singular.
 
     Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.
-    In compensated arithmetic, where sums may cancel: 414, 45 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 315, 45 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.247 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
+    Measured error in float64: 0.281 ULP in the median and 0.982 ULP at most (100 samples, near singularities too).
     Without compensation (`plain`): 0.542 ULP in the median, 130 ULP at most on ordinary input, 130 ULP on any.
 
     Examples
@@ -437,7 +437,7 @@ def _correlation_matrix(
     )
 
 
-_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),), twin=ufunc("metric_correlation_matrix"))
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),), twin=ufunc("metric_correlation_matrix"), recordable=True)
 
 
 def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -510,9 +510,9 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
     No input is singular.
 
     Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.
-    In compensated arithmetic, where sums may cancel: 522, 47 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 450, 47 of them errors of products.
 
-    Measured error in float64: 0.27 ULP in the median and 1.13 ULP at most (100 samples, near singularities too).
+    Measured error in float64: 0.282 ULP in the median and 2.45 ULP at most (100 samples, near singularities too).
     Without compensation (`plain`): 0.444 ULP in the median, 26.4 ULP at most on ordinary input, 1.08e+06 ULP on
     any.
 
@@ -611,10 +611,10 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     Polynomial: no input is singular.
 
     Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.
-    In compensated arithmetic, where sums may cancel: 197, 20 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 147, 20 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.335 ULP in the median and 1.74 ULP at most (100 samples, near singularities too).
+    Measured error in float64: 0.372 ULP in the median and 1.91 ULP at most (100 samples, near singularities too).
     Without compensation (`plain`): 0.553 ULP in the median, 2.04e+03 ULP at most on ordinary input, 2.04e+03 ULP on
     any.
 
@@ -644,7 +644,7 @@ def _coplanarity_row(
     return p1p * p2pp, p1p * p3pp, rounded(t40 * t52 + t44 * t56), -(p1pp * p2p), -(p1pp * p3p)
 
 
-_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),), twin=ufunc("metric_coplanarity_row"))
+_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),), twin=ufunc("metric_coplanarity_row"), recordable=True)
 
 
 def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -686,10 +686,10 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
     values are given by the function `hypotheses` of this package.
 
     Operations: 19 (2 +, 4 -, 12 *, 1 /); the derived expression as written takes 24.
-    In compensated arithmetic, where sums may cancel: 81, 9 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 55, 9 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.468 ULP in the median and 2.1 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.51 ULP in the median and 2.27 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.38 ULP in the median, 90.5 ULP at most on ordinary input, 1.02e+15 ULP on any.
 
     Examples
@@ -711,7 +711,7 @@ def _to_normal(
     )
 
 
-_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_to_normal"))
+_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_to_normal"), recordable=True)
 
 
 def _to_normal_factors(
@@ -787,10 +787,10 @@ def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray
     values are given by the function `hypotheses` of this package.
 
     Operations: 69 (2 +, 12 -, 50 *, 2 /, 3 neg); the derived expression as written takes 270.
-    In compensated arithmetic, where sums may cancel: 275, 22 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 203, 22 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.388 ULP in the median and 2.27 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.415 ULP in the median and 2.64 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.68 ULP in the median, 62.9 ULP at most on ordinary input, 1.08e+15 ULP on any.
 
     Examples
@@ -829,7 +829,7 @@ def _to_normal_jacobian(
     )
 
 
-_TO_NORMAL_JACOBIAN_SIGNATURE = Signature("to_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_to_normal_jacobian"))
+_TO_NORMAL_JACOBIAN_SIGNATURE = Signature("to_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_to_normal_jacobian"), recordable=True)
 
 
 def _to_normal_jacobian_factors(
@@ -883,10 +883,10 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
     values are given by the function `hypotheses` of this package.
 
     Operations: 19 (2 +, 4 -, 12 *, 1 /); the derived expression as written takes 24.
-    In compensated arithmetic, where sums may cancel: 81, 9 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 55, 9 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.431 ULP in the median and 1.85 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.481 ULP in the median and 2.6 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.21 ULP in the median, 12.6 ULP at most on ordinary input, 8.99e+14 ULP on any.
 
     Examples
@@ -908,7 +908,7 @@ def _from_normal(
     )
 
 
-_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_from_normal"))
+_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_from_normal"), recordable=True)
 
 
 def _from_normal_factors(
@@ -984,10 +984,10 @@ def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArr
     values are given by the function `hypotheses` of this package.
 
     Operations: 70 (2 +, 12 -, 50 *, 2 /, 4 neg); the derived expression as written takes 270.
-    In compensated arithmetic, where sums may cancel: 275, 22 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 203, 22 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.381 ULP in the median and 2.46 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.399 ULP in the median and 2.64 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.75 ULP in the median, 101 ULP at most on ordinary input, 7.62e+14 ULP on any.
 
     Examples
@@ -1025,7 +1025,7 @@ def _from_normal_jacobian(
     )
 
 
-_FROM_NORMAL_JACOBIAN_SIGNATURE = Signature("from_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_from_normal_jacobian"))
+_FROM_NORMAL_JACOBIAN_SIGNATURE = Signature("from_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_from_normal_jacobian"), recordable=True)
 
 
 def _from_normal_jacobian_factors(
@@ -1102,7 +1102,7 @@ def _jacobian_angles(
     return t2, -((t3 + xN * xN) * t1), -yN, (t3 + yN * yN) * t1, -t2, xN
 
 
-_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),), twin=ufunc("metric_jacobian_angles"))
+_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),), twin=ufunc("metric_jacobian_angles"), recordable=True)
 
 
 def _jacobian_angles_factors(
@@ -1160,7 +1160,7 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
     values are given by the function `hypotheses` of this package.
 
     Operations: 55 (5 +, 11 -, 37 *, 2 /); the derived expression as written takes 84.
-    In compensated arithmetic, where sums may cancel: 258, 30 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 211, 30 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.238 ULP in the median and 0.499 ULP at most (150 samples, near singularities too).
@@ -1193,7 +1193,7 @@ def _jacobian_image(
     )
 
 
-_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),), twin=ufunc("metric_jacobian_image"))
+_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),), twin=ufunc("metric_jacobian_image"), recordable=True)
 
 
 def _jacobian_image_factors(
@@ -1266,10 +1266,10 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     values are given by the function `hypotheses` of this package.
 
     Operations: 134 (34 +, 11 -, 84 *, 2 /, 3 neg); the derived expression as written takes 1224.
-    In compensated arithmetic, where sums may cancel: 846, 86 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 735, 86 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.264 ULP in the median and 0.499 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.295 ULP in the median and 0.983 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 3.46 ULP in the median, 139 ULP at most on ordinary input, 1.07e+15 ULP on any.
 
     Examples
@@ -1320,7 +1320,7 @@ def _normal_covariance(
     )
 
 
-_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),), twin=ufunc("metric_normal_covariance"))
+_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),), twin=ufunc("metric_normal_covariance"), recordable=True)
 
 
 def _normal_covariance_factors(
@@ -1389,7 +1389,7 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     given by the function `hypotheses` of this package.
 
     Operations: 79 (9 +, 16 -, 52 *, 1 /, 1 neg); the derived expression as written takes 330.
-    In compensated arithmetic, where sums may cancel: 526, 53 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 423, 53 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.258 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
@@ -1429,7 +1429,7 @@ def _model_covariance(
     )
 
 
-_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),), twin=ufunc("metric_model_covariance"))
+_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),), twin=ufunc("metric_model_covariance"), recordable=True)
 
 
 def _model_covariance_factors(

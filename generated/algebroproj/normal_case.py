@@ -65,10 +65,10 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
-    In compensated arithmetic, where sums may cancel: 38.
+    In compensated arithmetic, where sums may cancel: 22.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.474 ULP in the median and 2.1 ULP at most (300 samples, near singularities too).
+    Measured error in float64: 0.526 ULP in the median and 2.36 ULP at most (300 samples, near singularities too).
     Without compensation (`plain`): 0.593 ULP in the median, 2.85 ULP at most on ordinary input, 6.26e+12 ULP on
     any.
 
@@ -88,7 +88,7 @@ def _tau(
     return u30 * uN31 / (u31 * uN30), u30 * uN32 / (u32 * uN30)
 
 
-_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),), twin=ufunc("normal_case_tau"))
+_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),), twin=ufunc("normal_case_tau"), recordable=True)
 
 
 def _tau_factors(
@@ -134,24 +134,24 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
 
         u30 = 1 - u31 - u32
         uN30 = 1 - uN31 - uN32
-        result[0, 0] = uN31*(-1 + u32)/(u31**2*uN30)
+        result[0, 0] = -uN31/(u31*uN30) - u30*uN31/(u31**2*uN30)
         result[0, 1] = -uN31/(u31*uN30)
-        result[0, 2] = -u30*(-1 + uN32)/(u31*uN30**2)
+        result[0, 2] = u30/(u31*uN30) + u30*uN31/(u31*uN30**2)
         result[0, 3] = u30*uN31/(u31*uN30**2)
         result[1, 0] = -uN32/(u32*uN30)
-        result[1, 1] = uN32*(-1 + u31)/(u32**2*uN30)
+        result[1, 1] = -uN32/(u32*uN30) - u30*uN32/(u32**2*uN30)
         result[1, 2] = u30*uN32/(u32*uN30**2)
-        result[1, 3] = -u30*(-1 + uN31)/(u32*uN30**2)
+        result[1, 3] = u30/(u32*uN30) + u30*uN32/(u32*uN30**2)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u32``, ``uN31 + uN32 -
     1``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 29 (7 -, 14 *, 6 /, 2 neg); the derived expression as written takes 198.
-    In compensated arithmetic, where sums may cancel: 184, 20 of them errors of products.
+    Operations: 30 (4 +, 4 -, 12 *, 6 /, 4 neg); the derived expression as written takes 198.
+    In compensated arithmetic, where sums may cancel: 173, 18 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.253 ULP in the median and 0.5 ULP at most (300 samples, near singularities too).
-    Without compensation (`plain`): 0.572 ULP in the median, 3.64 ULP at most on ordinary input, 3.64e+14 ULP on
+    Measured error in float64: 0.264 ULP in the median and 0.994 ULP at most (300 samples, near singularities too).
+    Without compensation (`plain`): 0.718 ULP in the median, 1.43e+04 ULP at most on ordinary input, 3.64e+14 ULP on
     any.
 
     Examples
@@ -166,20 +166,24 @@ def _tau_jacobian(
     u31: Any, u32: Any, uN31: Any, uN32: Any,
 ) -> tuple[Any, ...]:
     u30 = 1 - wide(u31) - u32
-    t2 = 1 - wide(uN31)
-    uN30 = t2 - uN32
-    t6 = wide(u31) * uN30
-    t13 = u30 * (1 / (t6 * uN30))
+    uN30 = 1 - wide(uN31) - uN32
+    t4 = wide(u31) * uN30
+    t5 = 1 / t4
+    t30 = wide(uN31) * t5
+    t7 = u30 * uN31
+    t32 = t7 / (t4 * uN30)
     t17 = wide(u32) * uN30
-    t26 = u30 * (1 / (t17 * uN30))
+    t18 = 1 / t17
+    t34 = wide(uN32) * t18
+    t21 = u30 * uN32
+    t36 = t21 / (t17 * uN30)
     return (
-        rounded(wide(uN31) * (wide(u32) - 1) / (t6 * u31)), rounded(-(wide(uN31) / t6)),
-        rounded(t13 * (1 - wide(uN32))), rounded(t13 * uN31), rounded(-(wide(uN32) / t17)),
-        rounded(wide(uN32) * (wide(u31) - 1) / (t17 * u32)), rounded(t26 * uN32), rounded(t26 * t2),
+        -rounded(t30 + t7 / (t4 * u31)), -rounded(t30), rounded(u30 * t5 + t32), rounded(t32), -rounded(t34),
+        -rounded(t34 + t21 / (t17 * u32)), rounded(t36), rounded(t36 + u30 * t18),
     )
 
 
-_TAU_JACOBIAN_SIGNATURE = Signature("tau_jacobian", (("u3", (2,)), ("u3_normal", (2,))), ((2, 4),), twin=ufunc("normal_case_tau_jacobian"))
+_TAU_JACOBIAN_SIGNATURE = Signature("tau_jacobian", (("u3", (2,)), ("u3_normal", (2,))), ((2, 4),), twin=ufunc("normal_case_tau_jacobian"), recordable=True)
 
 
 def _tau_jacobian_factors(
@@ -252,7 +256,7 @@ def _transform(
     return 1, tau1 - 1, tau2 - 1, 0, tau1, 0, 0, 0, tau2
 
 
-_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),), twin=ufunc("normal_case_transform"))
+_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),), twin=ufunc("normal_case_transform"), recordable=True)
 
 
 def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -293,10 +297,10 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 11 (2 +, 2 -, 6 *, 1 /); the derived expression as written takes 16.
-    In compensated arithmetic, where sums may cancel: 41, 2 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 35, 2 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.362 ULP in the median and 1.75 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.378 ULP in the median and 2.21 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 0.86 ULP in the median, 6.65 ULP at most on ordinary input, 3.89e+13 ULP on any.
 
     Examples
@@ -315,7 +319,7 @@ def _map_points(
     return tau1 * u1 * t7, tau2 * u2 * t7
 
 
-_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),), twin=ufunc("normal_case_map_points"))
+_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),), twin=ufunc("normal_case_map_points"), recordable=True)
 
 
 def _map_points_factors(
@@ -388,10 +392,10 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     given by the function `hypotheses` of this package.
 
     Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
-    In compensated arithmetic, where sums may cancel: 298, 28 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 154, 13 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.19 ULP in the median and 3.7 ULP at most (500 samples, near singularities too).
+    Measured error in float64: 0.427 ULP in the median and 4.23 ULP at most (500 samples, near singularities too).
     Without compensation (`plain`): 0.722 ULP in the median, 89 ULP at most on ordinary input, 7.05e+16 ULP on any.
 
     Examples
@@ -409,22 +413,21 @@ def _from_orientation(
     t0 = wide(yA2) - 1
     t3 = wide(yp02) - 1
     p01 = wide(yp01) * (t0 + yA3) - wide(yA1) * (t3 + yp03)
-    p02 = wide(yp02) * (wide(yA1) + yA3 - 1) - wide(yA2) * (wide(yp01) + yp03 - 1)
+    p02 = rounded(wide(yp02) * (wide(yA1) + yA3 - 1) - wide(yA2) * (wide(yp01) + yp03 - 1))
     p03 = wide(yp03) * (t0 + yA1) - wide(yA3) * (t3 + yp01)
-    a13 = wide(yA1) * yp03 - wide(yA3) * yp01
-    a23 = wide(yA2) * yp03 - wide(yA3) * yp02
-    t26 = wide(yp03) * u31
-    numerator = p03 * yp01 - t26 * p01
-    t46 = numerator * yp02 / (p02 * yp01 * yp03)
-    uN32 = rounded(t46)
-    quotient = wide(yp03) / ypp03
+    a13 = rounded(wide(yA1) * yp03 - wide(yA3) * yp01)
+    a23 = rounded(wide(yA2) * yp03 - wide(yA3) * yp02)
+    t48 = wide(yp03) * u31
+    numerator = rounded(p03 * yp01 - t48 * p01)
+    uN32 = numerator * yp02 / (p02 * yp01 * yp03)
+    quotient = yp03 / ypp03
     return (
-        rounded(-(t26 * a13 * p02 / (a23 * numerator))), u31, uN32, rounded(quotient * u31 * ypp01 / yp01),
-        rounded(quotient * t46 * ypp02 / yp02),
+        -(rounded(t48) * a13 * p02 / (a23 * numerator)), u31, uN32, quotient * u31 * ypp01 / yp01,
+        quotient * uN32 * ypp02 / yp02,
     )
 
 
-_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)), twin=ufunc("normal_case_from_orientation"))
+_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)), twin=ufunc("normal_case_from_orientation"), recordable=True)
 
 
 def _from_orientation_factors(
@@ -494,10 +497,10 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     of this package.
 
     Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
-    In compensated arithmetic, where sums may cancel: 69, 3 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 51, 3 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.447 ULP in the median and 2.32 ULP at most (250 samples, near singularities too).
+    Measured error in float64: 0.537 ULP in the median and 3.32 ULP at most (250 samples, near singularities too).
     Without compensation (`plain`): 1.48 ULP in the median, 8.55 ULP at most on ordinary input, 1.28e+15 ULP on any.
 
     Examples
@@ -521,7 +524,7 @@ def _mu_left(
     return t11, t11, yA0 * rounded(t17) / (difference * yA3)
 
 
-_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_left"))
+_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_left"), recordable=True)
 
 
 def _mu_left_factors(
@@ -582,10 +585,10 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
-    In compensated arithmetic, where sums may cancel: 253, 17 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 190, 17 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.457 ULP in the median and 3.31 ULP at most (350 samples, near singularities too).
+    Measured error in float64: 0.534 ULP in the median and 3.07 ULP at most (350 samples, near singularities too).
     Without compensation (`plain`): 1.63 ULP in the median, 53.1 ULP at most on ordinary input, 6.64e+14 ULP on any.
 
     Examples
@@ -619,7 +622,7 @@ def _mu_right(
     )
 
 
-_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_right"))
+_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_right"), recordable=True)
 
 
 def _mu_right_factors(
@@ -698,7 +701,7 @@ def _from_correlation(
     return -(z02 / t0), 1, -(z20 * t0 / (z02 * z10)), -(z01 * t7), t0 * t7
 
 
-_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)), twin=ufunc("normal_case_from_correlation"))
+_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)), twin=ufunc("normal_case_from_correlation"), recordable=True)
 
 
 def _from_correlation_factors(
@@ -775,7 +778,7 @@ def _frame(
     return 1, 0, 0, 0, 1, z_n, 0, (tau1 - 1) / (tau2 - 1), 1
 
 
-_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),), twin=ufunc("normal_case_frame"))
+_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),), twin=ufunc("normal_case_frame"), recordable=True)
 
 
 def _frame_factors(

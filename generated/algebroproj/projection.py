@@ -93,7 +93,7 @@ def _camera_matrix(
     return 1, mu1 - 1, mu2 - 1, mu3 - 1, 0, mu1, 0, mu3 * u31, 0, 0, mu2, mu3 * u32
 
 
-_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"))
+_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"), recordable=True)
 
 
 def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -136,10 +136,10 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.
-    In compensated arithmetic, where sums may cancel: 49.
+    In compensated arithmetic, where sums may cancel: 32.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.43 ULP in the median and 2.3 ULP at most (350 samples, near singularities too).
+    Measured error in float64: 0.463 ULP in the median and 2.88 ULP at most (350 samples, near singularities too).
     Without compensation (`plain`): 0.595 ULP in the median, 14.2 ULP at most on ordinary input, 1.01e+13 ULP on
     any.
 
@@ -159,7 +159,7 @@ def _mu_from_center(
     return u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -(y00 / (u30 * y03))
 
 
-_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"))
+_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"), recordable=True)
 
 
 def _mu_from_center_factors(
@@ -224,12 +224,12 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 44 (3 +, 8 -, 18 *, 11 /, 4 neg); the derived expression as written takes 535.
-    In compensated arithmetic, where sums may cancel: 110.
+    Operations: 44 (3 +, 8 -, 20 *, 9 /, 4 neg); the derived expression as written takes 535.
+    In compensated arithmetic, where sums may cancel: 75.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.425 ULP in the median and 3.49 ULP at most (350 samples, near singularities too).
-    Without compensation (`plain`): 0.518 ULP in the median, 38.9 ULP at most on ordinary input, 3.86e+14 ULP on
+    Measured error in float64: 0.452 ULP in the median and 3.27 ULP at most (350 samples, near singularities too).
+    Without compensation (`plain`): 0.526 ULP in the median, 38.9 ULP at most on ordinary input, 3.86e+14 ULP on
     any.
 
     Examples
@@ -248,22 +248,22 @@ def _mu_from_center_jacobian(
     u30 = rounded(t44 - u32)
     t8 = y01 * u30
     t13 = -(u31 / (u30 * y01))
-    t16 = t8 * u30
+    t16 = y00 * (1 / (t8 * u30))
     t22 = -(u32 / (u30 * y02))
     t23 = wide(y01) - 1
     t26 = y02 * u30
-    t30 = t26 * u30
+    t31 = y00 * (1 / (t26 * u30))
     t35 = 1 / (u30 * y03)
     t37 = y03 * u30
     t43 = -(y00 / (t37 * u30))
     return (
-        u31 * rounded(wide(y02) + y03 - 1) / (t8 * y01), t13, t13, y00 * (1 - u32) / t16, u31 * y00 / t16,
-        t22, u32 * rounded(t23 + y03) / (t26 * y02), t22, u32 * y00 / t30, y00 * rounded(t44) / t30, t35,
-        t35, -(rounded(t23 + y02) / (t37 * y03)), t43, t43,
+        u31 * rounded(wide(y02) + y03 - 1) / (t8 * y01), t13, t13, t16 * (1 - u32), t16 * u31, t22,
+        u32 * rounded(t23 + y03) / (t26 * y02), t22, t31 * u32, t31 * rounded(t44), t35, t35,
+        -(rounded(t23 + y02) / (t37 * y03)), t43, t43,
     )
 
 
-_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"))
+_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"), recordable=True)
 
 
 def _mu_from_center_jacobian_factors(
@@ -317,10 +317,10 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     function `hypotheses` of this package.
 
     Operations: 18 (1 +, 4 -, 11 *, 1 /, 1 neg); the derived expression as written takes 47.
-    In compensated arithmetic, where sums may cancel: 74, 7 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 63, 7 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.447 ULP in the median and 2.55 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.478 ULP in the median and 2.45 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.14 ULP in the median, 9.03 ULP at most on ordinary input, 3.08e+15 ULP on any.
 
     Examples
@@ -343,7 +343,7 @@ def _center_from_mu(
     return t13 * rounded(t23), t13 * rounded(t20), -(rounded(t11) * t12)
 
 
-_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"))
+_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"), recordable=True)
 
 
 def _center_from_mu_factors(
@@ -405,10 +405,10 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 26 (1 +, 7 -, 12 *, 3 /, 3 neg); the derived expression as written takes 121.
-    In compensated arithmetic, where sums may cancel: 116, 5 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 80, 5 of them errors of products.
     The cheapest of 12 equal programs that err little.
 
-    Measured error in float64: 0.433 ULP in the median and 2.03 ULP at most (350 samples, near singularities too).
+    Measured error in float64: 0.44 ULP in the median and 2.39 ULP at most (350 samples, near singularities too).
     Without compensation (`plain`): 0.659 ULP in the median, 167 ULP at most on ordinary input, 1.88e+14 ULP on any.
 
     Examples
@@ -440,7 +440,7 @@ def _projection_matrix(
     )
 
 
-_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"))
+_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"), recordable=True)
 
 
 def _projection_matrix_factors(
@@ -544,7 +544,7 @@ def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 62 (1 +, 11 -, 32 *, 9 /, 9 neg); the derived expression as written takes 1275.
-    In compensated arithmetic, where sums may cancel: 341, 37 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 345, 37 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
     Measured error in float64: 0.25 ULP in the median and 0.5 ULP at most (350 samples, near singularities too).
@@ -600,7 +600,7 @@ def _projection_matrix_jacobian(
     )
 
 
-_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"))
+_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"), recordable=True)
 
 
 def _projection_matrix_jacobian_factors(
@@ -675,7 +675,7 @@ def _projection_matrix_from_mu(
     return mu1 - 1, mu2 - 1, mu3 - 1, mu1, 0, mu3 * u31, 0, mu2, mu3 * u32
 
 
-_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"))
+_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"), recordable=True)
 
 
 def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -716,11 +716,11 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 7 *, 1 /, 1 neg); the derived expression as written takes 130.
-    In compensated arithmetic, where sums may cancel: 91, 8 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 82, 8 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
     Measured error in float64: 0.261 ULP in the median and 0.5 ULP at most (350 samples, near singularities too).
-    Without compensation (`plain`): 1.1 ULP in the median, 5.19 ULP at most on ordinary input, 4.5e+14 ULP on any.
+    Without compensation (`plain`): 1.15 ULP in the median, 6.02 ULP at most on ordinary input, 4.5e+14 ULP on any.
 
     Examples
     --------
@@ -735,10 +735,10 @@ def _projection_determinant(
 ) -> tuple[Any, ...]:
     y00 = 1 - wide(y01) - y02 - y03
     u30 = 1 - wide(u31) - u32
-    return (rounded(-(wide(u31) * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03))),)
+    return (rounded(-(wide(u31) * u32 * y00 * y00 / (wide(y01) * y02 * y03 * u30 * u30))),)
 
 
-_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"))
+_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"), recordable=True)
 
 
 def _projection_determinant_factors(
@@ -787,10 +787,10 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
     Polynomial: no input is singular.
 
     Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.
-    In compensated arithmetic, where sums may cancel: 68, 7 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 57, 7 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.276 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
+    Measured error in float64: 0.389 ULP in the median and 0.996 ULP at most (100 samples, near singularities too).
     Without compensation (`plain`): 0.567 ULP in the median, 8.78 ULP at most on ordinary input, 8.78 ULP on any.
 
     Examples
@@ -808,7 +808,7 @@ def _projection_determinant_from_mu(
     return (rounded(t18),)
 
 
-_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"))
+_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"), recordable=True)
 
 
 def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -862,10 +862,10 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     `hypotheses` of this package.
 
     Operations: 45 (9 +, 14 -, 16 *, 6 /); the derived expression as written takes 1539.
-    In compensated arithmetic, where sums may cancel: 161, 6 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 116, 6 of them errors of products.
     The cheapest of 12 equal programs that err little.
 
-    Measured error in float64: 0.209 ULP in the median and 2.96 ULP at most (500 samples, near singularities too).
+    Measured error in float64: 0.215 ULP in the median and 2.96 ULP at most (500 samples, near singularities too).
     Without compensation (`plain`): 0.293 ULP in the median, 69.7 ULP at most on ordinary input, 1.99e+14 ULP on
     any.
 
@@ -901,7 +901,7 @@ def _reconstruction_matrix(
     )
 
 
-_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"))
+_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"), recordable=True)
 
 
 def _reconstruction_matrix_factors(
@@ -963,10 +963,10 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     function `hypotheses` of this package.
 
     Operations: 32 (6 -, 21 *, 1 /, 4 neg); the derived expression as written takes 153.
-    In compensated arithmetic, where sums may cancel: 108, 9 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 88, 9 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.457 ULP in the median and 2.14 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.496 ULP in the median and 2.28 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.26 ULP in the median, 123 ULP at most on ordinary input, 2.59e+15 ULP on any.
 
     Examples
@@ -1001,7 +1001,7 @@ def _reconstruction_matrix_from_mu(
     )
 
 
-_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"))
+_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"), recordable=True)
 
 
 def _reconstruction_matrix_from_mu_factors(
@@ -1057,10 +1057,10 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     y2 - y3 + 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 19 (5 +, 3 -, 10 *, 1 /); the derived expression as written takes 28.
-    In compensated arithmetic, where sums may cancel: 89, 8 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 71, 8 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.384 ULP in the median and 1.84 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.425 ULP in the median and 2.13 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.31 ULP in the median, 1.62e+03 ULP at most on ordinary input, 7.65e+14 ULP on
     any.
 
@@ -1081,7 +1081,7 @@ def _project(
     return rounded(wide(mu1) * y1 + t10 * u31) * t13, rounded(wide(mu2) * y2 + t10 * u32) * t13
 
 
-_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"))
+_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"), recordable=True)
 
 
 def _project_factors(

@@ -1,19 +1,23 @@
 """Compensated arithmetic: a number, and what rounding has taken from it, as an unevaluated sum that is rounded once.
 
-It has about the digits of double-double arithmetic at half the operations: the two parts may overlap, and are separated
-only before a product or quotient, where that matters (pair arithmetic of Lange and Rump).  Where nothing rounds, as
-with fractions or rational functions, the second part is zero, and the same source gives exact results.
+It has about the digits of double-double arithmetic at less than half the operations: the two parts may overlap, and are
+separated only where something is divided by them (pair arithmetic of Lange and Rump).  What the last addition of a sum
+rounds off is computed only where it is needed: a sum that is rounded at once does without, since where the first parts
+cancel, their sum is exact.  Where nothing rounds, as with fractions or rational functions, the second part is zero, and
+the same source gives exact results.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, TypeAlias
 
-from ._double_double import DoubleDouble, fast_two_sum, two_product, two_sum
+from ._double_double import DoubleDouble, difference_error, fast_two_sum, sum_error, two_product, two_sum
 
 __all__ = ["Compensated", "double_double", "rounded", "wide"]
 
 Number: TypeAlias = Any
+Last: TypeAlias = tuple[Callable[[Number, Number, Number], Number], Number, Number]
 
 NEAREST, NEAR, SUM, SUMS = range(4)
 """How far the parts may overlap: not at all, by a few units in the last place, as after one sum, or after several."""
@@ -22,12 +26,21 @@ NEAREST, NEAR, SUM, SUMS = range(4)
 class Compensated:
     """A number ``hi + lo``, where lo has gathered what was rounded off hi.
 
+    Parameters
+    ----------
+    hi, rest : number or array
+        The two parts; rest is None for a number that has no second part.
+    overlap : int
+        How far the parts may overlap.
+    last : (function, number, number), optional
+        Of what hi is the rounded sum or difference, and what tells its error, which belongs to the second part too.
+
     Attributes
     ----------
     hi, lo : number or array
-        The two parts; lo is None for a number that has no second part.
-    overlap : int
-        How far the parts may overlap.
+        The two parts.
+    rest : number or array
+        The second part without what the last addition rounded off hi.
 
     Examples
     --------
@@ -38,18 +51,30 @@ class Compensated:
     -5.551115123125783e-18
     """
 
-    __slots__ = ("_separated", "hi", "lo", "overlap")
+    __slots__ = ("_last", "_lo", "_separated", "hi", "overlap", "rest")
     __array_ufunc__ = None
 
-    def __init__(self, hi: Number, lo: Number = None, overlap: int = NEAREST) -> None:
+    def __init__(self, hi: Number, rest: Number = None, overlap: int = NEAREST, last: Last | None = None) -> None:
         self.hi = hi
-        self.lo = lo
+        self.rest = rest
         self.overlap = overlap
+        self._last = last
+        self._lo = rest
         self._separated: Compensated | None = None
 
+    @property
+    def lo(self) -> Number:
+        """The second part, None for a number that has none."""
+        if self._last is not None:
+            error_of, left, right = self._last
+            error = error_of(left, right, self.hi)
+            self._lo = error if self.rest is None else self.rest + error
+            self._last = None
+        return self._lo
+
     def rounded(self) -> Number:
-        """Return the one number nearest to the sum of the two."""
-        return self.hi if self.overlap == NEAREST else self.hi + self.lo
+        """Return one number, which errs by less than two units in the last place: twice something is rounded."""
+        return self.hi if self.overlap == NEAREST else self.hi + self.rest
 
     def wide(self) -> Compensated:
         """Return the number itself, which is one of twice the digits already."""
@@ -78,36 +103,41 @@ class Compensated:
 
     def __add__(self, other: Number) -> Compensated:
         x, y = self, _compensated(other)
-        hi, error = two_sum(x.hi, y.hi)
-        if x.lo is None and y.lo is None:
-            return Compensated(hi, error)
         if x.lo is None:
             x, y = y, x
-        rest = x.lo if y.lo is None else x.lo + y.lo
-        return Compensated(hi, rest + error, SUM if max(x.overlap, y.overlap) < SUM else SUMS)
+        rest = x.lo if x.lo is None or y.lo is None else x.lo + y.lo
+        return Compensated(x.hi + y.hi, rest, _of_sum(x, y), (sum_error, x.hi, y.hi))
 
     __radd__ = __add__
 
     def __sub__(self, other: Number) -> Compensated:
-        return self.__add__(-other)
+        x, y = self, _compensated(other)
+        rest = x.lo
+        if y.lo is not None:
+            rest = -y.lo if rest is None else rest - y.lo
+        return Compensated(x.hi - y.hi, rest, _of_sum(x, y), (difference_error, x.hi, y.hi))
 
     def __rsub__(self, other: Number) -> Compensated:
-        return self.__neg__().__add__(other)
+        return _compensated(other).__sub__(self)
 
     def __mul__(self, other: Number) -> Compensated:
-        x, y = self.separated(), _compensated(other).separated()
+        x, y = self, _compensated(other)
         hi, error = two_product(x.hi, y.hi)
         if x.lo is None and y.lo is None:
             return Compensated(hi, error)
         if x.lo is None:
             x, y = y, x
-        cross = x.lo * y.hi if y.lo is None else x.hi * y.lo + x.lo * y.hi
-        return Compensated(hi, error + cross, NEAR)
+        cross = x.lo * y.hi if y.lo is None else x.hi * y.lo + x.lo * x.partner(y)
+        return Compensated(hi, error + cross, max(x.overlap, y.overlap, NEAR))
 
     __rmul__ = __mul__
 
+    def partner(self, other: Compensated) -> Number:
+        """Return by what the second part is multiplied: by both parts of the other where parts overlap in both."""
+        return other.rounded() if min(self.overlap, other.overlap) > NEAR else other.hi
+
     def __truediv__(self, other: Number) -> Compensated:
-        x, y = self.separated(), _compensated(other).separated()
+        x, y = self, _compensated(other).separated()
         quotient = x.hi / y.hi
         product, error = two_product(quotient, y.hi)
         remainder = (x.hi - product) - error
@@ -115,10 +145,17 @@ class Compensated:
             remainder = remainder - quotient * y.lo
         if x.lo is not None:
             remainder = remainder + x.lo
-        return Compensated(quotient, remainder / y.hi, NEAR)
+        return Compensated(quotient, remainder / y.hi, max(x.overlap, NEAR))
 
     def __rtruediv__(self, other: Number) -> Compensated:
         return _compensated(other).__truediv__(self)
+
+
+def _of_sum(x: Compensated, y: Compensated) -> int:
+    """Return how far the parts of a sum or difference may overlap."""
+    if x.lo is None and y.lo is None:
+        return NEAREST
+    return SUM if max(x.overlap, y.overlap) < SUM else SUMS
 
 
 def _compensated(number: Number) -> Compensated:

@@ -23,9 +23,12 @@ __all__ = [
     "DoubleDouble",
     "Unrounded",
     "chosen",
+    "difference_error",
     "fast_two_sum",
     "product_error",
+    "split_product_error",
     "splitter_of",
+    "sum_error",
     "two_product",
     "two_sum",
 ]
@@ -148,8 +151,27 @@ def two_sum(a: Number, b: Number) -> tuple[Number, Number]:
     (1.0, 8.673617379884035e-19)
     """
     total = a + b
+    return total, sum_error(a, b, total)
+
+
+def sum_error(a: Number, b: Number, total: Number) -> Number:
+    """Return what the rounded sum of two numbers is short of the exact one.
+
+    >>> sum_error(1.0, 2.0**-60, 1.0)
+    8.673617379884035e-19
+    """
     second = total - a
-    return total, (a - (total - second)) + (b - second)
+    return (a - (total - second)) + (b - second)
+
+
+def difference_error(a: Number, b: Number, difference: Number) -> Number:
+    """Return what the rounded difference of two numbers is short of the exact one.
+
+    >>> difference_error(1.0, 2.0**-60, 1.0)
+    -8.673617379884035e-19
+    """
+    second = difference - a
+    return (a - (difference - second)) - (b + second)
 
 
 def fast_two_sum(a: Number, b: Number) -> tuple[Number, Number]:
@@ -176,13 +198,17 @@ def product_error(a: Number, b: Number, product: Number) -> Number:
     """
     if hasattr(product, "product_error"):
         return product.product_error(a, b)
-    splitter = splitter_of(product)
+    return split_product_error(a, b, product, splitter_of(product))
+
+
+def split_product_error(a: Number, b: Number, product: Number, splitter: Number) -> Number:
+    """Return the error of a product from those of halves, which are exact."""
     a_high, a_low = _halves(a, splitter)
     b_high, b_low = _halves(b, splitter)
     return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
 
 
-def _halves(number: Number, splitter: int) -> tuple[Number, Number]:
+def _halves(number: Number, splitter: Number) -> tuple[Number, Number]:
     """Split a number in two of half as many digits, whose products are exact."""
     scaled = splitter * number
     high = scaled - (scaled - number)

@@ -41,7 +41,7 @@ class Signature:
     results : tuple of shape
         The core shapes of the results.
     block : int
-        How many points of a batch are computed at once.
+        How many points of a batch are computed at once if they are not recorded.
     twin : ufunc, optional
         The compiled version of the body.
     recordable : bool
@@ -238,7 +238,7 @@ def _fill(
     targets = [to for array, core in zip(results, signature.results, strict=True) for to in _entries(array, core)]
     if signature.recordable and dtype.kind in "fc" and all(entry.shape == batch for entry in entries):
         tape = recorded(body, len(entries))
-        for block in _blocks(batch, signature.block):
+        for block in _blocks(batch, tape.block):
             whole = [entry[block].astype(dtype, order="C", copy=False) for entry in entries]
             tape.run(whole, [target[block] for target in targets])
         return

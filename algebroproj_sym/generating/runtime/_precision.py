@@ -6,6 +6,7 @@ Both run the body of a function, the one source of its formula, on numbers of an
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -50,7 +51,13 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
     signature, body = parts_of(function, "dd")
     names = [f"{name} (second part)" for name, _ in signature.arguments]
     rests = tuple((name, core) for name, (_, core) in zip(names, signature.arguments, strict=True))
-    both = Signature(signature.name, (*signature.arguments, *rests), signature.results * 2, BLOCK)
+    both = Signature(
+        signature.name,
+        (*signature.arguments, *rests),
+        signature.results * 2,
+        BLOCK,
+        recordable=signature.recordable,
+    )
 
     def with_twice_the_digits(*arguments: Any) -> Any:
         require_count(signature, arguments)
@@ -106,6 +113,7 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
     return with_bounds
 
 
+@lru_cache(maxsize=256)
 def _on_pairs(body: Body) -> Body:
     def on_pairs(*parts: Any) -> tuple[Any, ...]:
         count = len(parts) // 2

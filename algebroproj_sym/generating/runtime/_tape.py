@@ -1,6 +1,7 @@
 """Recording the operations of a body, and running them in few buffers, without new arrays.
 
-A buffer is used again as soon as nothing needs what it holds, so that all of them stay in the cache.
+Each operation is recorded once, as are the halves of a number whose products need their errors, and left out if nothing
+needs it.  A buffer is used again as soon as nothing needs what it holds, so that all of them stay in the cache.
 """
 
 from __future__ import annotations
@@ -14,14 +15,22 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ._double_double import split_product_error, splitter_of
+
 __all__ = ["Tape", "recorded"]
+
+CACHED = 2**20
+"""How many numbers are to stay in the cache."""
+
+LEAST, MOST = 2**12, 2**14
+"""How many points are computed at once: fewer take longer to begin with than to compute."""
 
 Operand: TypeAlias = "_Recorded | int"
 
 
 @dataclass(frozen=True)
 class Tape:
-    """The operations of a body; operands are places among the entries, the buffers, the results and the integers.
+    """The operations of a body; operands are places among entries, buffers, results, integers and, last, the splitter.
 
     Attributes
     ----------
@@ -40,11 +49,16 @@ class Tape:
     buffers: int
     integers: tuple[int, ...]
 
+    @property
+    def block(self) -> int:
+        """How many points are computed at once, so that the buffers stay in the cache."""
+        return min(max(CACHED // (self.buffers + 1), LEAST), MOST)
+
     def run(self, entries: Sequence[NDArray[Any]], results: Sequence[NDArray[Any]]) -> None:
         """Compute the results, which have the shape and the dtype of the entries."""
         spare = np.empty((self.buffers, *entries[0].shape), entries[0].dtype)
-        integers = np.array(self.integers, spare.dtype)
-        places = [*entries, *spare, *results, *(integers[place, ...] for place in range(len(integers)))]
+        numbers = np.array([*self.integers, splitter_of(spare)], spare.dtype)
+        places = [*entries, *spare, *results, *(numbers[place, ...] for place in range(len(numbers)))]
         for operation, operands in self.operations:
             operation(*operands(places))
         for source, target in self.copies:
@@ -65,10 +79,11 @@ def recorded(body: Callable[..., tuple[Any, ...]], count: int) -> Tape:
     >>> results.tolist()
     [[6.0], [0.0]]
     """
-    steps: list[_Recorded] = []
-    entries = [_Recorded(steps) for _ in range(count)]
+    recorder = _Recorder()
+    entries = [_Recorded(recorder) for _ in range(count)]
     outputs = body(*entries)
-    results = {output: place for place, output in reversed([*enumerate(outputs)]) if output in steps}
+    steps = recorder.needed(outputs)
+    results = {output: place for place, output in reversed([*enumerate(outputs)]) if output in {*steps}}
     integers = sorted({o for step in steps for o in step.operands if isinstance(o, int)} | _integers(outputs))
     buffers, total = _shared_buffers(steps, results)
     after_entries, after_buffers = count, count + total
@@ -76,6 +91,7 @@ def recorded(body: Callable[..., tuple[Any, ...]], count: int) -> Tape:
     places |= {step: after_entries + buffer for step, buffer in buffers.items()}
     places |= {step: after_buffers + place for step, place in results.items()}
     numbers = {integer: after_buffers + len(outputs) + place for place, integer in enumerate(integers)}
+    places[recorder.splitter] = after_buffers + len(outputs) + len(integers)
 
     def place_of(operand: Operand) -> int:
         return numbers[operand] if isinstance(operand, int) else places[operand]
@@ -109,9 +125,34 @@ def _shared_buffers(steps: Sequence[_Recorded], results: dict[_Recorded, int]) -
     return buffers, total
 
 
-def _binary(operation: np.ufunc, reflected: bool = False) -> Callable[[_Recorded, Operand], _Recorded]:
-    def method(number: _Recorded, other: Operand) -> _Recorded:
-        return number.step(operation, *((other, number) if reflected else (number, other)))
+class _Recorder:
+    """Writes down each operation once."""
+
+    def __init__(self) -> None:
+        self.splitter = _Recorded(self)
+        self._steps: dict[tuple[np.ufunc, tuple[Operand, ...]], _Recorded] = {}
+
+    def step(self, operation: np.ufunc, *operands: Operand) -> _Recorded:
+        """Return the result of an operation."""
+        key = operation, operands
+        if key not in self._steps:
+            self._steps[key] = _Recorded(self, operation, operands)
+        return self._steps[key]
+
+    def needed(self, outputs: Sequence[Operand]) -> list[_Recorded]:
+        """Return the steps on which an output depends, in order."""
+        needed = {*outputs}
+        for step in reversed(self._steps.values()):
+            if step in needed:
+                needed.update(step.operands)
+        return [step for step in self._steps.values() if step in needed]
+
+
+def _binary(operation: np.ufunc, reflected: bool = False) -> Callable[[_Recorded, Any], Any]:
+    def method(number: _Recorded, other: Any) -> Any:
+        if not isinstance(other, _Recorded | int):
+            return NotImplemented
+        return number.recorder.step(operation, *((other, number) if reflected else (number, other)))
 
     return method
 
@@ -119,19 +160,18 @@ def _binary(operation: np.ufunc, reflected: bool = False) -> Callable[[_Recorded
 class _Recorded:
     """A number of which is known how it is computed."""
 
-    def __init__(self, steps: list[_Recorded], operation: Any = None, *operands: Operand) -> None:
-        self.steps = steps
+    def __init__(self, recorder: _Recorder, operation: Any = None, operands: tuple[Operand, ...] = ()) -> None:
+        self.recorder = recorder
         self.operation = operation
         self.operands = operands
 
-    def step(self, operation: np.ufunc, *operands: Operand) -> _Recorded:
-        """Return the result of an operation."""
-        result = _Recorded(self.steps, operation, *operands)
-        self.steps.append(result)
-        return result
+    def product_error(self, left: Operand, right: Operand) -> _Recorded:
+        """Return what rounding took from the number, a product."""
+        error: _Recorded = split_product_error(left, right, self, self.recorder.splitter)
+        return error
 
     def __neg__(self) -> _Recorded:
-        return self.step(np.negative, self)
+        return self.recorder.step(np.negative, self)
 
     __add__ = _binary(np.add)
     __radd__ = _binary(np.add, reflected=True)

@@ -13,6 +13,7 @@ import time
 import pytest
 
 from algebroproj_sym import pipeline
+from algebroproj_sym.cli.terminal import progressing
 from algebroproj_sym.declaring import modules_of_papers, needed_by
 from algebroproj_sym.processes import can_fork, dealt, forked, in_processes, mapped
 from algebroproj_sym.remembering import Memory
@@ -152,6 +153,17 @@ def test_a_process_with_threads_is_not_forked():
     assert not can_fork()
     over.set()
     thread.join()
+
+
+@forking
+def test_a_progress_bar_that_does_not_tick_leaves_the_process_without_threads(monkeypatch):
+    """Else nothing would be forked at a terminal."""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+    monkeypatch.setattr(sys.stderr, "write", lambda text: len(text), raising=False)
+    before = threading.active_count()
+    threads = [threading.active_count() for _ in progressing(range(3), 3, "counting", ticking=False)]
+    assert threads == [before] * 3
+    assert max(threading.active_count() for _ in progressing(range(3), 3, "counting")) > before
 
 
 def checked(memory, jobs):

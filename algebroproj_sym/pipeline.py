@@ -5,14 +5,13 @@ Each step takes what the one before it gave; `jobs` worker processes change the 
 
 from __future__ import annotations
 
-import signal
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from dataclasses import dataclass
 from functools import partial
-from multiprocessing import active_children, get_context
+from importlib import import_module
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 from algebroproj_sym.declaring import (
     Claim,
@@ -30,15 +29,10 @@ from algebroproj_sym.declaring import (
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
+from algebroproj_sym.processes import can_fork, dealt, forked, in_processes, mapped
 from algebroproj_sym.remembering import Memory
 from algebroproj_sym.reporting import Notebook, claim_record, derived_form, run_notebook
 from algebroproj_sym.verifying import Verification, load_package, verify
-
-Task = TypeVar("Task")
-Result = TypeVar("Result")
-
-GRACE = 1.0
-"""Seconds that workers have to finish what they do when the work is given up."""
 
 EMITTED = ("proved", "misprint", "illegible")
 
@@ -79,7 +73,7 @@ def check(
     """
     known = [memory.recall(claim, engine) if memory else None for claim in claims]
     changed = [claim for claim, judgement in zip(claims, known, strict=True) if judgement is None]
-    judged = _mapped(partial(judge, engine=engine), changed, jobs)
+    judged = mapped(partial(judge, engine=engine), changed, jobs)
     for judgement in known:
         if judgement is not None:
             yield judgement
@@ -96,6 +90,8 @@ class CheckedModule:
 
     Attributes
     ----------
+    name : str
+        Of the module.
     outlines : tuple of Outline
         What must fit the other modules.
     judgements : tuple of Judgement
@@ -105,6 +101,7 @@ class CheckedModule:
         The entries of the ledger, if they were asked for.
     """
 
+    name: str
     outlines: tuple[Outline, ...]
     judgements: tuple[Judgement, ...]
     records: tuple[dict[str, Any], ...]
@@ -115,7 +112,9 @@ def check_modules(
 ) -> Iterator[CheckedModule]:
     """Import derivation modules and judge their claims where they are imported, in worker processes.
 
-    Importing is half of the work.  A worker that is free is given the module for which it has least to import.
+    Importing is half of the work, and modules need each other.  Where processes fork, this one imports what several
+    modules need, and leaves each module to a fork of itself as soon as that is done; elsewhere, a worker that is free
+    is given the module for which it has least to import.
 
     Parameters
     ----------
@@ -133,12 +132,31 @@ def check_modules(
     Yields
     ------
     CheckedModule
-        In the order of the names.
+        In the order in which they are done.
     """
+    check_one = partial(_check_module, engine=engine, memory=memory, recorded=recorded)
+    return forked(check_one, _ready(names), jobs) if can_fork() else dealt(check_one, names, jobs, _nearest(jobs))
+
+
+def _ready(names: Sequence[str]) -> Iterator[str]:
+    """Import what several modules need, least first, and yield each module when nothing more of that is missing."""
+    needed = {name: needed_by(name) for name in names}
+    uses = Counter(module for modules in needed.values() for module in modules)
+    missing = {name: {m: size for m, size in needed[name].items() if uses[m] > 1} for name in names}
+    while missing:
+        name = min(missing, key=lambda name: sum(missing[name].values()))
+        for module in missing.pop(name):
+            import_module(module)
+            for others in missing.values():
+                others.pop(module, None)
+        yield name
+
+
+def _nearest(jobs: int) -> Callable[[int, Sequence[str]], str]:
+    """Return how to choose what needs least beside what a worker has; of several, what others have least of."""
     held: list[set[str]] = [set() for _ in range(jobs)]
 
     def nearest(worker: int, pending: Sequence[str]) -> str:
-        """Return the module that needs least beside what a worker has; of several, what others have least of."""
         others = set().union(*held[:worker], *held[worker + 1 :])
 
         def distance(name: str) -> tuple[int, int, int]:
@@ -150,12 +168,12 @@ def check_modules(
         held[worker].update(needed_by(chosen))
         return chosen
 
-    yield from _dealt(partial(_check_module, engine=engine, memory=memory, recorded=recorded), names, jobs, nearest)
+    return nearest
 
 
 def derived_forms(claims: Sequence[Claim], jobs: int = 1) -> Iterator[Expression | None]:
     """Write what is derived in lowest terms, claim by claim, as ledger and reports show it."""
-    return _mapped(derived_form, claims, jobs)
+    return mapped(derived_form, claims, jobs)
 
 
 def claims_of(chosen: Sequence[Kernel], sources: Sequence[str] = ()) -> tuple[Claim, ...]:
@@ -200,7 +218,7 @@ def programs(
             judgement = verdicts[kernel.paper, number]
             if not judgement.as_declared or judgement.verdict not in EMITTED:
                 raise UnprovedError(kernel, number, judgement.verdict)
-    return _mapped(partial(lower, engine=engine), chosen, jobs)
+    return mapped(partial(lower, engine=engine), chosen, jobs)
 
 
 def verifications(
@@ -228,14 +246,14 @@ def verifications(
     package : str
         The name of the package.
     """
-    return _mapped(partial(_verify, folder=folder, size=size, engine=engine, package=package), lowered, jobs)
+    return mapped(partial(_verify, folder=folder, size=size, engine=engine, package=package), lowered, jobs)
 
 
 def mutated_claims(
     claims: Sequence[Claim], limit: int = 0, engine: str = "flint", jobs: int = 1
 ) -> Iterator[MutatedClaim]:
     """Change proved claims in single places; at most `limit` changes of each are judged, all if it is 0."""
-    return _mapped(partial(mutate_claim, limit=limit, engine=engine), claims, jobs)
+    return mapped(partial(mutate_claim, limit=limit, engine=engine), claims, jobs)
 
 
 def mutated_kernels(
@@ -247,12 +265,12 @@ def mutated_kernels(
     jobs: int = 1,
 ) -> Iterator[MutatedKernel]:
     """Change the source of generated functions in single places; at most `limit` changes of each are tried."""
-    return _mapped(partial(_mutate, folder=folder, limit=limit, size=size, engine=engine), lowered, jobs)
+    return mapped(partial(_mutate, folder=folder, limit=limit, size=size, engine=engine), lowered, jobs)
 
 
 def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Notebook]:
     """Run derivations as notebooks, each in processes of its own, which end with this one."""
-    return _in_processes(run_notebook, derivations, jobs)
+    return in_processes(run_notebook, derivations, jobs)
 
 
 def _check_module(name: str, engine: str, memory: Memory, recorded: bool) -> CheckedModule:
@@ -260,6 +278,7 @@ def _check_module(name: str, engine: str, memory: Memory, recorded: bool) -> Che
     claims = [claim for section in sections for claim in section.claims]
     judgements = [*check(claims, engine, memory=memory)]
     return CheckedModule(
+        name,
         tuple(map(outline, sections)),
         tuple(abridged(judgement) if judgement.as_declared else judgement for judgement in judgements),
         tuple(map(claim_record, judgements)) if recorded else (),
@@ -272,72 +291,3 @@ def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine
 
 def _verify(lowered: Lowered, folder: Path | None, size: int, engine: str, package: str) -> Verification:
     return verify(lowered, load_package(folder, package), size, engine)
-
-
-def _mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
-    if jobs == 1:
-        yield from map(function, tasks)
-    else:
-        yield from _in_processes(function, tasks, jobs)
-
-
-def _in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
-    with _pool(jobs) as pool:
-        futures = [pool.submit(function, task) for task in tasks]
-        try:
-            for future in futures:
-                yield future.result()
-        except BaseException:
-            _end([pool], futures)
-            raise
-
-
-def _dealt(
-    function: Callable[[Task], Result],
-    tasks: Sequence[Task],
-    jobs: int,
-    choose: Callable[[int, Sequence[Task]], Task],
-) -> Iterator[Result]:
-    """Yield results in order; each worker that is free is given the task that is chosen for it among those left."""
-    pools = [_pool(1) for _ in range(jobs)]
-    pending, running, known = list(tasks), dict[Future[Result], tuple[int, Task]](), dict[Task, Result]()
-
-    def give(worker: int) -> None:
-        if pending:
-            task = choose(worker, pending)
-            pending.remove(task)
-            running[pools[worker].submit(function, task)] = worker, task
-
-    try:
-        for worker in range(jobs):
-            give(worker)
-        for task in tasks:
-            while task not in known:
-                for future in wait(running, return_when=FIRST_COMPLETED).done:
-                    worker, finished = running.pop(future)
-                    give(worker)
-                    known[finished] = future.result()
-            yield known.pop(task)
-    except BaseException:
-        _end(pools, list(running))
-        raise
-    finally:
-        for pool in pools:
-            pool.shutdown()
-
-
-def _pool(jobs: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_leave_interrupts_alone)
-
-
-def _end(pools: Sequence[ProcessPoolExecutor], futures: Sequence[Future[Result]]) -> None:
-    for pool in pools:
-        pool.shutdown(wait=False, cancel_futures=True)
-    wait([future for future in futures if not future.cancelled()], GRACE)
-    for child in active_children():
-        child.terminate()
-
-
-def _leave_interrupts_alone() -> None:
-    """Let the parent process alone answer Ctrl-C; it ends its workers."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,13 +1,17 @@
 """Bounds of running error analysis hold: exact arithmetic on the same inputs says what the error is."""
 
 from fractions import Fraction
+from operator import add, mul, sub, truediv
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.generating import run
+from algebroproj_sym.generating.runtime._compensated import NEAR, SUMS, Compensated
 from algebroproj_sym.generating.runtime._error_bounds import Bounded
 from algebroproj_sym.verifying import stratified
 
@@ -42,6 +46,47 @@ def test_a_bound_is_never_below_the_error_and_seldom_far_above(name, lowered):
                     assert true <= Fraction(float(error))
                     ratios += [float(Fraction(float(error)) / true)] if true else []
     assert not ratios or np.median(ratios) < 100
+
+
+@st.composite
+def uncertain(draw):
+    """Return a number with a bound, whose parts may cancel, and the farthest exact values that the bound allows."""
+    hi = draw(st.floats(0.5, 2)) * draw(st.sampled_from([1, -1]))
+    lo = draw(
+        st.just(None)
+        | st.floats(-1, 1).map(lambda part: part * 2.0**-54 * abs(hi))
+        | st.integers(-3, 3).map(lambda units: -hi * (1 + units * 2.0**-52))
+        | st.floats(-1, 1).map(lambda part: -hi * (1 + part * 2.0**-8))
+        | st.floats(-1, 1)
+    )
+    near = lo is not None and abs(lo) <= 2.0**-53 * abs(hi)
+    value = hi if lo is None else Compensated(np.float64(hi), np.float64(lo), NEAR if near else SUMS)
+    total = Fraction(hi) + (0 if lo is None else Fraction(lo))
+    error = abs(float(total)) * draw(st.sampled_from([0.0, 1e-30, 2.0**-52, 1e-3, 0.5, 2.0]))
+    bound = Bounded(np.float64(hi) if lo is None else value, np.float64(error))
+    return bound if lo is not None else bound.wide(), [total - Fraction(error), total + Fraction(error)]
+
+
+@given(uncertain(), uncertain())
+@settings(max_examples=1500, deadline=None)
+def test_bounds_hold_whatever_the_exact_operands_are(left, right):
+    (x, exact_x), (y, exact_y) = left, right
+    straddles = exact_y[0] * exact_y[1] <= 0
+    for operation in (add, sub, mul, truediv):
+        with np.errstate(all="ignore"):
+            result = operation(x, y)
+            numbers = [result, result.rounded()]
+        if operation is truediv and straddles:
+            assert all(number.error == np.inf for number in numbers[1:])
+            continue
+        for number in numbers:
+            for truth in (operation(a, b) for a in exact_x for b in exact_y):
+                assert number.error == np.inf or abs(exact(number.value) - truth) <= Fraction(float(number.error))
+
+
+def exact(value):
+    parts = [value.hi, value.lo] if hasattr(value, "hi") else [value]
+    return sum((Fraction(float(part)) for part in parts if part is not None), Fraction(0))
 
 
 def test_a_divisor_that_may_be_zero_has_no_bound():

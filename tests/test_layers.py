@@ -8,7 +8,7 @@ import pytest
 
 STAGES = (
     *("files", "expressions", "proving", "declaring", "auditing", "remembering", "generating", "verifying", "mutating"),
-    *("study", "reporting", "pipeline", "replaying", "exporting", "scaffolding", "cli", "plugin"),
+    *("study", "reporting", "processes", "pipeline", "replaying", "exporting", "scaffolding", "cli", "plugin"),
 )
 
 

@@ -147,7 +147,8 @@ def test_samples_cover_every_stratum_and_come_as_near_as_they_say(name, lowered)
     strata = {sample.stratum for sample in samples}
     systems = {"near a singular system"} if low.determinants else set()
     factors = {f"near {factor}" for factor in low.input_hypotheses}
-    assert strata - {"near several factors"} == {"ordinary", "badly scaled", *factors, *systems}
+    elsewhere = {"near several factors", "near a zero of a result"}
+    assert strata - elsewhere == {"ordinary", "badly scaled", *factors, *systems}
     for factor in low.input_hypotheses:
         near = [sample.values for sample in samples if sample.stratum == f"near {factor}"]
         points = ({s: Fraction(v[s.name]) for s in low.kernel.symbols} for v in near)
@@ -167,6 +168,18 @@ def test_samples_come_near_several_factors_at_once(name, lowered):
     assert len(points) == 40
     near = [sum(abs(evaluate(factor, point)[0]) < 0.11 for factor in low.input_hypotheses) for point in points]
     assert min(near) >= 2
+
+
+@pytest.mark.parametrize("name", ["projection.projection_matrix", "critical.determinant", "metric.normal_covariance"])
+def test_samples_come_near_zeros_of_results(name, lowered):
+    low = lowered(name)
+    near = [sample.values for sample in stratified(low, 28) if sample.stratum == "near a zero of a result"]
+    points = ({s: Fraction(values[s.name]) for s in low.kernel.symbols} for values in near)
+    entries = [evaluate(low.kernel.derived, point) for point in points]
+    least = [min(abs(float(entry)) for entry in row if entry) for row in entries]
+    assert len(least) == 28
+    assert min(least) < 1e-9
+    assert max(least) < 0.2
 
 
 def test_samples_are_repeatable(lowered):

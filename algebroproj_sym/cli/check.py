@@ -12,7 +12,8 @@ import click
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import derived, judged, judged_where_declared, require_as_declared, say_what_is_wrong
 from algebroproj_sym.cli.terminal import console, progressing, verbosity
-from algebroproj_sym.declaring import Answer, identities, installed_papers, select
+from algebroproj_sym.declaring import Answer, Judgement, identities, installed_papers, select
+from algebroproj_sym.processes import uncollected
 from algebroproj_sym.proving import outcomes
 from algebroproj_sym.reporting import (
     answers_record,
@@ -48,16 +49,8 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, outpu
             raise click.UsageError("expected either claims or files of identities, got both")
         _check_files(files, engine, jobs, output, seconds)
         return
-    papers = tuple(dict.fromkeys(selectors or installed_papers()))
-    records: Sequence[dict[str, Any]] = ()
-    if jobs > 1 and {*papers} <= {*installed_papers()}:
-        judgements, records = judged_where_declared(papers, engine, jobs, fresh=fresh, recorded=output == "json")
-    else:
-        claims = select(selectors)
-        judgements = judged(claims, engine, jobs, fresh=fresh)
-        if output == "json":
-            derived(claims, jobs)
-            records = list(map(claim_record, judgements))
+    with uncollected():
+        judgements, records = _judged(selectors, engine, jobs, fresh=fresh, recorded=output == "json")
     if output == "json":
         click.echo(json.dumps(ledger_of(records, summary(judgements)), indent=1, ensure_ascii=False))
     else:
@@ -66,6 +59,21 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, outpu
     if verbosity() == "quiet":
         say_what_is_wrong(judgements)
     require_as_declared(judgements)
+
+
+def _judged(
+    selectors: Sequence[str], engine: str, jobs: int, *, fresh: bool, recorded: bool
+) -> tuple[list[Judgement], list[dict[str, Any]]]:
+    """Judge the selected claims, and write the entries of the ledger if they are asked for."""
+    papers = tuple(dict.fromkeys(selectors or installed_papers()))
+    if jobs > 1 and {*papers} <= {*installed_papers()}:
+        return judged_where_declared(papers, engine, jobs, fresh=fresh, recorded=recorded)
+    claims = select(selectors)
+    judgements = judged(claims, engine, jobs, fresh=fresh)
+    if not recorded:
+        return judgements, []
+    derived(claims, jobs)
+    return judgements, list(map(claim_record, judgements))
 
 
 def _check_files(files: Sequence[Path], engine: str, jobs: int, output: str, seconds: float) -> None:

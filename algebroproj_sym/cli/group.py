@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import atexit
+import gc
 import traceback
 from typing import Any
 
@@ -28,6 +30,8 @@ NEXT: dict[type[Exception], str] = {
     NotShippedError: "Write the package with: algebroproj generate --out DIR; then verify it with --package DIR.",
 }
 _KNOWN = tuple(NEXT)
+
+atexit.register(gc.freeze)  # a process that ends does not look for cycles among the expressions that it leaves
 
 
 class Group(click.Group):

@@ -32,7 +32,9 @@ def judged_where_declared(
     """Judge all claims of installed papers in the processes that import them; `recorded` gives the ledger's entries."""
     names = modules_of_papers(papers)
     modules = pipeline.check_modules(names, engine, jobs, _memory(fresh), recorded=recorded)
-    checked = list(progressing(modules, len(names), "checking modules"))
+    checked = sorted(
+        progressing(modules, len(names), "checking modules", ticking=False), key=lambda module: names.index(module.name)
+    )
     require_consistent([outline for module in checked for outline in module.outlines])
     judgements = [judgement for module in checked for judgement in module.judgements]
     return judgements, [record for module in checked for record in module.records]

@@ -34,11 +34,14 @@ def console() -> Console:
     )
 
 
-def progressing(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
-    """Yield items, with a progress bar while standard error is a terminal; say how long it took if asked for."""
+def progressing(items: Iterable[Item], total: int, what: str, *, ticking: bool = True) -> Iterator[Item]:
+    """Yield items, with a progress bar while standard error is a terminal; say how long it took if asked for.
+
+    The bar is drawn at each item, and by a thread of its own between them if it is `ticking`.
+    """
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     hidden = not sys.stderr.isatty() or verbosity() == "quiet"
-    bar = Progress(*columns, console=Console(stderr=True), transient=True, disable=hidden)
+    bar = Progress(*columns, console=Console(stderr=True), transient=True, disable=hidden, auto_refresh=ticking)
     start = time.perf_counter()
     with bar:
         yield from bar.track(items, total=total, description=what)

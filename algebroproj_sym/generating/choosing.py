@@ -16,16 +16,20 @@ from typing import Any
 import numpy as np
 
 from algebroproj_sym.declaring import Kernel
+from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.factored import factored
 from algebroproj_sym.generating.lowering import Lowered, lowered_form, program_of
-from algebroproj_sym.generating.program import Call, Program, run
+from algebroproj_sym.generating.program import Program, named, run
 from algebroproj_sym.generating.samples import Sample, stratified
 
 MEDIAN_ULP = 0.55
 MAX_ULP = 3.5
 """What is asked for: a little less than what is promised, since samples seldom show the largest errors."""
+
+NOT_WORSE = 1.25
+"""How many times the error of the best may be taken, where even that is large: so near a singularity that it may be."""
 
 SAMPLES = 50
 COSTLY = {"/": 8}
@@ -43,8 +47,9 @@ class _Candidate:
 def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     """Lower a kernel, prove the program, and choose it among those of equal forms.
 
-    The cheapest one is taken whose errors are small, or where none is good, as small as those of the best.  Programs
-    with primitive functions, which are not exact on fractions, cannot be compared: there the first form is taken.
+    The cheapest one is taken whose errors are small, or not much larger than those of the best; if there is none, the
+    one that exceeds that least.  Programs with primitive functions, which are not exact on fractions, cannot be
+    compared: there the first form is taken.
 
     Parameters
     ----------
@@ -72,9 +77,12 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     truths = [_truth(lowered[0].plain, sample) for sample in samples]
     candidates = [_measured(each, samples, truths) for each in lowered]
     median = max(MEDIAN_ULP, min(candidate.median_ulp for candidate in candidates))
-    most = max(MAX_ULP, min(candidate.max_ulp for candidate in candidates))
-    good = [c for c in candidates if c.median_ulp <= median and c.max_ulp <= most]
-    best = min(good or candidates, key=lambda candidate: (candidate.cost, candidate.max_ulp))
+    most = max(MAX_ULP, NOT_WORSE * min(candidate.max_ulp for candidate in candidates))
+
+    def excess(candidate: _Candidate) -> float:
+        return max(1, candidate.median_ulp / median, candidate.max_ulp / most)
+
+    best = min(candidates, key=lambda candidate: (excess(candidate), candidate.cost, candidate.max_ulp))
     return replace(best.lowered, forms=len(lowered))
 
 
@@ -97,15 +105,9 @@ def _distinct(kernel: Kernel, engine: str) -> Iterator[Lowered]:
 def _truth(program: Program, sample: Sample) -> tuple[Any, ...] | None:
     """Return the exact results, None where there are none."""
     try:
-        return run(program, {name: Fraction(value) for name, value in sample.values.items()}, _names)
+        return run(program, {name: fmpq(Fraction(value)) for name, value in sample.values.items()}, named)
     except ZeroDivisionError:
         return None
-
-
-def _names(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
-    """Return what ``let`` gives names to."""
-    assert call.primitive == "let"
-    return rows[0]
 
 
 def _measured(lowered: Lowered, samples: Sequence[Sample], truths: Sequence[tuple[Any, ...] | None]) -> _Candidate:
@@ -125,8 +127,9 @@ def _measured(lowered: Lowered, samples: Sequence[Sample], truths: Sequence[tupl
     return _Candidate(lowered, cost, errors[len(errors) // 2], errors[-1])
 
 
-def _ulps(value: float, truth: Fraction) -> float:
+def _ulps(value: float, truth: Any) -> float:
     """Return the error of a value in units in the last place of the exact one."""
     if not np.isfinite(value):
         return np.inf
-    return float(abs(Fraction(value) - truth) / Fraction(float(np.spacing(abs(float(truth))))))
+    unit = np.spacing(abs(float(fraction(truth))))
+    return float(fraction(abs(fmpq(Fraction(value)) - truth))) / float(unit)

@@ -11,7 +11,7 @@ from itertools import count
 from typing import Any
 
 from algebroproj_sym.declaring import LINEAR
-from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
+from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run, without_unused
 from algebroproj_sym.generating.runtime._compensated import Compensated
 
 
@@ -28,14 +28,7 @@ def expanded(program: Program) -> Program:
     """
     recorder = _Recorder(program)
     outputs = run(program, {name: _Recorded(recorder, name) for name in program.inputs}, recorder.call)
-    return _without_unused(Program(program.inputs, tuple(recorder.steps), tuple(map(_operand, outputs))))
-
-
-def _without_unused(program: Program) -> Program:
-    """Leave out the second parts that nothing takes."""
-    needed = program.needed()
-    kept = tuple(step for step in program.steps if not needed.isdisjoint(step.names))
-    return Program(program.inputs, kept, program.outputs)
+    return without_unused(Program(program.inputs, tuple(recorder.steps), tuple(map(_operand, outputs))))
 
 
 class _Recorder:

@@ -108,8 +108,21 @@ class Program:
         return needed
 
 
+def without_unused(program: Program) -> Program:
+    """Leave out the steps on which no output depends."""
+    needed = program.needed()
+    kept = tuple(step for step in program.steps if not needed.isdisjoint(step.names))
+    return Program(program.inputs, kept, program.outputs)
+
+
 def _no_calls(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
     raise TypeError(f"run: expected an interpretation of {call.primitive}, got none")
+
+
+def named(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
+    """Interpret ``let``, which gives names: all that a rational function calls."""
+    assert call.primitive == "let"
+    return rows[0]
 
 
 def run(program: Program, inputs: Mapping[str, Any], interpretation: Interpretation = _no_calls) -> tuple[Any, ...]:

@@ -1,21 +1,30 @@
-"""Stratified samples: ordinary, badly scaled, near each factor that must not vanish, and near several of them."""
+"""Stratified samples: ordinary, badly scaled, near each factor that must not vanish and near several, near other zeros.
+
+Where a result is near zero, sums cancel that enter no divisor.
+"""
 
 from __future__ import annotations
 
 import random
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from itertools import islice
 
 import sympy
 
 from algebroproj_sym.expressions import Scalar, evaluate
+from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.program import Program, named, run, without_unused
 from algebroproj_sym.proving import seed_of
 
 DISTANCES = tuple(range(1, 15))
 SEVERAL = "near several factors"
+RESULT = "near a zero of a result"
+
+Point = dict[sympy.Symbol, Fraction]
 
 
 @dataclass(frozen=True)
@@ -51,6 +60,7 @@ def stratified(lowered: Lowered, size: int, seed: int = 0) -> tuple[Sample, ...]
     samples += islice(_near_several(lowered.input_hypotheses, symbols, generator), size)
     for determinant in lowered.determinants:
         samples += islice(_near(determinant, "near a singular system", symbols, generator), size)
+    samples += islice(_near_results(lowered, generator), size)
     return tuple(samples)
 
 
@@ -65,7 +75,7 @@ def on_factor(
     found: list[dict[str, float]] = []
     for _ in range(100 * size):
         point = {symbol: Fraction(generator.choice((-3, -2, -1, 1, 2, 3)), 2) for symbol in symbols}
-        moved = _moved(factor, point, Fraction(0), generator)
+        moved = _moved(_value_of(factor), factor.free_symbols, point, Fraction(0), generator)
         if moved is not None and all(_is_short(value) for value in moved.values()):
             found.append({symbol.name: float(value) for symbol, value in moved.items()})
         if len(found) == size:
@@ -82,17 +92,59 @@ def _badly_scaled(symbols: Sequence[sympy.Symbol], generator: random.Random) -> 
 
 
 def _near(factor: Scalar, stratum: str, symbols: Sequence[sympy.Symbol], generator: random.Random) -> Iterator[Sample]:
-    """Yield samples at growing nearness, 1e-1 to 1e-14, to the zeros of a factor; none if no move leads there."""
+    """Yield samples near the zeros of a factor."""
+    points = _nearer_and_nearer(_value_of(factor), factor.free_symbols, symbols, generator)
+    return (_sample(stratum, point) for point in points)
+
+
+def _near_results(lowered: Lowered, generator: random.Random) -> Iterator[Sample]:
+    """Yield samples near the zeros of each entry of the results in turn; none of functions that are not rational."""
+    kernel, program = lowered.kernel, lowered.plain
+    if any(stage.primitive != "let" for stage in kernel.stages):
+        return
+    computed = [output for output in program.outputs if isinstance(output, str)]
+    values = [partial(_value_of_program, without_unused(replace(program, outputs=(entry,)))) for entry in computed]
+    waiting = [_nearer_and_nearer(value, kernel.symbols, kernel.symbols, generator) for value in values]
+    while waiting:
+        found = [(points, next(points, None)) for points in waiting]
+        yield from (_sample(RESULT, point) for _, point in found if point is not None)
+        waiting = [points for points, point in found if point is not None]
+
+
+def _value_of(factor: Scalar) -> Callable[[Point], Fraction]:
+    def value(point: Point) -> Fraction:
+        return Fraction(evaluate(factor, point)[0])
+
+    return value
+
+
+def _value_of_program(program: Program, point: Point) -> Fraction:
+    inputs = {symbol.name: fmpq(value) for symbol, value in point.items()}
+    (value,) = run(program, inputs, named)
+    return fraction(value)
+
+
+def _sample(stratum: str, point: Point) -> Sample:
+    return Sample(stratum, {symbol.name: float(value) for symbol, value in point.items()})
+
+
+def _nearer_and_nearer(
+    value_at: Callable[[Point], Fraction],
+    variables: Collection[sympy.Symbol],
+    symbols: Sequence[sympy.Symbol],
+    generator: random.Random,
+) -> Iterator[Point]:
+    """Yield points at which a function has values of 1e-1 to 1e-14; none if no move leads there."""
     found = True
     while found:
         found = False
         for digits in DISTANCES:
             point = {symbol: Fraction(_ordinary([symbol], generator)[symbol.name]) for symbol in symbols}
             distance = Fraction(generator.choice((-1, 1)), 10**digits)
-            moved = _moved(factor, point, distance, generator)
+            moved = _moved(value_at, variables, point, distance, generator)
             if moved is not None:
                 found = True
-                yield Sample(stratum, {symbol.name: float(value) for symbol, value in moved.items()})
+                yield moved
 
 
 def _near_several(
@@ -106,34 +158,46 @@ def _near_several(
         reached = 0
         for factor in generator.sample(factors, len(factors)):
             distance = Fraction(generator.choice((-1, 1)), 10 ** generator.choice(DISTANCES))
-            moved = _moved(factor, point, distance, generator, fixed)
+            free = factor.free_symbols - fixed
+            moved = _moved(_value_of(factor), free, point, distance, generator)
             if moved is not None:
                 point = moved
                 fixed |= factor.free_symbols
                 reached += 1
         stuck = 0 if reached > 1 else stuck + 1
         if reached > 1:
-            yield Sample(SEVERAL, {symbol.name: float(value) for symbol, value in point.items()})
+            yield _sample(SEVERAL, point)
 
 
 def _moved(
-    factor: Scalar,
-    point: dict[sympy.Symbol, Fraction],
+    value_at: Callable[[Point], Fraction],
+    variables: Collection[sympy.Symbol],
+    point: Point,
     value: Fraction,
     generator: random.Random,
-    fixed: Collection[sympy.Symbol] = (),
-) -> dict[sympy.Symbol, Fraction] | None:
-    """Move one coordinate that is not fixed, and in which the factor is affine, so that the factor takes a value."""
-    variables = sorted(factor.free_symbols.difference(fixed), key=str)
-    generator.shuffle(variables)
-    for variable in variables:
+) -> Point | None:
+    """Move one coordinate, in which a function is a quotient of affine ones, so that the function takes a value."""
+    for variable in generator.sample(sorted(variables, key=str), len(variables)):
         try:
-            at_0, at_1, at_2 = (evaluate(factor, {**point, variable: Fraction(k)})[0] for k in range(3))
+            values = [value_at({**point, variable: Fraction(k)}) for k in range(4)]
         except ZeroDivisionError:
             continue
-        if at_1 != at_0 and at_2 - at_1 == at_1 - at_0:
-            return {**point, variable: (value - at_0) / (at_1 - at_0)}
+        coordinate = _argument(values, value)
+        if coordinate is not None:
+            return {**point, variable: coordinate}
     return None
+
+
+def _argument(values: Sequence[Fraction], value: Fraction) -> Fraction | None:
+    """Return where (a + b x)/(1 + c x), given at 0, 1, 2 and 3, takes a value; None if it does not, or is another."""
+    at_0, at_1, at_2, at_3 = values
+    if at_1 == at_2:
+        return None
+    c = (2 * at_1 - at_0 - at_2) / (2 * (at_2 - at_1))
+    b = at_1 * (1 + c) - at_0
+    if at_3 * (1 + 3 * c) != at_0 + 3 * b or b == c * value:
+        return None
+    return (value - at_0) / (b - c * value)
 
 
 def _is_short(value: Fraction) -> bool:

@@ -2,10 +2,15 @@
 
 The polynomials are FLINT's, in degree reverse lexicographic order; steps are counted, not timed, so that the result
 does not depend on the machine.  What is found here is only a suggestion: whoever uses it multiplies it out again.
+
+Most of the time goes into finding a monomial that divides another.  Exponents are therefore packed into one number, a
+field of bits for each with a guard bit on top: a divides b if no guard is borrowed from in ``(guards + b) - a``.
 """
 
 from __future__ import annotations
 
+import sys
+from array import array
 from collections.abc import Mapping, Sequence
 from heapq import heapify, heappop, heappush
 from typing import Any
@@ -54,6 +59,8 @@ class GroebnerBasis:
         self._steps = steps
         self._elements: list[Any] = []
         self._leading: list[Powers] = []
+        self._packed: list[int] = []
+        self._guards = _number(array("H", [2**15] * len(self._context.names())))
         self._recipes: list[dict[int, Any]] = []
         self._known: dict[int, list[Any]] = {}
         self._pairs: list[tuple[int, Powers, int, int]] = []
@@ -105,7 +112,7 @@ class GroebnerBasis:
         parts: dict[int, dict[Powers, Any]] = {}
         while polynomial != 0:
             powers = tuple(map(int, polynomial.monomial(0)))
-            place = next((i for i, lead in enumerate(self._leading) if _divides(lead, powers)), None)
+            place = self._divisor(powers)
             if place is None:
                 break
             self._steps -= 1
@@ -121,6 +128,12 @@ class GroebnerBasis:
             result[place] = result[place] + part if place in result else part
         return polynomial, result
 
+    def _divisor(self, powers: Powers) -> int | None:
+        """Return the first element whose leading monomial divides a monomial."""
+        guards = self._guards
+        whole = guards + _packed(powers)
+        return next((i for i, lead in enumerate(self._packed) if (whole - lead) & guards == guards), None)
+
     def _enter(self, polynomial: Any, recipe: dict[int, Any]) -> None:
         if polynomial == 0:
             return
@@ -130,26 +143,33 @@ class GroebnerBasis:
             raise EffortExceededError
         self._elements.append(polynomial * unit)
         self._leading.append(tuple(map(int, polynomial.monomial(0))))
+        self._packed.append(_packed(self._leading[-1]))
         self._recipes.append({index: part * unit for index, part in recipe.items()})
         self._update(place)
 
     def _update(self, new: int) -> None:
-        lead = self._leading
+        lead, guards = self._leading, self._guards
         fresh = lead[new]
         for pair, common in list(self._live.items()):
-            if _divides(fresh, common) and _lcm(lead[pair[0]], fresh) != common != _lcm(lead[pair[1]], fresh):
+            if self._divides(new, common) and _lcm(lead[pair[0]], fresh) != common != _lcm(lead[pair[1]], fresh):
                 del self._live[pair]
         candidates = {i: _lcm(lead[i], fresh) for i in range(new)}
         kept: list[int] = []
+        divisors: list[int] = []
         for i, common in sorted(candidates.items(), key=lambda item: (sum(item[1]), not self._coprime(item[0], new))):
-            if not any(_divides(candidates[k], common) for k in kept):
+            packed = _packed(common)
+            if not any((guards + packed - divisor) & guards == guards for divisor in divisors):
                 kept.append(i)
+                divisors.append(packed)
         for i in kept:
             if not self._coprime(i, new):
                 self._live[i, new] = candidates[i]
                 heappush(self._pairs, (sum(candidates[i]), candidates[i], i, new))
         self._pairs = [entry for entry in self._pairs if (entry[2], entry[3]) in self._live]
         heapify(self._pairs)
+
+    def _divides(self, place: int, powers: Powers) -> bool:
+        return (self._guards + _packed(powers) - self._packed[place]) & self._guards == self._guards
 
     def _coprime(self, i: int, j: int) -> bool:
         return not any(a and b for a, b in zip(self._leading[i], self._leading[j], strict=True))
@@ -178,8 +198,16 @@ def _degree(polynomial: Any) -> int:
     return int(polynomial.total_degree()) if polynomial != 0 else 0
 
 
-def _divides(left: Powers, right: Powers) -> bool:
-    return all(a <= b for a, b in zip(left, right, strict=True))
+def _packed(powers: Powers) -> int:
+    """Return exponents in one number; those that reach into a guard bit are too large to go on with."""
+    try:
+        return _number(array("h", powers))
+    except OverflowError:
+        raise EffortExceededError from None
+
+
+def _number(fields: array[int]) -> int:
+    return int.from_bytes(fields.tobytes(), sys.byteorder)
 
 
 def _minus(left: Powers, right: Powers) -> Powers:

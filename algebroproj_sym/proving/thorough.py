@@ -164,6 +164,8 @@ class Problem:
         if witness is None and self.system.is_inconsistent:
             return _open("the constraints and hypotheses contradict each other, which would prove anything")
         evidence = [self._evidence(numerator) for numerator in self.numerators]
+        if witness is not None and None in evidence and self._distinguished is not None:
+            return self._proved_by_cases(self._distinguished, witness)
         if witness is None or None in evidence:
             for place, differs in self._places(MORE_TRIES, extension=True):
                 if differs:
@@ -176,9 +178,8 @@ class Problem:
         found = [part for part in evidence if part is not None]
         if len(found) == len(evidence):
             return self._proved(found, witness)
-        cases = [case for case in map(self._cases, self.numerators) if case is not None]
-        if len(cases) == len(evidence):
-            return self._proved_by_cases(cases, witness)
+        if self._distinguished is not None:
+            return self._proved_by_cases(self._distinguished, witness)
         return _open("no combination of the constraints was found, and no real point at which the sides differ")
 
     def written(self, polynomial: Any) -> str:
@@ -318,6 +319,12 @@ class Problem:
         ]
 
     # -- cases
+
+    @cached_property
+    def _distinguished(self) -> Sequence[Case] | None:
+        """How each numerator vanishes by cases; None if that was not found for all."""
+        cases = [case for case in map(self._cases, self.numerators) if case is not None]
+        return cases if len(cases) == len(self.numerators) else None
 
     def _cases(self, numerator: Any) -> Case | None:
         """Return how the claim follows by cases, multiplied out in the engine of the question."""

@@ -123,9 +123,9 @@ class _Start:
             if len(variables) == 1:
                 return self._assign(constraints, variables[0], self._root_of(constraint, variables[0]))
         for constraint, variables in zip(constraints, present, strict=True):
+            degrees = constraint.degrees()
             for variable in variables:
-                slope = constraint.derivative(variable)
-                if slope.is_constant() and constraint.degrees()[variable] == 1:
+                if degrees[variable] == 1 and (slope := constraint.derivative(variable)).is_constant():
                     rest = constraint - slope * self._variables[variable]
                     return self._assign(constraints, variable, -rest / slope.leading_coefficient())
         everywhere = sorted({variable for variables in present for variable in variables})
@@ -261,6 +261,8 @@ def _replaced(polynomial: Any, variable: int, value: Any) -> Any:
     """Return a polynomial with a polynomial for a variable."""
     if polynomial == 0 or not polynomial.degrees()[variable]:
         return polynomial
+    if value.is_constant():
+        return polynomial.subs({variable: value.leading_coefficient() if value != 0 else flint.fmpq(0)})
     arguments = list(polynomial.context().gens())
     if arguments[variable] == value:
         return polynomial

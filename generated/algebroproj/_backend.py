@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "38a6b45afe667573"
+DIGEST = "e083c3f577788e3a"
 """What identifies the C source that belongs to this package."""
 
 

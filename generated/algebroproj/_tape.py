@@ -84,6 +84,8 @@ def recorded(body: Callable[..., tuple[Any, ...]], count: int) -> Tape:
     recorder = _Recorder()
     entries = [_Recorded(recorder) for _ in range(count)]
     outputs = body(*entries)
+    if not all(isinstance(output, _Recorded | int) for output in outputs):
+        raise TypeError("expected a body whose results are rounded")
     steps = recorder.needed(outputs)
     results = {output: place for place, output in reversed([*enumerate(outputs)]) if output in {*steps}}
     integers = sorted({o for step in steps for o in step.operands if isinstance(o, int)} | _integers(outputs))

@@ -15,7 +15,19 @@ import numpy as np
 
 from ._compensated import double_double
 from ._double_double import DoubleDouble, chosen
-from ._error_bounds import DOUBLED, SLACK, Bounded, bounded, guaranteed, high, magnitude, tail, unit_of
+from ._error_bounds import (
+    DOUBLED,
+    SLACK,
+    Bounded,
+    bounded,
+    guaranteed,
+    high,
+    least,
+    magnitude,
+    separated,
+    tail,
+    unit_of,
+)
 
 __all__ = ["arctan2_with_bound", "cos_sin_with_bounds", "null_vector_with_bounds", "solution_with_bounds"]
 
@@ -41,8 +53,9 @@ def arctan2_with_bound(y: Any, x: Any, function: Function) -> Bounded:
     y, x = (number if isinstance(number, Bounded) else Bounded(number, 0.0) for number in (y, x))
     angle = function(y.value, x.value)
     moved = y.error + x.error
-    distance = np.maximum(magnitude(y.value), magnitude(x.value)) * (1 - SLACK * unit_of(angle))
-    on_cut = (magnitude(y.value) <= y.error) & (high(x.value) - x.error <= 0) & (moved > 0)
+    distance = np.maximum(least(y.value), least(x.value)) * (1 - SLACK * unit_of(angle))
+    right = separated(x.value)
+    on_cut = (least(y.value) <= y.error) & (high(right) - tail(right) - x.error <= 0) & (moved > 0)
     turned = np.where((moved < distance) & ~on_cut, 1.5708 * moved / distance, np.inf)
     return bounded(angle, turned + 4 * _of_library(angle))
 

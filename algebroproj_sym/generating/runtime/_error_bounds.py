@@ -101,7 +101,7 @@ class Bounded:
 def _quotient(a: Number, b: Number) -> Bounded:
     quotient = _value(a) / _value(b)
     unit = unit_of(quotient)
-    left = magnitude(_value(b)) * (1 - SLACK * unit) - _error(b)
+    left = least(_value(b)) * (1 - SLACK * unit) - _error(b)
     left = np.where(left > 0, left, 0)
     inherited = (_error(a) + magnitude(quotient) * (1 + SLACK * unit) * _error(b)) / left
     rounding = _rounding_of_quotient(_value(a), _value(b), quotient)
@@ -142,6 +142,14 @@ def magnitude(number: Number) -> Number:
     if _has_no_tail(number):
         return abs(high(number))
     return (abs(high(number)) + tail(number)) * (1 + 4 * unit_of(number))
+
+
+def least(number: Number) -> Number:
+    """Return a lower bound of the absolute value of a number, that number itself if it has no second part."""
+    parts = separated(number)
+    if _has_no_tail(parts):
+        return abs(high(parts))
+    return (abs(high(parts)) - tail(parts)) * (1 - 4 * unit_of(parts))
 
 
 def _rounding_of_parts(number: Compensated, value: Number) -> Number:
@@ -189,7 +197,7 @@ def _rounding_of_quotient(a: Number, b: Number, quotient: Number) -> Number:
         return unit_of(quotient) * abs(quotient)
     if isinstance(quotient, DoubleDouble):
         return _doubled(quotient)
-    b = _separated(b)
+    b = separated(b)
     unit = unit_of(quotient)
     remainder = unit * (3 * abs(quotient.hi) * tail(b) + 2 * tail(a)) + tail(quotient) * tail(b) + _tiny(quotient)
     return remainder / abs(high(b)) + 4 * unit * tail(quotient)
@@ -203,7 +211,8 @@ def _has_no_tail(number: Number) -> bool:
     return getattr(number, "lo", None) is None
 
 
-def _separated(number: Number) -> Number:
+def separated(number: Number) -> Number:
+    """Return a number whose parts do not overlap much."""
     return number.separated() if isinstance(number, Compensated) else number
 
 

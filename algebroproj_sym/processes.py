@@ -1,0 +1,229 @@
+"""Work in several processes: in pools of workers, or in forks of this process while it makes what the work needs.
+
+The number of processes changes the time that work takes, never its results.
+"""
+
+from __future__ import annotations
+
+import gc
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from multiprocessing import active_children, connection, get_context
+from typing import Any, TypeVar
+
+Task = TypeVar("Task")
+Result = TypeVar("Result")
+
+GRACE = 1.0
+"""Seconds that workers have to finish what they do when the work is given up."""
+
+
+@contextmanager
+def uncollected() -> Iterator[None]:
+    """Collect no cycles for a while.
+
+    Expressions make few of them, and to look for them in vain takes time.  A collection also writes to every object,
+    so that a fork shares no more memory with the process it was made from.
+    """
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
+
+
+def mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
+    """Yield the result of each task, in order; in this process if it is the only one."""
+    if jobs == 1:
+        yield from map(function, tasks)
+    else:
+        yield from in_processes(function, tasks, jobs)
+
+
+def in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
+    """Yield the result of each task, in order, from a pool of processes that end with this one."""
+    with _pool(jobs) as pool:
+        futures = [pool.submit(function, task) for task in tasks]
+        try:
+            for future in futures:
+                yield future.result()
+        except BaseException:
+            _end([pool], futures)
+            raise
+
+
+def dealt(
+    function: Callable[[Task], Result],
+    tasks: Sequence[Task],
+    jobs: int,
+    choose: Callable[[int, Sequence[Task]], Task],
+) -> Iterator[Result]:
+    """Yield results as they are done; a worker that is free is given the task that is chosen for it of those left.
+
+    Parameters
+    ----------
+    function : callable
+        What is done with a task; it and the tasks are sent to other processes.
+    tasks : sequence
+        What there is to do.
+    jobs : int
+        How many workers.
+    choose : callable
+        Takes the place of a worker and the tasks that are left.
+    """
+    pools = [_pool(1) for _ in range(jobs)]
+    pending, running = list(tasks), dict[Future[Result], int]()
+
+    def give(worker: int) -> None:
+        if pending:
+            task = choose(worker, pending)
+            pending.remove(task)
+            running[pools[worker].submit(function, task)] = worker
+
+    try:
+        for worker in range(jobs):
+            give(worker)
+        while running:
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                give(running.pop(future))
+                yield future.result()
+    except BaseException:
+        _end(pools, list(running))
+        raise
+    finally:
+        for pool in pools:
+            pool.shutdown()
+
+
+def can_fork() -> bool:
+    """Whether this process may be forked: where that is safe, and while no other thread may hold a lock."""
+    return sys.platform == "linux" and threading.active_count() == 1
+
+
+def forked(function: Callable[[Task], Result], tasks: Iterable[Task], jobs: int) -> Iterator[Result]:
+    """Yield results as they are done, each from a fork of this process that is made once its task is there.
+
+    A fork has what the iteration over the tasks has made so far, without making it again and without being sent it.
+    While the iteration goes on, this process is one of those that work.
+
+    Parameters
+    ----------
+    function : callable
+        What is done with a task.
+    tasks : iterable
+        What there is to do.
+    jobs : int
+        How many processes work at a time, this one among them.
+
+    Raises
+    ------
+    ChildProcessError
+        If a process ends without a result.
+
+    Examples
+    --------
+    >>> sorted(forked(abs, iter([-3, 2, -1]), jobs=2)) if can_fork() else [1, 2, 3]
+    [1, 2, 3]
+    """
+    forks = _Forks(function, jobs, get_context("fork").Semaphore(jobs - 1))
+    with uncollected():
+        try:
+            for task in tasks:
+                forks.waiting.append(task)
+                forks.start()
+                yield from forks.results(0)
+            forks.free.release()
+            while forks.waiting or forks.running:
+                forks.start()
+                yield from forks.results(None)
+        finally:
+            forks.end()
+
+
+@dataclass(frozen=True)
+class _Forks:
+    """Tasks that wait for a fork, and forks that work or wait for a place, by the connections on which they answer."""
+
+    function: Callable[[Any], Any]
+    jobs: int
+    free: Any
+    waiting: list[Any] = field(default_factory=list)
+    running: dict[Any, Any] = field(default_factory=dict)
+
+    def start(self) -> None:
+        """Fork until one more waits than has a place; the more tasks wait, the more of them a fork is given."""
+        while self.waiting and len(self.running) <= self.jobs:
+            size = max(1, len(self.waiting) // (2 * self.jobs))
+            tasks, self.waiting[:size] = self.waiting[:size], []
+            context = get_context("fork")
+            reader, writer = context.Pipe(duplex=False)
+            process = context.Process(target=_answer, args=(self.function, tasks, self.free, writer), daemon=True)
+            process.start()
+            writer.close()
+            self.running[reader] = process
+
+    def results(self, seconds: float | None) -> Iterator[Any]:
+        """Yield what has been answered, or is within some seconds; raise what was raised."""
+        ready: list[Any] = connection.wait(self.running, seconds)
+        for reader in ready:
+            process = self.running[reader]
+            try:
+                results, error = reader.recv()
+            except EOFError:
+                process.join()
+                raise ChildProcessError(f"a worker process ended with exit status {process.exitcode}") from None
+            del self.running[reader]
+            process.join()
+            if error is not None:
+                raise error
+            yield from results
+
+    def end(self) -> None:
+        for process in self.running.values():
+            process.terminate()
+        for process in self.running.values():
+            process.join(GRACE)
+            process.kill()
+            process.join()
+
+
+def _answer(function: Callable[[Any], Any], tasks: Sequence[Any], free: Any, writer: Any) -> None:
+    _leave_interrupts_alone()
+    signal.signal(signal.SIGTERM, _leave)
+    with free:
+        answer: tuple[list[Any], Exception | None]
+        try:
+            answer = list(map(function, tasks)), None
+        except Exception as error:  # raised again where the result is expected
+            answer = [], error
+    with suppress(BrokenPipeError):
+        writer.send(answer)
+
+
+def _leave(*_: Any) -> None:
+    """End this process, but leave every file as it was before or complete."""
+    raise SystemExit(1)
+
+
+def _pool(jobs: int) -> ProcessPoolExecutor:
+    return ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_leave_interrupts_alone)
+
+
+def _end(pools: Sequence[ProcessPoolExecutor], futures: Sequence[Future[Result]]) -> None:
+    for pool in pools:
+        pool.shutdown(wait=False, cancel_futures=True)
+    wait([future for future in futures if not future.cancelled()], GRACE)
+    for child in active_children():
+        child.terminate()
+
+
+def _leave_interrupts_alone() -> None:
+    """Let the parent process alone answer Ctrl-C; it ends its workers."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)

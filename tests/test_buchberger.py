@@ -1,0 +1,56 @@
+"""Groebner bases: which monomials divide which, and exponents that are too large."""
+
+import flint
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from algebroproj_sym.proving.buchberger import EffortExceededError, GroebnerBasis
+
+CONTEXT = flint.fmpq_mpoly_ctx.get(("x", "y", "z"), flint.Ordering.degrevlex)
+LARGEST = 2**15 - 1
+exponent = st.one_of(st.integers(0, 3), st.integers(0, LARGEST // 3), st.sampled_from([255, 256, 257, LARGEST // 3]))
+powers = st.tuples(exponent, exponent, exponent)
+
+
+def monomial(*exponents):
+    return CONTEXT.from_dict({exponents: 1})
+
+
+@given(powers, powers)
+def test_a_monomial_lies_in_the_ideal_of_another_exactly_if_that_divides_it(left, right):
+    divides = all(a <= b for a, b in zip(left, right, strict=True))
+    assert (GroebnerBasis([monomial(*left)]).remainder(monomial(*right)) == 0) is divides
+
+
+@given(st.lists(powers, min_size=2, max_size=4, unique=True))
+def test_the_basis_of_monomials_is_that_of_those_that_no_other_divides(generators):
+    basis = GroebnerBasis([monomial(*generator) for generator in generators])
+    for generator in generators:
+        assert basis.remainder(monomial(*generator)) == 0
+        below = (max(generator[0] - 1, 0), *generator[1:])
+        member = any(all(a <= b for a, b in zip(other, below, strict=True)) for other in generators)
+        assert (basis.remainder(monomial(*below)) == 0) is member
+
+
+@pytest.mark.parametrize("large", [LARGEST + 1, 2**16, 2**40])
+def test_exponents_that_are_too_large_are_given_up(large):
+    x, y, _ = CONTEXT.gens()
+    assert GroebnerBasis([monomial(LARGEST, 0, 0)]).remainder(monomial(LARGEST, 1, 0)) == 0
+    with pytest.raises(EffortExceededError):
+        GroebnerBasis([monomial(large, 0, 0), x * y - 1])
+    with pytest.raises(EffortExceededError):
+        GroebnerBasis([y]).remainder(monomial(large, 0, 0))
+
+
+def test_the_reduced_basis_is_that_of_sympy():
+    x, y, z = CONTEXT.gens()
+    a, b, c = sympy.symbols("x y z")
+    generators = [x**2 * y - z, y**2 * z - x, z**2 * x - y]
+    basis = GroebnerBasis(generators)
+    known = sympy.groebner([a**2 * b - c, b**2 * c - a, c**2 * a - b], a, b, c, order="grevlex")
+    for element in known.exprs:
+        terms = {p: int(v) for p, v in sympy.Poly(element, a, b, c).terms()}
+        assert basis.remainder(CONTEXT.from_dict(terms)) == 0
+    assert (basis.remainder(x * y * z - 1) == 0) is bool(known.contains(a * b * c - 1))

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "e083c3f577788e3a"
+DIGEST = "7a6d380f74f7b4c0"
 """What identifies the C source that belongs to this package."""
 
 

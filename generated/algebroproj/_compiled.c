@@ -34,14 +34,15 @@ those of the NumPy source.
 #define FUSED_IS_AVAILABLE 1
 #endif
 
-/* As many numbers in a vector as without: entries are brought into order with fewer operations. */
+/* The same with short vectors, for which entries are brought into order with fewer operations. */
 #if defined(FUSED) && defined(__x86_64__) && !defined(__clang__)
 #define FUSED_NARROW __attribute__((noinline, target("avx2,fma,prefer-vector-width=128")))
 #else
 #define FUSED_NARROW FUSED
 #endif
 
-/* Neighbouring entries are read and written together where that takes a compiler no minutes. */
+/* Neighbouring entries are read and written together, from here to the end of it; in the formulas with compensation it
+   would take a compiler minutes to look for them. */
 #if defined(__GNUC__) && !defined(__clang__)
 #define PAIRING _Pragma("GCC push_options") _Pragma("GCC optimize (\"tree-slp-vectorize\")")
 #define PAIRING_ENDS _Pragma("GCC pop_options")
@@ -1094,7 +1095,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "e083c3f577788e3a");
+    return PyModule_AddStringConstant(module, "DIGEST", "7a6d380f74f7b4c0");
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "61fdd6f54976ba3c"
+DIGEST = "81e7b94504d1f4a9"
 """What identifies the C source that belongs to this package."""
 
 

@@ -93,7 +93,7 @@ def _badly_scaled(symbols: Sequence[sympy.Symbol], generator: random.Random) -> 
 
 def _near(factor: Scalar, stratum: str, symbols: Sequence[sympy.Symbol], generator: random.Random) -> Iterator[Sample]:
     """Yield samples near the zeros of a factor."""
-    points = _nearer_and_nearer(_value_of(factor), factor.free_symbols, symbols, generator)
+    points = _points_near(_value_of(factor), factor.free_symbols, symbols, generator)
     return (_sample(stratum, point) for point in points)
 
 
@@ -104,7 +104,7 @@ def _near_results(lowered: Lowered, generator: random.Random) -> Iterator[Sample
         return
     computed = [output for output in program.outputs if isinstance(output, str)]
     values = [partial(_value_of_program, without_unused(replace(program, outputs=(entry,)))) for entry in computed]
-    waiting = [_nearer_and_nearer(value, kernel.symbols, kernel.symbols, generator) for value in values]
+    waiting = [_points_near(value, kernel.symbols, kernel.symbols, generator) for value in values]
     while waiting:
         found = [(points, next(points, None)) for points in waiting]
         yield from (_sample(RESULT, point) for _, point in found if point is not None)
@@ -128,7 +128,7 @@ def _sample(stratum: str, point: Point) -> Sample:
     return Sample(stratum, {symbol.name: float(value) for symbol, value in point.items()})
 
 
-def _nearer_and_nearer(
+def _points_near(
     value_at: Callable[[Point], Fraction],
     variables: Collection[sympy.Symbol],
     symbols: Sequence[sympy.Symbol],
@@ -138,7 +138,7 @@ def _nearer_and_nearer(
     found = True
     while found:
         found = False
-        for digits in DISTANCES:
+        for digits in generator.sample(DISTANCES, len(DISTANCES)):
             point = {symbol: Fraction(_ordinary([symbol], generator)[symbol.name]) for symbol in symbols}
             distance = Fraction(generator.choice((-1, 1)), 10**digits)
             moved = _moved(value_at, variables, point, distance, generator)

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "7a6d380f74f7b4c0"
+DIGEST = "cfab7a7b3de22a05"
 """What identifies the C source that belongs to this package."""
 
 

@@ -75,8 +75,8 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDA
 
     Operations: 6 (1 -, 3 *, 1 /, 1 neg); the derived expression as written takes 6.
 
-    Measured error in float64: 0.327 ULP in the median and 1.59 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.327 ULP in the median, 1.55 ULP at most on ordinary input, 1.59 ULP on any.
+    Measured error in float64: 0.347 ULP in the median and 1.59 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 0.347 ULP in the median, 1.55 ULP at most on ordinary input, 1.59 ULP on any.
 
     Examples
     --------
@@ -160,8 +160,8 @@ def reconstruct_jacobian(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *,
 
     Operations: 14 (2 -, 6 *, 3 /, 3 neg); the derived expression as written takes 25.
 
-    Measured error in float64: 0.379 ULP in the median and 2.84 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.379 ULP in the median, 2.25 ULP at most on ordinary input, 2.84 ULP on any.
+    Measured error in float64: 0.408 ULP in the median and 2.84 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 0.408 ULP in the median, 2.25 ULP at most on ordinary input, 2.84 ULP on any.
 
     Examples
     --------
@@ -399,8 +399,8 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
     In compensated arithmetic, where sums may cancel: 315, 45 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.28 ULP in the median and 1.0 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.587 ULP in the median, 130 ULP at most on ordinary input, 2.17e+08 ULP on any.
+    Measured error in float64: 0.274 ULP in the median and 0.998 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.613 ULP in the median, 130 ULP at most on ordinary input, 1.8e+15 ULP on any.
 
     Examples
     --------
@@ -614,8 +614,8 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     In compensated arithmetic, where sums may cancel: 147, 20 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.377 ULP in the median and 1.91 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.692 ULP in the median, 2.04e+03 ULP at most on ordinary input, 7.21e+11 ULP on
+    Measured error in float64: 0.385 ULP in the median and 2.16 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.684 ULP in the median, 2.04e+03 ULP at most on ordinary input, 1.19e+15 ULP on
     any.
 
     Examples
@@ -689,8 +689,8 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
     In compensated arithmetic, where sums may cancel: 55, 9 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.521 ULP in the median and 2.55 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.35 ULP in the median, 90.5 ULP at most on ordinary input, 9.12e+14 ULP on any.
+    Measured error in float64: 0.52 ULP in the median and 3.07 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 1.4 ULP in the median, 90.5 ULP at most on ordinary input, 9.1e+14 ULP on any.
 
     Examples
     --------
@@ -790,8 +790,8 @@ def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray
     In compensated arithmetic, where sums may cancel: 203, 22 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.42 ULP in the median and 2.64 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.34 ULP in the median, 62.9 ULP at most on ordinary input, 1.73e+15 ULP on any.
+    Measured error in float64: 0.406 ULP in the median and 2.64 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 1.34 ULP in the median, 62.9 ULP at most on ordinary input, 3.36e+15 ULP on any.
 
     Examples
     --------
@@ -886,8 +886,8 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
     In compensated arithmetic, where sums may cancel: 55, 9 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.5 ULP in the median and 2.6 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.28 ULP in the median, 12.6 ULP at most on ordinary input, 2.21e+14 ULP on any.
+    Measured error in float64: 0.497 ULP in the median and 2.6 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 1.22 ULP in the median, 12.6 ULP at most on ordinary input, 1.42e+15 ULP on any.
 
     Examples
     --------
@@ -987,8 +987,8 @@ def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArr
     In compensated arithmetic, where sums may cancel: 203, 22 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.408 ULP in the median and 2.64 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.38 ULP in the median, 101 ULP at most on ordinary input, 1.66e+15 ULP on any.
+    Measured error in float64: 0.411 ULP in the median and 2.64 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 1.49 ULP in the median, 101 ULP at most on ordinary input, 1.66e+15 ULP on any.
 
     Examples
     --------
@@ -1082,8 +1082,8 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
 
     Operations: 13 (2 +, 7 *, 1 /, 3 neg); the derived expression as written takes 10.
 
-    Measured error in float64: 0.182 ULP in the median and 1.8 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.182 ULP in the median, 1.6 ULP at most on ordinary input, 1.8 ULP on any.
+    Measured error in float64: 0.169 ULP in the median and 1.81 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 0.169 ULP in the median, 1.6 ULP at most on ordinary input, 1.81 ULP on any.
 
     Examples
     --------
@@ -1163,8 +1163,8 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
     In compensated arithmetic, where sums may cancel: 211, 30 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.254 ULP in the median and 0.5 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.8 ULP in the median, 62.6 ULP at most on ordinary input, 1.35e+15 ULP on any.
+    Measured error in float64: 0.238 ULP in the median and 0.521 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 1.8 ULP in the median, 62.6 ULP at most on ordinary input, 1.1e+15 ULP on any.
 
     Examples
     --------
@@ -1269,8 +1269,8 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     In compensated arithmetic, where sums may cancel: 735, 86 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.294 ULP in the median and 107.0 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 3.8 ULP in the median, 139 ULP at most on ordinary input, 1.59e+18 ULP on any.
+    Measured error in float64: 0.301 ULP in the median and 32.7 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 3.62 ULP in the median, 139 ULP at most on ordinary input, 1.25e+18 ULP on any.
 
     Examples
     --------
@@ -1392,8 +1392,8 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     In compensated arithmetic, where sums may cancel: 423, 53 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.256 ULP in the median and 0.5 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.0 ULP in the median, 113 ULP at most on ordinary input, 6.87e+07 ULP on any.
+    Measured error in float64: 0.251 ULP in the median and 2.15 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 1.12 ULP in the median, 113 ULP at most on ordinary input, 6.35e+15 ULP on any.
 
     Examples
     --------

@@ -139,8 +139,8 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     In compensated arithmetic, where sums may cancel: 32.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.463 ULP in the median and 2.52 ULP at most (400 samples, near singularities too).
-    Without compensation (`plain`): 0.558 ULP in the median, 14.2 ULP at most on ordinary input, 1.63e+10 ULP on
+    Measured error in float64: 0.454 ULP in the median and 2.62 ULP at most (400 samples, near singularities too).
+    Without compensation (`plain`): 0.571 ULP in the median, 14.2 ULP at most on ordinary input, 1.71e+14 ULP on
     any.
 
     Examples
@@ -205,31 +205,31 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
 
         y00 = 1 - y01 - y02 - y03
         u30 = 1 - u31 - u32
-        result[0, 0] = -u31/(u30*y01) - u31*y00/(u30*y01**2)
+        result[0, 0] = u31*(-1 + y02 + y03)/(u30*y01**2)
         result[0, 1] = -u31/(u30*y01)
         result[0, 2] = -u31/(u30*y01)
-        result[0, 3] = y00/(u30*y01) + u31*y00/(u30**2*y01)
+        result[0, 3] = -y00*(-1 + u32)/(u30**2*y01)
         result[0, 4] = u31*y00/(u30**2*y01)
         result[1, 0] = -u32/(u30*y02)
-        result[1, 1] = -u32/(u30*y02) - u32*y00/(u30*y02**2)
+        result[1, 1] = u32*(-1 + y01 + y03)/(u30*y02**2)
         result[1, 2] = -u32/(u30*y02)
         result[1, 3] = u32*y00/(u30**2*y02)
-        result[1, 4] = y00/(u30*y02) + u32*y00/(u30**2*y02)
+        result[1, 4] = -y00*(-1 + u31)/(u30**2*y02)
         result[2, 0] = 1/(u30*y03)
         result[2, 1] = 1/(u30*y03)
-        result[2, 2] = 1/(u30*y03) + y00/(u30*y03**2)
+        result[2, 2] = -(-1 + y01 + y02)/(u30*y03**2)
         result[2, 3] = -y00/(u30**2*y03)
         result[2, 4] = -y00/(u30**2*y03)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31 + u32 - 1``, ``y01``,
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 42 (5 +, 5 -, 18 *, 9 /, 5 neg); the derived expression as written takes 535.
-    In compensated arithmetic, where sums may cancel: 219, 22 of them errors of products.
+    Operations: 44 (3 +, 8 -, 18 *, 11 /, 4 neg); the derived expression as written takes 535.
+    In compensated arithmetic, where sums may cancel: 75.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.283 ULP in the median and 2.13 ULP at most (400 samples, near singularities too).
-    Without compensation (`plain`): 0.6 ULP in the median, 369 ULP at most on ordinary input, 3.6e+14 ULP on any.
+    Measured error in float64: 0.439 ULP in the median and 3.02 ULP at most (400 samples, near singularities too).
+    Without compensation (`plain`): 0.526 ULP in the median, 38.9 ULP at most on ordinary input, 3.6e+14 ULP on any.
 
     Examples
     --------
@@ -242,30 +242,23 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
 def _mu_from_center_jacobian(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
-    t4 = 1 - wide(y01) - y02 - y03
-    y00 = rounded(t4)
-    t43 = 1 - wide(u31) - u32
-    u30 = rounded(t43)
-    t6 = 1 / (t43 * y01)
-    t44 = wide(u31) * t6
-    t8 = wide(u31) * t4
-    t9 = wide(y01) * t43
-    t14 = -rounded(t44)
-    t46 = t8 / (t9 * t43)
-    t20 = 1 / (t43 * y02)
-    t48 = wide(u32) * t20
-    t22 = -rounded(t48)
-    t23 = wide(u32) * t4
-    t24 = wide(y02) * t43
-    t50 = t23 / (t24 * t43)
-    t52 = 1 / (t43 * y03)
-    t34 = rounded(t52)
-    t53 = wide(y03) * t43
-    t41 = -(y00 / (rounded(t53) * u30))
+    y00 = rounded(1 - wide(y01) - y02 - y03)
+    t44 = 1 - wide(u31)
+    u30 = rounded(t44 - u32)
+    t8 = y01 * u30
+    t13 = -(u31 / (u30 * y01))
+    t16 = t8 * u30
+    t22 = -(u32 / (u30 * y02))
+    t23 = wide(y01) - 1
+    t26 = y02 * u30
+    t30 = t26 * u30
+    t35 = 1 / (u30 * y03)
+    t37 = y03 * u30
+    t43 = -(y00 / (t37 * u30))
     return (
-        -rounded(t44 + t8 / (t9 * y01)), t14, t14, rounded(t4 * t6 + t46), rounded(t46), t22,
-        -rounded(t48 + t23 / (t24 * y02)), t22, rounded(t50), rounded(t50 + t4 * t20), t34, t34,
-        rounded(t52 + t4 / (t53 * y03)), t41, t41,
+        u31 * rounded(wide(y02) + y03 - 1) / (t8 * y01), t13, t13, y00 * (1 - u32) / t16, u31 * y00 / t16,
+        t22, u32 * rounded(t23 + y03) / (t26 * y02), t22, u32 * y00 / t30, y00 * rounded(t44) / t30, t35,
+        t35, -(rounded(t23 + y02) / (t37 * y03)), t43, t43,
     )
 
 
@@ -326,8 +319,8 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     In compensated arithmetic, where sums may cancel: 63, 7 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.501 ULP in the median and 2.45 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.973 ULP in the median, 9.03 ULP at most on ordinary input, 1.49e+15 ULP on
+    Measured error in float64: 0.483 ULP in the median and 2.45 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 0.906 ULP in the median, 9.03 ULP at most on ordinary input, 8.33e+14 ULP on
     any.
 
     Examples
@@ -415,8 +408,8 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     In compensated arithmetic, where sums may cancel: 80, 5 of them errors of products.
     The cheapest of 12 equal programs that err little.
 
-    Measured error in float64: 0.43 ULP in the median and 2.27 ULP at most (400 samples, near singularities too).
-    Without compensation (`plain`): 0.68 ULP in the median, 167 ULP at most on ordinary input, 3.24e+14 ULP on any.
+    Measured error in float64: 0.429 ULP in the median and 2.6 ULP at most (400 samples, near singularities too).
+    Without compensation (`plain`): 0.665 ULP in the median, 167 ULP at most on ordinary input, 1.94e+14 ULP on any.
 
     Examples
     --------
@@ -554,8 +547,8 @@ def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any
     In compensated arithmetic, where sums may cancel: 345, 37 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.253 ULP in the median and 0.5 ULP at most (400 samples, near singularities too).
-    Without compensation (`plain`): 0.55 ULP in the median, 30 ULP at most on ordinary input, 1.27e+13 ULP on any.
+    Measured error in float64: 0.25 ULP in the median and 0.522 ULP at most (400 samples, near singularities too).
+    Without compensation (`plain`): 0.574 ULP in the median, 30 ULP at most on ordinary input, 6.22e+14 ULP on any.
 
     Examples
     --------
@@ -726,8 +719,8 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
     In compensated arithmetic, where sums may cancel: 82, 8 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.225 ULP in the median and 0.5 ULP at most (350 samples, near singularities too).
-    Without compensation (`plain`): 1.05 ULP in the median, 5.19 ULP at most on ordinary input, 4.56e+14 ULP on any.
+    Measured error in float64: 0.234 ULP in the median and 0.499 ULP at most (350 samples, near singularities too).
+    Without compensation (`plain`): 1.07 ULP in the median, 5.19 ULP at most on ordinary input, 8.68e+12 ULP on any.
 
     Examples
     --------
@@ -797,8 +790,8 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
     In compensated arithmetic, where sums may cancel: 57, 7 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.312 ULP in the median and 0.996 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.952 ULP in the median, 8.78 ULP at most on ordinary input, 4.91e+14 ULP on
+    Measured error in float64: 0.329 ULP in the median and 0.996 ULP at most (150 samples, near singularities too).
+    Without compensation (`plain`): 0.952 ULP in the median, 8.78 ULP at most on ordinary input, 2.47e+15 ULP on
     any.
 
     Examples
@@ -873,9 +866,8 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     In compensated arithmetic, where sums may cancel: 116, 6 of them errors of products.
     The cheapest of 12 equal programs that err little.
 
-    Measured error in float64: 0.223 ULP in the median and 3.26 ULP at most (550 samples, near singularities too).
-    Without compensation (`plain`): 0.334 ULP in the median, 69.7 ULP at most on ordinary input, 3.67e+14 ULP on
-    any.
+    Measured error in float64: 0.216 ULP in the median and 2.86 ULP at most (550 samples, near singularities too).
+    Without compensation (`plain`): 0.315 ULP in the median, 69.7 ULP at most on ordinary input, 1.4e+15 ULP on any.
 
     Examples
     --------
@@ -974,8 +966,8 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     In compensated arithmetic, where sums may cancel: 88, 9 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.502 ULP in the median and 2.28 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.979 ULP in the median, 123 ULP at most on ordinary input, 6.08e+15 ULP on any.
+    Measured error in float64: 0.501 ULP in the median and 2.36 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 1.01 ULP in the median, 123 ULP at most on ordinary input, 4.87e+15 ULP on any.
 
     Examples
     --------
@@ -1068,8 +1060,8 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     In compensated arithmetic, where sums may cancel: 71, 8 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.434 ULP in the median and 2.13 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.31 ULP in the median, 1.62e+03 ULP at most on ordinary input, 7.29e+14 ULP on
+    Measured error in float64: 0.418 ULP in the median and 2.7 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 1.27 ULP in the median, 1.62e+03 ULP at most on ordinary input, 2.13e+14 ULP on
     any.
 
     Examples

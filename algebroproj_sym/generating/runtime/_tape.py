@@ -25,29 +25,29 @@ CACHED = 2**20
 LEAST, MOST = 2**12, 2**14
 """How many points are computed at once: fewer take longer to begin with than to compute."""
 
-Operand: TypeAlias = "_Recorded | int"
+Operand: TypeAlias = "_Recorded | float"
 
 
 @dataclass(frozen=True)
 class Tape:
-    """The operations of a body; operands are places among entries, buffers, results, integers and, last, the splitter.
+    """The operations of a body; operands are places among entries, buffers, results, constants and, last, the splitter.
 
     Attributes
     ----------
     operations : tuple of (ufunc, itemgetter)
         In order, with what takes the operands and the place of the result.
     copies : tuple of (place, place)
-        What is copied to a result at the end: entries, integers, and what is a result already.
+        What is copied to a result at the end: entries, constants, and what is a result already.
     buffers : int
         How many there are.
-    integers : tuple of int
+    constants : tuple of int or float
         The numbers that the formula itself has.
     """
 
     operations: tuple[tuple[np.ufunc, itemgetter[Any]], ...]
     copies: tuple[tuple[int, int], ...]
     buffers: int
-    integers: tuple[int, ...]
+    constants: tuple[float, ...]
 
     @property
     def block(self) -> int:
@@ -57,7 +57,7 @@ class Tape:
     def run(self, entries: Sequence[NDArray[Any]], results: Sequence[NDArray[Any]]) -> None:
         """Compute the results, which have the shape and the dtype of the entries."""
         spare = np.empty((self.buffers, *entries[0].shape), entries[0].dtype)
-        numbers = np.array([*self.integers, splitter_of(spare)], spare.dtype)
+        numbers = np.array([*self.constants, splitter_of(spare)], spare.dtype)
         places = [*entries, *spare, *results, *(numbers[place, ...] for place in range(len(numbers)))]
         for operation, operands in self.operations:
             operation(*operands(places))
@@ -82,33 +82,30 @@ def recorded(body: Callable[..., tuple[Any, ...]], count: int) -> Tape:
     recorder = _Recorder()
     entries = [_Recorded(recorder) for _ in range(count)]
     outputs = body(*entries)
-    if not all(isinstance(output, _Recorded | int) for output in outputs):
+    if not all(isinstance(output, _Recorded | int | float) for output in outputs):
         raise TypeError("expected a body whose results are rounded")
     steps = recorder.needed(outputs)
     results = {output: place for place, output in reversed([*enumerate(outputs)]) if output in {*steps}}
-    integers = sorted({o for step in steps for o in step.operands if isinstance(o, int)} | _integers(outputs))
+    taken = {*outputs, *(operand for step in steps for operand in step.operands)}
+    constants = sorted(operand for operand in taken if not isinstance(operand, _Recorded))
     buffers, total = _shared_buffers(steps, results)
     after_entries, after_buffers = count, count + total
     places: dict[Operand, int] = {entry: place for place, entry in enumerate(entries)}
     places |= {step: after_entries + buffer for step, buffer in buffers.items()}
     places |= {step: after_buffers + place for step, place in results.items()}
-    numbers = {integer: after_buffers + len(outputs) + place for place, integer in enumerate(integers)}
-    places[recorder.splitter] = after_buffers + len(outputs) + len(integers)
+    numbers = {constant: after_buffers + len(outputs) + place for place, constant in enumerate(constants)}
+    places[recorder.splitter] = after_buffers + len(outputs) + len(constants)
 
     def place_of(operand: Operand) -> int:
-        return numbers[operand] if isinstance(operand, int) else places[operand]
+        return places[operand] if isinstance(operand, _Recorded) else numbers[operand]
 
     copied = [(place_of(output), after_buffers + place) for place, output in enumerate(outputs)]
     return Tape(
         operations=tuple((s.operation, itemgetter(*map(place_of, s.operands), places[s])) for s in steps),
         copies=tuple((source, target) for source, target in copied if source != target),
         buffers=total,
-        integers=tuple(integers),
+        constants=tuple(constants),
     )
-
-
-def _integers(outputs: Sequence[Any]) -> set[int]:
-    return {output for output in outputs if isinstance(output, int)}
 
 
 def _shared_buffers(steps: Sequence[_Recorded], results: dict[_Recorded, int]) -> tuple[dict[_Recorded, int], int]:
@@ -152,7 +149,7 @@ class _Recorder:
 
 def _binary(operation: np.ufunc, reflected: bool = False) -> Callable[[_Recorded, Any], Any]:
     def method(number: _Recorded, other: Any) -> Any:
-        if not isinstance(other, _Recorded | int):
+        if not isinstance(other, _Recorded | int | float):
             return NotImplemented
         return number.recorder.step(operation, *((other, number) if reflected else (number, other)))
 

@@ -16,7 +16,9 @@ setup(
         Extension(
             "algebroproj._compiled",
             [f"{FOLDER}/_compiled.c"],
-            depends=[f"{FOLDER}/{name}.h" for name in ("_kernels", "_loops", "_plain_kernels", "_plain_loops")],
+            depends=[
+                f"{FOLDER}/{name}.h" for name in ("_kernels", "_loops", "_plain_kernels", "_plain_loops", "_calls")
+            ],
             include_dirs=[numpy.get_include()],
             extra_compile_args=OPTIONS,
             optional=True,

@@ -14,7 +14,9 @@ setup(
         Extension(
             "algebroproj._compiled",
             ["algebroproj/_compiled.c"],
-            depends=[f"algebroproj/{name}.h" for name in ("_kernels", "_loops", "_plain_kernels", "_plain_loops")],
+            depends=[
+                f"algebroproj/{name}.h" for name in ("_kernels", "_loops", "_plain_kernels", "_plain_loops", "_calls")
+            ],
             include_dirs=[numpy.get_include()],
             extra_compile_args=OPTIONS,
             optional=True,

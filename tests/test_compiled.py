@@ -1,5 +1,6 @@
 """The compiled functions give the same bits as the NumPy source, in any layout, and are chosen as the user wants."""
 
+import math
 import os
 import subprocess
 import sys
@@ -8,6 +9,7 @@ import numpy as np
 import pytest
 
 import algebroproj
+from algebroproj._backend import evaluated
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.verifying import without_twin
 from algebroproj_sym.verifying.identity import SPECIAL, same_bits
@@ -146,6 +148,90 @@ def kernel():
 @pytest.mark.parametrize("count", [0, 1, 63, 64, 65, 129])
 def test_batches_of_any_length(kernel, count):
     assert_same(kernel, arguments_of(kernel, float, (count,)))
+
+
+class Subclass(np.ndarray):
+    """Arrays that are no plain ones."""
+
+
+PREPARED = {
+    "a list": lambda y, mu, u3: (y.tolist(), mu, u3),
+    "another dtype": lambda y, mu, u3: (y, mu.astype(np.float32), u3),
+    "integers": lambda y, mu, u3: (y.astype(int), mu.astype(int), u3.astype(int)),
+    "complex numbers": lambda y, mu, u3: (y + 0j, mu + 0j, u3 + 0j),
+    "bytes in the other order": lambda y, mu, u3: tuple(a.astype(a.dtype.newbyteorder()) for a in (y, mu, u3)),
+    "another layout": lambda y, mu, u3: (y, np.asfortranarray(mu), u3),
+    "every other point": lambda y, mu, u3: (y[::2], mu[::2], u3[::2]),
+    "a subclass": lambda y, mu, u3: (y, mu.view(Subclass), u3),
+    "leading shapes that broadcast": lambda y, mu, u3: (y, mu[0], u3),
+    "another first leading shape": lambda y, mu, u3: (y[0], mu, u3),
+    "another core shape": lambda y, mu, u3: (y, mu[:, :2].copy(), u3),
+    "too few dimensions": lambda y, mu, u3: (y[0, 0], mu, u3),
+    "addresses that are not aligned": lambda y, mu, u3: (unaligned(y), mu, u3),
+}
+
+
+def unaligned(array):
+    """Return a copy whose numbers begin one byte late."""
+    memory = np.empty(array.nbytes + 1, np.uint8)[1:].view(array.dtype).reshape(array.shape)
+    memory[...] = array
+    return memory
+
+
+@pytest.mark.parametrize("prepared", PREPARED.values(), ids=PREPARED)
+def test_a_short_call_leaves_to_numpy_what_needs_preparation(kernel, prepared):
+    assert evaluated(twin_of(kernel), prepared(*arguments_of(kernel, float, (6,)))) is None
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("name", ["projection.project", "optics.scale", "correlation.epipoles", "critical.invariants"])
+@pytest.mark.parametrize("batch", [(), (0,), (1,), (7,), (600,), (3, 1, 5), (2, 0)])
+def test_a_short_call_gives_what_numpy_gives(name, dtype, batch):
+    kernel = KERNELS[name]
+    drawn = arguments_of(kernel, dtype, (math.prod(batch),))
+    arguments = [each.reshape((*batch, *a.shape)) for each, a in zip(drawn, kernel.arguments, strict=True)]
+    with np.errstate(all="ignore"):
+        results = [evaluated(twin_of(kernel), tuple(arguments)), twin_of(kernel)(*arguments)]
+    short, long = (each if isinstance(each, tuple) else (each,) for each in results)
+    assert [(type(one), one.shape, one.dtype) for one in short] == [(type(one), one.shape, one.dtype) for one in long]
+    assert all(same_bits(np.asarray(one), np.asarray(other)) for one, other in zip(short, long, strict=True))
+
+
+@pytest.mark.parametrize(
+    "point", [(1.0, 1.0), (0.0, 0.0), (1e300, 1e-300), (1e-300, 1e-300), (np.inf, 1.0), (0.25, 0.5)]
+)
+def test_a_short_call_reports_floating_point_exceptions_as_numpy_does(point):
+    twin = twin_of(KERNELS["optics.scale"])
+    arguments = tuple(np.array([number]) for number in point)
+
+    def reported(call):
+        kinds = []
+        with np.errstate(all="call", call=lambda kind, flag: kinds.append((kind, flag))):
+            call()
+        with np.errstate(all="raise"):
+            try:
+                call()
+            except FloatingPointError as error:
+                kinds.append(str(error))
+        return kinds
+
+    assert reported(lambda: evaluated(twin, arguments)) == reported(lambda: twin(*arguments))
+
+
+def test_a_short_call_keeps_no_reference(kernel):
+    arguments = tuple(arguments_of(kernel, float, (6,)))
+    before = [sys.getrefcount(each) for each in (*arguments, twin_of(kernel))]
+    with np.errstate(all="ignore"):
+        result = evaluated(twin_of(kernel), arguments)
+    assert sys.getrefcount(result) == 2
+    assert result.base is None
+    assert [sys.getrefcount(each) for each in (*arguments, twin_of(kernel))] == before
+
+
+@pytest.mark.parametrize("given", [(), (np.add,), (1, (2,)), (np.add, [1, 2]), (np.add, (1,))])
+def test_a_short_call_of_something_else_is_refused(given):
+    with pytest.raises(TypeError, match="expected a ufunc of this module and a tuple of its arguments"):
+        evaluated(*given)
 
 
 def test_several_leading_dimensions_that_broadcast(kernel):

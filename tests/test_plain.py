@@ -326,12 +326,16 @@ def is_accepted(kernel, source):
         return False
 
 
-@pytest.mark.parametrize("name", ["correlation.correlation_matrix", "projection.projection_matrix"])
-def test_each_exchange_of_an_operator_or_of_two_rows_is_found(name, lowered):
+@pytest.mark.parametrize(
+    "name", ["correlation.correlation_matrix", "projection.projection_matrix", "critical.determinant"]
+)
+def test_each_exchange_of_an_operator_or_of_two_rows_or_entries_is_found(name, lowered):
     source = source_of(plain_files([lowered(name)], "")["_plain_kernels.h"])
     ((kernel, body),) = source.plains.items()
     operators = list(re.finditer(r"(?<== )(\w+) ([-+*/]) (\w+)(?=;)", body))
-    rows = list(re.finditer(r"= rows\[(\d+)\]\[i\]", body))
+    rows = list(
+        re.finditer(r"= rows\[(\d+)\]\[i\]", body) if "rows" in body else re.finditer(r"out0\[i\]\[(\d+)\] =", body)
+    )
     assert min(len(operators), len(rows)) > 5
     wrong = [
         f"{body[: p.start(2)]}{ {'+': '-', '-': '+', '*': '/', '/': '*'}[p[2]] }{body[p.end(2) :]}" for p in operators
@@ -385,6 +389,29 @@ def test_what_is_not_understood_is_refused(old, new):
     assert BODY.count(old) == 1
     with pytest.raises(NotUnderstoodError):
         plain_outputs(source_of(BODY.replace(old, new)), "f", [x], [1], Meaning())
+
+
+def test_two_functions_of_one_name_are_refused():
+    function = BODY.partition("CALL")[0]
+    with pytest.raises(NotUnderstoodError, match="two of f"):
+        source_of(function + function.replace("PLAIN", "NARROW"))
+
+
+@pytest.mark.parametrize(
+    ("name", "head", "copied"),
+    [
+        ("affine.space_frame", "NARROW", False),  # twelve entries become sixteen, with hardly an operation
+        ("projection.projection_matrix", "NARROW", False),
+        ("normal_case.tau", "PLAIN", False),  # pairs of entries are in order
+        ("orientation.intersect", "PLAIN", False),
+        ("projection.reconstruction_matrix", "PLAIN", True),
+        ("correlation.correlation_matrix", "PLAIN", True),  # elimination is much to compute
+    ],
+)
+def test_entries_are_copied_and_vectors_are_long_where_there_is_enough_to_compute(name, head, copied, lowered):
+    text = plain_files([lowered(name)], "")["_plain_kernels.h"]
+    assert f"\n{head}({name.replace('.', '_')})(" in text
+    assert ("real rows[" in text) == copied
 
 
 def test_on_ordinary_input_little_is_missing():

@@ -95,7 +95,8 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     -------
     dict of str to str
         The text of each file by its name: ``_kernels.h`` with the formulas, ``_loops.h`` and ``_compiled.c`` with what
-        makes ufuncs of them, and of the formulas without compensation, which `plain_files` writes.
+        makes ufuncs of them, and of the formulas without compensation, which `plain_files` writes; ``_calls.h`` with
+        short calls of ufuncs.
     """
     compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
     plain = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
@@ -124,6 +125,7 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             ],
         ),
         "_loops.h": rendered("loops.h.j2", notice=notice),
+        "_calls.h": rendered("calls.h.j2", notice=notice),
         "_compiled.c": rendered(
             "compiled.c.j2",
             notice=notice,

@@ -1,8 +1,10 @@
 """Printing programs as C99 without compensation: a function for each kernel, which loops over arrays of points.
 
 The entries of a point follow each other, as in an array of NumPy.  Compilers read and write them so, several points at
-a time, if their number is one of `INTERLEAVED`; other operands are copied to or from rows of `STRIP` points on the way.
-Statement by statement a function does what the NumPy source does where numbers keep their digits.
+a time, if their number is one of `INTERLEAVED`.  Other operands are copied to or from rows of `STRIP` points on the
+way, which costs as much as `COPYING` operations an entry: where there are fewer of them, points are computed where they
+lie.  Long vectors are given up where it takes more to bring entries into order than to compute with them.  Statement by
+statement a function does what the NumPy source does where numbers keep their digits.
 """
 
 from __future__ import annotations
@@ -29,6 +31,15 @@ INTERLEAVED = (1, 2, 3, 4, 8)
 
 STRIP = 32
 """How many points have rows: few enough that they stay in the first-level cache."""
+
+DIVISION = 3
+"""How many other operations take as long as a division, where several points are computed at a time."""
+
+COPYING = 3.7
+"""How many operations take as long as to copy an entry to or from a row."""
+
+ORDERING = 6
+"""How many operations an entry make long vectors worth while, where operands have more entries than two."""
 
 POINTS = "const npy_intp points"
 
@@ -79,6 +90,8 @@ def _function(low: Lowered) -> dict[str, object]:
     arrays = _arrays(low.kernel)
     places = [(name, place) for name, size in arrays.items() for place in range(size)]
     copied = [(name, place) for name, place in places if arrays[name] not in INTERLEAVED]
+    copied = copied if _work(low) >= COPYING * len(copied) else []
+    ordered = [(name, place) for name, place in places if arrays[name] > 2]
     rows = {entry: f"rows[{row}][i]" for row, entry in enumerate(copied)}
     direct = {(name, place): f"{name}[i][{place}]" for name, place in places}
     count = len(low.plain.inputs)
@@ -95,10 +108,18 @@ def _function(low: Lowered) -> dict[str, object]:
     return {
         "name": c_name(low.kernel),
         "rows": len(rows),
+        "head": "PLAIN" if copied or _work(low) >= ORDERING * len(ordered) else "NARROW",
         "declared": ", ".join([*(f"{_kind(name)} (*restrict {name})[{n}]" for name, n in arrays.items()), POINTS]),
         "given": ", ".join(_given(name, size, place) for place, (name, size) in enumerate(arrays.items())),
         "loops": [loop for loop in loops if loop],
     }
+
+
+def _work(low: Lowered) -> int:
+    """Return how much a function computes, in operations."""
+    systems = [len(step.rows) for step in low.plain.steps if isinstance(step, Call) and step.primitive in LINEAR]
+    counts = low.plain.operations()
+    return counts.total() + (DIVISION - 1) * counts["/"] + sum(height**3 for height in systems)
 
 
 def _given(name: str, size: int, place: int) -> str:

@@ -19,7 +19,7 @@ from pycparser import CParser, c_ast
 from pycparser.c_parser import ParseError
 
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
-_HEADS = ("KERNEL", "SOLVER", "INLINE", "PLAIN", "SOLVER_ONCE")
+_HEADS = ("KERNEL", "SOLVER", "INLINE", "PLAIN", "NARROW", "SOLVER_ONCE")
 _FUNCTION = re.compile(rf"^({'|'.join(_HEADS)})(\(.*?\)+)\n(\{{\n.*?^\}})", re.DOTALL | re.MULTILINE)
 _CALL = re.compile(r"^CALL\((\w+), (\w+), (.*)\)$", re.MULTILINE)
 _NAME = re.compile(r"\bNAME\((\w+)\)")
@@ -111,13 +111,14 @@ def source_of(text: str) -> Source:
     for name, body in functions["SOLVER_ONCE"].items():
         primitive, height = name[1:-1].split(", ")[:2]
         solvers[f"{primitive}_once_{height}"] = body
-    inlines, plains = (
+    inlines, plains, narrow = (
         {name.split(")")[0][1:]: name.partition(")")[2] + body for name, body in functions[head].items()}
-        for head in ("INLINE", "PLAIN")
+        for head in ("INLINE", "PLAIN", "NARROW")
     )
-    return Source(
-        kernels, solvers, inlines, plains, {name: (length, given) for name, length, given in _CALL.findall(bare)}
-    )
+    if twice := plains.keys() & narrow.keys():
+        raise NotUnderstoodError(f"C source: expected one function of each name, got two of {', '.join(sorted(twice))}")
+    calls = {name: (length, given) for name, length, given in _CALL.findall(bare)}
+    return Source(kernels, solvers, inlines, plains | narrow, calls)
 
 
 def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Meaning) -> list[Any]:

@@ -13,10 +13,10 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any, Literal
 
-__all__ = ["backend", "ufunc"]
+__all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "81e7b94504d1f4a9"
+DIGEST = "9922c7ea702d4dea"
 """What identifies the C source that belongs to this package."""
 
 
@@ -54,3 +54,6 @@ def _chosen() -> ModuleType | None:
 
 
 _COMPILED = _chosen()
+
+evaluated: Any = getattr(_COMPILED, "evaluated", None)
+"""What calls a ufunc with a tuple of arrays of one dtype and one leading shape; it returns None for other arguments."""

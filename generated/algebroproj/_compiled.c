@@ -8,6 +8,7 @@ those of the NumPy source.
 
 #define PY_SSIZE_T_CLEAN
 #define NPY_NO_DEPRECATED_API NPY_1_22_API_VERSION
+#define NPY_TARGET_VERSION NPY_2_0_API_VERSION
 #include <Python.h>
 #include <numpy/arrayobject.h>
 #include <numpy/ufuncobject.h>
@@ -31,6 +32,22 @@ those of the NumPy source.
 #elif defined(__GNUC__) && defined(__aarch64__)
 #define FUSED __attribute__((noinline))
 #define FUSED_IS_AVAILABLE 1
+#endif
+
+/* As many numbers in a vector as without: entries are brought into order with fewer operations. */
+#if defined(FUSED) && defined(__x86_64__) && !defined(__clang__)
+#define FUSED_NARROW __attribute__((noinline, target("avx2,fma,prefer-vector-width=128")))
+#else
+#define FUSED_NARROW FUSED
+#endif
+
+/* Neighbouring entries are read and written together where that takes a compiler no minutes. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define PAIRING _Pragma("GCC push_options") _Pragma("GCC optimize (\"tree-slp-vectorize\")")
+#define PAIRING_ENDS _Pragma("GCC pop_options")
+#else
+#define PAIRING
+#define PAIRING_ENDS
 #endif
 
 /* What is only there for processors that do not is kept small. */
@@ -60,6 +77,7 @@ enum {
     EXCEPTIONS = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW,
     BLOCK = 64,
     MOST_OPERANDS = 7,
+    MOST_DIMENSIONS = 2,
     MOST_INPUTS = 32,
     MOST_OUTPUTS = 45
 };
@@ -109,7 +127,8 @@ struct plain_kernel {
 
 static int fused_is_available = 0;
 
-/* Read the steps of a generalized ufunc: first those of the points, then those of the core dimensions. */
+/* Read the steps of a generalized ufunc: first those of the points, then those of the core dimensions.  Rows that follow
+   each other become one. */
 static void lay_out(struct layout *layouts, const struct shape *shapes, const int operands, const npy_intp *steps)
 {
     const npy_intp *core_steps = steps + operands;
@@ -120,6 +139,10 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
         layouts[k].row_step = shape.dimensions == 2 ? *core_steps++ : 0;
         layouts[k].column_step = shape.dimensions >= 1 ? *core_steps++ : 0;
         layouts[k].point_step = steps[k];
+        if (layouts[k].row_step == layouts[k].columns * layouts[k].column_step) {
+            layouts[k].columns *= layouts[k].rows;
+            layouts[k].rows = 1;
+        }
     }
 }
 
@@ -134,6 +157,7 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define SOLVER_ONCE(name, height, width) \
     static FORCED_INLINE void NAME(name##_once_##height)(const real system[height][height + 1], real solution[width])
 #define PLAIN(name) static VERSION void NAME(name)
+#define NARROW(name) static NARROW_VERSION void NAME(name)
 #define CALL(name, length, ...) \
     static void NAME(call_##name)(char *const *data, const npy_intp all) \
     { \
@@ -173,19 +197,25 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #undef within
 #undef VERSION
 #endif
+PAIRING
 #include "_loops.h"
 #define VERSION SPLIT
+#define NARROW_VERSION VERSION
 #define variant float_plain
 #include "_plain_kernels.h"
 #undef variant
 #undef VERSION
+#undef NARROW_VERSION
 #ifdef FUSED
 #define VERSION FUSED
+#define NARROW_VERSION FUSED_NARROW
 #define variant float_plain_fused
 #include "_plain_kernels.h"
 #undef variant
 #undef VERSION
+#undef NARROW_VERSION
 #endif
+PAIRING_ENDS
 #include "_plain_loops.h"
 #undef real
 #undef absolute
@@ -218,19 +248,25 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #undef within
 #undef VERSION
 #endif
+PAIRING
 #include "_loops.h"
 #define VERSION SPLIT
+#define NARROW_VERSION VERSION
 #define variant double_plain
 #include "_plain_kernels.h"
 #undef variant
 #undef VERSION
+#undef NARROW_VERSION
 #ifdef FUSED
 #define VERSION FUSED
+#define NARROW_VERSION FUSED_NARROW
 #define variant double_plain_fused
 #include "_plain_kernels.h"
 #undef variant
 #undef VERSION
+#undef NARROW_VERSION
 #endif
+PAIRING_ENDS
 #include "_plain_loops.h"
 #undef real
 #undef absolute
@@ -252,12 +288,16 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #undef product_error
 #undef within
 #undef VERSION
+PAIRING
 #include "_loops.h"
 #define VERSION
+#define NARROW_VERSION VERSION
 #define variant longdouble_plain
 #include "_plain_kernels.h"
 #undef variant
 #undef VERSION
+#undef NARROW_VERSION
+PAIRING_ENDS
 #include "_plain_loops.h"
 #undef real
 #undef absolute
@@ -1034,6 +1074,8 @@ static int add_plain_kernel(PyObject *module, const int place)
                      plain_types[place], plain_data[place], kernel);
 }
 
+#include "_calls.h"
+
 static int execute(PyObject *module)
 {
     if (_import_array() < 0 || _import_umath() < 0) {
@@ -1052,7 +1094,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "81e7b94504d1f4a9");
+    return PyModule_AddStringConstant(module, "DIGEST", "9922c7ea702d4dea");
 }
 
 static PyModuleDef_Slot slots[] = {
@@ -1065,6 +1107,7 @@ static struct PyModuleDef definition = {
     .m_name = "_compiled",
     .m_doc = "The kernels as generalized ufuncs.",
     .m_size = 0,
+    .m_methods = methods,
     .m_slots = slots,
 };
 

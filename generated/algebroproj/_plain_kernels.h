@@ -1373,26 +1373,17 @@ SOLVER_ONCE(solve, 5, 5)
     solution[4] = x4;
 }
 
-PLAIN(affine_plane_coordinates)(const real (*restrict in0)[2], const real (*restrict in1)[6], real (*restrict out0)[2], const npy_intp points)
+NARROW(affine_plane_coordinates)(const real (*restrict in0)[2], const real (*restrict in1)[6], real (*restrict out0)[2], const npy_intp points)
 {
-    real rows[6][32];
-    for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in1[i][0];
-        rows[1][i] = in1[i][1];
-        rows[2][i] = in1[i][2];
-        rows[3][i] = in1[i][3];
-        rows[4][i] = in1[i][4];
-        rows[5][i] = in1[i][5];
-    }
     for (npy_intp i = 0; i < points; i++) {
         const real v1 = in0[i][0];
         const real v2 = in0[i][1];
-        const real g00 = rows[0][i];
-        const real g01 = rows[1][i];
-        const real g10 = rows[2][i];
-        const real g11 = rows[3][i];
-        const real g20 = rows[4][i];
-        const real g21 = rows[5][i];
+        const real g00 = in1[i][0];
+        const real g01 = in1[i][1];
+        const real g10 = in1[i][2];
+        const real g11 = in1[i][3];
+        const real g20 = in1[i][4];
+        const real g21 = in1[i][5];
         const real d1 = v1 - g00;
         const real d2 = v2 - g01;
         const real c11 = g10 - g00;
@@ -1416,51 +1407,34 @@ PLAIN(affine_plane_coordinates)(const real (*restrict in0)[2], const real (*rest
     }
 }
 
-CALL(affine_plane_coordinates, 32, (const real (*)[2])data[0] + first, (const real (*)[6])data[1] + first, (real (*)[2])data[2] + first)
+CALL(affine_plane_coordinates, all, (const real (*)[2])data[0] + first, (const real (*)[6])data[1] + first, (real (*)[2])data[2] + first)
 
-PLAIN(affine_plane_frame)(const real (*restrict in0)[6], real (*restrict out0)[9], const npy_intp points)
+NARROW(affine_plane_frame)(const real (*restrict in0)[6], real (*restrict out0)[9], const npy_intp points)
 {
-    real rows[15][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real g00 = rows[0][i];
-        const real g01 = rows[1][i];
-        const real g10 = rows[2][i];
-        const real g11 = rows[3][i];
-        const real g20 = rows[4][i];
-        const real g21 = rows[5][i];
+        const real g00 = in0[i][0];
+        const real g01 = in0[i][1];
+        const real g10 = in0[i][2];
+        const real g11 = in0[i][3];
+        const real g20 = in0[i][4];
+        const real g21 = in0[i][5];
         const real t0 = g10 - g00;
         const real t1 = g20 - g00;
         const real t2 = g11 - g01;
         const real t3 = g21 - g01;
-        rows[9][i] = g00;
-        rows[10][i] = t0;
-        rows[11][i] = t1;
-        rows[12][i] = g01;
-        rows[13][i] = t2;
-        rows[14][i] = t3;
-    }
-    for (npy_intp i = 0; i < points; i++) {
         out0[i][0] = 1;
         out0[i][1] = 0;
         out0[i][2] = 0;
-        out0[i][3] = rows[9][i];
-        out0[i][4] = rows[10][i];
-        out0[i][5] = rows[11][i];
-        out0[i][6] = rows[12][i];
-        out0[i][7] = rows[13][i];
-        out0[i][8] = rows[14][i];
+        out0[i][3] = g00;
+        out0[i][4] = t0;
+        out0[i][5] = t1;
+        out0[i][6] = g01;
+        out0[i][7] = t2;
+        out0[i][8] = t3;
     }
 }
 
-CALL(affine_plane_frame, 32, (const real (*)[6])data[0] + first, (real (*)[9])data[1] + first)
+CALL(affine_plane_frame, all, (const real (*)[6])data[0] + first, (real (*)[9])data[1] + first)
 
 PLAIN(affine_space_coordinates)(const real (*restrict in0)[3], const real (*restrict in1)[12], real (*restrict out0)[3], const npy_intp points)
 {
@@ -1557,36 +1531,21 @@ PLAIN(affine_space_coordinates)(const real (*restrict in0)[3], const real (*rest
 
 CALL(affine_space_coordinates, 32, (const real (*)[3])data[0] + first, (const real (*)[12])data[1] + first, (real (*)[3])data[2] + first)
 
-PLAIN(affine_space_frame)(const real (*restrict in0)[12], real (*restrict out0)[16], const npy_intp points)
+NARROW(affine_space_frame)(const real (*restrict in0)[12], real (*restrict out0)[16], const npy_intp points)
 {
-    real rows[28][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-        rows[9][i] = in0[i][9];
-        rows[10][i] = in0[i][10];
-        rows[11][i] = in0[i][11];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real G00 = rows[0][i];
-        const real G01 = rows[1][i];
-        const real G02 = rows[2][i];
-        const real G10 = rows[3][i];
-        const real G11 = rows[4][i];
-        const real G12 = rows[5][i];
-        const real G20 = rows[6][i];
-        const real G21 = rows[7][i];
-        const real G22 = rows[8][i];
-        const real G30 = rows[9][i];
-        const real G31 = rows[10][i];
-        const real G32 = rows[11][i];
+        const real G00 = in0[i][0];
+        const real G01 = in0[i][1];
+        const real G02 = in0[i][2];
+        const real G10 = in0[i][3];
+        const real G11 = in0[i][4];
+        const real G12 = in0[i][5];
+        const real G20 = in0[i][6];
+        const real G21 = in0[i][7];
+        const real G22 = in0[i][8];
+        const real G30 = in0[i][9];
+        const real G31 = in0[i][10];
+        const real G32 = in0[i][11];
         const real t0 = G10 - G00;
         const real t1 = G20 - G00;
         const real t2 = G30 - G00;
@@ -1596,40 +1555,26 @@ PLAIN(affine_space_frame)(const real (*restrict in0)[12], real (*restrict out0)[
         const real t6 = G12 - G02;
         const real t7 = G22 - G02;
         const real t8 = G32 - G02;
-        rows[16][i] = G00;
-        rows[17][i] = t0;
-        rows[18][i] = t1;
-        rows[19][i] = t2;
-        rows[20][i] = G01;
-        rows[21][i] = t3;
-        rows[22][i] = t4;
-        rows[23][i] = t5;
-        rows[24][i] = G02;
-        rows[25][i] = t6;
-        rows[26][i] = t7;
-        rows[27][i] = t8;
-    }
-    for (npy_intp i = 0; i < points; i++) {
         out0[i][0] = 1;
         out0[i][1] = 0;
         out0[i][2] = 0;
         out0[i][3] = 0;
-        out0[i][4] = rows[16][i];
-        out0[i][5] = rows[17][i];
-        out0[i][6] = rows[18][i];
-        out0[i][7] = rows[19][i];
-        out0[i][8] = rows[20][i];
-        out0[i][9] = rows[21][i];
-        out0[i][10] = rows[22][i];
-        out0[i][11] = rows[23][i];
-        out0[i][12] = rows[24][i];
-        out0[i][13] = rows[25][i];
-        out0[i][14] = rows[26][i];
-        out0[i][15] = rows[27][i];
+        out0[i][4] = G00;
+        out0[i][5] = t0;
+        out0[i][6] = t1;
+        out0[i][7] = t2;
+        out0[i][8] = G01;
+        out0[i][9] = t3;
+        out0[i][10] = t4;
+        out0[i][11] = t5;
+        out0[i][12] = G02;
+        out0[i][13] = t6;
+        out0[i][14] = t7;
+        out0[i][15] = t8;
     }
 }
 
-CALL(affine_space_frame, 32, (const real (*)[12])data[0] + first, (real (*)[16])data[1] + first)
+CALL(affine_space_frame, all, (const real (*)[12])data[0] + first, (real (*)[16])data[1] + first)
 
 PLAIN(collinearity_coplanarity_determinant)(const real (*restrict in0)[11], const real (*restrict in1)[11], const real (*restrict in2)[2], const real (*restrict in3)[2], real (*restrict out0)[1], const npy_intp points)
 {
@@ -2436,7 +2381,7 @@ PLAIN(collinearity_intersect_three)(const real (*restrict in0)[11], const real (
 
 CALL(collinearity_intersect_three, 32, (const real (*)[11])data[0] + first, (const real (*)[11])data[1] + first, (const real (*)[2])data[2] + first, (const real (*)[2])data[3] + first, (real (*)[3])data[4] + first)
 
-PLAIN(collinearity_model_point)(const real (*restrict in0)[3], const real (*restrict in1)[3], const real (*restrict in2)[1], real (*restrict out0)[3], const npy_intp points)
+NARROW(collinearity_model_point)(const real (*restrict in0)[3], const real (*restrict in1)[3], const real (*restrict in2)[1], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real Xbar1 = in0[i][0];
@@ -2462,34 +2407,20 @@ PLAIN(collinearity_model_point)(const real (*restrict in0)[3], const real (*rest
 
 CALL(collinearity_model_point, all, (const real (*)[3])data[0] + first, (const real (*)[3])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[3])data[3] + first)
 
-PLAIN(collinearity_project)(const real (*restrict in0)[11], const real (*restrict in1)[3], real (*restrict out0)[2], const npy_intp points)
+NARROW(collinearity_project)(const real (*restrict in0)[11], const real (*restrict in1)[3], real (*restrict out0)[2], const npy_intp points)
 {
-    real rows[11][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-        rows[9][i] = in0[i][9];
-        rows[10][i] = in0[i][10];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real A1 = rows[0][i];
-        const real A2 = rows[1][i];
-        const real A3 = rows[2][i];
-        const real A4 = rows[3][i];
-        const real A5 = rows[4][i];
-        const real A6 = rows[5][i];
-        const real A7 = rows[6][i];
-        const real A8 = rows[7][i];
-        const real A9 = rows[8][i];
-        const real A10 = rows[9][i];
-        const real A11 = rows[10][i];
+        const real A1 = in0[i][0];
+        const real A2 = in0[i][1];
+        const real A3 = in0[i][2];
+        const real A4 = in0[i][3];
+        const real A5 = in0[i][4];
+        const real A6 = in0[i][5];
+        const real A7 = in0[i][6];
+        const real A8 = in0[i][7];
+        const real A9 = in0[i][8];
+        const real A10 = in0[i][9];
+        const real A11 = in0[i][10];
         const real X = in1[i][0];
         const real Y = in1[i][1];
         const real Z = in1[i][2];
@@ -2519,36 +2450,22 @@ PLAIN(collinearity_project)(const real (*restrict in0)[11], const real (*restric
     }
 }
 
-CALL(collinearity_project, 32, (const real (*)[11])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[2])data[2] + first)
+CALL(collinearity_project, all, (const real (*)[11])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[2])data[2] + first)
 
-PLAIN(collinearity_project_jacobian_parameters)(const real (*restrict in0)[11], const real (*restrict in1)[3], real (*restrict out0)[22], const npy_intp points)
+NARROW(collinearity_project_jacobian_parameters)(const real (*restrict in0)[11], const real (*restrict in1)[3], real (*restrict out0)[22], const npy_intp points)
 {
-    real rows[33][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-        rows[9][i] = in0[i][9];
-        rows[10][i] = in0[i][10];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real A1 = rows[0][i];
-        const real A2 = rows[1][i];
-        const real A3 = rows[2][i];
-        const real A4 = rows[3][i];
-        const real A5 = rows[4][i];
-        const real A6 = rows[5][i];
-        const real A7 = rows[6][i];
-        const real A8 = rows[7][i];
-        const real A9 = rows[8][i];
-        const real A10 = rows[9][i];
-        const real A11 = rows[10][i];
+        const real A1 = in0[i][0];
+        const real A2 = in0[i][1];
+        const real A3 = in0[i][2];
+        const real A4 = in0[i][3];
+        const real A5 = in0[i][4];
+        const real A6 = in0[i][5];
+        const real A7 = in0[i][6];
+        const real A8 = in0[i][7];
+        const real A9 = in0[i][8];
+        const real A10 = in0[i][9];
+        const real A11 = in0[i][10];
         const real X = in1[i][0];
         const real Y = in1[i][1];
         const real Z = in1[i][2];
@@ -2592,48 +2509,32 @@ PLAIN(collinearity_project_jacobian_parameters)(const real (*restrict in0)[11], 
         const real t37 = -t36;
         const real t38 = t24 * t33;
         const real t39 = -t38;
-        rows[11][i] = t7;
-        rows[12][i] = t8;
-        rows[13][i] = t9;
-        rows[14][i] = t6;
-        rows[19][i] = t20;
-        rows[20][i] = t23;
-        rows[21][i] = t26;
-        rows[26][i] = t7;
-        rows[27][i] = t8;
-        rows[28][i] = t9;
-        rows[29][i] = t6;
-        rows[30][i] = t35;
-        rows[31][i] = t37;
-        rows[32][i] = t39;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[11][i];
-        out0[i][1] = rows[12][i];
-        out0[i][2] = rows[13][i];
-        out0[i][3] = rows[14][i];
+        out0[i][0] = t7;
+        out0[i][1] = t8;
+        out0[i][2] = t9;
+        out0[i][3] = t6;
         out0[i][4] = 0;
         out0[i][5] = 0;
         out0[i][6] = 0;
         out0[i][7] = 0;
-        out0[i][8] = rows[19][i];
-        out0[i][9] = rows[20][i];
-        out0[i][10] = rows[21][i];
+        out0[i][8] = t20;
+        out0[i][9] = t23;
+        out0[i][10] = t26;
         out0[i][11] = 0;
         out0[i][12] = 0;
         out0[i][13] = 0;
         out0[i][14] = 0;
-        out0[i][15] = rows[26][i];
-        out0[i][16] = rows[27][i];
-        out0[i][17] = rows[28][i];
-        out0[i][18] = rows[29][i];
-        out0[i][19] = rows[30][i];
-        out0[i][20] = rows[31][i];
-        out0[i][21] = rows[32][i];
+        out0[i][15] = t7;
+        out0[i][16] = t8;
+        out0[i][17] = t9;
+        out0[i][18] = t6;
+        out0[i][19] = t35;
+        out0[i][20] = t37;
+        out0[i][21] = t39;
     }
 }
 
-CALL(collinearity_project_jacobian_parameters, 32, (const real (*)[11])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[22])data[2] + first)
+CALL(collinearity_project_jacobian_parameters, all, (const real (*)[11])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[22])data[2] + first)
 
 PLAIN(collinearity_project_jacobian_point)(const real (*restrict in0)[11], const real (*restrict in1)[3], real (*restrict out0)[6], const npy_intp points)
 {
@@ -2753,42 +2654,24 @@ PLAIN(collinearity_project_jacobian_point)(const real (*restrict in0)[11], const
 
 CALL(collinearity_project_jacobian_point, 32, (const real (*)[11])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[6])data[2] + first)
 
-PLAIN(collinearity_space_map)(const real (*restrict in0)[15], const real (*restrict in1)[3], real (*restrict out0)[3], const npy_intp points)
+NARROW(collinearity_space_map)(const real (*restrict in0)[15], const real (*restrict in1)[3], real (*restrict out0)[3], const npy_intp points)
 {
-    real rows[15][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-        rows[9][i] = in0[i][9];
-        rows[10][i] = in0[i][10];
-        rows[11][i] = in0[i][11];
-        rows[12][i] = in0[i][12];
-        rows[13][i] = in0[i][13];
-        rows[14][i] = in0[i][14];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real B1 = rows[0][i];
-        const real B2 = rows[1][i];
-        const real B3 = rows[2][i];
-        const real B4 = rows[3][i];
-        const real B5 = rows[4][i];
-        const real B6 = rows[5][i];
-        const real B7 = rows[6][i];
-        const real B8 = rows[7][i];
-        const real B9 = rows[8][i];
-        const real B10 = rows[9][i];
-        const real B11 = rows[10][i];
-        const real B12 = rows[11][i];
-        const real B13 = rows[12][i];
-        const real B14 = rows[13][i];
-        const real B15 = rows[14][i];
+        const real B1 = in0[i][0];
+        const real B2 = in0[i][1];
+        const real B3 = in0[i][2];
+        const real B4 = in0[i][3];
+        const real B5 = in0[i][4];
+        const real B6 = in0[i][5];
+        const real B7 = in0[i][6];
+        const real B8 = in0[i][7];
+        const real B9 = in0[i][8];
+        const real B10 = in0[i][9];
+        const real B11 = in0[i][10];
+        const real B12 = in0[i][11];
+        const real B13 = in0[i][12];
+        const real B14 = in0[i][13];
+        const real B15 = in0[i][14];
         const real X2 = in1[i][0];
         const real Y2 = in1[i][1];
         const real Z2 = in1[i][2];
@@ -2826,7 +2709,7 @@ PLAIN(collinearity_space_map)(const real (*restrict in0)[15], const real (*restr
     }
 }
 
-CALL(collinearity_space_map, 32, (const real (*)[15])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[3])data[2] + first)
+CALL(collinearity_space_map, all, (const real (*)[15])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[3])data[2] + first)
 
 PLAIN(correlation_correlation_from_cameras)(const real (*restrict in0)[3], const real (*restrict in1)[2], const real (*restrict in2)[3], const real (*restrict in3)[2], real (*restrict out0)[9], const npy_intp points)
 {
@@ -3061,9 +2944,8 @@ PLAIN(correlation_correlation_matrix)(const real (*restrict in0)[10], const real
 
 CALL(correlation_correlation_matrix, 32, (const real (*)[10])data[0] + first, (const real (*)[10])data[1] + first, (real (*)[9])data[2] + first)
 
-PLAIN(correlation_design_row)(const real (*restrict in0)[2], const real (*restrict in1)[2], real (*restrict out0)[5], const npy_intp points)
+NARROW(correlation_design_row)(const real (*restrict in0)[2], const real (*restrict in1)[2], real (*restrict out0)[5], const npy_intp points)
 {
-    real rows[5][32];
     for (npy_intp i = 0; i < points; i++) {
         const real up1 = in0[i][0];
         const real up2 = in0[i][1];
@@ -3076,47 +2958,28 @@ PLAIN(correlation_design_row)(const real (*restrict in0)[2], const real (*restri
         const real t4 = up2 * upp1;
         const real t5 = up2 - 1;
         const real t6 = upp2 * t5;
-        rows[0][i] = t1;
-        rows[1][i] = t2;
-        rows[2][i] = t3;
-        rows[3][i] = t4;
-        rows[4][i] = t6;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[0][i];
-        out0[i][1] = rows[1][i];
-        out0[i][2] = rows[2][i];
-        out0[i][3] = rows[3][i];
-        out0[i][4] = rows[4][i];
+        out0[i][0] = t1;
+        out0[i][1] = t2;
+        out0[i][2] = t3;
+        out0[i][3] = t4;
+        out0[i][4] = t6;
     }
 }
 
-CALL(correlation_design_row, 32, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[5])data[2] + first)
+CALL(correlation_design_row, all, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[5])data[2] + first)
 
-PLAIN(correlation_epipolar_line_left)(const real (*restrict in0)[9], const real (*restrict in1)[2], real (*restrict out0)[3], const npy_intp points)
+NARROW(correlation_epipolar_line_left)(const real (*restrict in0)[9], const real (*restrict in1)[2], real (*restrict out0)[3], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real z00 = rows[0][i];
-        const real z01 = rows[1][i];
-        const real z02 = rows[2][i];
-        const real z10 = rows[3][i];
-        const real z11 = rows[4][i];
-        const real z12 = rows[5][i];
-        const real z20 = rows[6][i];
-        const real z21 = rows[7][i];
-        const real z22 = rows[8][i];
+        const real z00 = in0[i][0];
+        const real z01 = in0[i][1];
+        const real z02 = in0[i][2];
+        const real z10 = in0[i][3];
+        const real z11 = in0[i][4];
+        const real z12 = in0[i][5];
+        const real z20 = in0[i][6];
+        const real z21 = in0[i][7];
+        const real z22 = in0[i][8];
         const real upp1 = in1[i][0];
         const real upp2 = in1[i][1];
         const real t0 = upp1 * z01;
@@ -3137,32 +3000,20 @@ PLAIN(correlation_epipolar_line_left)(const real (*restrict in0)[9], const real 
     }
 }
 
-CALL(correlation_epipolar_line_left, 32, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[3])data[2] + first)
+CALL(correlation_epipolar_line_left, all, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[3])data[2] + first)
 
-PLAIN(correlation_epipolar_line_right)(const real (*restrict in0)[9], const real (*restrict in1)[2], real (*restrict out0)[3], const npy_intp points)
+NARROW(correlation_epipolar_line_right)(const real (*restrict in0)[9], const real (*restrict in1)[2], real (*restrict out0)[3], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real z00 = rows[0][i];
-        const real z01 = rows[1][i];
-        const real z02 = rows[2][i];
-        const real z10 = rows[3][i];
-        const real z11 = rows[4][i];
-        const real z12 = rows[5][i];
-        const real z20 = rows[6][i];
-        const real z21 = rows[7][i];
-        const real z22 = rows[8][i];
+        const real z00 = in0[i][0];
+        const real z01 = in0[i][1];
+        const real z02 = in0[i][2];
+        const real z10 = in0[i][3];
+        const real z11 = in0[i][4];
+        const real z12 = in0[i][5];
+        const real z20 = in0[i][6];
+        const real z21 = in0[i][7];
+        const real z22 = in0[i][8];
         const real up1 = in1[i][0];
         const real up2 = in1[i][1];
         const real t0 = up1 * z10;
@@ -3183,31 +3034,19 @@ PLAIN(correlation_epipolar_line_right)(const real (*restrict in0)[9], const real
     }
 }
 
-CALL(correlation_epipolar_line_right, 32, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[3])data[2] + first)
+CALL(correlation_epipolar_line_right, all, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[3])data[2] + first)
 
-PLAIN(correlation_epipoles)(const real (*restrict in0)[9], real (*restrict out0)[2], real (*restrict out1)[2], const npy_intp points)
+NARROW(correlation_epipoles)(const real (*restrict in0)[9], real (*restrict out0)[2], real (*restrict out1)[2], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real z01 = rows[1][i];
-        const real z02 = rows[2][i];
-        const real z10 = rows[3][i];
-        const real z11 = rows[4][i];
-        const real z12 = rows[5][i];
-        const real z20 = rows[6][i];
-        const real z21 = rows[7][i];
-        const real z22 = rows[8][i];
+        const real z01 = in0[i][1];
+        const real z02 = in0[i][2];
+        const real z10 = in0[i][3];
+        const real z11 = in0[i][4];
+        const real z12 = in0[i][5];
+        const real z20 = in0[i][6];
+        const real z21 = in0[i][7];
+        const real z22 = in0[i][8];
         const real t0 = z11 * z22;
         const real t1 = z12 * z21;
         const real D = t0 - t1;
@@ -3235,7 +3074,7 @@ PLAIN(correlation_epipoles)(const real (*restrict in0)[9], real (*restrict out0)
     }
 }
 
-CALL(correlation_epipoles, 32, (const real (*)[9])data[0] + first, (real (*)[2])data[1] + first, (real (*)[2])data[2] + first)
+CALL(correlation_epipoles, all, (const real (*)[9])data[0] + first, (real (*)[2])data[1] + first, (real (*)[2])data[2] + first)
 
 PLAIN(correlation_general_correlation_matrix)(const real (*restrict in0)[16], const real (*restrict in1)[16], real (*restrict out0)[9], const npy_intp points)
 {
@@ -3397,52 +3236,29 @@ PLAIN(correlation_rhs)(const real (*restrict in0)[2], const real (*restrict in1)
 
 CALL(correlation_rhs, all, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[1])data[2] + first)
 
-PLAIN(correlation_system)(const real (*restrict in0)[10], const real (*restrict in1)[10], real (*restrict out0)[25], real (*restrict out1)[5], const npy_intp points)
+NARROW(correlation_system)(const real (*restrict in0)[10], const real (*restrict in1)[10], real (*restrict out0)[25], real (*restrict out1)[5], const npy_intp points)
 {
-    real rows[50][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-        rows[9][i] = in0[i][9];
-        rows[10][i] = in1[i][0];
-        rows[11][i] = in1[i][1];
-        rows[12][i] = in1[i][2];
-        rows[13][i] = in1[i][3];
-        rows[14][i] = in1[i][4];
-        rows[15][i] = in1[i][5];
-        rows[16][i] = in1[i][6];
-        rows[17][i] = in1[i][7];
-        rows[18][i] = in1[i][8];
-        rows[19][i] = in1[i][9];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real up31 = rows[0][i];
-        const real up32 = rows[1][i];
-        const real up41 = rows[2][i];
-        const real up42 = rows[3][i];
-        const real up51 = rows[4][i];
-        const real up52 = rows[5][i];
-        const real up61 = rows[6][i];
-        const real up62 = rows[7][i];
-        const real up71 = rows[8][i];
-        const real up72 = rows[9][i];
-        const real upp31 = rows[10][i];
-        const real upp32 = rows[11][i];
-        const real upp41 = rows[12][i];
-        const real upp42 = rows[13][i];
-        const real upp51 = rows[14][i];
-        const real upp52 = rows[15][i];
-        const real upp61 = rows[16][i];
-        const real upp62 = rows[17][i];
-        const real upp71 = rows[18][i];
-        const real upp72 = rows[19][i];
+        const real up31 = in0[i][0];
+        const real up32 = in0[i][1];
+        const real up41 = in0[i][2];
+        const real up42 = in0[i][3];
+        const real up51 = in0[i][4];
+        const real up52 = in0[i][5];
+        const real up61 = in0[i][6];
+        const real up62 = in0[i][7];
+        const real up71 = in0[i][8];
+        const real up72 = in0[i][9];
+        const real upp31 = in1[i][0];
+        const real upp32 = in1[i][1];
+        const real upp41 = in1[i][2];
+        const real upp42 = in1[i][3];
+        const real upp51 = in1[i][4];
+        const real upp52 = in1[i][5];
+        const real upp61 = in1[i][6];
+        const real upp62 = in1[i][7];
+        const real upp71 = in1[i][8];
+        const real upp72 = in1[i][9];
         const real t0 = up31 - 1;
         const real t1 = upp31 * t0;
         const real t2 = up31 * upp32;
@@ -3483,111 +3299,60 @@ PLAIN(correlation_system)(const real (*restrict in0)[10], const real (*restrict 
         const real t37 = upp51 - up51;
         const real t38 = upp61 - up61;
         const real t39 = upp71 - up71;
-        rows[20][i] = t1;
-        rows[21][i] = t2;
-        rows[22][i] = t3;
-        rows[23][i] = t4;
-        rows[24][i] = t6;
-        rows[25][i] = t8;
-        rows[26][i] = t9;
-        rows[27][i] = t10;
-        rows[28][i] = t11;
-        rows[29][i] = t13;
-        rows[30][i] = t15;
-        rows[31][i] = t16;
-        rows[32][i] = t17;
-        rows[33][i] = t18;
-        rows[34][i] = t20;
-        rows[35][i] = t22;
-        rows[36][i] = t23;
-        rows[37][i] = t24;
-        rows[38][i] = t25;
-        rows[39][i] = t27;
-        rows[40][i] = t29;
-        rows[41][i] = t30;
-        rows[42][i] = t31;
-        rows[43][i] = t32;
-        rows[44][i] = t34;
-        rows[45][i] = t35;
-        rows[46][i] = t36;
-        rows[47][i] = t37;
-        rows[48][i] = t38;
-        rows[49][i] = t39;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[20][i];
-        out0[i][1] = rows[21][i];
-        out0[i][2] = rows[22][i];
-        out0[i][3] = rows[23][i];
-        out0[i][4] = rows[24][i];
-        out0[i][5] = rows[25][i];
-        out0[i][6] = rows[26][i];
-        out0[i][7] = rows[27][i];
-        out0[i][8] = rows[28][i];
-        out0[i][9] = rows[29][i];
-        out0[i][10] = rows[30][i];
-        out0[i][11] = rows[31][i];
-        out0[i][12] = rows[32][i];
-        out0[i][13] = rows[33][i];
-        out0[i][14] = rows[34][i];
-        out0[i][15] = rows[35][i];
-        out0[i][16] = rows[36][i];
-        out0[i][17] = rows[37][i];
-        out0[i][18] = rows[38][i];
-        out0[i][19] = rows[39][i];
-        out0[i][20] = rows[40][i];
-        out0[i][21] = rows[41][i];
-        out0[i][22] = rows[42][i];
-        out0[i][23] = rows[43][i];
-        out0[i][24] = rows[44][i];
-        out1[i][0] = rows[45][i];
-        out1[i][1] = rows[46][i];
-        out1[i][2] = rows[47][i];
-        out1[i][3] = rows[48][i];
-        out1[i][4] = rows[49][i];
+        out0[i][0] = t1;
+        out0[i][1] = t2;
+        out0[i][2] = t3;
+        out0[i][3] = t4;
+        out0[i][4] = t6;
+        out0[i][5] = t8;
+        out0[i][6] = t9;
+        out0[i][7] = t10;
+        out0[i][8] = t11;
+        out0[i][9] = t13;
+        out0[i][10] = t15;
+        out0[i][11] = t16;
+        out0[i][12] = t17;
+        out0[i][13] = t18;
+        out0[i][14] = t20;
+        out0[i][15] = t22;
+        out0[i][16] = t23;
+        out0[i][17] = t24;
+        out0[i][18] = t25;
+        out0[i][19] = t27;
+        out0[i][20] = t29;
+        out0[i][21] = t30;
+        out0[i][22] = t31;
+        out0[i][23] = t32;
+        out0[i][24] = t34;
+        out1[i][0] = t35;
+        out1[i][1] = t36;
+        out1[i][2] = t37;
+        out1[i][3] = t38;
+        out1[i][4] = t39;
     }
 }
 
-CALL(correlation_system, 32, (const real (*)[10])data[0] + first, (const real (*)[10])data[1] + first, (real (*)[25])data[2] + first, (real (*)[5])data[3] + first)
+CALL(correlation_system, all, (const real (*)[10])data[0] + first, (const real (*)[10])data[1] + first, (real (*)[25])data[2] + first, (real (*)[5])data[3] + first)
 
-PLAIN(critical_algebraic_distance)(const real (*restrict in0)[16], const real (*restrict in1)[3], real (*restrict out0)[1], const npy_intp points)
+NARROW(critical_algebraic_distance)(const real (*restrict in0)[16], const real (*restrict in1)[3], real (*restrict out0)[1], const npy_intp points)
 {
-    real rows[16][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-        rows[9][i] = in0[i][9];
-        rows[10][i] = in0[i][10];
-        rows[11][i] = in0[i][11];
-        rows[12][i] = in0[i][12];
-        rows[13][i] = in0[i][13];
-        rows[14][i] = in0[i][14];
-        rows[15][i] = in0[i][15];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real q00 = rows[0][i];
-        const real q01 = rows[1][i];
-        const real q02 = rows[2][i];
-        const real q03 = rows[3][i];
-        const real q10 = rows[4][i];
-        const real q11 = rows[5][i];
-        const real q12 = rows[6][i];
-        const real q13 = rows[7][i];
-        const real q20 = rows[8][i];
-        const real q21 = rows[9][i];
-        const real q22 = rows[10][i];
-        const real q23 = rows[11][i];
-        const real q30 = rows[12][i];
-        const real q31 = rows[13][i];
-        const real q32 = rows[14][i];
-        const real q33 = rows[15][i];
+        const real q00 = in0[i][0];
+        const real q01 = in0[i][1];
+        const real q02 = in0[i][2];
+        const real q03 = in0[i][3];
+        const real q10 = in0[i][4];
+        const real q11 = in0[i][5];
+        const real q12 = in0[i][6];
+        const real q13 = in0[i][7];
+        const real q20 = in0[i][8];
+        const real q21 = in0[i][9];
+        const real q22 = in0[i][10];
+        const real q23 = in0[i][11];
+        const real q30 = in0[i][12];
+        const real q31 = in0[i][13];
+        const real q32 = in0[i][14];
+        const real q33 = in0[i][15];
         const real y1 = in1[i][0];
         const real y2 = in1[i][1];
         const real y3 = in1[i][2];
@@ -3625,7 +3390,7 @@ PLAIN(critical_algebraic_distance)(const real (*restrict in0)[16], const real (*
     }
 }
 
-CALL(critical_algebraic_distance, 32, (const real (*)[16])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[1])data[2] + first)
+CALL(critical_algebraic_distance, all, (const real (*)[16])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[1])data[2] + first)
 
 PLAIN(critical_determinant)(const real (*restrict in0)[10], const real (*restrict in1)[10], real (*restrict out0)[1], const npy_intp points)
 {
@@ -4918,52 +4683,31 @@ PLAIN(critical_quadric)(const real (*restrict in0)[3], const real (*restrict in1
 
 CALL(critical_quadric, 32, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[3])data[2] + first, (const real (*)[2])data[3] + first, (const real (*)[12])data[4] + first, (real (*)[16])data[5] + first)
 
-PLAIN(metric_coplanarity_row)(const real (*restrict in0)[2], const real (*restrict in1)[2], const real (*restrict in2)[9], const real (*restrict in3)[9], const real (*restrict in4)[1], real (*restrict out0)[5], const npy_intp points)
+NARROW(metric_coplanarity_row)(const real (*restrict in0)[2], const real (*restrict in1)[2], const real (*restrict in2)[9], const real (*restrict in3)[9], const real (*restrict in4)[1], real (*restrict out0)[5], const npy_intp points)
 {
-    real rows[23][32];
-    for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in2[i][0];
-        rows[1][i] = in2[i][1];
-        rows[2][i] = in2[i][2];
-        rows[3][i] = in2[i][3];
-        rows[4][i] = in2[i][4];
-        rows[5][i] = in2[i][5];
-        rows[6][i] = in2[i][6];
-        rows[7][i] = in2[i][7];
-        rows[8][i] = in2[i][8];
-        rows[9][i] = in3[i][0];
-        rows[10][i] = in3[i][1];
-        rows[11][i] = in3[i][2];
-        rows[12][i] = in3[i][3];
-        rows[13][i] = in3[i][4];
-        rows[14][i] = in3[i][5];
-        rows[15][i] = in3[i][6];
-        rows[16][i] = in3[i][7];
-        rows[17][i] = in3[i][8];
-    }
     for (npy_intp i = 0; i < points; i++) {
         const real xp = in0[i][0];
         const real yp = in0[i][1];
         const real xpp = in1[i][0];
         const real ypp = in1[i][1];
-        const real i1p = rows[0][i];
-        const real j1p = rows[1][i];
-        const real k1p = rows[2][i];
-        const real i2p = rows[3][i];
-        const real j2p = rows[4][i];
-        const real k2p = rows[5][i];
-        const real i3p = rows[6][i];
-        const real j3p = rows[7][i];
-        const real k3p = rows[8][i];
-        const real i1pp = rows[9][i];
-        const real j1pp = rows[10][i];
-        const real k1pp = rows[11][i];
-        const real i2pp = rows[12][i];
-        const real j2pp = rows[13][i];
-        const real k2pp = rows[14][i];
-        const real i3pp = rows[15][i];
-        const real j3pp = rows[16][i];
-        const real k3pp = rows[17][i];
+        const real i1p = in2[i][0];
+        const real j1p = in2[i][1];
+        const real k1p = in2[i][2];
+        const real i2p = in2[i][3];
+        const real j2p = in2[i][4];
+        const real k2p = in2[i][5];
+        const real i3p = in2[i][6];
+        const real j3p = in2[i][7];
+        const real k3p = in2[i][8];
+        const real i1pp = in3[i][0];
+        const real j1pp = in3[i][1];
+        const real k1pp = in3[i][2];
+        const real i2pp = in3[i][3];
+        const real j2pp = in3[i][4];
+        const real k2pp = in3[i][5];
+        const real i3pp = in3[i][6];
+        const real j3pp = in3[i][7];
+        const real k3pp = in3[i][8];
         const real c = in4[i][0];
         const real t0 = i1p * xp;
         const real t1 = j1p * yp;
@@ -5004,65 +4748,37 @@ PLAIN(metric_coplanarity_row)(const real (*restrict in0)[2], const real (*restri
         const real t36 = -t35;
         const real t37 = p1pp * p3p;
         const real t38 = -t37;
-        rows[18][i] = t30;
-        rows[19][i] = t31;
-        rows[20][i] = t34;
-        rows[21][i] = t36;
-        rows[22][i] = t38;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[18][i];
-        out0[i][1] = rows[19][i];
-        out0[i][2] = rows[20][i];
-        out0[i][3] = rows[21][i];
-        out0[i][4] = rows[22][i];
+        out0[i][0] = t30;
+        out0[i][1] = t31;
+        out0[i][2] = t34;
+        out0[i][3] = t36;
+        out0[i][4] = t38;
     }
 }
 
-CALL(metric_coplanarity_row, 32, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[9])data[2] + first, (const real (*)[9])data[3] + first, (const real (*)[1])data[4] + first, (real (*)[5])data[5] + first)
+CALL(metric_coplanarity_row, all, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[9])data[2] + first, (const real (*)[9])data[3] + first, (const real (*)[1])data[4] + first, (real (*)[5])data[5] + first)
 
-PLAIN(metric_correlation_matrix)(const real (*restrict in0)[9], const real (*restrict in1)[9], const real (*restrict in2)[3], real (*restrict out0)[9], const npy_intp points)
+NARROW(metric_correlation_matrix)(const real (*restrict in0)[9], const real (*restrict in1)[9], const real (*restrict in2)[3], real (*restrict out0)[9], const npy_intp points)
 {
-    real rows[27][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-        rows[9][i] = in1[i][0];
-        rows[10][i] = in1[i][1];
-        rows[11][i] = in1[i][2];
-        rows[12][i] = in1[i][3];
-        rows[13][i] = in1[i][4];
-        rows[14][i] = in1[i][5];
-        rows[15][i] = in1[i][6];
-        rows[16][i] = in1[i][7];
-        rows[17][i] = in1[i][8];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real i1p = rows[0][i];
-        const real j1p = rows[1][i];
-        const real k1p = rows[2][i];
-        const real i2p = rows[3][i];
-        const real j2p = rows[4][i];
-        const real k2p = rows[5][i];
-        const real i3p = rows[6][i];
-        const real j3p = rows[7][i];
-        const real k3p = rows[8][i];
-        const real i1pp = rows[9][i];
-        const real j1pp = rows[10][i];
-        const real k1pp = rows[11][i];
-        const real i2pp = rows[12][i];
-        const real j2pp = rows[13][i];
-        const real k2pp = rows[14][i];
-        const real i3pp = rows[15][i];
-        const real j3pp = rows[16][i];
-        const real k3pp = rows[17][i];
+        const real i1p = in0[i][0];
+        const real j1p = in0[i][1];
+        const real k1p = in0[i][2];
+        const real i2p = in0[i][3];
+        const real j2p = in0[i][4];
+        const real k2p = in0[i][5];
+        const real i3p = in0[i][6];
+        const real j3p = in0[i][7];
+        const real k3p = in0[i][8];
+        const real i1pp = in1[i][0];
+        const real j1pp = in1[i][1];
+        const real k1pp = in1[i][2];
+        const real i2pp = in1[i][3];
+        const real j2pp = in1[i][4];
+        const real k2pp = in1[i][5];
+        const real i3pp = in1[i][6];
+        const real j3pp = in1[i][7];
+        const real k3pp = in1[i][8];
         const real b1 = in2[i][0];
         const real b2 = in2[i][1];
         const real b3 = in2[i][2];
@@ -5138,55 +4854,32 @@ PLAIN(metric_correlation_matrix)(const real (*restrict in0)[9], const real (*res
         const real t69 = t67 + t68;
         const real t70 = k3pp * t59;
         const real t71 = t69 + t70;
-        rows[18][i] = t13;
-        rows[19][i] = t18;
-        rows[20][i] = t23;
-        rows[21][i] = t37;
-        rows[22][i] = t42;
-        rows[23][i] = t47;
-        rows[24][i] = t61;
-        rows[25][i] = t66;
-        rows[26][i] = t71;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[18][i];
-        out0[i][1] = rows[19][i];
-        out0[i][2] = rows[20][i];
-        out0[i][3] = rows[21][i];
-        out0[i][4] = rows[22][i];
-        out0[i][5] = rows[23][i];
-        out0[i][6] = rows[24][i];
-        out0[i][7] = rows[25][i];
-        out0[i][8] = rows[26][i];
+        out0[i][0] = t13;
+        out0[i][1] = t18;
+        out0[i][2] = t23;
+        out0[i][3] = t37;
+        out0[i][4] = t42;
+        out0[i][5] = t47;
+        out0[i][6] = t61;
+        out0[i][7] = t66;
+        out0[i][8] = t71;
     }
 }
 
-CALL(metric_correlation_matrix, 32, (const real (*)[9])data[0] + first, (const real (*)[9])data[1] + first, (const real (*)[3])data[2] + first, (real (*)[9])data[3] + first)
+CALL(metric_correlation_matrix, all, (const real (*)[9])data[0] + first, (const real (*)[9])data[1] + first, (const real (*)[3])data[2] + first, (real (*)[9])data[3] + first)
 
-PLAIN(metric_from_normal)(const real (*restrict in0)[9], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[2], const npy_intp points)
+NARROW(metric_from_normal)(const real (*restrict in0)[9], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[2], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real i1 = rows[0][i];
-        const real j1 = rows[1][i];
-        const real k1 = rows[2][i];
-        const real i2 = rows[3][i];
-        const real j2 = rows[4][i];
-        const real k2 = rows[5][i];
-        const real i3 = rows[6][i];
-        const real j3 = rows[7][i];
-        const real k3 = rows[8][i];
+        const real i1 = in0[i][0];
+        const real j1 = in0[i][1];
+        const real k1 = in0[i][2];
+        const real i2 = in0[i][3];
+        const real j2 = in0[i][4];
+        const real k2 = in0[i][5];
+        const real i3 = in0[i][6];
+        const real j3 = in0[i][7];
+        const real k3 = in0[i][8];
         const real x = in1[i][0];
         const real y = in1[i][1];
         const real c = in2[i][0];
@@ -5214,32 +4907,20 @@ PLAIN(metric_from_normal)(const real (*restrict in0)[9], const real (*restrict i
     }
 }
 
-CALL(metric_from_normal, 32, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[2])data[3] + first)
+CALL(metric_from_normal, all, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[2])data[3] + first)
 
-PLAIN(metric_from_normal_jacobian)(const real (*restrict in0)[9], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[24], const npy_intp points)
+NARROW(metric_from_normal_jacobian)(const real (*restrict in0)[9], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[24], const npy_intp points)
 {
-    real rows[33][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real i1 = rows[0][i];
-        const real j1 = rows[1][i];
-        const real k1 = rows[2][i];
-        const real i2 = rows[3][i];
-        const real j2 = rows[4][i];
-        const real k2 = rows[5][i];
-        const real i3 = rows[6][i];
-        const real j3 = rows[7][i];
-        const real k3 = rows[8][i];
+        const real i1 = in0[i][0];
+        const real j1 = in0[i][1];
+        const real k1 = in0[i][2];
+        const real i2 = in0[i][3];
+        const real j2 = in0[i][4];
+        const real k2 = in0[i][5];
+        const real i3 = in0[i][6];
+        const real j3 = in0[i][7];
+        const real k3 = in0[i][8];
         const real x = in1[i][0];
         const real y = in1[i][1];
         const real c = in2[i][0];
@@ -5313,58 +4994,37 @@ PLAIN(metric_from_normal_jacobian)(const real (*restrict in0)[9], const real (*r
         const real t67 = t66 * t9;
         const real t68 = c * t67;
         const real t69 = t68 - t49;
-        rows[9][i] = t7;
-        rows[11][i] = t18;
-        rows[12][i] = t21;
-        rows[14][i] = t24;
-        rows[15][i] = t26;
-        rows[17][i] = t30;
-        rows[18][i] = t34;
-        rows[19][i] = t38;
-        rows[20][i] = t43;
-        rows[22][i] = t7;
-        rows[23][i] = t51;
-        rows[25][i] = t21;
-        rows[26][i] = t53;
-        rows[28][i] = t26;
-        rows[29][i] = t56;
-        rows[30][i] = t60;
-        rows[31][i] = t64;
-        rows[32][i] = t69;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[9][i];
+        out0[i][0] = t7;
         out0[i][1] = 0;
-        out0[i][2] = rows[11][i];
-        out0[i][3] = rows[12][i];
+        out0[i][2] = t18;
+        out0[i][3] = t21;
         out0[i][4] = 0;
-        out0[i][5] = rows[14][i];
-        out0[i][6] = rows[15][i];
+        out0[i][5] = t24;
+        out0[i][6] = t26;
         out0[i][7] = 0;
-        out0[i][8] = rows[17][i];
-        out0[i][9] = rows[18][i];
-        out0[i][10] = rows[19][i];
-        out0[i][11] = rows[20][i];
+        out0[i][8] = t30;
+        out0[i][9] = t34;
+        out0[i][10] = t38;
+        out0[i][11] = t43;
         out0[i][12] = 0;
-        out0[i][13] = rows[22][i];
-        out0[i][14] = rows[23][i];
+        out0[i][13] = t7;
+        out0[i][14] = t51;
         out0[i][15] = 0;
-        out0[i][16] = rows[25][i];
-        out0[i][17] = rows[26][i];
+        out0[i][16] = t21;
+        out0[i][17] = t53;
         out0[i][18] = 0;
-        out0[i][19] = rows[28][i];
-        out0[i][20] = rows[29][i];
-        out0[i][21] = rows[30][i];
-        out0[i][22] = rows[31][i];
-        out0[i][23] = rows[32][i];
+        out0[i][19] = t26;
+        out0[i][20] = t56;
+        out0[i][21] = t60;
+        out0[i][22] = t64;
+        out0[i][23] = t69;
     }
 }
 
-CALL(metric_from_normal_jacobian, 32, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[24])data[3] + first)
+CALL(metric_from_normal_jacobian, all, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[24])data[3] + first)
 
-PLAIN(metric_jacobian_angles)(const real (*restrict in0)[2], const real (*restrict in1)[1], real (*restrict out0)[6], const npy_intp points)
+NARROW(metric_jacobian_angles)(const real (*restrict in0)[2], const real (*restrict in1)[1], real (*restrict out0)[6], const npy_intp points)
 {
-    real rows[6][32];
     for (npy_intp i = 0; i < points; i++) {
         const real xN = in0[i][0];
         const real yN = in0[i][1];
@@ -5382,24 +5042,16 @@ PLAIN(metric_jacobian_angles)(const real (*restrict in0)[2], const real (*restri
         const real t10 = t3 + t9;
         const real t11 = t10 * t1;
         const real t12 = -t2;
-        rows[0][i] = t2;
-        rows[1][i] = t7;
-        rows[2][i] = t8;
-        rows[3][i] = t11;
-        rows[4][i] = t12;
-        rows[5][i] = xN;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[0][i];
-        out0[i][1] = rows[1][i];
-        out0[i][2] = rows[2][i];
-        out0[i][3] = rows[3][i];
-        out0[i][4] = rows[4][i];
-        out0[i][5] = rows[5][i];
+        out0[i][0] = t2;
+        out0[i][1] = t7;
+        out0[i][2] = t8;
+        out0[i][3] = t11;
+        out0[i][4] = t12;
+        out0[i][5] = xN;
     }
 }
 
-CALL(metric_jacobian_angles, 32, (const real (*)[2])data[0] + first, (const real (*)[1])data[1] + first, (real (*)[6])data[2] + first)
+CALL(metric_jacobian_angles, all, (const real (*)[2])data[0] + first, (const real (*)[1])data[1] + first, (real (*)[6])data[2] + first)
 
 PLAIN(metric_jacobian_image)(const real (*restrict in0)[9], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[4], const npy_intp points)
 {
@@ -5787,7 +5439,7 @@ PLAIN(metric_normal_covariance)(const real (*restrict in0)[9], const real (*rest
 
 CALL(metric_normal_covariance, 32, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (const real (*)[9])data[3] + first, (const real (*)[1])data[4] + first, (real (*)[4])data[5] + first)
 
-PLAIN(metric_reconstruct)(const real (*restrict in0)[2], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[3], const npy_intp points)
+NARROW(metric_reconstruct)(const real (*restrict in0)[2], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real xp = in0[i][0];
@@ -5808,9 +5460,8 @@ PLAIN(metric_reconstruct)(const real (*restrict in0)[2], const real (*restrict i
 
 CALL(metric_reconstruct, all, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[3])data[3] + first)
 
-PLAIN(metric_reconstruct_jacobian)(const real (*restrict in0)[2], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[15], const npy_intp points)
+NARROW(metric_reconstruct_jacobian)(const real (*restrict in0)[2], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[15], const npy_intp points)
 {
-    real rows[15][32];
     for (npy_intp i = 0; i < points; i++) {
         const real xp = in0[i][0];
         const real yp = in0[i][1];
@@ -5830,60 +5481,38 @@ PLAIN(metric_reconstruct_jacobian)(const real (*restrict in0)[2], const real (*r
         const real t11 = c * t6;
         const real t12 = -t11;
         const real t13 = -t10;
-        rows[0][i] = t4;
-        rows[2][i] = t7;
-        rows[5][i] = t9;
-        rows[6][i] = t10;
-        rows[7][i] = t8;
-        rows[10][i] = t11;
-        rows[12][i] = t12;
-        rows[14][i] = t13;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[0][i];
+        out0[i][0] = t4;
         out0[i][1] = 0;
-        out0[i][2] = rows[2][i];
+        out0[i][2] = t7;
         out0[i][3] = 0;
         out0[i][4] = 0;
-        out0[i][5] = rows[5][i];
-        out0[i][6] = rows[6][i];
-        out0[i][7] = rows[7][i];
+        out0[i][5] = t9;
+        out0[i][6] = t10;
+        out0[i][7] = t8;
         out0[i][8] = 0;
         out0[i][9] = 0;
-        out0[i][10] = rows[10][i];
+        out0[i][10] = t11;
         out0[i][11] = 0;
-        out0[i][12] = rows[12][i];
+        out0[i][12] = t12;
         out0[i][13] = 0;
-        out0[i][14] = rows[14][i];
+        out0[i][14] = t13;
     }
 }
 
-CALL(metric_reconstruct_jacobian, 32, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[15])data[3] + first)
+CALL(metric_reconstruct_jacobian, all, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[15])data[3] + first)
 
-PLAIN(metric_to_normal)(const real (*restrict in0)[9], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[2], const npy_intp points)
+NARROW(metric_to_normal)(const real (*restrict in0)[9], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[2], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real i1 = rows[0][i];
-        const real j1 = rows[1][i];
-        const real k1 = rows[2][i];
-        const real i2 = rows[3][i];
-        const real j2 = rows[4][i];
-        const real k2 = rows[5][i];
-        const real i3 = rows[6][i];
-        const real j3 = rows[7][i];
-        const real k3 = rows[8][i];
+        const real i1 = in0[i][0];
+        const real j1 = in0[i][1];
+        const real k1 = in0[i][2];
+        const real i2 = in0[i][3];
+        const real j2 = in0[i][4];
+        const real k2 = in0[i][5];
+        const real i3 = in0[i][6];
+        const real j3 = in0[i][7];
+        const real k3 = in0[i][8];
         const real x = in1[i][0];
         const real y = in1[i][1];
         const real c = in2[i][0];
@@ -5911,32 +5540,20 @@ PLAIN(metric_to_normal)(const real (*restrict in0)[9], const real (*restrict in1
     }
 }
 
-CALL(metric_to_normal, 32, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[2])data[3] + first)
+CALL(metric_to_normal, all, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[2])data[3] + first)
 
-PLAIN(metric_to_normal_jacobian)(const real (*restrict in0)[9], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[24], const npy_intp points)
+NARROW(metric_to_normal_jacobian)(const real (*restrict in0)[9], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[24], const npy_intp points)
 {
-    real rows[33][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real i1 = rows[0][i];
-        const real j1 = rows[1][i];
-        const real k1 = rows[2][i];
-        const real i2 = rows[3][i];
-        const real j2 = rows[4][i];
-        const real k2 = rows[5][i];
-        const real i3 = rows[6][i];
-        const real j3 = rows[7][i];
-        const real k3 = rows[8][i];
+        const real i1 = in0[i][0];
+        const real j1 = in0[i][1];
+        const real k1 = in0[i][2];
+        const real i2 = in0[i][3];
+        const real j2 = in0[i][4];
+        const real k2 = in0[i][5];
+        const real i3 = in0[i][6];
+        const real j3 = in0[i][7];
+        const real k3 = in0[i][8];
         const real x = in1[i][0];
         const real y = in1[i][1];
         const real c = in2[i][0];
@@ -6009,58 +5626,37 @@ PLAIN(metric_to_normal_jacobian)(const real (*restrict in0)[9], const real (*res
         const real t66 = t65 * t11;
         const real t67 = c * t66;
         const real t68 = t67 - t48;
-        rows[9][i] = t7;
-        rows[10][i] = t9;
-        rows[11][i] = t13;
-        rows[15][i] = t22;
-        rows[16][i] = t25;
-        rows[17][i] = t29;
-        rows[18][i] = t33;
-        rows[19][i] = t37;
-        rows[20][i] = t42;
-        rows[24][i] = t7;
-        rows[25][i] = t9;
-        rows[26][i] = t13;
-        rows[27][i] = t50;
-        rows[28][i] = t52;
-        rows[29][i] = t55;
-        rows[30][i] = t59;
-        rows[31][i] = t63;
-        rows[32][i] = t68;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[9][i];
-        out0[i][1] = rows[10][i];
-        out0[i][2] = rows[11][i];
+        out0[i][0] = t7;
+        out0[i][1] = t9;
+        out0[i][2] = t13;
         out0[i][3] = 0;
         out0[i][4] = 0;
         out0[i][5] = 0;
-        out0[i][6] = rows[15][i];
-        out0[i][7] = rows[16][i];
-        out0[i][8] = rows[17][i];
-        out0[i][9] = rows[18][i];
-        out0[i][10] = rows[19][i];
-        out0[i][11] = rows[20][i];
+        out0[i][6] = t22;
+        out0[i][7] = t25;
+        out0[i][8] = t29;
+        out0[i][9] = t33;
+        out0[i][10] = t37;
+        out0[i][11] = t42;
         out0[i][12] = 0;
         out0[i][13] = 0;
         out0[i][14] = 0;
-        out0[i][15] = rows[24][i];
-        out0[i][16] = rows[25][i];
-        out0[i][17] = rows[26][i];
-        out0[i][18] = rows[27][i];
-        out0[i][19] = rows[28][i];
-        out0[i][20] = rows[29][i];
-        out0[i][21] = rows[30][i];
-        out0[i][22] = rows[31][i];
-        out0[i][23] = rows[32][i];
+        out0[i][15] = t7;
+        out0[i][16] = t9;
+        out0[i][17] = t13;
+        out0[i][18] = t50;
+        out0[i][19] = t52;
+        out0[i][20] = t55;
+        out0[i][21] = t59;
+        out0[i][22] = t63;
+        out0[i][23] = t68;
     }
 }
 
-CALL(metric_to_normal_jacobian, 32, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[24])data[3] + first)
+CALL(metric_to_normal_jacobian, all, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[24])data[3] + first)
 
-PLAIN(normal_case_frame)(const real (*restrict in0)[1], const real (*restrict in1)[2], real (*restrict out0)[9], const npy_intp points)
+NARROW(normal_case_frame)(const real (*restrict in0)[1], const real (*restrict in1)[2], real (*restrict out0)[9], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
         const real z_n = in0[i][0];
         const real tau1 = in1[i][0];
@@ -6068,44 +5664,28 @@ PLAIN(normal_case_frame)(const real (*restrict in0)[1], const real (*restrict in
         const real t0 = tau1 - 1;
         const real t1 = tau2 - 1;
         const real t2 = t0 / t1;
-        rows[5][i] = z_n;
-        rows[7][i] = t2;
-    }
-    for (npy_intp i = 0; i < points; i++) {
         out0[i][0] = 1;
         out0[i][1] = 0;
         out0[i][2] = 0;
         out0[i][3] = 0;
         out0[i][4] = 1;
-        out0[i][5] = rows[5][i];
+        out0[i][5] = z_n;
         out0[i][6] = 0;
-        out0[i][7] = rows[7][i];
+        out0[i][7] = t2;
         out0[i][8] = 1;
     }
 }
 
-CALL(normal_case_frame, 32, (const real (*)[1])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[9])data[2] + first)
+CALL(normal_case_frame, all, (const real (*)[1])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[9])data[2] + first)
 
-PLAIN(normal_case_from_correlation)(const real (*restrict in0)[9], real (*restrict out0)[1], real (*restrict out1)[2], real (*restrict out2)[2], const npy_intp points)
+NARROW(normal_case_from_correlation)(const real (*restrict in0)[9], real (*restrict out0)[1], real (*restrict out1)[2], real (*restrict out2)[2], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
-        rows[0][i] = in0[i][0];
-        rows[1][i] = in0[i][1];
-        rows[2][i] = in0[i][2];
-        rows[3][i] = in0[i][3];
-        rows[4][i] = in0[i][4];
-        rows[5][i] = in0[i][5];
-        rows[6][i] = in0[i][6];
-        rows[7][i] = in0[i][7];
-        rows[8][i] = in0[i][8];
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        const real z01 = rows[1][i];
-        const real z02 = rows[2][i];
-        const real z10 = rows[3][i];
-        const real z12 = rows[5][i];
-        const real z20 = rows[6][i];
+        const real z01 = in0[i][1];
+        const real z02 = in0[i][2];
+        const real z10 = in0[i][3];
+        const real z12 = in0[i][5];
+        const real z20 = in0[i][6];
         const real t0 = z10 + z12;
         const real t1 = z02 / t0;
         const real t2 = -t1;
@@ -6125,7 +5705,7 @@ PLAIN(normal_case_from_correlation)(const real (*restrict in0)[9], real (*restri
     }
 }
 
-CALL(normal_case_from_correlation, 32, (const real (*)[9])data[0] + first, (real (*)[1])data[1] + first, (real (*)[2])data[2] + first, (real (*)[2])data[3] + first)
+CALL(normal_case_from_correlation, all, (const real (*)[9])data[0] + first, (real (*)[1])data[1] + first, (real (*)[2])data[2] + first, (real (*)[2])data[3] + first)
 
 PLAIN(normal_case_from_orientation)(const real (*restrict in0)[3], const real (*restrict in1)[3], const real (*restrict in2)[3], const real (*restrict in3)[2], real (*restrict out0)[1], real (*restrict out1)[2], real (*restrict out2)[2], const npy_intp points)
 {
@@ -6220,7 +5800,7 @@ PLAIN(normal_case_map_points)(const real (*restrict in0)[2], const real (*restri
 
 CALL(normal_case_map_points, all, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[2])data[2] + first)
 
-PLAIN(normal_case_mu_left)(const real (*restrict in0)[3], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[3], const npy_intp points)
+NARROW(normal_case_mu_left)(const real (*restrict in0)[3], const real (*restrict in1)[2], const real (*restrict in2)[1], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real yA1 = in0[i][0];
@@ -6252,7 +5832,7 @@ PLAIN(normal_case_mu_left)(const real (*restrict in0)[3], const real (*restrict 
 
 CALL(normal_case_mu_left, all, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[1])data[2] + first, (real (*)[3])data[3] + first)
 
-PLAIN(normal_case_mu_right)(const real (*restrict in0)[3], const real (*restrict in1)[3], const real (*restrict in2)[2], const real (*restrict in3)[1], real (*restrict out0)[3], const npy_intp points)
+NARROW(normal_case_mu_right)(const real (*restrict in0)[3], const real (*restrict in1)[3], const real (*restrict in2)[2], const real (*restrict in3)[1], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real yA1 = in0[i][0];
@@ -6339,7 +5919,7 @@ PLAIN(normal_case_tau)(const real (*restrict in0)[2], const real (*restrict in1)
 
 CALL(normal_case_tau, all, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[2])data[2] + first)
 
-PLAIN(normal_case_tau_jacobian)(const real (*restrict in0)[2], const real (*restrict in1)[2], real (*restrict out0)[8], const npy_intp points)
+NARROW(normal_case_tau_jacobian)(const real (*restrict in0)[2], const real (*restrict in1)[2], real (*restrict out0)[8], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real u31 = in0[i][0];
@@ -6389,35 +5969,28 @@ PLAIN(normal_case_tau_jacobian)(const real (*restrict in0)[2], const real (*rest
 
 CALL(normal_case_tau_jacobian, all, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[8])data[2] + first)
 
-PLAIN(normal_case_transform)(const real (*restrict in0)[2], real (*restrict out0)[9], const npy_intp points)
+NARROW(normal_case_transform)(const real (*restrict in0)[2], real (*restrict out0)[9], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
         const real tau1 = in0[i][0];
         const real tau2 = in0[i][1];
         const real t0 = tau1 - 1;
         const real t1 = tau2 - 1;
-        rows[1][i] = t0;
-        rows[2][i] = t1;
-        rows[4][i] = tau1;
-        rows[8][i] = tau2;
-    }
-    for (npy_intp i = 0; i < points; i++) {
         out0[i][0] = 1;
-        out0[i][1] = rows[1][i];
-        out0[i][2] = rows[2][i];
+        out0[i][1] = t0;
+        out0[i][2] = t1;
         out0[i][3] = 0;
-        out0[i][4] = rows[4][i];
+        out0[i][4] = tau1;
         out0[i][5] = 0;
         out0[i][6] = 0;
         out0[i][7] = 0;
-        out0[i][8] = rows[8][i];
+        out0[i][8] = tau2;
     }
 }
 
-CALL(normal_case_transform, 32, (const real (*)[2])data[0] + first, (real (*)[9])data[1] + first)
+CALL(normal_case_transform, all, (const real (*)[2])data[0] + first, (real (*)[9])data[1] + first)
 
-PLAIN(optics_image_point)(const real (*restrict in0)[1], const real (*restrict in1)[3], real (*restrict out0)[3], const npy_intp points)
+NARROW(optics_image_point)(const real (*restrict in0)[1], const real (*restrict in1)[3], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real f = in0[i][0];
@@ -6437,39 +6010,32 @@ PLAIN(optics_image_point)(const real (*restrict in0)[1], const real (*restrict i
 
 CALL(optics_image_point, all, (const real (*)[1])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[3])data[2] + first)
 
-PLAIN(optics_lens_matrix)(const real (*restrict in0)[1], real (*restrict out0)[16], const npy_intp points)
+NARROW(optics_lens_matrix)(const real (*restrict in0)[1], real (*restrict out0)[16], const npy_intp points)
 {
-    real rows[16][32];
     for (npy_intp i = 0; i < points; i++) {
         const real f = in0[i][0];
-        rows[0][i] = f;
-        rows[5][i] = f;
-        rows[10][i] = f;
-        rows[15][i] = f;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[0][i];
+        out0[i][0] = f;
         out0[i][1] = 0;
         out0[i][2] = 0;
         out0[i][3] = 1;
         out0[i][4] = 0;
-        out0[i][5] = rows[5][i];
+        out0[i][5] = f;
         out0[i][6] = 0;
         out0[i][7] = 0;
         out0[i][8] = 0;
         out0[i][9] = 0;
-        out0[i][10] = rows[10][i];
+        out0[i][10] = f;
         out0[i][11] = 0;
         out0[i][12] = 0;
         out0[i][13] = 0;
         out0[i][14] = 0;
-        out0[i][15] = rows[15][i];
+        out0[i][15] = f;
     }
 }
 
-CALL(optics_lens_matrix, 32, (const real (*)[1])data[0] + first, (real (*)[16])data[1] + first)
+CALL(optics_lens_matrix, all, (const real (*)[1])data[0] + first, (real (*)[16])data[1] + first)
 
-PLAIN(optics_map_plane_points)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[2], const npy_intp points)
+NARROW(optics_map_plane_points)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[2], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real mu0 = in0[i][0];
@@ -6494,7 +6060,7 @@ PLAIN(optics_map_plane_points)(const real (*restrict in0)[3], const real (*restr
 
 CALL(optics_map_plane_points, all, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[2])data[2] + first)
 
-PLAIN(optics_object_point)(const real (*restrict in0)[1], const real (*restrict in1)[3], real (*restrict out0)[3], const npy_intp points)
+NARROW(optics_object_point)(const real (*restrict in0)[1], const real (*restrict in1)[3], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real f = in0[i][0];
@@ -6514,35 +6080,27 @@ PLAIN(optics_object_point)(const real (*restrict in0)[1], const real (*restrict 
 
 CALL(optics_object_point, all, (const real (*)[1])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[3])data[2] + first)
 
-PLAIN(optics_plane_homography)(const real (*restrict in0)[3], real (*restrict out0)[9], const npy_intp points)
+NARROW(optics_plane_homography)(const real (*restrict in0)[3], real (*restrict out0)[9], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
         const real mu0 = in0[i][0];
         const real mu1 = in0[i][1];
         const real mu2 = in0[i][2];
         const real t0 = mu1 - mu0;
         const real t1 = mu2 - mu0;
-        rows[0][i] = mu0;
-        rows[1][i] = t0;
-        rows[2][i] = t1;
-        rows[4][i] = mu1;
-        rows[8][i] = mu2;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[0][i];
-        out0[i][1] = rows[1][i];
-        out0[i][2] = rows[2][i];
+        out0[i][0] = mu0;
+        out0[i][1] = t0;
+        out0[i][2] = t1;
         out0[i][3] = 0;
-        out0[i][4] = rows[4][i];
+        out0[i][4] = mu1;
         out0[i][5] = 0;
         out0[i][6] = 0;
         out0[i][7] = 0;
-        out0[i][8] = rows[8][i];
+        out0[i][8] = mu2;
     }
 }
 
-CALL(optics_plane_homography, 32, (const real (*)[3])data[0] + first, (real (*)[9])data[1] + first)
+CALL(optics_plane_homography, all, (const real (*)[3])data[0] + first, (real (*)[9])data[1] + first)
 
 PLAIN(optics_scale)(const real (*restrict in0)[1], const real (*restrict in1)[1], real (*restrict out0)[1], const npy_intp points)
 {
@@ -6557,7 +6115,7 @@ PLAIN(optics_scale)(const real (*restrict in0)[1], const real (*restrict in1)[1]
 
 CALL(optics_scale, all, (const real (*)[1])data[0] + first, (const real (*)[1])data[1] + first, (real (*)[1])data[2] + first)
 
-PLAIN(optics_vanishing_line)(const real (*restrict in0)[3], real (*restrict out0)[3], const npy_intp points)
+NARROW(optics_vanishing_line)(const real (*restrict in0)[3], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real mu0 = in0[i][0];
@@ -6830,7 +6388,7 @@ PLAIN(orientation_intersect)(const real (*restrict in0)[2], const real (*restric
 
 CALL(orientation_intersect, all, (const real (*)[2])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[3])data[2] + first, (const real (*)[2])data[3] + first, (const real (*)[3])data[4] + first, (const real (*)[2])data[5] + first, (real (*)[3])data[6] + first)
 
-PLAIN(orientation_left_bundle)(const real (*restrict in0)[3], const real (*restrict in1)[2], const real (*restrict in2)[2], real (*restrict out0)[3], const npy_intp points)
+NARROW(orientation_left_bundle)(const real (*restrict in0)[3], const real (*restrict in1)[2], const real (*restrict in2)[2], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real yA1 = in0[i][0];
@@ -6875,7 +6433,7 @@ PLAIN(orientation_left_bundle)(const real (*restrict in0)[3], const real (*restr
 
 CALL(orientation_left_bundle, all, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[2])data[2] + first, (real (*)[3])data[3] + first)
 
-PLAIN(orientation_right_bundle)(const real (*restrict in0)[3], const real (*restrict in1)[3], const real (*restrict in2)[2], const real (*restrict in3)[2], real (*restrict out0)[3], const npy_intp points)
+NARROW(orientation_right_bundle)(const real (*restrict in0)[3], const real (*restrict in1)[3], const real (*restrict in2)[2], const real (*restrict in3)[2], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real yA1 = in0[i][0];
@@ -6930,9 +6488,8 @@ PLAIN(orientation_right_bundle)(const real (*restrict in0)[3], const real (*rest
 
 CALL(orientation_right_bundle, all, (const real (*)[3])data[0] + first, (const real (*)[3])data[1] + first, (const real (*)[2])data[2] + first, (const real (*)[2])data[3] + first, (real (*)[3])data[4] + first)
 
-PLAIN(projection_camera_matrix)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[12], const npy_intp points)
+NARROW(projection_camera_matrix)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[12], const npy_intp points)
 {
-    real rows[12][32];
     for (npy_intp i = 0; i < points; i++) {
         const real mu1 = in0[i][0];
         const real mu2 = in0[i][1];
@@ -6944,33 +6501,24 @@ PLAIN(projection_camera_matrix)(const real (*restrict in0)[3], const real (*rest
         const real t2 = mu3 - 1;
         const real t3 = mu3 * u31;
         const real t4 = mu3 * u32;
-        rows[1][i] = t0;
-        rows[2][i] = t1;
-        rows[3][i] = t2;
-        rows[5][i] = mu1;
-        rows[7][i] = t3;
-        rows[10][i] = mu2;
-        rows[11][i] = t4;
-    }
-    for (npy_intp i = 0; i < points; i++) {
         out0[i][0] = 1;
-        out0[i][1] = rows[1][i];
-        out0[i][2] = rows[2][i];
-        out0[i][3] = rows[3][i];
+        out0[i][1] = t0;
+        out0[i][2] = t1;
+        out0[i][3] = t2;
         out0[i][4] = 0;
-        out0[i][5] = rows[5][i];
+        out0[i][5] = mu1;
         out0[i][6] = 0;
-        out0[i][7] = rows[7][i];
+        out0[i][7] = t3;
         out0[i][8] = 0;
         out0[i][9] = 0;
-        out0[i][10] = rows[10][i];
-        out0[i][11] = rows[11][i];
+        out0[i][10] = mu2;
+        out0[i][11] = t4;
     }
 }
 
-CALL(projection_camera_matrix, 32, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[12])data[2] + first)
+CALL(projection_camera_matrix, all, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[12])data[2] + first)
 
-PLAIN(projection_center_from_mu)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[3], const npy_intp points)
+NARROW(projection_center_from_mu)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real mu1 = in0[i][0];
@@ -7004,7 +6552,7 @@ PLAIN(projection_center_from_mu)(const real (*restrict in0)[3], const real (*res
 
 CALL(projection_center_from_mu, all, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[3])data[2] + first)
 
-PLAIN(projection_mu_from_center)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[3], const npy_intp points)
+NARROW(projection_mu_from_center)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real y01 = in0[i][0];
@@ -7124,7 +6672,7 @@ PLAIN(projection_mu_from_center_jacobian)(const real (*restrict in0)[3], const r
 
 CALL(projection_mu_from_center_jacobian, 32, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[15])data[2] + first)
 
-PLAIN(projection_project)(const real (*restrict in0)[3], const real (*restrict in1)[3], const real (*restrict in2)[2], real (*restrict out0)[2], const npy_intp points)
+NARROW(projection_project)(const real (*restrict in0)[3], const real (*restrict in1)[3], const real (*restrict in2)[2], real (*restrict out0)[2], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real y1 = in0[i][0];
@@ -7161,7 +6709,7 @@ PLAIN(projection_project)(const real (*restrict in0)[3], const real (*restrict i
 
 CALL(projection_project, all, (const real (*)[3])data[0] + first, (const real (*)[3])data[1] + first, (const real (*)[2])data[2] + first, (real (*)[2])data[3] + first)
 
-PLAIN(projection_projection_determinant)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[1], const npy_intp points)
+NARROW(projection_projection_determinant)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[1], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real y01 = in0[i][0];
@@ -7189,7 +6737,7 @@ PLAIN(projection_projection_determinant)(const real (*restrict in0)[3], const re
 
 CALL(projection_projection_determinant, all, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[1])data[2] + first)
 
-PLAIN(projection_projection_determinant_from_mu)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[1], const npy_intp points)
+NARROW(projection_projection_determinant_from_mu)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[1], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real mu1 = in0[i][0];
@@ -7215,9 +6763,8 @@ PLAIN(projection_projection_determinant_from_mu)(const real (*restrict in0)[3], 
 
 CALL(projection_projection_determinant_from_mu, all, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[1])data[2] + first)
 
-PLAIN(projection_projection_matrix)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[9], const npy_intp points)
+NARROW(projection_projection_matrix)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[9], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
         const real y01 = in0[i][0];
         const real y02 = in0[i][1];
@@ -7250,32 +6797,22 @@ PLAIN(projection_projection_matrix)(const real (*restrict in0)[3], const real (*
         const real t23 = t10 * t13;
         const real t24 = t10 * t17;
         const real t25 = -t24;
-        rows[0][i] = t9;
-        rows[1][i] = t14;
-        rows[2][i] = t19;
-        rows[3][i] = t20;
-        rows[5][i] = t22;
-        rows[7][i] = t23;
-        rows[8][i] = t25;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[0][i];
-        out0[i][1] = rows[1][i];
-        out0[i][2] = rows[2][i];
-        out0[i][3] = rows[3][i];
+        out0[i][0] = t9;
+        out0[i][1] = t14;
+        out0[i][2] = t19;
+        out0[i][3] = t20;
         out0[i][4] = 0;
-        out0[i][5] = rows[5][i];
+        out0[i][5] = t22;
         out0[i][6] = 0;
-        out0[i][7] = rows[7][i];
-        out0[i][8] = rows[8][i];
+        out0[i][7] = t23;
+        out0[i][8] = t25;
     }
 }
 
-CALL(projection_projection_matrix, 32, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[9])data[2] + first)
+CALL(projection_projection_matrix, all, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[9])data[2] + first)
 
-PLAIN(projection_projection_matrix_from_mu)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[9], const npy_intp points)
+NARROW(projection_projection_matrix_from_mu)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[9], const npy_intp points)
 {
-    real rows[9][32];
     for (npy_intp i = 0; i < points; i++) {
         const real mu1 = in0[i][0];
         const real mu2 = in0[i][1];
@@ -7287,32 +6824,22 @@ PLAIN(projection_projection_matrix_from_mu)(const real (*restrict in0)[3], const
         const real t2 = mu3 - 1;
         const real t3 = mu3 * u31;
         const real t4 = mu3 * u32;
-        rows[0][i] = t0;
-        rows[1][i] = t1;
-        rows[2][i] = t2;
-        rows[3][i] = mu1;
-        rows[5][i] = t3;
-        rows[7][i] = mu2;
-        rows[8][i] = t4;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[0][i];
-        out0[i][1] = rows[1][i];
-        out0[i][2] = rows[2][i];
-        out0[i][3] = rows[3][i];
+        out0[i][0] = t0;
+        out0[i][1] = t1;
+        out0[i][2] = t2;
+        out0[i][3] = mu1;
         out0[i][4] = 0;
-        out0[i][5] = rows[5][i];
+        out0[i][5] = t3;
         out0[i][6] = 0;
-        out0[i][7] = rows[7][i];
-        out0[i][8] = rows[8][i];
+        out0[i][7] = mu2;
+        out0[i][8] = t4;
     }
 }
 
-CALL(projection_projection_matrix_from_mu, 32, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[9])data[2] + first)
+CALL(projection_projection_matrix_from_mu, all, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[9])data[2] + first)
 
-PLAIN(projection_projection_matrix_jacobian)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[45], const npy_intp points)
+NARROW(projection_projection_matrix_jacobian)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[45], const npy_intp points)
 {
-    real rows[45][32];
     for (npy_intp i = 0; i < points; i++) {
         const real y01 = in0[i][0];
         const real y02 = in0[i][1];
@@ -7381,92 +6908,55 @@ PLAIN(projection_projection_matrix_jacobian)(const real (*restrict in0)[3], cons
         const real t59 = t52 * d_w2_y01;
         const real t60 = t52 * t3;
         const real t61 = -t60;
-        rows[0][i] = t14;
-        rows[1][i] = t16;
-        rows[2][i] = t16;
-        rows[3][i] = t20;
-        rows[4][i] = t22;
-        rows[5][i] = t24;
-        rows[6][i] = t28;
-        rows[7][i] = t24;
-        rows[8][i] = t33;
-        rows[9][i] = t34;
-        rows[10][i] = t36;
-        rows[11][i] = t36;
-        rows[12][i] = t41;
-        rows[13][i] = t45;
-        rows[14][i] = t45;
-        rows[15][i] = t14;
-        rows[16][i] = t16;
-        rows[17][i] = t16;
-        rows[18][i] = t20;
-        rows[19][i] = t22;
-        rows[25][i] = t47;
-        rows[26][i] = t47;
-        rows[27][i] = t51;
-        rows[28][i] = t54;
-        rows[29][i] = t55;
-        rows[35][i] = t24;
-        rows[36][i] = t28;
-        rows[37][i] = t24;
-        rows[38][i] = t33;
-        rows[39][i] = t34;
-        rows[40][i] = t57;
-        rows[41][i] = t57;
-        rows[42][i] = t58;
-        rows[43][i] = t59;
-        rows[44][i] = t61;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[0][i];
-        out0[i][1] = rows[1][i];
-        out0[i][2] = rows[2][i];
-        out0[i][3] = rows[3][i];
-        out0[i][4] = rows[4][i];
-        out0[i][5] = rows[5][i];
-        out0[i][6] = rows[6][i];
-        out0[i][7] = rows[7][i];
-        out0[i][8] = rows[8][i];
-        out0[i][9] = rows[9][i];
-        out0[i][10] = rows[10][i];
-        out0[i][11] = rows[11][i];
-        out0[i][12] = rows[12][i];
-        out0[i][13] = rows[13][i];
-        out0[i][14] = rows[14][i];
-        out0[i][15] = rows[15][i];
-        out0[i][16] = rows[16][i];
-        out0[i][17] = rows[17][i];
-        out0[i][18] = rows[18][i];
-        out0[i][19] = rows[19][i];
+        out0[i][0] = t14;
+        out0[i][1] = t16;
+        out0[i][2] = t16;
+        out0[i][3] = t20;
+        out0[i][4] = t22;
+        out0[i][5] = t24;
+        out0[i][6] = t28;
+        out0[i][7] = t24;
+        out0[i][8] = t33;
+        out0[i][9] = t34;
+        out0[i][10] = t36;
+        out0[i][11] = t36;
+        out0[i][12] = t41;
+        out0[i][13] = t45;
+        out0[i][14] = t45;
+        out0[i][15] = t14;
+        out0[i][16] = t16;
+        out0[i][17] = t16;
+        out0[i][18] = t20;
+        out0[i][19] = t22;
         out0[i][20] = 0;
         out0[i][21] = 0;
         out0[i][22] = 0;
         out0[i][23] = 0;
         out0[i][24] = 0;
-        out0[i][25] = rows[25][i];
-        out0[i][26] = rows[26][i];
-        out0[i][27] = rows[27][i];
-        out0[i][28] = rows[28][i];
-        out0[i][29] = rows[29][i];
+        out0[i][25] = t47;
+        out0[i][26] = t47;
+        out0[i][27] = t51;
+        out0[i][28] = t54;
+        out0[i][29] = t55;
         out0[i][30] = 0;
         out0[i][31] = 0;
         out0[i][32] = 0;
         out0[i][33] = 0;
         out0[i][34] = 0;
-        out0[i][35] = rows[35][i];
-        out0[i][36] = rows[36][i];
-        out0[i][37] = rows[37][i];
-        out0[i][38] = rows[38][i];
-        out0[i][39] = rows[39][i];
-        out0[i][40] = rows[40][i];
-        out0[i][41] = rows[41][i];
-        out0[i][42] = rows[42][i];
-        out0[i][43] = rows[43][i];
-        out0[i][44] = rows[44][i];
+        out0[i][35] = t24;
+        out0[i][36] = t28;
+        out0[i][37] = t24;
+        out0[i][38] = t33;
+        out0[i][39] = t34;
+        out0[i][40] = t57;
+        out0[i][41] = t57;
+        out0[i][42] = t58;
+        out0[i][43] = t59;
+        out0[i][44] = t61;
     }
 }
 
-CALL(projection_projection_matrix_jacobian, 32, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[45])data[2] + first)
+CALL(projection_projection_matrix_jacobian, all, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[45])data[2] + first)
 
 PLAIN(projection_reconstruction_matrix)(const real (*restrict in0)[3], const real (*restrict in1)[2], real (*restrict out0)[9], const npy_intp points)
 {
@@ -7613,9 +7103,8 @@ PLAIN(projection_reconstruction_matrix_from_mu)(const real (*restrict in0)[3], c
 
 CALL(projection_reconstruction_matrix_from_mu, 32, (const real (*)[3])data[0] + first, (const real (*)[2])data[1] + first, (real (*)[9])data[2] + first)
 
-PLAIN(space_homography)(const real (*restrict in0)[4], real (*restrict out0)[16], const npy_intp points)
+NARROW(space_homography)(const real (*restrict in0)[4], real (*restrict out0)[16], const npy_intp points)
 {
-    real rows[16][32];
     for (npy_intp i = 0; i < points; i++) {
         const real mu0 = in0[i][0];
         const real mu1 = in0[i][1];
@@ -7624,37 +7113,28 @@ PLAIN(space_homography)(const real (*restrict in0)[4], real (*restrict out0)[16]
         const real t0 = mu1 - mu0;
         const real t1 = mu2 - mu0;
         const real t2 = mu3 - mu0;
-        rows[0][i] = mu0;
-        rows[1][i] = t0;
-        rows[2][i] = t1;
-        rows[3][i] = t2;
-        rows[5][i] = mu1;
-        rows[10][i] = mu2;
-        rows[15][i] = mu3;
-    }
-    for (npy_intp i = 0; i < points; i++) {
-        out0[i][0] = rows[0][i];
-        out0[i][1] = rows[1][i];
-        out0[i][2] = rows[2][i];
-        out0[i][3] = rows[3][i];
+        out0[i][0] = mu0;
+        out0[i][1] = t0;
+        out0[i][2] = t1;
+        out0[i][3] = t2;
         out0[i][4] = 0;
-        out0[i][5] = rows[5][i];
+        out0[i][5] = mu1;
         out0[i][6] = 0;
         out0[i][7] = 0;
         out0[i][8] = 0;
         out0[i][9] = 0;
-        out0[i][10] = rows[10][i];
+        out0[i][10] = mu2;
         out0[i][11] = 0;
         out0[i][12] = 0;
         out0[i][13] = 0;
         out0[i][14] = 0;
-        out0[i][15] = rows[15][i];
+        out0[i][15] = mu3;
     }
 }
 
-CALL(space_homography, 32, (const real (*)[4])data[0] + first, (real (*)[16])data[1] + first)
+CALL(space_homography, all, (const real (*)[4])data[0] + first, (real (*)[16])data[1] + first)
 
-PLAIN(space_map_plane)(const real (*restrict in0)[4], const real (*restrict in1)[4], real (*restrict out0)[4], const npy_intp points)
+NARROW(space_map_plane)(const real (*restrict in0)[4], const real (*restrict in1)[4], real (*restrict out0)[4], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real mu0 = in0[i][0];
@@ -7694,7 +7174,7 @@ PLAIN(space_map_plane)(const real (*restrict in0)[4], const real (*restrict in1)
 
 CALL(space_map_plane, all, (const real (*)[4])data[0] + first, (const real (*)[4])data[1] + first, (real (*)[4])data[2] + first)
 
-PLAIN(space_map_points)(const real (*restrict in0)[4], const real (*restrict in1)[3], real (*restrict out0)[3], const npy_intp points)
+NARROW(space_map_points)(const real (*restrict in0)[4], const real (*restrict in1)[3], real (*restrict out0)[3], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real mu0 = in0[i][0];
@@ -7726,7 +7206,7 @@ PLAIN(space_map_points)(const real (*restrict in0)[4], const real (*restrict in1
 
 CALL(space_map_points, all, (const real (*)[4])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[3])data[2] + first)
 
-PLAIN(space_mu_from_fifth_point)(const real (*restrict in0)[3], const real (*restrict in1)[3], real (*restrict out0)[4], const npy_intp points)
+NARROW(space_mu_from_fifth_point)(const real (*restrict in0)[3], const real (*restrict in1)[3], real (*restrict out0)[4], const npy_intp points)
 {
     for (npy_intp i = 0; i < points; i++) {
         const real y41 = in0[i][0];

@@ -11,7 +11,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any, Literal
 
-__all__ = ["backend", "ufunc"]
+__all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
 DIGEST = "DIGEST_OF_THE_SOURCE"
@@ -52,3 +52,6 @@ def _chosen() -> ModuleType | None:
 
 
 _COMPILED = _chosen()
+
+evaluated: Any = getattr(_COMPILED, "evaluated", None)
+"""What calls a ufunc with a tuple of arrays of one dtype and one leading shape; it returns None for other arguments."""

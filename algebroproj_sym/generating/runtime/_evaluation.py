@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ._backend import evaluated
 from ._namespace import is_foreign, namespace
 from ._tape import recorded
 
@@ -23,6 +24,9 @@ __all__ = ["Signature", "evaluate"]
 
 BLOCK = 8192
 """How many points of a batch are computed at once."""
+
+COMPILED = (np.dtype(np.float64), np.dtype(np.float32), np.dtype(np.longdouble))
+"""Of which dtypes there are compiled functions."""
 
 Shape = tuple[int, ...]
 Body = Callable[..., tuple[Any, ...]]
@@ -87,6 +91,10 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     >>> float(evaluate(ratio, lambda x0, x1: (x0 / x1,), ([1, 2],)))
     0.5
     """
+    if signature.twin is not None and out is None:
+        results = evaluated(signature.twin, tuple(given))
+        if results is not None:
+            return results
     if signature.twin is not None and _are_alike(given) and (out is None or _is_fitting(signature, given, out)):
         try:
             return signature.twin(*given) if out is None else signature.twin(*given, out)
@@ -97,7 +105,7 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     arrays = [np.asarray(value) for value in given]
     batch = _batch(signature, [array.shape for array in arrays])
     dtype = _dtype(signature, given, arrays)
-    if signature.twin is not None and _is_compiled(dtype):
+    if signature.twin is not None and dtype in COMPILED:
         wanted = (None,) * len(signature.results) if out is None else _checked(signature, out, batch, dtype)
         return signature.twin(*(array.astype(dtype, copy=False) for array in arrays), out=wanted)
     if not batch and out is None:
@@ -129,11 +137,11 @@ def require_count(signature: Signature, arguments: Sequence[Any]) -> None:
 
 def _are_alike(given: Sequence[Any]) -> bool:
     """Whether all arguments are arrays of one dtype of which there are compiled functions."""
-    first = given[0]
-    if type(first) is not np.ndarray or not _is_compiled(first.dtype):
-        return False
-    dtype = first.dtype
-    return all(type(array) is np.ndarray and array.dtype is dtype for array in given)
+    dtype = getattr(given[0], "dtype", None)
+    for array in given:
+        if type(array) is not np.ndarray or array.dtype is not dtype:
+            return False
+    return dtype in COMPILED
 
 
 def _is_fitting(signature: Signature, given: Sequence[Any], out: Any) -> bool:
@@ -146,10 +154,6 @@ def _is_fitting(signature: Signature, given: Sequence[Any], out: Any) -> bool:
     return out.shape == batch + signature.results[0] and all(
         array.shape == batch + core for array, core in zip(given, cores, strict=True)
     )
-
-
-def _is_compiled(dtype: np.dtype[Any]) -> bool:
-    return dtype.char in "fdg" and dtype.isnative
 
 
 def _batch(signature: Signature, shapes: Sequence[Shape]) -> Shape:

@@ -199,7 +199,8 @@ class Server:
             self.start()
         self.connection.send(claim)
         if self.connection.poll(WALL * limit):
-            return self.connection.recv()
+            decided, seconds = self.connection.recv()
+            return (decided, seconds) if seconds <= limit else ("too long", limit)
         self.process.kill()
         self.process = None
         return "too long", limit

@@ -24,7 +24,7 @@ def expanded(program: Program) -> Program:
     >>> steps = (Step("t0", "wide", ("x",)), Step("t1", "-", ("t0", "y")), Step("t2", "-", ("t1", "z")))
     >>> program = Program(("x", "y", "z"), (*steps, Step("t3", "rounded", ("t2",))), ("t3",))
     >>> expanded(program).operations()
-    Counter({'-': 6, '+': 2})
+    Counter({'-': 10, '+': 4})
     """
     recorder = _Recorder(program)
     outputs = run(program, {name: _Recorded(recorder, name) for name in program.inputs}, recorder.call)

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "cfab7a7b3de22a05"
+DIGEST = "9c37a6a33f30de50"
 """What identifies the C source that belongs to this package."""
 
 

@@ -97,9 +97,9 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     Zo*c_omega*c_phi``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
-    In compensated arithmetic, where sums may cancel: 554, 61 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 601, 61 of them errors of products.
 
-    Measured error in float64: 0.391 ULP in the median and 2.45 ULP at most (100 samples, near singularities too).
+    Measured error in float64: 0.329 ULP in the median and 1.71 ULP at most (100 samples, near singularities too).
     Without compensation (`plain`): 0.591 ULP in the median, 202 ULP at most on ordinary input, 202 ULP on any.
 
     Examples
@@ -206,10 +206,10 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 21 (9 +, 11 *, 1 /); the derived expression as written takes 26.
-    In compensated arithmetic, where sums may cancel: 75, 9 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 93, 9 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.431 ULP in the median and 2.59 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.378 ULP in the median and 1.9 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 1.22 ULP in the median, 9.67 ULP at most on ordinary input, 1.54e+15 ULP on any.
 
     Examples
@@ -285,9 +285,9 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
         result[0, 5] = 0
         result[0, 6] = 0
         result[0, 7] = 0
-        result[0, 8] = -X*(A4 + A1*X + A2*Y + A3*Z)/(w*(1 + A10*Y + A11*Z + A9*X))
-        result[0, 9] = -Y*(A4 + A1*X + A2*Y + A3*Z)/(w*(1 + A10*Y + A11*Z + A9*X))
-        result[0, 10] = -Z*(A4 + A1*X + A2*Y + A3*Z)/(w*(1 + A10*Y + A11*Z + A9*X))
+        result[0, 8] = -X*(A4 + A1*X + A2*Y + A3*Z)/w**2
+        result[0, 9] = -Y*(A4 + A1*X + A2*Y + A3*Z)/w**2
+        result[0, 10] = -Z*(A4 + A1*X + A2*Y + A3*Z)/w**2
         result[1, 0] = 0
         result[1, 1] = 0
         result[1, 2] = 0
@@ -296,19 +296,19 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
         result[1, 5] = Y/w
         result[1, 6] = Z/w
         result[1, 7] = 1/w
-        result[1, 8] = -X*(A8 + A5*X + A6*Y + A7*Z)/(w*(1 + A10*Y + A11*Z + A9*X))
-        result[1, 9] = -Y*(A8 + A5*X + A6*Y + A7*Z)/(w*(1 + A10*Y + A11*Z + A9*X))
-        result[1, 10] = -Z*(A8 + A5*X + A6*Y + A7*Z)/(w*(1 + A10*Y + A11*Z + A9*X))
+        result[1, 8] = -X*(A8 + A5*X + A6*Y + A7*Z)/w**2
+        result[1, 9] = -Y*(A8 + A5*X + A6*Y + A7*Z)/w**2
+        result[1, 10] = -Z*(A8 + A5*X + A6*Y + A7*Z)/w**2
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
     Their values are given by the function `hypotheses` of this package.
 
-    Operations: 40 (9 +, 23 *, 2 /, 6 neg); the derived expression as written takes 146.
-    In compensated arithmetic, where sums may cancel: 183, 21 of them errors of products.
+    Operations: 41 (9 +, 16 *, 10 /, 6 neg); the derived expression as written takes 146.
+    In compensated arithmetic, where sums may cancel: 113, 9 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.242 ULP in the median and 0.5 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.982 ULP in the median, 18.8 ULP at most on ordinary input, 2.34e+15 ULP on
+    Measured error in float64: 0.389 ULP in the median and 3.04 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 0.936 ULP in the median, 19.8 ULP at most on ordinary input, 2.34e+15 ULP on
     any.
 
     Examples
@@ -323,21 +323,17 @@ def _project_jacobian_parameters(
     A1: Any, A2: Any, A3: Any, A4: Any, A5: Any, A6: Any, A7: Any, A8: Any, A9: Any, A10: Any, A11: Any,
     X: Any, Y: Any, Z: Any,
 ) -> tuple[Any, ...]:
-    w = 1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X
-    t42 = 1 / w
-    t6 = rounded(t42)
-    t7 = rounded(wide(X) * t42)
-    t8 = rounded(wide(Y) * t42)
-    t9 = rounded(wide(Z) * t42)
-    t10 = wide(X) * t42
-    t17 = 1 / w
-    t18 = (wide(A4) + wide(A1) * X + wide(A2) * Y + wide(A3) * Z) * t17
-    t21 = wide(Y) * t42
-    t24 = wide(Z) * t42
-    t33 = (wide(A8) + wide(A5) * X + wide(A6) * Y + wide(A7) * Z) * t17
+    w = rounded(1 + wide(A10) * Y + wide(A11) * Z + wide(A9) * X)
+    t6 = X / w
+    t7 = Y / w
+    t8 = Z / w
+    t9 = 1 / w
+    t15 = rounded(wide(A4) + wide(A1) * X + wide(A2) * Y + wide(A3) * Z)
+    t17 = w * w
+    t31 = rounded(wide(A8) + wide(A5) * X + wide(A6) * Y + wide(A7) * Z)
     return (
-        t7, t8, t9, t6, 0, 0, 0, 0, rounded(-(t10 * t18)), rounded(-(t21 * t18)), rounded(-(t24 * t18)), 0,
-        0, 0, 0, t7, t8, t9, t6, rounded(-(t10 * t33)), rounded(-(t21 * t33)), rounded(-(t24 * t33)),
+        t6, t7, t8, t9, 0, 0, 0, 0, -(X * t15 / t17), -(Y * t15 / t17), -(Z * t15 / t17), 0, 0, 0, 0, t6, t7,
+        t8, t9, -(X * t31 / t17), -(Y * t31 / t17), -(Z * t31 / t17),
     )
 
 
@@ -487,10 +483,10 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 28 (12 +, 15 *, 1 /); the derived expression as written takes 39.
-    In compensated arithmetic, where sums may cancel: 100, 12 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 124, 12 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.465 ULP in the median and 2.39 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.435 ULP in the median and 1.94 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 1.18 ULP in the median, 793 ULP at most on ordinary input, 7.69e+14 ULP on any.
 
     Examples
@@ -579,9 +575,9 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     Polynomial: no input is singular.
 
     Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.
-    In compensated arithmetic, where sums may cancel: 773, 90 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 779, 90 of them errors of products.
 
-    Measured error in float64: 0.255 ULP in the median and 36.6 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.242 ULP in the median and 4.57 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 1.75 ULP in the median, 57.5 ULP at most on ordinary input, 1.5e+17 ULP on any.
 
     Examples
@@ -677,10 +673,10 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     of 36 terms. Their values are given by the function `hypotheses` of this package.
 
     Operations: 121 (17 +, 33 -, 70 *, 1 /); the derived expression as written takes 252.
-    In compensated arithmetic, where sums may cancel: 592, 67 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 616, 67 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.495 ULP in the median and 3.29 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.39 ULP in the median and 3.29 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 2.71 ULP in the median, 31.4 ULP at most on ordinary input, 1.08e+16 ULP on any.
 
     Examples
@@ -1016,10 +1012,10 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
     Their values are given by the function `hypotheses` of this package.
 
     Operations: 9 (1 -, 7 *, 1 /); the derived expression as written takes 18.
-    In compensated arithmetic, where sums may cancel: 13, 2 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 19, 2 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.486 ULP in the median and 2.34 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.448 ULP in the median and 2.27 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 0.742 ULP in the median, 14.7 ULP at most on ordinary input, 3.91e+14 ULP on
     any.
 
@@ -1096,9 +1092,9 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     No input is singular.
 
     Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.
-    In compensated arithmetic, where sums may cancel: 225, 26 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 243, 26 of them errors of products.
 
-    Measured error in float64: 0.276 ULP in the median and 0.977 ULP at most (100 samples, near singularities too).
+    Measured error in float64: 0.233 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
     Without compensation (`plain`): 0.51 ULP in the median, 9.76 ULP at most on ordinary input, 10.9 ULP on any.
 
     Examples

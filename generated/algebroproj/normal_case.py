@@ -65,10 +65,10 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
-    In compensated arithmetic, where sums may cancel: 22.
+    In compensated arithmetic, where sums may cancel: 34.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.488 ULP in the median and 2.11 ULP at most (350 samples, near singularities too).
+    Measured error in float64: 0.461 ULP in the median and 2.26 ULP at most (350 samples, near singularities too).
     Without compensation (`plain`): 0.58 ULP in the median, 2.85 ULP at most on ordinary input, 1.72e+14 ULP on any.
 
     Examples
@@ -133,24 +133,24 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
 
         u30 = 1 - u31 - u32
         uN30 = 1 - uN31 - uN32
-        result[0, 0] = -uN31/(u31*uN30) - u30*uN31/(u31**2*uN30)
+        result[0, 0] = uN31*(-1 + u32)/(u31**2*uN30)
         result[0, 1] = -uN31/(u31*uN30)
-        result[0, 2] = u30/(u31*uN30) + u30*uN31/(u31*uN30**2)
+        result[0, 2] = -u30*(-1 + uN32)/(u31*uN30**2)
         result[0, 3] = u30*uN31/(u31*uN30**2)
         result[1, 0] = -uN32/(u32*uN30)
-        result[1, 1] = -uN32/(u32*uN30) - u30*uN32/(u32**2*uN30)
+        result[1, 1] = uN32*(-1 + u31)/(u32**2*uN30)
         result[1, 2] = u30*uN32/(u32*uN30**2)
-        result[1, 3] = u30/(u32*uN30) + u30*uN32/(u32*uN30**2)
+        result[1, 3] = -u30*(-1 + uN31)/(u32*uN30**2)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u32``, ``uN31 + uN32 -
     1``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 30 (4 +, 4 -, 12 *, 6 /, 4 neg); the derived expression as written takes 198.
-    In compensated arithmetic, where sums may cancel: 173, 18 of them errors of products.
+    Operations: 29 (7 -, 14 *, 6 /, 2 neg); the derived expression as written takes 198.
+    In compensated arithmetic, where sums may cancel: 193, 20 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.27 ULP in the median and 0.985 ULP at most (350 samples, near singularities too).
-    Without compensation (`plain`): 0.693 ULP in the median, 1.43e+04 ULP at most on ordinary input, 8.34e+14 ULP on
+    Measured error in float64: 0.254 ULP in the median and 0.499 ULP at most (350 samples, near singularities too).
+    Without compensation (`plain`): 0.563 ULP in the median, 3.64 ULP at most on ordinary input, 8.34e+14 ULP on
     any.
 
     Examples
@@ -165,20 +165,16 @@ def _tau_jacobian(
     u31: Any, u32: Any, uN31: Any, uN32: Any,
 ) -> tuple[Any, ...]:
     u30 = 1 - wide(u31) - u32
-    uN30 = 1 - wide(uN31) - uN32
-    t4 = wide(u31) * uN30
-    t5 = 1 / t4
-    t30 = wide(uN31) * t5
-    t7 = u30 * uN31
-    t32 = t7 / (t4 * uN30)
+    t2 = 1 - wide(uN31)
+    uN30 = t2 - uN32
+    t6 = wide(u31) * uN30
+    t13 = u30 * (1 / (t6 * uN30))
     t17 = wide(u32) * uN30
-    t18 = 1 / t17
-    t34 = wide(uN32) * t18
-    t21 = u30 * uN32
-    t36 = t21 / (t17 * uN30)
+    t26 = u30 * (1 / (t17 * uN30))
     return (
-        -rounded(t30 + t7 / (t4 * u31)), -rounded(t30), rounded(u30 * t5 + t32), rounded(t32), -rounded(t34),
-        -rounded(t34 + t21 / (t17 * u32)), rounded(t36), rounded(t36 + u30 * t18),
+        rounded(wide(uN31) * (wide(u32) - 1) / (t6 * u31)), rounded(-(wide(uN31) / t6)),
+        rounded(t13 * (1 - wide(uN32))), rounded(t13 * uN31), rounded(-(wide(uN32) / t17)),
+        rounded(wide(uN32) * (wide(u31) - 1) / (t17 * u32)), rounded(t26 * uN32), rounded(t26 * t2),
     )
 
 
@@ -296,10 +292,10 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 11 (2 +, 2 -, 6 *, 1 /); the derived expression as written takes 16.
-    In compensated arithmetic, where sums may cancel: 35, 2 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 41, 2 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.429 ULP in the median and 2.21 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.42 ULP in the median and 1.92 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 0.724 ULP in the median, 6.65 ULP at most on ordinary input, 9.26e+13 ULP on
     any.
 
@@ -392,10 +388,10 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     given by the function `hypotheses` of this package.
 
     Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
-    In compensated arithmetic, where sums may cancel: 154, 13 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 178, 13 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.424 ULP in the median and 16.6 ULP at most (550 samples, near singularities too).
+    Measured error in float64: 0.379 ULP in the median and 16.6 ULP at most (550 samples, near singularities too).
     Without compensation (`plain`): 0.723 ULP in the median, 89 ULP at most on ordinary input, 3.68e+16 ULP on any.
 
     Examples
@@ -497,10 +493,10 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     of this package.
 
     Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
-    In compensated arithmetic, where sums may cancel: 51, 3 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 63, 3 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.538 ULP in the median and 3.0 ULP at most (300 samples, near singularities too).
+    Measured error in float64: 0.45 ULP in the median and 2.33 ULP at most (300 samples, near singularities too).
     Without compensation (`plain`): 1.62 ULP in the median, 8.55 ULP at most on ordinary input, 3.07e+15 ULP on any.
 
     Examples
@@ -585,10 +581,10 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
-    In compensated arithmetic, where sums may cancel: 190, 17 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 214, 17 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.549 ULP in the median and 2.64 ULP at most (400 samples, near singularities too).
+    Measured error in float64: 0.476 ULP in the median and 2.92 ULP at most (400 samples, near singularities too).
     Without compensation (`plain`): 1.72 ULP in the median, 53.1 ULP at most on ordinary input, 2.4e+15 ULP on any.
 
     Examples

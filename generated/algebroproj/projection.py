@@ -136,10 +136,10 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 14 (5 -, 5 *, 3 /, 1 neg); the derived expression as written takes 50.
-    In compensated arithmetic, where sums may cancel: 32.
+    In compensated arithmetic, where sums may cancel: 44.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.454 ULP in the median and 2.62 ULP at most (400 samples, near singularities too).
+    Measured error in float64: 0.411 ULP in the median and 2.3 ULP at most (400 samples, near singularities too).
     Without compensation (`plain`): 0.571 ULP in the median, 14.2 ULP at most on ordinary input, 1.71e+14 ULP on
     any.
 
@@ -225,10 +225,10 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 44 (3 +, 8 -, 18 *, 11 /, 4 neg); the derived expression as written takes 535.
-    In compensated arithmetic, where sums may cancel: 75.
+    In compensated arithmetic, where sums may cancel: 105.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.439 ULP in the median and 3.02 ULP at most (400 samples, near singularities too).
+    Measured error in float64: 0.432 ULP in the median and 3.02 ULP at most (400 samples, near singularities too).
     Without compensation (`plain`): 0.526 ULP in the median, 38.9 ULP at most on ordinary input, 3.6e+14 ULP on any.
 
     Examples
@@ -316,10 +316,10 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     function `hypotheses` of this package.
 
     Operations: 18 (1 +, 4 -, 11 *, 1 /, 1 neg); the derived expression as written takes 47.
-    In compensated arithmetic, where sums may cancel: 63, 7 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 69, 7 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.483 ULP in the median and 2.45 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.456 ULP in the median and 2.55 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 0.906 ULP in the median, 9.03 ULP at most on ordinary input, 8.33e+14 ULP on
     any.
 
@@ -405,10 +405,10 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 26 (1 +, 7 -, 12 *, 3 /, 3 neg); the derived expression as written takes 121.
-    In compensated arithmetic, where sums may cancel: 80, 5 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 98, 5 of them errors of products.
     The cheapest of 12 equal programs that err little.
 
-    Measured error in float64: 0.429 ULP in the median and 2.6 ULP at most (400 samples, near singularities too).
+    Measured error in float64: 0.428 ULP in the median and 2.18 ULP at most (400 samples, near singularities too).
     Without compensation (`plain`): 0.665 ULP in the median, 167 ULP at most on ordinary input, 1.94e+14 ULP on any.
 
     Examples
@@ -787,10 +787,10 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
     Polynomial: no input is singular.
 
     Operations: 12 (1 +, 4 -, 7 *); the derived expression as written takes 13.
-    In compensated arithmetic, where sums may cancel: 57, 7 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 63, 7 of them errors of products.
     The cheapest of 2 equal programs that err little.
 
-    Measured error in float64: 0.329 ULP in the median and 0.996 ULP at most (150 samples, near singularities too).
+    Measured error in float64: 0.296 ULP in the median and 0.499 ULP at most (150 samples, near singularities too).
     Without compensation (`plain`): 0.952 ULP in the median, 8.78 ULP at most on ordinary input, 2.47e+15 ULP on
     any.
 
@@ -863,10 +863,10 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     `hypotheses` of this package.
 
     Operations: 45 (9 +, 14 -, 16 *, 6 /); the derived expression as written takes 1539.
-    In compensated arithmetic, where sums may cancel: 116, 6 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 140, 6 of them errors of products.
     The cheapest of 12 equal programs that err little.
 
-    Measured error in float64: 0.216 ULP in the median and 2.86 ULP at most (550 samples, near singularities too).
+    Measured error in float64: 0.209 ULP in the median and 2.71 ULP at most (550 samples, near singularities too).
     Without compensation (`plain`): 0.315 ULP in the median, 69.7 ULP at most on ordinary input, 1.4e+15 ULP on any.
 
     Examples
@@ -963,10 +963,10 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     function `hypotheses` of this package.
 
     Operations: 32 (6 -, 21 *, 1 /, 4 neg); the derived expression as written takes 153.
-    In compensated arithmetic, where sums may cancel: 88, 9 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 100, 9 of them errors of products.
     The cheapest of 8 equal programs that err little.
 
-    Measured error in float64: 0.501 ULP in the median and 2.36 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.451 ULP in the median and 2.2 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 1.01 ULP in the median, 123 ULP at most on ordinary input, 4.87e+15 ULP on any.
 
     Examples
@@ -1057,10 +1057,10 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     y2 - y3 + 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 19 (5 +, 3 -, 10 *, 1 /); the derived expression as written takes 28.
-    In compensated arithmetic, where sums may cancel: 71, 8 of them errors of products.
+    In compensated arithmetic, where sums may cancel: 89, 8 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.418 ULP in the median and 2.7 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.377 ULP in the median and 1.72 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 1.27 ULP in the median, 1.62e+03 ULP at most on ordinary input, 2.13e+14 ULP on
     any.
 

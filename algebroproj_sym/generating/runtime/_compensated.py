@@ -1,10 +1,9 @@
 """Compensated arithmetic: a number, and what rounding has taken from it, as an unevaluated sum that is rounded once.
 
 It has about the digits of double-double arithmetic at less than half the operations: the two parts may overlap, and are
-separated only where something is divided by them (pair arithmetic of Lange and Rump).  What the last addition of a sum
-rounds off is computed only where it is needed: a sum that is rounded at once does without, since where the first parts
-cancel, their sum is exact.  Where nothing rounds, as with fractions or rational functions, the second part is zero, and
-the same source gives exact results.
+separated only where something is divided by them (pair arithmetic of Lange and Rump).  What an addition rounds off is
+computed only where it is needed.  Where nothing rounds, as with fractions or rational functions, the second part is
+zero, and the same source gives exact results.
 """
 
 from __future__ import annotations
@@ -39,8 +38,6 @@ class Compensated:
     ----------
     hi, lo : number or array
         The two parts.
-    rest : number or array
-        The second part without what the last addition rounded off hi.
 
     Examples
     --------
@@ -51,12 +48,12 @@ class Compensated:
     -5.551115123125783e-18
     """
 
-    __slots__ = ("_last", "_lo", "_separated", "hi", "overlap", "rest")
+    __slots__ = ("_last", "_lo", "_rest", "_separated", "hi", "overlap")
     __array_ufunc__ = None
 
     def __init__(self, hi: Number, rest: Number = None, overlap: int = NEAREST, last: Last | None = None) -> None:
         self.hi = hi
-        self.rest = rest
+        self._rest = rest
         self.overlap = overlap
         self._last = last
         self._lo = rest
@@ -68,13 +65,13 @@ class Compensated:
         if self._last is not None:
             error_of, left, right = self._last
             error = error_of(left, right, self.hi)
-            self._lo = error if self.rest is None else self.rest + error
+            self._lo = error if self._rest is None else self._rest + error
             self._last = None
         return self._lo
 
     def rounded(self) -> Number:
-        """Return one number, which errs by less than two units in the last place: twice something is rounded."""
-        return self.hi if self.overlap == NEAREST else self.hi + self.rest
+        """Return the one number nearest to the sum of the two."""
+        return self.hi if self.overlap == NEAREST else self.hi + self.lo
 
     def wide(self) -> Compensated:
         """Return the number itself, which is one of twice the digits already."""

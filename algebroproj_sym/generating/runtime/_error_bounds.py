@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ._compensated import NEAR, NEAREST, Compensated, wide
+from ._compensated import NEAREST, Compensated, wide
 from ._double_double import DoubleDouble
 
 __all__ = ["Bounded", "bounded", "guaranteed"]
@@ -62,7 +62,7 @@ class Bounded:
         """Return the rounded number, whose bound grows by what is cut off."""
         if isinstance(self.value, Compensated) and self.value.overlap != NEAREST:
             value = self.value.rounded()
-            return guaranteed(bounded(value, self.error + _rounding_of_parts(self.value, value)))
+            return guaranteed(bounded(value, self.error + unit_of(value) * abs(value)))
         return guaranteed(bounded(self.value.hi, self.error + tail(self.value)))
 
     def __neg__(self) -> Bounded:
@@ -150,12 +150,6 @@ def least(number: Number) -> Number:
     if _has_no_tail(parts):
         return abs(high(parts))
     return (abs(high(parts)) - tail(parts)) * (1 - 4 * unit_of(parts))
-
-
-def _rounding_of_parts(number: Compensated, value: Number) -> Number:
-    """Return what the sum of the two parts rounds at most, and what the last addition rounded off the first part."""
-    dropped = 0 if number.overlap <= NEAR else abs(number.hi)
-    return unit_of(value) * (abs(value) + dropped)
 
 
 def _rounding_of_sum(a: Number, b: Number, total: Number) -> Number:

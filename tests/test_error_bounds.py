@@ -60,11 +60,10 @@ def uncertain(draw):
         | st.floats(-1, 1)
     )
     near = lo is not None and abs(lo) <= 2.0**-53 * abs(hi)
-    value = hi if lo is None else Compensated(np.float64(hi), np.float64(lo), NEAR if near else SUMS)
+    value = np.float64(hi) if lo is None else Compensated(np.float64(hi), np.float64(lo), NEAR if near else SUMS)
     total = Fraction(hi) + (0 if lo is None else Fraction(lo))
     error = abs(float(total)) * draw(st.sampled_from([0.0, 1e-30, 2.0**-52, 1e-3, 0.5, 2.0]))
-    bound = Bounded(np.float64(hi) if lo is None else value, np.float64(error))
-    return bound if lo is not None else bound.wide(), [total - Fraction(error), total + Fraction(error)]
+    return Bounded(value, np.float64(error)).wide(), [total - Fraction(error), total + Fraction(error)]
 
 
 @given(uncertain(), uncertain())

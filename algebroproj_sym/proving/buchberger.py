@@ -149,16 +149,17 @@ class GroebnerBasis:
 
     def _update(self, new: int) -> None:
         lead, guards = self._leading, self._guards
-        fresh = lead[new]
+        fresh, packed_fresh = lead[new], self._packed[new]
         for pair, common in list(self._live.items()):
-            if self._divides(new, common) and _lcm(lead[pair[0]], fresh) != common != _lcm(lead[pair[1]], fresh):
+            divided = _divides(packed_fresh, _packed(common), guards)
+            if divided and _lcm(lead[pair[0]], fresh) != common != _lcm(lead[pair[1]], fresh):
                 del self._live[pair]
         candidates = {i: _lcm(lead[i], fresh) for i in range(new)}
         kept: list[int] = []
         divisors: list[int] = []
         for i, common in sorted(candidates.items(), key=lambda item: (sum(item[1]), not self._coprime(item[0], new))):
             packed = _packed(common)
-            if not any((guards + packed - divisor) & guards == guards for divisor in divisors):
+            if not any(_divides(divisor, packed, guards) for divisor in divisors):
                 kept.append(i)
                 divisors.append(packed)
         for i in kept:
@@ -167,9 +168,6 @@ class GroebnerBasis:
                 heappush(self._pairs, (sum(candidates[i]), candidates[i], i, new))
         self._pairs = [entry for entry in self._pairs if (entry[2], entry[3]) in self._live]
         heapify(self._pairs)
-
-    def _divides(self, place: int, powers: Powers) -> bool:
-        return (self._guards + _packed(powers) - self._packed[place]) & self._guards == self._guards
 
     def _coprime(self, i: int, j: int) -> bool:
         return not any(a and b for a, b in zip(self._leading[i], self._leading[j], strict=True))
@@ -196,6 +194,11 @@ class GroebnerBasis:
 
 def _degree(polynomial: Any) -> int:
     return int(polynomial.total_degree()) if polynomial != 0 else 0
+
+
+def _divides(left: int, right: int, guards: int) -> bool:
+    """Whether one packed monomial divides another."""
+    return (guards + right - left) & guards == guards
 
 
 def _packed(powers: Powers) -> int:

@@ -29,8 +29,8 @@ class Compensated:
 
     Parameters
     ----------
-    hi, rest : number or array
-        The two parts; rest is None for a number that has no second part.
+    hi, lo : number or array
+        The two parts; lo is None for a number that has no second part.
     overlap : int
         How far the parts may overlap.
     last : (function, number, number), optional
@@ -50,15 +50,14 @@ class Compensated:
     -5.551115123125783e-18
     """
 
-    __slots__ = ("_last", "_lo", "_rest", "_separated", "hi", "overlap")
+    __slots__ = ("_last", "_lo", "_separated", "hi", "overlap")
     __array_ufunc__ = None
 
-    def __init__(self, hi: Number, rest: Number = None, overlap: int = NEAREST, last: Last | None = None) -> None:
+    def __init__(self, hi: Number, lo: Number = None, overlap: int = NEAREST, last: Last | None = None) -> None:
         self.hi = hi
-        self._rest = rest
         self.overlap = overlap
         self._last = last
-        self._lo = rest
+        self._lo = lo
         self._separated: Compensated | None = None
 
     @property
@@ -67,7 +66,7 @@ class Compensated:
         if self._last is not None:
             error_of, left, right = self._last
             error = error_of(left, right, self.hi)
-            self._lo = error if self._rest is None else self._rest + error
+            self._lo = error if self._lo is None else self._lo + error
             self._last = None
         return self._lo
 

@@ -85,7 +85,8 @@ def recorded(body: Callable[..., tuple[Any, ...]], count: int) -> Tape:
     if not all(isinstance(output, _Recorded | int | float) for output in outputs):
         raise TypeError("expected a body whose results are rounded")
     steps = recorder.needed(outputs)
-    results = {output: place for place, output in reversed([*enumerate(outputs)]) if output in {*steps}}
+    computed = {*steps}
+    results = {output: place for place, output in reversed([*enumerate(outputs)]) if output in computed}
     taken = {*outputs, *(operand for step in steps for operand in step.operands)}
     constants = sorted(operand for operand in taken if not isinstance(operand, _Recorded))
     buffers, total = _shared_buffers(steps, results)

@@ -51,6 +51,7 @@ DEKKER = """
 #include <math.h>
 #define NAME(name) name
 #define absolute fabs
+#define constant(number) number
 typedef double real;
 static inline double halved(double a) { double c = 134217729.0 * a; return c - (c - a); }
 static inline double product_error(double a, double b, double p)

@@ -7,7 +7,8 @@ from setuptools import Extension, setup
 
 # No contraction of operations and no option that changes values: the results are those of the NumPy source, bit by bit.
 VECTORISED = ["-O2", "-ftree-loop-vectorize", "-fvect-cost-model=dynamic", "-fno-tree-slp-vectorize"]
-OPTIONS = ["/fp:precise"] if sys.platform == "win32" else ["-std=c99", "-g0", *VECTORISED, "-ffp-contract=off"]
+AS_WRITTEN = ["-ffp-contract=off", "-fno-tree-loop-distribute-patterns"]
+OPTIONS = ["/fp:precise"] if sys.platform == "win32" else ["-std=c99", "-g0", *VECTORISED, *AS_WRITTEN]
 
 setup(
     ext_modules=[
@@ -15,7 +16,7 @@ setup(
             "algebroproj._compiled",
             ["algebroproj/_compiled.c"],
             depends=[
-                f"algebroproj/{name}.h" for name in ("_kernels", "_loops", "_plain_kernels", "_plain_loops", "_calls")
+                f"algebroproj/{name}.h" for name in ("_kernels", "_systems", "_loops", "_fours", "_plain_kernels", "_plain_loops", "_calls")
             ],
             include_dirs=[numpy.get_include()],
             extra_compile_args=OPTIONS,

@@ -15,6 +15,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from hashlib import sha256
 from itertools import chain, count
+from math import prod
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -22,6 +23,7 @@ from algebroproj_sym.declaring import LINEAR, Kernel
 from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating.c_elimination import null_vector_body, solve_body
 from algebroproj_sym.generating.expansion import expanded
+from algebroproj_sym.generating.fours import reads, writes
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
 
@@ -37,6 +39,7 @@ DIGEST = "DIGEST_OF_THE_SOURCE"
 TYPES = (
     {
         "name": "float",
+        "loop": "float",
         "absolute": "fabsf",
         "multiply_add": "fmaf",
         "headroom": "(FLT_MAX / 4)",
@@ -45,6 +48,7 @@ TYPES = (
     },
     {
         "name": "double",
+        "loop": "fours",
         "absolute": "fabs",
         "multiply_add": "fma",
         "headroom": "(DBL_MAX / 4)",
@@ -53,6 +57,7 @@ TYPES = (
     },
     {
         "name": "longdouble",
+        "loop": "longdouble",
         "absolute": "fabsl",
         "multiply_add": "fmal",
         "headroom": "(LDBL_MAX / 4)",
@@ -71,7 +76,7 @@ _WORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
     in out i points real range ranges variant absolute headroom isgreater multiply_add product_error splitter
-    within
+    constant within
 """
 _RESERVED = frozenset(_WORDS.split())
 _OPERAND = re.compile(r"(in|out)\d+")
@@ -94,20 +99,26 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     Returns
     -------
     dict of str to str
-        The text of each file by its name: ``_kernels.h`` with the formulas, ``_loops.h`` and ``_compiled.c`` with what
-        makes ufuncs of them, and of the formulas without compensation, which `plain_files` writes; ``_calls.h`` with
-        short calls of ufuncs.
+        The text of each file by its name: ``_kernels.h`` with the formulas, ``_systems.h`` with those that solve linear
+        systems, ``_loops.h``, ``_fours.h`` and ``_compiled.c`` with what makes ufuncs of them, and of the formulas
+        without compensation, which `plain_files` writes; ``_calls.h`` with short calls of ufuncs.
     """
     compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
     plain = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
     both = [*compiled, *plain]
-    calls = {(call.primitive, len(call.rows)) for low in compiled for call in _calls(low.program)}
+    of_operations = [low for low in compiled if not _solves(low.kernel)]
+    of_systems = [low for low in compiled if _solves(low.kernel)]
+    solvers = {(call.primitive, len(call.rows)) for low in of_systems for call in _calls(low.program)}
     return {
         "_kernels.h": rendered(
             "kernels.h.j2",
             notice=notice,
-            errors=any(_products(expanded(low.program)) for low in compiled)
-            or any(name in LINEAR for name, _ in calls),
+            errors=bool(of_systems) or any(_products(expanded(low.program)) for low in of_operations),
+            kernels=list(map(_function, of_operations)),
+        ),
+        "_systems.h": rendered(
+            "systems.h.j2",
+            notice=notice,
             solvers=[
                 {
                     "name": name,
@@ -115,16 +126,13 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
                     "width": height + (name == "null_vector"),
                     "body": _SOLVERS[name](height),
                 }
-                for name, height in sorted(calls)
+                for name, height in sorted(solvers)
                 if name in LINEAR
             ],
-            kernels=[
-                {"name": c_name(low.kernel), "statements": statements(program), "guards": guards(program)}
-                for low in compiled
-                for program in [expanded(low.program)]
-            ],
+            kernels=list(map(_function, of_systems)),
         ),
         "_loops.h": rendered("loops.h.j2", notice=notice),
+        "_fours.h": rendered("fours.h.j2", notice=notice, kernels=[_by_fours(low.kernel) for low in of_operations]),
         "_calls.h": rendered("calls.h.j2", notice=notice),
         "_compiled.c": rendered(
             "compiled.c.j2",
@@ -138,6 +146,30 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             inputs=max((len(low.kernel.symbols) for low in both), default=1),
             outputs=max((len(entries(low.kernel.form)) for low in both), default=1),
         ),
+    }
+
+
+def _solves(kernel: Kernel) -> bool:
+    """Whether a kernel solves a linear system."""
+    return any(stage.primitive in LINEAR for stage in kernel.stages)
+
+
+def _function(low: Lowered) -> dict[str, object]:
+    """Return the parts of the function of a kernel."""
+    program = expanded(low.program)
+    return {"name": c_name(low.kernel), "statements": statements(program), "guards": guards(program)}
+
+
+def _by_fours(kernel: Kernel) -> dict[str, object]:
+    """Return the parts of the function of a kernel that takes four points at a time."""
+    sizes = [prod(shape) for shape in core_shapes(kernel)]
+    split = len(kernel.arguments)
+    return {
+        "name": c_name(kernel),
+        "inputs": sum(sizes[:split]),
+        "outputs": sum(sizes[split:]),
+        "reads": reads(sizes[:split]),
+        "writes": writes(sizes[split:], split),
     }
 
 
@@ -211,14 +243,14 @@ def statements(
             lines.append(f"const real {names[step.name]} = {_operation(step, names)};")
         elif step.primitive == "let":
             lines += [
-                f"const real {names[n]} = {c_operand(operand, names)};"
+                f"const real {names[n]} = {_assigned(operand, names)};"
                 for n, operand in zip(step.names, step.rows[0], strict=True)
                 if n in used
             ]
         else:
             lines += (solved or _solve)(step, next(systems), names)
     results = zip(written, program.outputs, strict=True)
-    return lines + [f"{place} = {c_operand(output, names)};" for place, output in results]
+    return lines + [f"{place} = {_assigned(output, names)};" for place, output in results]
 
 
 def guards(program: Program) -> list[str]:
@@ -270,6 +302,11 @@ def c_operand(operand: Operand, names: Mapping[Operand, str]) -> str:
     return names[operand]
 
 
+def _assigned(operand: Operand, names: Mapping[Operand, str]) -> str:
+    """Return an operand as it is assigned, to four points at a time too."""
+    return f"constant({operand})" if isinstance(operand, int) else names[operand]
+
+
 def _c_names(program: Program) -> dict[Operand, str]:
     """Return a C identifier for each name of a program: the name itself wherever C leaves it free."""
     given = chain.from_iterable(step.names for step in program.steps)
@@ -300,7 +337,7 @@ def _table_row(kernel: Kernel) -> dict[str, object]:
         "signature": f"{','.join(cores[:split])}->{','.join(cores[split:])}",
         "arguments": split,
         "results": len(kernel.results),
-        "refined": any(stage.primitive in LINEAR for stage in kernel.stages),
+        "refined": _solves(kernel),
         "operands": [
             {"dimensions": len(shape), "rows": shape[0] if len(shape) == 2 else 1, "columns": shape[-1] if shape else 1}
             for shape in core_shapes(kernel)

@@ -409,6 +409,8 @@ def _value(node: Any, scope: _Scope) -> Any:
             return entries[place]
         case c_ast.ArrayRef():
             return value(node.name)[_index(node.subscript)]
+        case c_ast.FuncCall(name=c_ast.ID(name="constant"), args=c_ast.ExprList(exprs=[number])):
+            return value(number)
         case c_ast.FuncCall(name=c_ast.ID(name="absolute")):
             return Absolute(value(node.args.exprs[0]))
         case c_ast.FuncCall(name=c_ast.ID(name="isgreater")) if scope.meaning.is_greater is not None:

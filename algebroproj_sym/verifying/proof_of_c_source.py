@@ -35,8 +35,8 @@ from algebroproj_sym.verifying.c_execution import (
 )
 from algebroproj_sym.verifying.proof_of_source import expected_values
 
-KERNELS = "_kernels.h"
-PLAIN_KERNELS = "_plain_kernels.h"
+KERNELS = ("_kernels.h", "_systems.h")
+PLAIN_KERNELS = ("_plain_kernels.h",)
 _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""
 
@@ -83,12 +83,13 @@ def plain_c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str 
 
 def _file_is_proved(kernel: Kernel, package: ModuleType, engine: str, *, once: bool) -> bool:
     """Whether a kernel, and what it calls, is proved in the file that solves linear systems once, or refines them."""
-    path = Path(str(package.__file__)).parent / (PLAIN_KERNELS if once else KERNELS)
-    if not path.is_file():
+    folder = Path(str(package.__file__)).parent
+    paths = [folder / name for name in (PLAIN_KERNELS if once else KERNELS)]
+    if not all(path.is_file() for path in paths):
         return False
     is_proved = plain_kernel_is_proved if once else kernel_is_proved
     try:
-        source = source_of(path.read_text(encoding="utf-8"))
+        source = source_of("".join(path.read_text(encoding="utf-8") for path in paths))
         systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
         solved = all(solver_is_proved(source, primitive, height, engine, once=once) for primitive, height in systems)
         return solved and product_errors_are_proved(source, engine) and is_proved(kernel, source, engine)

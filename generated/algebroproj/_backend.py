@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "9c37a6a33f30de50"
+DIGEST = "2af0b1792a592648"
 """What identifies the C source that belongs to this package."""
 
 

@@ -34,6 +34,15 @@ those of the NumPy source.
 #define FUSED_IS_AVAILABLE 1
 #endif
 
+/* Four points at a time, as vectors whose entries can be exchanged. */
+#if defined(FUSED) && defined(__x86_64__) && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#include <immintrin.h>
+#define SHUFFLED __builtin_shufflevector
+#define FUSED_INLINE inline __attribute__((always_inline, target("avx2,fma")))
+#endif
+#endif
+
 /* The same with short vectors, for which entries are brought into order with fewer operations. */
 #if defined(FUSED) && defined(__x86_64__) && !defined(__clang__)
 #define FUSED_NARROW __attribute__((noinline, target("avx2,fma,prefer-vector-width=128")))
@@ -104,11 +113,16 @@ typedef void evaluate_double(const double (*restrict in)[BLOCK], double (*restri
 typedef void evaluate_longdouble(const longdouble (*restrict in)[BLOCK], longdouble (*restrict out)[BLOCK],
                                  longdouble *restrict ranges, npy_intp points);
 
+/* The same for points four by four, from the addresses of arrays and the steps from four points to the next.  Whether
+   the error of no product might not be finite. */
+typedef int evaluate_fours(double *const *data, const npy_intp *steps, npy_intp points);
+
 struct kernel {
     const char *name, *signature;
     int arguments, results;
     int refined;
     struct shape shapes[MOST_OPERANDS];
+    evaluate_fours *fours;
     evaluate_float *split_float, *fused_float;
     evaluate_double *split_double, *fused_double;
     evaluate_longdouble *split_longdouble, *fused_longdouble;
@@ -151,7 +165,7 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define JOINED(name, type) JOINED_(name, type)
 #define NAME(name) JOINED(name, variant)
 #define TYPED(name) JOINED(name, real)
-#define INLINE(name) static FORCED_INLINE real NAME(name)
+#define INLINE(name) static INLINED real NAME(name)
 #define SOLVER(name, height, width) \
     static FORCED_INLINE real NAME(name##_##height)(const real system[height][2 * height + 2], real solution[width], \
                                                     real range)
@@ -167,12 +181,15 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
         } \
     }
 #define KERNEL(name) \
-    static VERSION void NAME(name)(const real (*restrict in)[BLOCK], real (*restrict out)[BLOCK], \
+    static VERSION void NAME(name)(const real (*restrict in)[WIDTH], real (*restrict out)[WIDTH], \
                                    real *restrict ranges, const npy_intp points)
 
 /* A quarter of the largest number, to which squares of operands are added: the sum is not finite if products of such
    operands, or of their halves, might not be.  Then the factor that splits a number into halves, whose products are
    exact. */
+#define WIDTH BLOCK
+#define INLINED FORCED_INLINE
+#define constant(number) number
 #define real float
 #define absolute fabsf
 #define multiply_add fmaf
@@ -183,6 +200,7 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define product_error NAME(split_product_error)
 #define within(range, operand) (range)
 #include "_kernels.h"
+#include "_systems.h"
 #undef variant
 #undef product_error
 #undef within
@@ -193,6 +211,7 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define product_error NAME(fused_product_error)
 #define within(range, operand) multiply_add(operand, operand, range)
 #include "_kernels.h"
+#include "_systems.h"
 #undef variant
 #undef product_error
 #undef within
@@ -234,6 +253,7 @@ PAIRING_ENDS
 #define product_error NAME(split_product_error)
 #define within(range, operand) (range)
 #include "_kernels.h"
+#include "_systems.h"
 #undef variant
 #undef product_error
 #undef within
@@ -244,6 +264,7 @@ PAIRING_ENDS
 #define product_error NAME(fused_product_error)
 #define within(range, operand) multiply_add(operand, operand, range)
 #include "_kernels.h"
+#include "_systems.h"
 #undef variant
 #undef product_error
 #undef within
@@ -285,6 +306,7 @@ PAIRING_ENDS
 #define product_error NAME(split_product_error)
 #define within(range, operand) (range)
 #include "_kernels.h"
+#include "_systems.h"
 #undef variant
 #undef product_error
 #undef within
@@ -306,6 +328,17 @@ PAIRING_ENDS
 #undef headroom
 #undef splitter
 
+#undef WIDTH
+#undef INLINED
+#undef constant
+#ifdef SHUFFLED
+#include "_fours.h"
+#define FOURS_VERSION(name) name
+#else
+#define loop_fours loop_double
+#define FOURS_VERSION(name) NULL
+#endif
+
 #ifdef FUSED
 #define FUSED_VERSION(name) name
 #else
@@ -315,356 +348,427 @@ PAIRING_ENDS
 static struct kernel kernels[] = {
     {"affine_plane_coordinates", "(2),(3,2)->(2)", 2, 1, 0,
      {{1, 1, 2}, {2, 3, 2}, {1, 1, 2}},
+     FOURS_VERSION(affine_plane_coordinates_fours),
      affine_plane_coordinates_float_split, FUSED_VERSION(affine_plane_coordinates_float_fused),
      affine_plane_coordinates_double_split, FUSED_VERSION(affine_plane_coordinates_double_fused),
      affine_plane_coordinates_longdouble_split, NULL},
     {"affine_plane_frame", "(3,2)->(3,3)", 1, 1, 0,
      {{2, 3, 2}, {2, 3, 3}},
+     FOURS_VERSION(affine_plane_frame_fours),
      affine_plane_frame_float_split, FUSED_VERSION(affine_plane_frame_float_fused),
      affine_plane_frame_double_split, FUSED_VERSION(affine_plane_frame_double_fused),
      affine_plane_frame_longdouble_split, NULL},
     {"affine_space_coordinates", "(3),(4,3)->(3)", 2, 1, 0,
      {{1, 1, 3}, {2, 4, 3}, {1, 1, 3}},
+     FOURS_VERSION(affine_space_coordinates_fours),
      affine_space_coordinates_float_split, FUSED_VERSION(affine_space_coordinates_float_fused),
      affine_space_coordinates_double_split, FUSED_VERSION(affine_space_coordinates_double_fused),
      affine_space_coordinates_longdouble_split, NULL},
     {"affine_space_frame", "(4,3)->(4,4)", 1, 1, 0,
      {{2, 4, 3}, {2, 4, 4}},
+     FOURS_VERSION(affine_space_frame_fours),
      affine_space_frame_float_split, FUSED_VERSION(affine_space_frame_float_fused),
      affine_space_frame_double_split, FUSED_VERSION(affine_space_frame_double_fused),
      affine_space_frame_longdouble_split, NULL},
     {"collinearity_coplanarity_determinant", "(11),(11),(2),(2)->()", 4, 1, 0,
      {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
+     FOURS_VERSION(collinearity_coplanarity_determinant_fours),
      collinearity_coplanarity_determinant_float_split, FUSED_VERSION(collinearity_coplanarity_determinant_float_fused),
      collinearity_coplanarity_determinant_double_split, FUSED_VERSION(collinearity_coplanarity_determinant_double_fused),
      collinearity_coplanarity_determinant_longdouble_split, NULL},
     {"collinearity_intersect", "(11),(11),(2),(2)->(3)", 4, 1, 0,
      {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     FOURS_VERSION(collinearity_intersect_fours),
      collinearity_intersect_float_split, FUSED_VERSION(collinearity_intersect_float_fused),
      collinearity_intersect_double_split, FUSED_VERSION(collinearity_intersect_double_fused),
      collinearity_intersect_longdouble_split, NULL},
     {"collinearity_intersect_three", "(11),(11),(2),(2)->(3)", 4, 1, 0,
      {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     FOURS_VERSION(collinearity_intersect_three_fours),
      collinearity_intersect_three_float_split, FUSED_VERSION(collinearity_intersect_three_float_fused),
      collinearity_intersect_three_double_split, FUSED_VERSION(collinearity_intersect_three_double_fused),
      collinearity_intersect_three_longdouble_split, NULL},
     {"collinearity_model_point", "(3),(3),()->(3)", 3, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {0, 1, 1}, {1, 1, 3}},
+     FOURS_VERSION(collinearity_model_point_fours),
      collinearity_model_point_float_split, FUSED_VERSION(collinearity_model_point_float_fused),
      collinearity_model_point_double_split, FUSED_VERSION(collinearity_model_point_double_fused),
      collinearity_model_point_longdouble_split, NULL},
     {"collinearity_project", "(11),(3)->(2)", 2, 1, 0,
      {{1, 1, 11}, {1, 1, 3}, {1, 1, 2}},
+     FOURS_VERSION(collinearity_project_fours),
      collinearity_project_float_split, FUSED_VERSION(collinearity_project_float_fused),
      collinearity_project_double_split, FUSED_VERSION(collinearity_project_double_fused),
      collinearity_project_longdouble_split, NULL},
     {"collinearity_project_jacobian_parameters", "(11),(3)->(2,11)", 2, 1, 0,
      {{1, 1, 11}, {1, 1, 3}, {2, 2, 11}},
+     FOURS_VERSION(collinearity_project_jacobian_parameters_fours),
      collinearity_project_jacobian_parameters_float_split, FUSED_VERSION(collinearity_project_jacobian_parameters_float_fused),
      collinearity_project_jacobian_parameters_double_split, FUSED_VERSION(collinearity_project_jacobian_parameters_double_fused),
      collinearity_project_jacobian_parameters_longdouble_split, NULL},
     {"collinearity_project_jacobian_point", "(11),(3)->(2,3)", 2, 1, 0,
      {{1, 1, 11}, {1, 1, 3}, {2, 2, 3}},
+     FOURS_VERSION(collinearity_project_jacobian_point_fours),
      collinearity_project_jacobian_point_float_split, FUSED_VERSION(collinearity_project_jacobian_point_float_fused),
      collinearity_project_jacobian_point_double_split, FUSED_VERSION(collinearity_project_jacobian_point_double_fused),
      collinearity_project_jacobian_point_longdouble_split, NULL},
     {"collinearity_space_map", "(15),(3)->(3)", 2, 1, 0,
      {{1, 1, 15}, {1, 1, 3}, {1, 1, 3}},
+     FOURS_VERSION(collinearity_space_map_fours),
      collinearity_space_map_float_split, FUSED_VERSION(collinearity_space_map_float_fused),
      collinearity_space_map_double_split, FUSED_VERSION(collinearity_space_map_double_fused),
      collinearity_space_map_longdouble_split, NULL},
     {"correlation_correlation_from_cameras", "(3),(2),(3),(2)->(3,3)", 4, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
+     FOURS_VERSION(correlation_correlation_from_cameras_fours),
      correlation_correlation_from_cameras_float_split, FUSED_VERSION(correlation_correlation_from_cameras_float_fused),
      correlation_correlation_from_cameras_double_split, FUSED_VERSION(correlation_correlation_from_cameras_double_fused),
      correlation_correlation_from_cameras_longdouble_split, NULL},
     {"correlation_correlation_matrix", "(5,2),(5,2)->(3,3)", 2, 1, 1,
      {{2, 5, 2}, {2, 5, 2}, {2, 3, 3}},
+     NULL,
      correlation_correlation_matrix_float_split, FUSED_VERSION(correlation_correlation_matrix_float_fused),
      correlation_correlation_matrix_double_split, FUSED_VERSION(correlation_correlation_matrix_double_fused),
      correlation_correlation_matrix_longdouble_split, NULL},
     {"correlation_design_row", "(2),(2)->(5)", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 5}},
+     FOURS_VERSION(correlation_design_row_fours),
      correlation_design_row_float_split, FUSED_VERSION(correlation_design_row_float_fused),
      correlation_design_row_double_split, FUSED_VERSION(correlation_design_row_double_fused),
      correlation_design_row_longdouble_split, NULL},
     {"correlation_epipolar_line_left", "(3,3),(2)->(3)", 2, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {1, 1, 3}},
+     FOURS_VERSION(correlation_epipolar_line_left_fours),
      correlation_epipolar_line_left_float_split, FUSED_VERSION(correlation_epipolar_line_left_float_fused),
      correlation_epipolar_line_left_double_split, FUSED_VERSION(correlation_epipolar_line_left_double_fused),
      correlation_epipolar_line_left_longdouble_split, NULL},
     {"correlation_epipolar_line_right", "(3,3),(2)->(3)", 2, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {1, 1, 3}},
+     FOURS_VERSION(correlation_epipolar_line_right_fours),
      correlation_epipolar_line_right_float_split, FUSED_VERSION(correlation_epipolar_line_right_float_fused),
      correlation_epipolar_line_right_double_split, FUSED_VERSION(correlation_epipolar_line_right_double_fused),
      correlation_epipolar_line_right_longdouble_split, NULL},
     {"correlation_epipoles", "(3,3)->(2),(2)", 1, 2, 0,
      {{2, 3, 3}, {1, 1, 2}, {1, 1, 2}},
+     FOURS_VERSION(correlation_epipoles_fours),
      correlation_epipoles_float_split, FUSED_VERSION(correlation_epipoles_float_fused),
      correlation_epipoles_double_split, FUSED_VERSION(correlation_epipoles_double_fused),
      correlation_epipoles_longdouble_split, NULL},
     {"correlation_general_correlation_matrix", "(8,2),(8,2)->(3,3)", 2, 1, 1,
      {{2, 8, 2}, {2, 8, 2}, {2, 3, 3}},
+     NULL,
      correlation_general_correlation_matrix_float_split, FUSED_VERSION(correlation_general_correlation_matrix_float_fused),
      correlation_general_correlation_matrix_double_split, FUSED_VERSION(correlation_general_correlation_matrix_double_fused),
      correlation_general_correlation_matrix_longdouble_split, NULL},
     {"correlation_rhs", "(2),(2)->()", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
+     FOURS_VERSION(correlation_rhs_fours),
      correlation_rhs_float_split, FUSED_VERSION(correlation_rhs_float_fused),
      correlation_rhs_double_split, FUSED_VERSION(correlation_rhs_double_fused),
      correlation_rhs_longdouble_split, NULL},
     {"correlation_system", "(5,2),(5,2)->(5,5),(5)", 2, 2, 0,
      {{2, 5, 2}, {2, 5, 2}, {2, 5, 5}, {1, 1, 5}},
+     FOURS_VERSION(correlation_system_fours),
      correlation_system_float_split, FUSED_VERSION(correlation_system_float_fused),
      correlation_system_double_split, FUSED_VERSION(correlation_system_double_fused),
      correlation_system_longdouble_split, NULL},
     {"critical_algebraic_distance", "(4,4),(3)->()", 2, 1, 0,
      {{2, 4, 4}, {1, 1, 3}, {0, 1, 1}},
+     FOURS_VERSION(critical_algebraic_distance_fours),
      critical_algebraic_distance_float_split, FUSED_VERSION(critical_algebraic_distance_float_fused),
      critical_algebraic_distance_double_split, FUSED_VERSION(critical_algebraic_distance_double_fused),
      critical_algebraic_distance_longdouble_split, NULL},
     {"critical_determinant", "(5,2),(5,2)->()", 2, 1, 0,
      {{2, 5, 2}, {2, 5, 2}, {0, 1, 1}},
+     FOURS_VERSION(critical_determinant_fours),
      critical_determinant_float_split, FUSED_VERSION(critical_determinant_float_fused),
      critical_determinant_double_split, FUSED_VERSION(critical_determinant_double_fused),
      critical_determinant_longdouble_split, NULL},
     {"critical_invariants", "(4,4)->(4),(3)", 1, 2, 0,
      {{2, 4, 4}, {1, 1, 4}, {1, 1, 3}},
+     FOURS_VERSION(critical_invariants_fours),
      critical_invariants_float_split, FUSED_VERSION(critical_invariants_float_fused),
      critical_invariants_double_split, FUSED_VERSION(critical_invariants_double_fused),
      critical_invariants_longdouble_split, NULL},
     {"metric_coplanarity_row", "(2),(2),(3,3),(3,3),()->(5)", 5, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {2, 3, 3}, {2, 3, 3}, {0, 1, 1}, {1, 1, 5}},
+     FOURS_VERSION(metric_coplanarity_row_fours),
      metric_coplanarity_row_float_split, FUSED_VERSION(metric_coplanarity_row_float_fused),
      metric_coplanarity_row_double_split, FUSED_VERSION(metric_coplanarity_row_double_fused),
      metric_coplanarity_row_longdouble_split, NULL},
     {"metric_correlation_matrix", "(3,3),(3,3),(3)->(3,3)", 3, 1, 0,
      {{2, 3, 3}, {2, 3, 3}, {1, 1, 3}, {2, 3, 3}},
+     FOURS_VERSION(metric_correlation_matrix_fours),
      metric_correlation_matrix_float_split, FUSED_VERSION(metric_correlation_matrix_float_fused),
      metric_correlation_matrix_double_split, FUSED_VERSION(metric_correlation_matrix_double_fused),
      metric_correlation_matrix_longdouble_split, NULL},
     {"metric_from_normal", "(3,3),(2),()->(2)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}},
+     FOURS_VERSION(metric_from_normal_fours),
      metric_from_normal_float_split, FUSED_VERSION(metric_from_normal_float_fused),
      metric_from_normal_double_split, FUSED_VERSION(metric_from_normal_double_fused),
      metric_from_normal_longdouble_split, NULL},
     {"metric_from_normal_jacobian", "(3,3),(2),()->(2,12)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 12}},
+     FOURS_VERSION(metric_from_normal_jacobian_fours),
      metric_from_normal_jacobian_float_split, FUSED_VERSION(metric_from_normal_jacobian_float_fused),
      metric_from_normal_jacobian_double_split, FUSED_VERSION(metric_from_normal_jacobian_double_fused),
      metric_from_normal_jacobian_longdouble_split, NULL},
     {"metric_jacobian_angles", "(2),()->(2,3)", 2, 1, 0,
      {{1, 1, 2}, {0, 1, 1}, {2, 2, 3}},
+     FOURS_VERSION(metric_jacobian_angles_fours),
      metric_jacobian_angles_float_split, FUSED_VERSION(metric_jacobian_angles_float_fused),
      metric_jacobian_angles_double_split, FUSED_VERSION(metric_jacobian_angles_double_fused),
      metric_jacobian_angles_longdouble_split, NULL},
     {"metric_jacobian_image", "(3,3),(2),()->(2,2)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 2}},
+     FOURS_VERSION(metric_jacobian_image_fours),
      metric_jacobian_image_float_split, FUSED_VERSION(metric_jacobian_image_float_fused),
      metric_jacobian_image_double_split, FUSED_VERSION(metric_jacobian_image_double_fused),
      metric_jacobian_image_longdouble_split, NULL},
     {"metric_model_covariance", "(2),(2),(),(2,2),(2,2),(2,2)->(3,3)", 6, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {2, 2, 2}, {2, 2, 2}, {2, 2, 2}, {2, 3, 3}},
+     FOURS_VERSION(metric_model_covariance_fours),
      metric_model_covariance_float_split, FUSED_VERSION(metric_model_covariance_float_fused),
      metric_model_covariance_double_split, FUSED_VERSION(metric_model_covariance_double_fused),
      metric_model_covariance_longdouble_split, NULL},
     {"metric_normal_covariance", "(3,3),(2),(),(3,3),()->(2,2)", 5, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 3, 3}, {0, 1, 1}, {2, 2, 2}},
+     FOURS_VERSION(metric_normal_covariance_fours),
      metric_normal_covariance_float_split, FUSED_VERSION(metric_normal_covariance_float_fused),
      metric_normal_covariance_double_split, FUSED_VERSION(metric_normal_covariance_double_fused),
      metric_normal_covariance_longdouble_split, NULL},
     {"metric_reconstruct", "(2),(2),()->(3)", 3, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {1, 1, 3}},
+     FOURS_VERSION(metric_reconstruct_fours),
      metric_reconstruct_float_split, FUSED_VERSION(metric_reconstruct_float_fused),
      metric_reconstruct_double_split, FUSED_VERSION(metric_reconstruct_double_fused),
      metric_reconstruct_longdouble_split, NULL},
     {"metric_reconstruct_jacobian", "(2),(2),()->(3,5)", 3, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {2, 3, 5}},
+     FOURS_VERSION(metric_reconstruct_jacobian_fours),
      metric_reconstruct_jacobian_float_split, FUSED_VERSION(metric_reconstruct_jacobian_float_fused),
      metric_reconstruct_jacobian_double_split, FUSED_VERSION(metric_reconstruct_jacobian_double_fused),
      metric_reconstruct_jacobian_longdouble_split, NULL},
     {"metric_to_normal", "(3,3),(2),()->(2)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}},
+     FOURS_VERSION(metric_to_normal_fours),
      metric_to_normal_float_split, FUSED_VERSION(metric_to_normal_float_fused),
      metric_to_normal_double_split, FUSED_VERSION(metric_to_normal_double_fused),
      metric_to_normal_longdouble_split, NULL},
     {"metric_to_normal_jacobian", "(3,3),(2),()->(2,12)", 3, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 12}},
+     FOURS_VERSION(metric_to_normal_jacobian_fours),
      metric_to_normal_jacobian_float_split, FUSED_VERSION(metric_to_normal_jacobian_float_fused),
      metric_to_normal_jacobian_double_split, FUSED_VERSION(metric_to_normal_jacobian_double_fused),
      metric_to_normal_jacobian_longdouble_split, NULL},
     {"normal_case_frame", "(),(2)->(3,3)", 2, 1, 0,
      {{0, 1, 1}, {1, 1, 2}, {2, 3, 3}},
+     FOURS_VERSION(normal_case_frame_fours),
      normal_case_frame_float_split, FUSED_VERSION(normal_case_frame_float_fused),
      normal_case_frame_double_split, FUSED_VERSION(normal_case_frame_double_fused),
      normal_case_frame_longdouble_split, NULL},
     {"normal_case_from_correlation", "(3,3)->(),(2),(2)", 1, 3, 0,
      {{2, 3, 3}, {0, 1, 1}, {1, 1, 2}, {1, 1, 2}},
+     FOURS_VERSION(normal_case_from_correlation_fours),
      normal_case_from_correlation_float_split, FUSED_VERSION(normal_case_from_correlation_float_fused),
      normal_case_from_correlation_double_split, FUSED_VERSION(normal_case_from_correlation_double_fused),
      normal_case_from_correlation_longdouble_split, NULL},
     {"normal_case_from_orientation", "(3),(3),(3),(2)->(),(2),(2)", 4, 3, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 2}, {1, 1, 2}},
+     FOURS_VERSION(normal_case_from_orientation_fours),
      normal_case_from_orientation_float_split, FUSED_VERSION(normal_case_from_orientation_float_fused),
      normal_case_from_orientation_double_split, FUSED_VERSION(normal_case_from_orientation_double_fused),
      normal_case_from_orientation_longdouble_split, NULL},
     {"normal_case_map_points", "(2),(2)->(2)", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
+     FOURS_VERSION(normal_case_map_points_fours),
      normal_case_map_points_float_split, FUSED_VERSION(normal_case_map_points_float_fused),
      normal_case_map_points_double_split, FUSED_VERSION(normal_case_map_points_double_fused),
      normal_case_map_points_longdouble_split, NULL},
     {"normal_case_mu_left", "(3),(2),()->(3)", 3, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 3}},
+     FOURS_VERSION(normal_case_mu_left_fours),
      normal_case_mu_left_float_split, FUSED_VERSION(normal_case_mu_left_float_fused),
      normal_case_mu_left_double_split, FUSED_VERSION(normal_case_mu_left_double_fused),
      normal_case_mu_left_longdouble_split, NULL},
     {"normal_case_mu_right", "(3),(3),(2),()->(3)", 4, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {0, 1, 1}, {1, 1, 3}},
+     FOURS_VERSION(normal_case_mu_right_fours),
      normal_case_mu_right_float_split, FUSED_VERSION(normal_case_mu_right_float_fused),
      normal_case_mu_right_double_split, FUSED_VERSION(normal_case_mu_right_double_fused),
      normal_case_mu_right_longdouble_split, NULL},
     {"normal_case_tau", "(2),(2)->(2)", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
+     FOURS_VERSION(normal_case_tau_fours),
      normal_case_tau_float_split, FUSED_VERSION(normal_case_tau_float_fused),
      normal_case_tau_double_split, FUSED_VERSION(normal_case_tau_double_fused),
      normal_case_tau_longdouble_split, NULL},
     {"normal_case_tau_jacobian", "(2),(2)->(2,4)", 2, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}},
+     FOURS_VERSION(normal_case_tau_jacobian_fours),
      normal_case_tau_jacobian_float_split, FUSED_VERSION(normal_case_tau_jacobian_float_fused),
      normal_case_tau_jacobian_double_split, FUSED_VERSION(normal_case_tau_jacobian_double_fused),
      normal_case_tau_jacobian_longdouble_split, NULL},
     {"normal_case_transform", "(2)->(3,3)", 1, 1, 0,
      {{1, 1, 2}, {2, 3, 3}},
+     FOURS_VERSION(normal_case_transform_fours),
      normal_case_transform_float_split, FUSED_VERSION(normal_case_transform_float_fused),
      normal_case_transform_double_split, FUSED_VERSION(normal_case_transform_double_fused),
      normal_case_transform_longdouble_split, NULL},
     {"optics_image_point", "(),(3)->(3)", 2, 1, 0,
      {{0, 1, 1}, {1, 1, 3}, {1, 1, 3}},
+     FOURS_VERSION(optics_image_point_fours),
      optics_image_point_float_split, FUSED_VERSION(optics_image_point_float_fused),
      optics_image_point_double_split, FUSED_VERSION(optics_image_point_double_fused),
      optics_image_point_longdouble_split, NULL},
     {"optics_lens_matrix", "()->(4,4)", 1, 1, 0,
      {{0, 1, 1}, {2, 4, 4}},
+     FOURS_VERSION(optics_lens_matrix_fours),
      optics_lens_matrix_float_split, FUSED_VERSION(optics_lens_matrix_float_fused),
      optics_lens_matrix_double_split, FUSED_VERSION(optics_lens_matrix_double_fused),
      optics_lens_matrix_longdouble_split, NULL},
     {"optics_map_plane_points", "(3),(2)->(2)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 2}},
+     FOURS_VERSION(optics_map_plane_points_fours),
      optics_map_plane_points_float_split, FUSED_VERSION(optics_map_plane_points_float_fused),
      optics_map_plane_points_double_split, FUSED_VERSION(optics_map_plane_points_double_fused),
      optics_map_plane_points_longdouble_split, NULL},
     {"optics_object_point", "(),(3)->(3)", 2, 1, 0,
      {{0, 1, 1}, {1, 1, 3}, {1, 1, 3}},
+     FOURS_VERSION(optics_object_point_fours),
      optics_object_point_float_split, FUSED_VERSION(optics_object_point_float_fused),
      optics_object_point_double_split, FUSED_VERSION(optics_object_point_double_fused),
      optics_object_point_longdouble_split, NULL},
     {"optics_plane_homography", "(3)->(3,3)", 1, 1, 0,
      {{1, 1, 3}, {2, 3, 3}},
+     FOURS_VERSION(optics_plane_homography_fours),
      optics_plane_homography_float_split, FUSED_VERSION(optics_plane_homography_float_fused),
      optics_plane_homography_double_split, FUSED_VERSION(optics_plane_homography_double_fused),
      optics_plane_homography_longdouble_split, NULL},
     {"optics_scale", "(),()->()", 2, 1, 0,
      {{0, 1, 1}, {0, 1, 1}, {0, 1, 1}},
+     FOURS_VERSION(optics_scale_fours),
      optics_scale_float_split, FUSED_VERSION(optics_scale_float_fused),
      optics_scale_double_split, FUSED_VERSION(optics_scale_double_fused),
      optics_scale_longdouble_split, NULL},
     {"optics_vanishing_line", "(3)->(3)", 1, 1, 0,
      {{1, 1, 3}, {1, 1, 3}},
+     FOURS_VERSION(optics_vanishing_line_fours),
      optics_vanishing_line_float_split, FUSED_VERSION(optics_vanishing_line_float_fused),
      optics_vanishing_line_double_split, FUSED_VERSION(optics_vanishing_line_double_fused),
      optics_vanishing_line_longdouble_split, NULL},
     {"orientation_intersect", "(2),(2),(3),(2),(3),(2)->(3)", 6, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
+     FOURS_VERSION(orientation_intersect_fours),
      orientation_intersect_float_split, FUSED_VERSION(orientation_intersect_float_fused),
      orientation_intersect_double_split, FUSED_VERSION(orientation_intersect_double_fused),
      orientation_intersect_longdouble_split, NULL},
     {"orientation_left_bundle", "(3),(2),(2)->(3)", 3, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     FOURS_VERSION(orientation_left_bundle_fours),
      orientation_left_bundle_float_split, FUSED_VERSION(orientation_left_bundle_float_fused),
      orientation_left_bundle_double_split, FUSED_VERSION(orientation_left_bundle_double_fused),
      orientation_left_bundle_longdouble_split, NULL},
     {"orientation_right_bundle", "(3),(3),(2),(2)->(3)", 4, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     FOURS_VERSION(orientation_right_bundle_fours),
      orientation_right_bundle_float_split, FUSED_VERSION(orientation_right_bundle_float_fused),
      orientation_right_bundle_double_split, FUSED_VERSION(orientation_right_bundle_double_fused),
      orientation_right_bundle_longdouble_split, NULL},
     {"projection_camera_matrix", "(3),(2)->(3,4)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 4}},
+     FOURS_VERSION(projection_camera_matrix_fours),
      projection_camera_matrix_float_split, FUSED_VERSION(projection_camera_matrix_float_fused),
      projection_camera_matrix_double_split, FUSED_VERSION(projection_camera_matrix_double_fused),
      projection_camera_matrix_longdouble_split, NULL},
     {"projection_center_from_mu", "(3),(2)->(3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
+     FOURS_VERSION(projection_center_from_mu_fours),
      projection_center_from_mu_float_split, FUSED_VERSION(projection_center_from_mu_float_fused),
      projection_center_from_mu_double_split, FUSED_VERSION(projection_center_from_mu_double_fused),
      projection_center_from_mu_longdouble_split, NULL},
     {"projection_mu_from_center", "(3),(2)->(3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
+     FOURS_VERSION(projection_mu_from_center_fours),
      projection_mu_from_center_float_split, FUSED_VERSION(projection_mu_from_center_float_fused),
      projection_mu_from_center_double_split, FUSED_VERSION(projection_mu_from_center_double_fused),
      projection_mu_from_center_longdouble_split, NULL},
     {"projection_mu_from_center_jacobian", "(3),(2)->(3,5)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 5}},
+     FOURS_VERSION(projection_mu_from_center_jacobian_fours),
      projection_mu_from_center_jacobian_float_split, FUSED_VERSION(projection_mu_from_center_jacobian_float_fused),
      projection_mu_from_center_jacobian_double_split, FUSED_VERSION(projection_mu_from_center_jacobian_double_fused),
      projection_mu_from_center_jacobian_longdouble_split, NULL},
     {"projection_project", "(3),(3),(2)->(2)", 3, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}},
+     FOURS_VERSION(projection_project_fours),
      projection_project_float_split, FUSED_VERSION(projection_project_float_fused),
      projection_project_double_split, FUSED_VERSION(projection_project_double_fused),
      projection_project_longdouble_split, NULL},
     {"projection_projection_determinant", "(3),(2)->()", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {0, 1, 1}},
+     FOURS_VERSION(projection_projection_determinant_fours),
      projection_projection_determinant_float_split, FUSED_VERSION(projection_projection_determinant_float_fused),
      projection_projection_determinant_double_split, FUSED_VERSION(projection_projection_determinant_double_fused),
      projection_projection_determinant_longdouble_split, NULL},
     {"projection_projection_determinant_from_mu", "(3),(2)->()", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {0, 1, 1}},
+     FOURS_VERSION(projection_projection_determinant_from_mu_fours),
      projection_projection_determinant_from_mu_float_split, FUSED_VERSION(projection_projection_determinant_from_mu_float_fused),
      projection_projection_determinant_from_mu_double_split, FUSED_VERSION(projection_projection_determinant_from_mu_double_fused),
      projection_projection_determinant_from_mu_longdouble_split, NULL},
     {"projection_projection_matrix", "(3),(2)->(3,3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
+     FOURS_VERSION(projection_projection_matrix_fours),
      projection_projection_matrix_float_split, FUSED_VERSION(projection_projection_matrix_float_fused),
      projection_projection_matrix_double_split, FUSED_VERSION(projection_projection_matrix_double_fused),
      projection_projection_matrix_longdouble_split, NULL},
     {"projection_projection_matrix_from_mu", "(3),(2)->(3,3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
+     FOURS_VERSION(projection_projection_matrix_from_mu_fours),
      projection_projection_matrix_from_mu_float_split, FUSED_VERSION(projection_projection_matrix_from_mu_float_fused),
      projection_projection_matrix_from_mu_double_split, FUSED_VERSION(projection_projection_matrix_from_mu_double_fused),
      projection_projection_matrix_from_mu_longdouble_split, NULL},
     {"projection_projection_matrix_jacobian", "(3),(2)->(9,5)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 9, 5}},
+     FOURS_VERSION(projection_projection_matrix_jacobian_fours),
      projection_projection_matrix_jacobian_float_split, FUSED_VERSION(projection_projection_matrix_jacobian_float_fused),
      projection_projection_matrix_jacobian_double_split, FUSED_VERSION(projection_projection_matrix_jacobian_double_fused),
      projection_projection_matrix_jacobian_longdouble_split, NULL},
     {"projection_reconstruction_matrix", "(3),(2)->(3,3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
+     FOURS_VERSION(projection_reconstruction_matrix_fours),
      projection_reconstruction_matrix_float_split, FUSED_VERSION(projection_reconstruction_matrix_float_fused),
      projection_reconstruction_matrix_double_split, FUSED_VERSION(projection_reconstruction_matrix_double_fused),
      projection_reconstruction_matrix_longdouble_split, NULL},
     {"projection_reconstruction_matrix_from_mu", "(3),(2)->(3,3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
+     FOURS_VERSION(projection_reconstruction_matrix_from_mu_fours),
      projection_reconstruction_matrix_from_mu_float_split, FUSED_VERSION(projection_reconstruction_matrix_from_mu_float_fused),
      projection_reconstruction_matrix_from_mu_double_split, FUSED_VERSION(projection_reconstruction_matrix_from_mu_double_fused),
      projection_reconstruction_matrix_from_mu_longdouble_split, NULL},
     {"space_homography", "(4)->(4,4)", 1, 1, 0,
      {{1, 1, 4}, {2, 4, 4}},
+     FOURS_VERSION(space_homography_fours),
      space_homography_float_split, FUSED_VERSION(space_homography_float_fused),
      space_homography_double_split, FUSED_VERSION(space_homography_double_fused),
      space_homography_longdouble_split, NULL},
     {"space_map_plane", "(4),(4)->(4)", 2, 1, 0,
      {{1, 1, 4}, {1, 1, 4}, {1, 1, 4}},
+     FOURS_VERSION(space_map_plane_fours),
      space_map_plane_float_split, FUSED_VERSION(space_map_plane_float_fused),
      space_map_plane_double_split, FUSED_VERSION(space_map_plane_double_fused),
      space_map_plane_longdouble_split, NULL},
     {"space_map_points", "(4),(3)->(3)", 2, 1, 0,
      {{1, 1, 4}, {1, 1, 3}, {1, 1, 3}},
+     FOURS_VERSION(space_map_points_fours),
      space_map_points_float_split, FUSED_VERSION(space_map_points_float_fused),
      space_map_points_double_split, FUSED_VERSION(space_map_points_double_fused),
      space_map_points_longdouble_split, NULL},
     {"space_mu_from_fifth_point", "(3),(3)->(4)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 4}},
+     FOURS_VERSION(space_mu_from_fifth_point_fours),
      space_mu_from_fifth_point_float_split, FUSED_VERSION(space_mu_from_fifth_point_float_fused),
      space_mu_from_fifth_point_double_split, FUSED_VERSION(space_mu_from_fifth_point_double_fused),
      space_mu_from_fifth_point_longdouble_split, NULL},
@@ -1036,7 +1140,7 @@ static struct plain_kernel plain_kernels[] = {
 enum { KERNELS = sizeof kernels / sizeof kernels[0], PLAIN_KERNELS = sizeof plain_kernels / sizeof plain_kernels[0] };
 enum { TYPES = 3 };
 
-static PyUFuncGenericFunction loops[TYPES] = {loop_float, loop_double, loop_longdouble};
+static PyUFuncGenericFunction loops[TYPES] = {loop_float, loop_fours, loop_longdouble};
 static PyUFuncGenericFunction plain_loops[TYPES] = {plain_loop_float, plain_loop_double, plain_loop_longdouble};
 static const char type_numbers[TYPES] = {NPY_FLOAT, NPY_DOUBLE, NPY_LONGDOUBLE};
 static char types[KERNELS][TYPES * MOST_OPERANDS], plain_types[PLAIN_KERNELS][TYPES * MOST_OPERANDS];
@@ -1095,7 +1199,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "9c37a6a33f30de50");
+    return PyModule_AddStringConstant(module, "DIGEST", "2af0b1792a592648");
 }
 
 static PyModuleDef_Slot slots[] = {

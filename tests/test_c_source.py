@@ -18,6 +18,7 @@ from algebroproj_sym.generating.c_source import LONGEST, stamped, statements
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, kernel_outputs, source_of
 from algebroproj_sym.verifying.proof_of_c_source import (
+    KERNELS,
     c_source_is_proved,
     kernel_is_proved,
     product_errors_are_proved,
@@ -25,14 +26,15 @@ from algebroproj_sym.verifying.proof_of_c_source import (
 )
 
 FOLDER = Path(__file__).resolve().parent.parent / "generated" / PACKAGE
-SOURCE = source_of((FOLDER / "_kernels.h").read_text(encoding="utf-8"))
+TEXT = "".join((FOLDER / name).read_text(encoding="utf-8") for name in KERNELS)
+SOURCE = source_of(TEXT)
 COMPILED = {kernel.qualified_name: kernel for kernel in kernels() if c_name(kernel) in SOURCE.kernels}
 SOLVERS = [("solve", 5), ("null_vector", 8)]
 
 
 @pytest.fixture(scope="module")
 def text():
-    return (FOLDER / "_kernels.h").read_text(encoding="utf-8")
+    return TEXT
 
 
 @pytest.fixture(scope="module")
@@ -237,7 +239,10 @@ def test_a_loop_over_other_points_is_refused():
 def test_a_package_without_its_c_source_is_not_proved(tmp_path):
     package = SimpleNamespace(__file__=str(tmp_path / "__init__.py"))
     assert not c_source_is_proved(lower(demonstration()), package)
-    (tmp_path / "_kernels.h").write_text(c_files([lower(demonstration())], "")["_kernels.h"], encoding="utf-8")
+    files = c_files([lower(demonstration())], "")
+    for name in KERNELS:
+        assert not c_source_is_proved(lower(demonstration()), package)
+        (tmp_path / name).write_text(files[name], encoding="utf-8")
     assert c_source_is_proved(lower(demonstration()), package)
 
 
@@ -270,6 +275,7 @@ def test_the_formulas_are_c99_without_warnings(compiler, text, tmp_path):
         #define real double
         #define splitter 134217729.0
         #define headroom (DBL_MAX / 2)
+        #define constant(number) number
         #define multiply_add fma
         #define product_error NAME(split_product_error)
         #define within(range, operand) multiply_add(operand, operand, range)

@@ -107,6 +107,20 @@ def test_the_bits_are_the_same_where_products_and_halves_overflow_and_underflow(
     assert_same(kernel, [extremes((3000, *a.shape), dtype, seed) for seed, a in enumerate(kernel.arguments)])
 
 
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("name", KERNELS)
+def test_the_bits_are_the_same_where_products_are_nearly_too_large(name, dtype):
+    """Each number is near the root of the largest; of sums of such, products may overflow, and their halves before."""
+    largest = np.finfo(dtype).max
+    generator = np.random.default_rng(0)
+    shapes = [(2000, *argument.shape) for argument in KERNELS[name].arguments]
+    exponents = [generator.uniform(-0.02, 0.002, shape) for shape in shapes]
+    with np.errstate(over="ignore"):
+        arguments = [(np.sqrt(largest) * largest ** e.astype(dtype)).astype(dtype) for e in exponents]
+    signs = [generator.choice([-1, 1], shape).astype(dtype) for shape in shapes]
+    assert_same(KERNELS[name], [argument * sign for argument, sign in zip(arguments, signs, strict=True)])
+
+
 @pytest.mark.parametrize("infinite", [np.inf, -np.inf, np.nan])
 def test_what_is_infinite_does_not_hide_that_something_else_is_too_large(infinite):
     matrices = np.random.default_rng(0).uniform(-4, 4, (1000, 4, 4))
@@ -145,9 +159,23 @@ def kernel():
     return KERNELS["projection.project"]
 
 
-@pytest.mark.parametrize("count", [0, 1, 63, 64, 65, 129])
+@pytest.mark.parametrize("count", [0, 1, 63, 64, 65, 129, 255, 256, 257, 260, 515])
 def test_batches_of_any_length(kernel, count):
     assert_same(kernel, arguments_of(kernel, float, (count,)))
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_points_that_make_up_no_block(name):
+    arguments = arguments_of(KERNELS[name], float, (300,))
+    for start, stop in ((0, 3), (1, 5), (2, 9), (290, 300), (37, 300)):
+        assert_same(KERNELS[name], [a[start:stop] for a in arguments])
+
+
+@pytest.mark.parametrize("name", [name for name, kernel in KERNELS.items() if len(kernel.arguments) > 1])
+def test_one_point_of_an_argument_for_all_of_the_others(name):
+    arguments = arguments_of(KERNELS[name], float, (270,))
+    for place, argument in enumerate(arguments):
+        assert_same(KERNELS[name], [*arguments[:place], argument[5], *arguments[place + 1 :]])
 
 
 class Subclass(np.ndarray):
@@ -286,6 +314,18 @@ def test_results_may_share_memory_with_arguments():
         expected = without_twin(function)(tau, memory[10:310].copy())
         function(tau, memory[10:310], out=memory[:300])
     assert same_bits(memory[:300], expected)
+
+
+@pytest.mark.parametrize("offset", [0, 1, 2, 3, 5])
+def test_results_may_lie_where_arguments_are(offset):
+    u3 = arguments_of(KERNELS["projection.center_from_mu"], float, (300,))[1]
+    function = function_of(KERNELS["projection.center_from_mu"], algebroproj)
+    memory = numbers((310 * 3,), float, 7)
+    mu, out = memory[: 300 * 3].reshape(300, 3), memory[offset : 300 * 3 + offset].reshape(300, 3)
+    with np.errstate(all="ignore"):
+        expected = without_twin(function)(mu.copy(), u3)
+        function(mu, u3, out=out)
+    assert same_bits(out, expected)
 
 
 def test_errors_are_those_of_the_numpy_source(kernel):

@@ -16,7 +16,8 @@ from algebroproj_sym.generating.package import LONGEST_FACTOR, runtime_modules
 
 SHARED = {
     *("__init__.py", "drivers.py", "py.typed"),
-    *("_compiled.c", "_calls.h", "_kernels.h", "_loops.h", "_plain_kernels.h", "_plain_loops.h"),
+    *("_compiled.c", "_calls.h", "_kernels.h", "_systems.h", "_moves.h", "_loops.h", "_fours.h"),
+    *("_plain_kernels.h", "_plain_loops.h"),
     *(path.name for path in runtime_modules()),
 }
 MEASURED = recorded_errors(Path(__file__).resolve().parent.parent / "generated" / "accuracy.json")

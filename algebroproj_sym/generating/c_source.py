@@ -33,6 +33,12 @@ COMPILED = ("let", *LINEAR)
 LONGEST = 4000
 """How many statements a compiler is asked to optimise at once."""
 
+SHORT = 1000
+"""How many statements take no longer for points that go from memory to registers and back than for rows of them."""
+
+FEW = 32
+"""Of how many terms a sum may be: products of two such sums then are as far from overflow as `headroom` leaves them."""
+
 DIGEST = "DIGEST_OF_THE_SOURCE"
 """What stands, in templates, for a digest of the C source."""
 
@@ -42,7 +48,7 @@ TYPES = (
         "loop": "float",
         "absolute": "fabsf",
         "multiply_add": "fmaf",
-        "headroom": "(FLT_MAX / 4)",
+        "headroom": "(FLT_MAX - FLT_MAX / 4096)",
         "splitter": "4097.0f",
         "has_fused": True,
     },
@@ -51,7 +57,7 @@ TYPES = (
         "loop": "fours",
         "absolute": "fabs",
         "multiply_add": "fma",
-        "headroom": "(DBL_MAX / 4)",
+        "headroom": "(DBL_MAX - DBL_MAX / 4096)",
         "splitter": "134217729.0",
         "has_fused": True,
     },
@@ -60,7 +66,7 @@ TYPES = (
         "loop": "longdouble",
         "absolute": "fabsl",
         "multiply_add": "fmal",
-        "headroom": "(LDBL_MAX / 4)",
+        "headroom": "(LDBL_MAX - LDBL_MAX / 4096)",
         "splitter": "((longdouble)((npy_ulonglong)1 << (LDBL_MANT_DIG + 1) / 2) + 1)",
         "has_fused": False,
     },
@@ -100,8 +106,8 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     -------
     dict of str to str
         The text of each file by its name: ``_kernels.h`` with the formulas, ``_systems.h`` with those that solve linear
-        systems, ``_loops.h``, ``_fours.h`` and ``_compiled.c`` with what makes ufuncs of them, and of the formulas
-        without compensation, which `plain_files` writes; ``_calls.h`` with short calls of ufuncs.
+        systems, ``_moves.h``, ``_loops.h``, ``_fours.h`` and ``_compiled.c`` with what makes ufuncs of them, and of the
+        formulas without compensation, which `plain_files` writes; ``_calls.h`` with short calls of ufuncs.
     """
     compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
     plain = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
@@ -132,7 +138,13 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             kernels=list(map(_function, of_systems)),
         ),
         "_loops.h": rendered("loops.h.j2", notice=notice),
-        "_fours.h": rendered("fours.h.j2", notice=notice, kernels=[_by_fours(low.kernel) for low in of_operations]),
+        "_moves.h": rendered("moves.h.j2", notice=notice),
+        "_fours.h": rendered(
+            "fours.h.j2",
+            notice=notice,
+            headroom=next(kind["headroom"] for kind in TYPES if kind["loop"] == "fours"),
+            kernels=[_by_fours(low.kernel) for low in compiled if _is_short(low)],
+        ),
         "_calls.h": rendered("calls.h.j2", notice=notice),
         "_compiled.c": rendered(
             "compiled.c.j2",
@@ -140,7 +152,7 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             digest=DIGEST,
             block=BLOCK,
             types=TYPES,
-            kernels=[_table_row(low.kernel) for low in compiled],
+            kernels=[_table_row(low.kernel) | {"by_fours": _is_short(low)} for low in compiled],
             plain_kernels=[_table_row(low.kernel) for low in plain],
             operands=max((len(core_shapes(low.kernel)) for low in both), default=1),
             inputs=max((len(low.kernel.symbols) for low in both), default=1),
@@ -152,6 +164,11 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
 def _solves(kernel: Kernel) -> bool:
     """Whether a kernel solves a linear system."""
     return any(stage.primitive in LINEAR for stage in kernel.stages)
+
+
+def _is_short(low: Lowered) -> bool:
+    """Whether four points at a time are computed in registers."""
+    return not _solves(low.kernel) and len(expanded(low.program).steps) <= SHORT
 
 
 def _function(low: Lowered) -> dict[str, object]:
@@ -256,16 +273,35 @@ def statements(
 def guards(program: Program) -> list[str]:
     r"""Return the statements that keep the range of the operands of products whose errors are taken.
 
+    A sum of a few numbers whose range is kept needs no statement of its own.
+
     Examples
     --------
-    >>> steps = (Step("t0", "*", ("x", "y")), Step("t1", "product_error", ("x", "y", "t0")))
-    >>> print(*guards(Program(("x", "y"), steps, ("t0", "t1"))), sep="\n")
+    >>> steps = (
+    ...     Step("t0", "+", ("x", "y")),
+    ...     Step("t1", "*", ("x", "y")),
+    ...     Step("t2", "product_error", ("x", "y", "t1")),
+    ...     Step("t3", "*", ("t0", "y")),
+    ...     Step("t4", "product_error", ("t0", "y", "t3")),
+    ... )
+    >>> print(*guards(Program(("x", "y"), steps, ("t2", "t4"))), sep="\n")
     range = within(range, x);
     range = within(range, y);
     """
     names, used = _c_names(program), program.needed()
     operands = [operand for step in _products(program) if step.name in used for operand in step.operands[:2]]
-    return [f"range = within(range, {names[operand]});" for operand in dict.fromkeys(operands) if operand in names]
+    wanted = dict.fromkeys(operand for operand in operands if operand in names)
+    terms: dict[Operand, int] = {}
+
+    def number(operand: Operand) -> int:
+        return 1 if isinstance(operand, int) else terms.get(operand, int(operand in wanted))
+
+    for step in program.steps:
+        if isinstance(step, Step) and step.operator in ("+", "-", "neg"):
+            numbers = list(map(number, step.operands))
+            if all(numbers) and sum(numbers) <= FEW:
+                terms[step.name] = sum(numbers)
+    return [f"range = within(range, {names[operand]});" for operand in wanted if operand not in terms]
 
 
 def _products(program: Program) -> list[Step]:

@@ -1,7 +1,7 @@
 """Printing what reads and writes four points at a time, the entries of each following each other in memory.
 
-Four neighbouring entries of four points take four loads and eight exchanges.  Where the number of entries is no multiple
-of four, the last four overlap those before them, unless a single entry is left.
+Four neighbouring entries of four points take four loads and eight exchanges.  Where the number of entries is no
+multiple of four, the last four overlap those before them, unless a single entry is left.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ ALIKE = 3
 
 
 def reads(sizes: Sequence[int]) -> list[str]:
-    """Return the statements that read operands of some sizes, one after the other, into rows.
+    r"""Return the statements that read operands of some sizes, one after the other, into rows.
 
     Examples
     --------
-    >>> print(*reads([3, 6]), sep="\\n")
+    >>> print(*reads([3, 6]), sep="\n")
     read_3(in + 0, data[0] + i * steps[0]);
     read_four(in + 3, data[1] + i * steps[1], 6);
     read_four(in + 5, data[1] + i * steps[1] + 2, 6);
@@ -27,11 +27,11 @@ def reads(sizes: Sequence[int]) -> list[str]:
 
 
 def writes(sizes: Sequence[int], arguments: int) -> list[str]:
-    """Return the statements that write results of some sizes, which come after so many arguments, from rows.
+    r"""Return the statements that write results of some sizes, which come after so many arguments, from rows.
 
     Examples
     --------
-    >>> print(*writes([9], 2), sep="\\n")
+    >>> print(*writes([9], 2), sep="\n")
     write_four(out + 0, data[2] + i * steps[2], 9);
     write_four(out + 4, data[2] + i * steps[2] + 4, 9);
     write_one(out + 8, data[2] + i * steps[2] + 8, 9);

@@ -20,6 +20,7 @@ from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.graph import Graph, Node, Signed
 from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
 from algebroproj_sym.generating.sharing import share_pairs, share_reciprocals
+from algebroproj_sym.generating.signs import with_negative_reciprocals
 from algebroproj_sym.proving import RationalFunctionField
 
 
@@ -157,7 +158,8 @@ def program_of(kernel: Kernel, guarded: Sequence[Scalar], reciprocals: bool = Fa
     for symbol, signed in abbreviations.items():
         emitter.name(signed, symbol.name)
     results = tuple(emitter.signed(signed) for signed in outputs)
-    return Program(tuple(symbol.name for symbol in kernel.symbols), tuple(emitter.steps), results)
+    program = Program(tuple(symbol.name for symbol in kernel.symbols), tuple(emitter.steps), results)
+    return with_negative_reciprocals(program, {symbol.name for symbol in abbreviations})
 
 
 def factors_of(lowered: Lowered) -> Program:

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "2af0b1792a592648"
+DIGEST = "098b00bdaac8d7dc"
 """What identifies the C source that belongs to this package."""
 
 

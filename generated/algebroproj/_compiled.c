@@ -184,16 +184,20 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
     static VERSION void NAME(name)(const real (*restrict in)[WIDTH], real (*restrict out)[WIDTH], \
                                    real *restrict ranges, const npy_intp points)
 
-/* A quarter of the largest number, to which squares of operands are added: the sum is not finite if products of such
-   operands, or of their halves, might not be.  Then the factor that splits a number into halves, whose products are
-   exact. */
+#ifdef SHUFFLED
+#include "_moves.h"
+#endif
+
+/* A little less than the largest number, to which squares of operands are added: the sum is not finite if products of
+   such operands, or of sums of a few of them, or of their halves, might not be.  Then the factor that splits a number into
+   halves, whose products are exact. */
 #define WIDTH BLOCK
 #define INLINED FORCED_INLINE
 #define constant(number) number
 #define real float
 #define absolute fabsf
 #define multiply_add fmaf
-#define headroom (FLT_MAX / 4)
+#define headroom (FLT_MAX - FLT_MAX / 4096)
 #define splitter 4097.0f
 #define VERSION SPLIT
 #define variant float_split
@@ -217,8 +221,14 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #undef within
 #undef VERSION
 #endif
+#ifndef gathered
+#define gathered(rows, data, layout, points) 0
+#define scattered(rows, data, layout, points) 0
+#endif
 PAIRING
 #include "_loops.h"
+#undef gathered
+#undef scattered
 #define VERSION SPLIT
 #define NARROW_VERSION VERSION
 #define variant float_plain
@@ -246,7 +256,7 @@ PAIRING_ENDS
 #define real double
 #define absolute fabs
 #define multiply_add fma
-#define headroom (DBL_MAX / 4)
+#define headroom (DBL_MAX - DBL_MAX / 4096)
 #define splitter 134217729.0
 #define VERSION SPLIT
 #define variant double_split
@@ -270,8 +280,18 @@ PAIRING_ENDS
 #undef within
 #undef VERSION
 #endif
+#ifdef SHUFFLED
+#define gathered gather_fours
+#define scattered scatter_fours
+#endif
+#ifndef gathered
+#define gathered(rows, data, layout, points) 0
+#define scattered(rows, data, layout, points) 0
+#endif
 PAIRING
 #include "_loops.h"
+#undef gathered
+#undef scattered
 #define VERSION SPLIT
 #define NARROW_VERSION VERSION
 #define variant double_plain
@@ -299,7 +319,7 @@ PAIRING_ENDS
 #define real longdouble
 #define absolute fabsl
 #define multiply_add fmal
-#define headroom (LDBL_MAX / 4)
+#define headroom (LDBL_MAX - LDBL_MAX / 4096)
 #define splitter ((longdouble)((npy_ulonglong)1 << (LDBL_MANT_DIG + 1) / 2) + 1)
 #define VERSION
 #define variant longdouble_split
@@ -311,8 +331,14 @@ PAIRING_ENDS
 #undef product_error
 #undef within
 #undef VERSION
+#ifndef gathered
+#define gathered(rows, data, layout, points) 0
+#define scattered(rows, data, layout, points) 0
+#endif
 PAIRING
 #include "_loops.h"
+#undef gathered
+#undef scattered
 #define VERSION
 #define NARROW_VERSION VERSION
 #define variant longdouble_plain
@@ -378,7 +404,7 @@ static struct kernel kernels[] = {
      collinearity_coplanarity_determinant_longdouble_split, NULL},
     {"collinearity_intersect", "(11),(11),(2),(2)->(3)", 4, 1, 0,
      {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
-     FOURS_VERSION(collinearity_intersect_fours),
+     NULL,
      collinearity_intersect_float_split, FUSED_VERSION(collinearity_intersect_float_fused),
      collinearity_intersect_double_split, FUSED_VERSION(collinearity_intersect_double_fused),
      collinearity_intersect_longdouble_split, NULL},
@@ -660,7 +686,7 @@ static struct kernel kernels[] = {
      optics_vanishing_line_longdouble_split, NULL},
     {"orientation_intersect", "(2),(2),(3),(2),(3),(2)->(3)", 6, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
-     FOURS_VERSION(orientation_intersect_fours),
+     NULL,
      orientation_intersect_float_split, FUSED_VERSION(orientation_intersect_float_fused),
      orientation_intersect_double_split, FUSED_VERSION(orientation_intersect_double_fused),
      orientation_intersect_longdouble_split, NULL},
@@ -1199,7 +1225,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "2af0b1792a592648");
+    return PyModule_AddStringConstant(module, "DIGEST", "098b00bdaac8d7dc");
 }
 
 static PyModuleDef_Slot slots[] = {

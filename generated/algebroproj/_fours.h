@@ -6,96 +6,9 @@ Where operands are in the usual layout, or one point of them is meant for all, n
 back.  Of all else, of what overflows or underflows, and of the points that are left, there are rows.
 */
 
-typedef double four __attribute__((vector_size(4 * sizeof(double))));
-typedef double four_in_memory __attribute__((vector_size(4 * sizeof(double)), aligned(sizeof(double))));
-
 enum { TOGETHER = 256 };
 
-#define FOURS static FUSED_INLINE void
-
-/* Entries, of four points each. */
-FOURS read_1(four *restrict rows, const double *from)
-{
-    rows[0] = *(const four_in_memory *)from;
-}
-
-FOURS read_2(four *restrict rows, const double *from)
-{
-    const four a = *(const four_in_memory *)from, b = *(const four_in_memory *)(from + 4);
-    rows[0] = SHUFFLED(a, b, 0, 2, 4, 6);
-    rows[1] = SHUFFLED(a, b, 1, 3, 5, 7);
-}
-
-FOURS read_3(four *restrict rows, const double *from)
-{
-    const four a = *(const four_in_memory *)from, b = *(const four_in_memory *)(from + 4);
-    const four c = *(const four_in_memory *)(from + 8);
-    const four ab = SHUFFLED(a, b, 0, 1, 6, 7), ac = SHUFFLED(a, c, 2, 3, 4, 5), bc = SHUFFLED(b, c, 0, 1, 6, 7);
-    rows[0] = SHUFFLED(ab, ac, 0, 5, 2, 7);
-    rows[1] = SHUFFLED(ab, bc, 1, 4, 3, 6);
-    rows[2] = SHUFFLED(ac, bc, 0, 5, 2, 7);
-}
-
-/* One entry, or four neighbours, of points that have `size` entries. */
-FOURS read_one(four *restrict rows, const double *from, const int size)
-{
-    rows[0] = (four){from[0], from[size], from[2 * size], from[3 * size]};
-}
-
-FOURS exchange(four *restrict rows, const four a, const four b, const four c, const four d)
-{
-    const four ab = SHUFFLED(a, b, 0, 4, 2, 6), ab_next = SHUFFLED(a, b, 1, 5, 3, 7);
-    const four cd = SHUFFLED(c, d, 0, 4, 2, 6), cd_next = SHUFFLED(c, d, 1, 5, 3, 7);
-    rows[0] = SHUFFLED(ab, cd, 0, 1, 4, 5);
-    rows[1] = SHUFFLED(ab_next, cd_next, 0, 1, 4, 5);
-    rows[2] = SHUFFLED(ab, cd, 2, 3, 6, 7);
-    rows[3] = SHUFFLED(ab_next, cd_next, 2, 3, 6, 7);
-}
-
-FOURS read_four(four *restrict rows, const double *from, const int size)
-{
-    exchange(rows, *(const four_in_memory *)from, *(const four_in_memory *)(from + size),
-             *(const four_in_memory *)(from + 2 * size), *(const four_in_memory *)(from + 3 * size));
-}
-
-FOURS write_1(const four *restrict rows, double *to)
-{
-    *(four_in_memory *)to = rows[0];
-}
-
-FOURS write_2(const four *restrict rows, double *to)
-{
-    const four even = SHUFFLED(rows[0], rows[1], 0, 4, 2, 6), odd = SHUFFLED(rows[0], rows[1], 1, 5, 3, 7);
-    *(four_in_memory *)to = SHUFFLED(even, odd, 0, 1, 4, 5);
-    *(four_in_memory *)(to + 4) = SHUFFLED(even, odd, 2, 3, 6, 7);
-}
-
-FOURS write_3(const four *restrict rows, double *to)
-{
-    const four ab = SHUFFLED(rows[0], rows[1], 0, 4, 2, 6), bc = SHUFFLED(rows[1], rows[2], 1, 5, 3, 7);
-    const four ca = SHUFFLED(rows[2], rows[0], 0, 5, 2, 7);
-    *(four_in_memory *)to = SHUFFLED(ab, ca, 0, 1, 4, 5);
-    *(four_in_memory *)(to + 4) = SHUFFLED(bc, ab, 0, 1, 6, 7);
-    *(four_in_memory *)(to + 8) = SHUFFLED(ca, bc, 2, 3, 6, 7);
-}
-
-FOURS write_one(const four *restrict rows, double *to, const int size)
-{
-    to[0] = rows[0][0];
-    to[size] = rows[0][1];
-    to[2 * size] = rows[0][2];
-    to[3 * size] = rows[0][3];
-}
-
-FOURS write_four(const four *restrict rows, double *to, const int size)
-{
-    four points[4];
-    exchange(points, rows[0], rows[1], rows[2], rows[3]);
-    *(four_in_memory *)to = points[0];
-    *(four_in_memory *)(to + size) = points[1];
-    *(four_in_memory *)(to + 2 * size) = points[2];
-    *(four_in_memory *)(to + 3 * size) = points[3];
-}
+static const four most_headroom = {(DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MAX / 4096)};
 
 #define real four
 #define absolute(number) (number)
@@ -131,7 +44,7 @@ static FUSED_INLINE int in_range(const four range)
 
 static FUSED int affine_plane_coordinates_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[8], out[2], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[8], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_four(in + 2, data[1] + i * steps[1], 6);
@@ -144,7 +57,7 @@ static FUSED int affine_plane_coordinates_fours(double *const *data, const npy_i
 
 static FUSED int affine_plane_frame_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[6], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[6], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 6);
         read_four(in + 2, data[0] + i * steps[0] + 2, 6);
@@ -158,7 +71,7 @@ static FUSED int affine_plane_frame_fours(double *const *data, const npy_intp *s
 
 static FUSED int affine_space_coordinates_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[15], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[15], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_four(in + 3, data[1] + i * steps[1], 12);
@@ -172,7 +85,7 @@ static FUSED int affine_space_coordinates_fours(double *const *data, const npy_i
 
 static FUSED int affine_space_frame_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[12], out[16], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[12], out[16], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 12);
         read_four(in + 4, data[0] + i * steps[0] + 4, 12);
@@ -188,7 +101,7 @@ static FUSED int affine_space_frame_fours(double *const *data, const npy_intp *s
 
 static FUSED int collinearity_coplanarity_determinant_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[26], out[1], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[26], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 11);
         read_four(in + 4, data[0] + i * steps[0] + 4, 11);
@@ -204,27 +117,9 @@ static FUSED int collinearity_coplanarity_determinant_fours(double *const *data,
     return in_range(range[0]);
 }
 
-static FUSED int collinearity_intersect_fours(double *const *data, const npy_intp *steps, const npy_intp points)
-{
-    four in[26], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
-    for (npy_intp i = 0; i < points / 4; i++) {
-        read_four(in + 0, data[0] + i * steps[0], 11);
-        read_four(in + 4, data[0] + i * steps[0] + 4, 11);
-        read_four(in + 7, data[0] + i * steps[0] + 7, 11);
-        read_four(in + 11, data[1] + i * steps[1], 11);
-        read_four(in + 15, data[1] + i * steps[1] + 4, 11);
-        read_four(in + 18, data[1] + i * steps[1] + 7, 11);
-        read_2(in + 22, data[2] + i * steps[2]);
-        read_2(in + 24, data[3] + i * steps[3]);
-        collinearity_intersect_four((const four (*)[1])in, (four (*)[1])out, range, 1);
-        write_3(out + 0, data[4] + i * steps[4]);
-    }
-    return in_range(range[0]);
-}
-
 static FUSED int collinearity_intersect_three_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[26], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[26], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 11);
         read_four(in + 4, data[0] + i * steps[0] + 4, 11);
@@ -242,7 +137,7 @@ static FUSED int collinearity_intersect_three_fours(double *const *data, const n
 
 static FUSED int collinearity_model_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[7], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[7], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_3(in + 3, data[1] + i * steps[1]);
@@ -255,7 +150,7 @@ static FUSED int collinearity_model_point_fours(double *const *data, const npy_i
 
 static FUSED int collinearity_project_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[14], out[2], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[14], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 11);
         read_four(in + 4, data[0] + i * steps[0] + 4, 11);
@@ -269,7 +164,7 @@ static FUSED int collinearity_project_fours(double *const *data, const npy_intp 
 
 static FUSED int collinearity_project_jacobian_parameters_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[14], out[22], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[14], out[22], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 11);
         read_four(in + 4, data[0] + i * steps[0] + 4, 11);
@@ -288,7 +183,7 @@ static FUSED int collinearity_project_jacobian_parameters_fours(double *const *d
 
 static FUSED int collinearity_project_jacobian_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[14], out[6], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[14], out[6], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 11);
         read_four(in + 4, data[0] + i * steps[0] + 4, 11);
@@ -303,7 +198,7 @@ static FUSED int collinearity_project_jacobian_point_fours(double *const *data, 
 
 static FUSED int collinearity_space_map_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[18], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[18], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 15);
         read_four(in + 4, data[0] + i * steps[0] + 4, 15);
@@ -318,7 +213,7 @@ static FUSED int collinearity_space_map_fours(double *const *data, const npy_int
 
 static FUSED int correlation_correlation_from_cameras_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[10], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[10], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -334,7 +229,7 @@ static FUSED int correlation_correlation_from_cameras_fours(double *const *data,
 
 static FUSED int correlation_design_row_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[4], out[5], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[4], out[5], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_2(in + 2, data[1] + i * steps[1]);
@@ -347,7 +242,7 @@ static FUSED int correlation_design_row_fours(double *const *data, const npy_int
 
 static FUSED int correlation_epipolar_line_left_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[11], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[11], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -361,7 +256,7 @@ static FUSED int correlation_epipolar_line_left_fours(double *const *data, const
 
 static FUSED int correlation_epipolar_line_right_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[11], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[11], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -375,7 +270,7 @@ static FUSED int correlation_epipolar_line_right_fours(double *const *data, cons
 
 static FUSED int correlation_epipoles_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[9], out[4], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[9], out[4], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -389,7 +284,7 @@ static FUSED int correlation_epipoles_fours(double *const *data, const npy_intp 
 
 static FUSED int correlation_rhs_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[4], out[1], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[4], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_2(in + 2, data[1] + i * steps[1]);
@@ -401,7 +296,7 @@ static FUSED int correlation_rhs_fours(double *const *data, const npy_intp *step
 
 static FUSED int correlation_system_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[20], out[30], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[20], out[30], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 10);
         read_four(in + 4, data[0] + i * steps[0] + 4, 10);
@@ -425,7 +320,7 @@ static FUSED int correlation_system_fours(double *const *data, const npy_intp *s
 
 static FUSED int critical_algebraic_distance_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[19], out[1], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[19], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 16);
         read_four(in + 4, data[0] + i * steps[0] + 4, 16);
@@ -440,7 +335,7 @@ static FUSED int critical_algebraic_distance_fours(double *const *data, const np
 
 static FUSED int critical_determinant_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[20], out[1], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[20], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 10);
         read_four(in + 4, data[0] + i * steps[0] + 4, 10);
@@ -456,7 +351,7 @@ static FUSED int critical_determinant_fours(double *const *data, const npy_intp 
 
 static FUSED int critical_invariants_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[16], out[7], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[16], out[7], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 16);
         read_four(in + 4, data[0] + i * steps[0] + 4, 16);
@@ -471,7 +366,7 @@ static FUSED int critical_invariants_fours(double *const *data, const npy_intp *
 
 static FUSED int metric_coplanarity_row_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[23], out[5], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[23], out[5], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_2(in + 2, data[1] + i * steps[1]);
@@ -491,7 +386,7 @@ static FUSED int metric_coplanarity_row_fours(double *const *data, const npy_int
 
 static FUSED int metric_correlation_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[21], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[21], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -510,7 +405,7 @@ static FUSED int metric_correlation_matrix_fours(double *const *data, const npy_
 
 static FUSED int metric_from_normal_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[12], out[2], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[12], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -525,7 +420,7 @@ static FUSED int metric_from_normal_fours(double *const *data, const npy_intp *s
 
 static FUSED int metric_from_normal_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[12], out[24], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[12], out[24], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -545,7 +440,7 @@ static FUSED int metric_from_normal_jacobian_fours(double *const *data, const np
 
 static FUSED int metric_jacobian_angles_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[3], out[6], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[3], out[6], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_1(in + 2, data[1] + i * steps[1]);
@@ -558,7 +453,7 @@ static FUSED int metric_jacobian_angles_fours(double *const *data, const npy_int
 
 static FUSED int metric_jacobian_image_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[12], out[4], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[12], out[4], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -573,7 +468,7 @@ static FUSED int metric_jacobian_image_fours(double *const *data, const npy_intp
 
 static FUSED int metric_model_covariance_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[17], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[17], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_2(in + 2, data[1] + i * steps[1]);
@@ -591,7 +486,7 @@ static FUSED int metric_model_covariance_fours(double *const *data, const npy_in
 
 static FUSED int metric_normal_covariance_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[22], out[4], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[22], out[4], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -610,7 +505,7 @@ static FUSED int metric_normal_covariance_fours(double *const *data, const npy_i
 
 static FUSED int metric_reconstruct_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_2(in + 2, data[1] + i * steps[1]);
@@ -623,7 +518,7 @@ static FUSED int metric_reconstruct_fours(double *const *data, const npy_intp *s
 
 static FUSED int metric_reconstruct_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[15], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[15], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_2(in + 2, data[1] + i * steps[1]);
@@ -639,7 +534,7 @@ static FUSED int metric_reconstruct_jacobian_fours(double *const *data, const np
 
 static FUSED int metric_to_normal_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[12], out[2], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[12], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -654,7 +549,7 @@ static FUSED int metric_to_normal_fours(double *const *data, const npy_intp *ste
 
 static FUSED int metric_to_normal_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[12], out[24], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[12], out[24], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -674,7 +569,7 @@ static FUSED int metric_to_normal_jacobian_fours(double *const *data, const npy_
 
 static FUSED int normal_case_frame_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[3], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[3], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_1(in + 0, data[0] + i * steps[0]);
         read_2(in + 1, data[1] + i * steps[1]);
@@ -688,7 +583,7 @@ static FUSED int normal_case_frame_fours(double *const *data, const npy_intp *st
 
 static FUSED int normal_case_from_correlation_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[9], out[5], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[9], out[5], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 9);
         read_four(in + 4, data[0] + i * steps[0] + 4, 9);
@@ -703,7 +598,7 @@ static FUSED int normal_case_from_correlation_fours(double *const *data, const n
 
 static FUSED int normal_case_from_orientation_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[11], out[5], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[11], out[5], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_3(in + 3, data[1] + i * steps[1]);
@@ -719,7 +614,7 @@ static FUSED int normal_case_from_orientation_fours(double *const *data, const n
 
 static FUSED int normal_case_map_points_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[4], out[2], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[4], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_2(in + 2, data[1] + i * steps[1]);
@@ -731,7 +626,7 @@ static FUSED int normal_case_map_points_fours(double *const *data, const npy_int
 
 static FUSED int normal_case_mu_left_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[6], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[6], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -744,7 +639,7 @@ static FUSED int normal_case_mu_left_fours(double *const *data, const npy_intp *
 
 static FUSED int normal_case_mu_right_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[9], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[9], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_3(in + 3, data[1] + i * steps[1]);
@@ -758,7 +653,7 @@ static FUSED int normal_case_mu_right_fours(double *const *data, const npy_intp 
 
 static FUSED int normal_case_tau_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[4], out[2], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[4], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_2(in + 2, data[1] + i * steps[1]);
@@ -770,7 +665,7 @@ static FUSED int normal_case_tau_fours(double *const *data, const npy_intp *step
 
 static FUSED int normal_case_tau_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[4], out[8], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[4], out[8], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         read_2(in + 2, data[1] + i * steps[1]);
@@ -783,7 +678,7 @@ static FUSED int normal_case_tau_jacobian_fours(double *const *data, const npy_i
 
 static FUSED int normal_case_transform_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[2], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[2], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_2(in + 0, data[0] + i * steps[0]);
         normal_case_transform_four((const four (*)[1])in, (four (*)[1])out, range, 1);
@@ -796,7 +691,7 @@ static FUSED int normal_case_transform_fours(double *const *data, const npy_intp
 
 static FUSED int optics_image_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[4], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[4], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_1(in + 0, data[0] + i * steps[0]);
         read_3(in + 1, data[1] + i * steps[1]);
@@ -808,7 +703,7 @@ static FUSED int optics_image_point_fours(double *const *data, const npy_intp *s
 
 static FUSED int optics_lens_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[1], out[16], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[1], out[16], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_1(in + 0, data[0] + i * steps[0]);
         optics_lens_matrix_four((const four (*)[1])in, (four (*)[1])out, range, 1);
@@ -822,7 +717,7 @@ static FUSED int optics_lens_matrix_fours(double *const *data, const npy_intp *s
 
 static FUSED int optics_map_plane_points_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[2], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -834,7 +729,7 @@ static FUSED int optics_map_plane_points_fours(double *const *data, const npy_in
 
 static FUSED int optics_object_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[4], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[4], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_1(in + 0, data[0] + i * steps[0]);
         read_3(in + 1, data[1] + i * steps[1]);
@@ -846,7 +741,7 @@ static FUSED int optics_object_point_fours(double *const *data, const npy_intp *
 
 static FUSED int optics_plane_homography_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[3], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[3], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         optics_plane_homography_four((const four (*)[1])in, (four (*)[1])out, range, 1);
@@ -859,7 +754,7 @@ static FUSED int optics_plane_homography_fours(double *const *data, const npy_in
 
 static FUSED int optics_scale_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[2], out[1], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[2], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_1(in + 0, data[0] + i * steps[0]);
         read_1(in + 1, data[1] + i * steps[1]);
@@ -871,7 +766,7 @@ static FUSED int optics_scale_fours(double *const *data, const npy_intp *steps, 
 
 static FUSED int optics_vanishing_line_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[3], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[3], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         optics_vanishing_line_four((const four (*)[1])in, (four (*)[1])out, range, 1);
@@ -880,25 +775,9 @@ static FUSED int optics_vanishing_line_fours(double *const *data, const npy_intp
     return in_range(range[0]);
 }
 
-static FUSED int orientation_intersect_fours(double *const *data, const npy_intp *steps, const npy_intp points)
-{
-    four in[14], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
-    for (npy_intp i = 0; i < points / 4; i++) {
-        read_2(in + 0, data[0] + i * steps[0]);
-        read_2(in + 2, data[1] + i * steps[1]);
-        read_3(in + 4, data[2] + i * steps[2]);
-        read_2(in + 7, data[3] + i * steps[3]);
-        read_3(in + 9, data[4] + i * steps[4]);
-        read_2(in + 12, data[5] + i * steps[5]);
-        orientation_intersect_four((const four (*)[1])in, (four (*)[1])out, range, 1);
-        write_3(out + 0, data[6] + i * steps[6]);
-    }
-    return in_range(range[0]);
-}
-
 static FUSED int orientation_left_bundle_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[7], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[7], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -911,7 +790,7 @@ static FUSED int orientation_left_bundle_fours(double *const *data, const npy_in
 
 static FUSED int orientation_right_bundle_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[10], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[10], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_3(in + 3, data[1] + i * steps[1]);
@@ -925,7 +804,7 @@ static FUSED int orientation_right_bundle_fours(double *const *data, const npy_i
 
 static FUSED int projection_camera_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[12], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[12], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -939,7 +818,7 @@ static FUSED int projection_camera_matrix_fours(double *const *data, const npy_i
 
 static FUSED int projection_center_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -951,7 +830,7 @@ static FUSED int projection_center_from_mu_fours(double *const *data, const npy_
 
 static FUSED int projection_mu_from_center_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -963,7 +842,7 @@ static FUSED int projection_mu_from_center_fours(double *const *data, const npy_
 
 static FUSED int projection_mu_from_center_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[15], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[15], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -978,7 +857,7 @@ static FUSED int projection_mu_from_center_jacobian_fours(double *const *data, c
 
 static FUSED int projection_project_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[8], out[2], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[8], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_3(in + 3, data[1] + i * steps[1]);
@@ -991,7 +870,7 @@ static FUSED int projection_project_fours(double *const *data, const npy_intp *s
 
 static FUSED int projection_projection_determinant_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[1], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -1003,7 +882,7 @@ static FUSED int projection_projection_determinant_fours(double *const *data, co
 
 static FUSED int projection_projection_determinant_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[1], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -1015,7 +894,7 @@ static FUSED int projection_projection_determinant_from_mu_fours(double *const *
 
 static FUSED int projection_projection_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -1029,7 +908,7 @@ static FUSED int projection_projection_matrix_fours(double *const *data, const n
 
 static FUSED int projection_projection_matrix_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -1043,7 +922,7 @@ static FUSED int projection_projection_matrix_from_mu_fours(double *const *data,
 
 static FUSED int projection_projection_matrix_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[45], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[45], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -1066,7 +945,7 @@ static FUSED int projection_projection_matrix_jacobian_fours(double *const *data
 
 static FUSED int projection_reconstruction_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -1080,7 +959,7 @@ static FUSED int projection_reconstruction_matrix_fours(double *const *data, con
 
 static FUSED int projection_reconstruction_matrix_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[5], out[9], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[5], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_2(in + 3, data[1] + i * steps[1]);
@@ -1094,7 +973,7 @@ static FUSED int projection_reconstruction_matrix_from_mu_fours(double *const *d
 
 static FUSED int space_homography_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[4], out[16], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[4], out[16], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 4);
         space_homography_four((const four (*)[1])in, (four (*)[1])out, range, 1);
@@ -1108,7 +987,7 @@ static FUSED int space_homography_fours(double *const *data, const npy_intp *ste
 
 static FUSED int space_map_plane_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[8], out[4], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[8], out[4], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 4);
         read_four(in + 4, data[1] + i * steps[1], 4);
@@ -1120,7 +999,7 @@ static FUSED int space_map_plane_fours(double *const *data, const npy_intp *step
 
 static FUSED int space_map_points_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[7], out[3], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[7], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_four(in + 0, data[0] + i * steps[0], 4);
         read_3(in + 4, data[1] + i * steps[1]);
@@ -1132,7 +1011,7 @@ static FUSED int space_map_points_fours(double *const *data, const npy_intp *ste
 
 static FUSED int space_mu_from_fifth_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
-    four in[6], out[4], range[1] = {{DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4, DBL_MAX / 4}};
+    four in[6], out[4], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
         read_3(in + 0, data[0] + i * steps[0]);
         read_3(in + 3, data[1] + i * steps[1]);

@@ -2539,36 +2539,26 @@ KERNEL(correlation_correlation_matrix)
         out[6][i] = z20;
         out[7][i] = z21;
         out[8][i] = z22;
-        range = within(range, t74);
         range = within(range, upp31);
         range = within(range, up31);
         range = within(range, upp32);
         range = within(range, up32);
-        range = within(range, t89);
-        range = within(range, t100);
         range = within(range, upp41);
         range = within(range, up41);
         range = within(range, upp42);
         range = within(range, up42);
-        range = within(range, t115);
-        range = within(range, t126);
         range = within(range, upp51);
         range = within(range, up51);
         range = within(range, upp52);
         range = within(range, up52);
-        range = within(range, t141);
-        range = within(range, t152);
         range = within(range, upp61);
         range = within(range, up61);
         range = within(range, upp62);
         range = within(range, up62);
-        range = within(range, t167);
-        range = within(range, t178);
         range = within(range, upp71);
         range = within(range, up71);
         range = within(range, upp72);
         range = within(range, up72);
-        range = within(range, t193);
         ranges[i] = range;
     }
 }

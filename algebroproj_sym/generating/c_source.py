@@ -142,7 +142,7 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
         "_fours.h": rendered(
             "fours.h.j2",
             notice=notice,
-            headroom=next(kind["headroom"] for kind in TYPES if kind["loop"] == "fours"),
+            **next(kind for kind in TYPES if kind["loop"] == "fours"),
             kernels=[_by_fours(low.kernel) for low in compiled if _is_short(low)],
         ),
         "_calls.h": rendered("calls.h.j2", notice=notice),

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "098b00bdaac8d7dc"
+DIGEST = "591c0d7d109ecba5"
 """What identifies the C source that belongs to this package."""
 
 

@@ -6,12 +6,12 @@ Where operands are in the usual layout, or one point of them is meant for all, n
 back.  Of all else, of what overflows or underflows, and of the points that are left, there are rows.
 */
 
+/* How many points are computed before it is seen what exceptions they raised. */
 enum { TOGETHER = 256 };
 
 static const four most_headroom = {(DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MAX / 4096)};
 
 #define real four
-#define absolute(number) (number)
 #define multiply_add(a, b, c) ((four)_mm256_fmadd_pd((__m256d)(a), (__m256d)(b), (__m256d)(c)))
 #define headroom ranges[i]
 #define splitter 134217729.0
@@ -24,7 +24,6 @@ static const four most_headroom = {(DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MA
 #define within(range, operand) multiply_add(operand, operand, range)
 #include "_kernels.h"
 #undef real
-#undef absolute
 #undef multiply_add
 #undef headroom
 #undef splitter

@@ -8,22 +8,22 @@ Entries that follow each other take a load, or a store, for each point and four 
 typedef double four __attribute__((vector_size(4 * sizeof(double))));
 typedef double four_in_memory __attribute__((vector_size(4 * sizeof(double)), aligned(sizeof(double))));
 
-#define FOURS static FUSED_INLINE void
+#define MOVE(name) static FUSED_INLINE void name
 
 /* Entries, of four points each. */
-FOURS read_1(four *restrict rows, const double *from)
+MOVE(read_1)(four *restrict rows, const double *from)
 {
     rows[0] = *(const four_in_memory *)from;
 }
 
-FOURS read_2(four *restrict rows, const double *from)
+MOVE(read_2)(four *restrict rows, const double *from)
 {
     const four a = *(const four_in_memory *)from, b = *(const four_in_memory *)(from + 4);
     rows[0] = SHUFFLED(a, b, 0, 2, 4, 6);
     rows[1] = SHUFFLED(a, b, 1, 3, 5, 7);
 }
 
-FOURS read_3(four *restrict rows, const double *from)
+MOVE(read_3)(four *restrict rows, const double *from)
 {
     const four a = *(const four_in_memory *)from, b = *(const four_in_memory *)(from + 4);
     const four c = *(const four_in_memory *)(from + 8);
@@ -34,12 +34,13 @@ FOURS read_3(four *restrict rows, const double *from)
 }
 
 /* One entry, or four neighbours, of points that have `size` entries. */
-FOURS read_one(four *restrict rows, const double *from, const npy_intp size)
+MOVE(read_one)(four *restrict rows, const double *from, const npy_intp size)
 {
     rows[0] = (four){from[0], from[size], from[2 * size], from[3 * size]};
 }
 
-FOURS exchange(four *restrict rows, const four a, const four b, const four c, const four d)
+/* Rows of four entries from four points of four neighbours, and the other way round. */
+MOVE(exchange)(four *restrict rows, const four a, const four b, const four c, const four d)
 {
     const four ab = SHUFFLED(a, b, 0, 4, 2, 6), ab_next = SHUFFLED(a, b, 1, 5, 3, 7);
     const four cd = SHUFFLED(c, d, 0, 4, 2, 6), cd_next = SHUFFLED(c, d, 1, 5, 3, 7);
@@ -49,25 +50,25 @@ FOURS exchange(four *restrict rows, const four a, const four b, const four c, co
     rows[3] = SHUFFLED(ab_next, cd_next, 2, 3, 6, 7);
 }
 
-FOURS read_four(four *restrict rows, const double *from, const npy_intp size)
+MOVE(read_four)(four *restrict rows, const double *from, const npy_intp size)
 {
     exchange(rows, *(const four_in_memory *)from, *(const four_in_memory *)(from + size),
              *(const four_in_memory *)(from + 2 * size), *(const four_in_memory *)(from + 3 * size));
 }
 
-FOURS write_1(const four *restrict rows, double *to)
+MOVE(write_1)(const four *restrict rows, double *to)
 {
     *(four_in_memory *)to = rows[0];
 }
 
-FOURS write_2(const four *restrict rows, double *to)
+MOVE(write_2)(const four *restrict rows, double *to)
 {
     const four even = SHUFFLED(rows[0], rows[1], 0, 4, 2, 6), odd = SHUFFLED(rows[0], rows[1], 1, 5, 3, 7);
     *(four_in_memory *)to = SHUFFLED(even, odd, 0, 1, 4, 5);
     *(four_in_memory *)(to + 4) = SHUFFLED(even, odd, 2, 3, 6, 7);
 }
 
-FOURS write_3(const four *restrict rows, double *to)
+MOVE(write_3)(const four *restrict rows, double *to)
 {
     const four ab = SHUFFLED(rows[0], rows[1], 0, 4, 2, 6), bc = SHUFFLED(rows[1], rows[2], 1, 5, 3, 7);
     const four ca = SHUFFLED(rows[2], rows[0], 0, 5, 2, 7);
@@ -76,7 +77,7 @@ FOURS write_3(const four *restrict rows, double *to)
     *(four_in_memory *)(to + 8) = SHUFFLED(ca, bc, 2, 3, 6, 7);
 }
 
-FOURS write_one(const four *restrict rows, double *to, const npy_intp size)
+MOVE(write_one)(const four *restrict rows, double *to, const npy_intp size)
 {
     to[0] = rows[0][0];
     to[size] = rows[0][1];
@@ -84,7 +85,7 @@ FOURS write_one(const four *restrict rows, double *to, const npy_intp size)
     to[3 * size] = rows[0][3];
 }
 
-FOURS write_four(const four *restrict rows, double *to, const npy_intp size)
+MOVE(write_four)(const four *restrict rows, double *to, const npy_intp size)
 {
     four points[4];
     exchange(points, rows[0], rows[1], rows[2], rows[3]);

@@ -22,6 +22,7 @@ import numpy as np
 from algebroproj import affine, correlation, normal_case
 
 TASKS = 200
+RUNS = 7
 DEPTHS = {"well": 1.0, "near a plane": 1e-4}
 ANGLES = ((0.1, 0.05, 0.2), (-0.05, 0.1, -0.1))
 CENTERS = ((0.0, 0.0, 0.0), (1.0, 0.1, 0.05))
@@ -55,11 +56,14 @@ def show(job: str, scene: str, name: str, seconds: float, errors: list[float]) -
 
 
 def timed(job: Job, left: Array, right: Array) -> tuple[Array, float]:
-    """Return the results of a second run, and the processor time that it took."""
-    job(left, right)
-    start = time.process_time()
+    """Return the results of a job, and the processor time that it takes, in the median of some runs after the first."""
     results = job(left, right)
-    return results, time.process_time() - start
+    seconds = []
+    for _ in range(RUNS):
+        start = time.process_time()
+        job(left, right)
+        seconds.append(time.process_time() - start)
+    return results, median(seconds)
 
 
 def rotation(angles: tuple[float, float, float]) -> Array:

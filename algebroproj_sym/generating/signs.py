@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
 
-from algebroproj_sym.generating.program import Call, Operand, Program, Step
+from algebroproj_sym.generating.program import Call, Program, Step
 
 
 def with_negative_reciprocals(program: Program, kept: Collection[str] = ()) -> Program:
@@ -37,39 +37,27 @@ def with_negative_reciprocals(program: Program, kept: Collection[str] = ()) -> P
     >>> [(step.name, step.operator, step.operands) for step in program.steps]
     [('r', '/', (-1, 'z')), ('c', '*', ('x', 'r')), ('d', '*', ('y', 'r'))]
     """
+    steps = [step for step in program.steps if isinstance(step, Step) and step.name not in kept]
     uses = program.uses()
-    users: dict[Operand, list[Step | Call]] = defaultdict(list)
-    for step in program.steps:
-        for operand in step.operands:
-            users[operand].append(step)
+    reciprocals = {step.name for step in steps if (step.operator, step.operands[0]) == ("/", 1)}
+    negatives = {step.operands[0]: step.name for step in steps if step.operator == "neg"}
+    products = [
+        step
+        for step in steps
+        if step.operator == "*"
+        and step.name in negatives
+        and uses[step.name] == 1
+        and sum(operand in reciprocals for operand in step.operands) == 1
+    ]
+    negated = Counter(operand for product in products for operand in product.operands)
+    turned = {reciprocal for reciprocal in reciprocals if uses[reciprocal] == negated[reciprocal] > 0}
+    names = {product.name: negatives[product.name] for product in products if not turned.isdisjoint(product.operands)}
 
-    def negative(product: Step | Call) -> str | None:
-        """Return the name of the negative of a product that has no other use, and one factor that is a reciprocal."""
-        if not isinstance(product, Step) or product.operator != "*" or uses[product.name] != 1:
-            return None
-        reciprocals = [operand for operand in product.operands if operand in candidates]
-        user = users[product.name]
-        is_negated = len(user) == 1 and isinstance(user[0], Step) and user[0].operator == "neg"
-        return user[0].names[0] if is_negated and len(reciprocals) == 1 and product.name not in kept else None
+    def changed(step: Step | Call) -> Step | Call:
+        if isinstance(step, Step) and step.name in turned:
+            return replace(step, operands=(-1, step.operands[1]))
+        return replace(step, name=names[step.name]) if isinstance(step, Step) and step.name in names else step
 
-    candidates: set[Operand] = {
-        step.name
-        for step in program.steps
-        if isinstance(step, Step) and (step.operator, step.operands[0]) == ("/", 1) and step.name not in kept
-    }
-    turned = {
-        name
-        for name in candidates
-        if 0 < uses[name] == len(users[name]) and all(negative(product) is not None for product in users[name])
-    }
-    steps: list[Step | Call] = []
-    spared: set[Operand] = set()
-    for step in program.steps:
-        if isinstance(step, Call) or not turned & {step.name, *step.operands}:
-            steps += [] if spared.issuperset(step.operands) else [step]
-        elif step.name in turned:
-            steps.append(replace(step, operands=(-1, step.operands[1])))
-        else:
-            spared.add(step.name)
-            steps.append(replace(step, name=str(negative(step))))
-    return Program(program.inputs, tuple(steps), program.outputs)
+    spared = {*names.values()}
+    left = tuple(changed(step) for step in program.steps if spared.isdisjoint(step.names))
+    return Program(program.inputs, left, program.outputs)

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "591c0d7d109ecba5"
+DIGEST = "11fdf7feaef2ef9b"
 """What identifies the C source that belongs to this package."""
 
 

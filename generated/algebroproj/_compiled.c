@@ -398,7 +398,7 @@ static struct kernel kernels[] = {
      affine_space_frame_longdouble_split, NULL},
     {"collinearity_coplanarity_determinant", "(11),(11),(2),(2)->()", 4, 1, 0,
      {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
-     FOURS_VERSION(collinearity_coplanarity_determinant_fours),
+     NULL,
      collinearity_coplanarity_determinant_float_split, FUSED_VERSION(collinearity_coplanarity_determinant_float_fused),
      collinearity_coplanarity_determinant_double_split, FUSED_VERSION(collinearity_coplanarity_determinant_double_fused),
      collinearity_coplanarity_determinant_longdouble_split, NULL},
@@ -506,7 +506,7 @@ static struct kernel kernels[] = {
      critical_algebraic_distance_longdouble_split, NULL},
     {"critical_determinant", "(5,2),(5,2)->()", 2, 1, 0,
      {{2, 5, 2}, {2, 5, 2}, {0, 1, 1}},
-     FOURS_VERSION(critical_determinant_fours),
+     NULL,
      critical_determinant_float_split, FUSED_VERSION(critical_determinant_float_fused),
      critical_determinant_double_split, FUSED_VERSION(critical_determinant_double_fused),
      critical_determinant_longdouble_split, NULL},
@@ -560,7 +560,7 @@ static struct kernel kernels[] = {
      metric_model_covariance_longdouble_split, NULL},
     {"metric_normal_covariance", "(3,3),(2),(),(3,3),()->(2,2)", 5, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 3, 3}, {0, 1, 1}, {2, 2, 2}},
-     FOURS_VERSION(metric_normal_covariance_fours),
+     NULL,
      metric_normal_covariance_float_split, FUSED_VERSION(metric_normal_covariance_float_fused),
      metric_normal_covariance_double_split, FUSED_VERSION(metric_normal_covariance_double_fused),
      metric_normal_covariance_longdouble_split, NULL},
@@ -1225,7 +1225,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "591c0d7d109ecba5");
+    return PyModule_AddStringConstant(module, "DIGEST", "11fdf7feaef2ef9b");
 }
 
 static PyModuleDef_Slot slots[] = {

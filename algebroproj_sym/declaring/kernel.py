@@ -12,7 +12,7 @@ from typing import Any, NotRequired, TypedDict, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
-from algebroproj_sym.declaring.stage import PRIMITIVES, Stage
+from algebroproj_sym.declaring.stage import LINEAR, PRIMITIVES, Stage
 from algebroproj_sym.expressions import Expression, entries, rational, shape, symbols_of, vector
 
 
@@ -120,6 +120,11 @@ class Kernel:
     def intermediate(self) -> tuple[sympy.Symbol, ...]:
         """The symbols that the stages give, in order."""
         return tuple(symbol for stage in self.stages for symbol in stage.results)
+
+    @property
+    def solves_systems(self) -> bool:
+        """Whether a stage solves a linear system."""
+        return any(stage.primitive in LINEAR for stage in self.stages)
 
     @property
     def derived(self) -> Expression:

@@ -112,8 +112,8 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
     plain = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
     both = [*compiled, *plain]
-    of_operations = [low for low in compiled if not _solves(low.kernel)]
-    of_systems = [low for low in compiled if _solves(low.kernel)]
+    of_operations = [low for low in compiled if not low.kernel.solves_systems]
+    of_systems = [low for low in compiled if low.kernel.solves_systems]
     solvers = {(call.primitive, len(call.rows)) for low in of_systems for call in _calls(low.program)}
     return {
         "_kernels.h": rendered(
@@ -161,14 +161,9 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     }
 
 
-def _solves(kernel: Kernel) -> bool:
-    """Whether a kernel solves a linear system."""
-    return any(stage.primitive in LINEAR for stage in kernel.stages)
-
-
 def _is_short(low: Lowered) -> bool:
     """Whether four points at a time are computed in registers."""
-    return not _solves(low.kernel) and len(expanded(low.program).steps) <= SHORT
+    return not low.kernel.solves_systems and len(expanded(low.program).steps) <= SHORT
 
 
 def _function(low: Lowered) -> dict[str, object]:
@@ -373,7 +368,7 @@ def _table_row(kernel: Kernel) -> dict[str, object]:
         "signature": f"{','.join(cores[:split])}->{','.join(cores[split:])}",
         "arguments": split,
         "results": len(kernel.results),
-        "refined": _solves(kernel),
+        "refined": kernel.solves_systems,
         "operands": [
             {"dimensions": len(shape), "rows": shape[0] if len(shape) == 2 else 1, "columns": shape[-1] if shape else 1}
             for shape in core_shapes(kernel)

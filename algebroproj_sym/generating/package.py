@@ -215,7 +215,7 @@ def _singularities(low: Lowered) -> str:
         factors = ", ".join(map(_factor, low.hypotheses))
         sentences.append(f"Not finite, with NumPy's floating-point warning, where one of these vanishes: {factors}.")
         sentences.append("Their values are given by the function `hypotheses` of this package.")
-    if any(stage.primitive in LINEAR for stage in low.kernel.stages):
+    if low.kernel.solves_systems:
         sentences.append(
             "Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and "
             "it is arbitrarily large."
@@ -257,7 +257,7 @@ def _operations(low: Lowered) -> str:
 def _measured(low: Lowered, measured: Measured | None) -> str:
     if measured is None:
         return ""
-    backward = any(stage.primitive in LINEAR for stage in low.kernel.stages)
+    backward = low.kernel.solves_systems
     sentences = [measured.sentence(backward)] + ([measured.plain.sentence()] if measured.plain else [])
     return "\n    ".join(fill(sentence, width=112, subsequent_indent="    ") for sentence in sentences)
 
@@ -314,7 +314,7 @@ def _signature(low: Lowered) -> str:
     kernel = low.kernel
     arguments = tuple((argument.name, argument.shape) for argument in kernel.arguments)
     results = tuple(result.shape for result in kernel.results)
-    block = f", block={LINEAR_BLOCK}" if any(stage.primitive in LINEAR for stage in kernel.stages) else ""
+    block = f", block={LINEAR_BLOCK}" if kernel.solves_systems else ""
     twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(low) else ""
     recordable = ", recordable=True" if all(stage.primitive == "let" for stage in kernel.stages) else ""
     return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin}{recordable})".replace("'", '"')

@@ -25,7 +25,6 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.generating.samples import Sample, stratified
 from algebroproj_sym.verifying.oracle import Truth, oracle
@@ -157,7 +156,7 @@ def is_within_bound(lowered: Lowered, function: Function, samples: Sequence[Samp
 def _accuracy(lowered: Lowered, errors: Sequence[_Errors]) -> Accuracy:
     names = dict.fromkeys(error.stratum for error in errors)
     strata = tuple(_summary(name, [error for error in errors if error.stratum == name]) for name in names)
-    backward = any(stage.primitive in LINEAR for stage in lowered.kernel.stages)
+    backward = lowered.kernel.solves_systems
     return Accuracy(lowered.kernel.qualified_name, _summary("all", errors), strata, backward)
 
 

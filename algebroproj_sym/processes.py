@@ -9,11 +9,13 @@ import gc
 import signal
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from multiprocessing import active_children, connection, get_context
+from multiprocessing.process import BaseProcess
 from typing import Any, TypeVar
 
 Task = TypeVar("Task")
@@ -49,14 +51,9 @@ def mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int)
 
 def in_processes(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
     """Yield the result of each task, in order, from a pool of processes that end with this one."""
-    with _pool(jobs) as pool:
-        futures = [pool.submit(function, task) for task in tasks]
-        try:
-            for future in futures:
-                yield future.result()
-        except BaseException:
-            _end([pool], futures)
-            raise
+    with _pools(1, jobs) as (pool,):
+        for future in [pool.submit(function, task) for task in tasks]:
+            yield future.result()
 
 
 def dealt(
@@ -78,28 +75,21 @@ def dealt(
     choose : callable
         Takes the place of a worker and the tasks that are left.
     """
-    pools = [_pool(1) for _ in range(jobs)]
     pending, running = list(tasks), dict[Future[Result], int]()
+    with _pools(jobs, 1) as pools:
 
-    def give(worker: int) -> None:
-        if pending:
-            task = choose(worker, pending)
-            pending.remove(task)
-            running[pools[worker].submit(function, task)] = worker
+        def give(worker: int) -> None:
+            if pending:
+                task = choose(worker, pending)
+                pending.remove(task)
+                running[pools[worker].submit(function, task)] = worker
 
-    try:
         for worker in range(jobs):
             give(worker)
         while running:
             for future in wait(running, return_when=FIRST_COMPLETED).done:
                 give(running.pop(future))
                 yield future.result()
-    except BaseException:
-        _end(pools, list(running))
-        raise
-    finally:
-        for pool in pools:
-            pool.shutdown()
 
 
 def can_fork() -> bool:
@@ -212,16 +202,30 @@ def _leave(*_: Any) -> None:
     raise SystemExit(1)
 
 
-def _pool(jobs: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_leave_interrupts_alone)
+@contextmanager
+def _pools(count: int, workers: int) -> Iterator[list[ProcessPoolExecutor]]:
+    """Pools of workers none of which is left after the block; if it raises, they have little time for what they do."""
+    others = {*active_children()}
+    context = get_context("spawn")
+    pools = [ProcessPoolExecutor(workers, context, _leave_interrupts_alone) for _ in range(count)]
+    try:
+        yield pools
+    except BaseException:
+        for pool in pools:
+            pool.shutdown(wait=False, cancel_futures=True)
+        _end([child for child in active_children() if child not in others])
+        raise
+    finally:
+        for pool in pools:
+            pool.shutdown()
 
 
-def _end(pools: Sequence[ProcessPoolExecutor], futures: Sequence[Future[Result]]) -> None:
-    for pool in pools:
-        pool.shutdown(wait=False, cancel_futures=True)
-    wait([future for future in futures if not future.cancelled()], GRACE)
-    for child in active_children():
-        child.terminate()
+def _end(processes: Sequence[BaseProcess]) -> None:
+    given_up = time.monotonic() + GRACE
+    for process in processes:
+        process.join(max(0, given_up - time.monotonic()))
+        process.terminate()
+        process.join()
 
 
 def _leave_interrupts_alone() -> None:

@@ -36,6 +36,19 @@ def sleeping(task):
     time.sleep(600)
 
 
+def exists(process):
+    """Ask the system: ``is_alive`` may say so of a process that another thread has just waited for."""
+    try:
+        os.kill(process.pid, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def echoing(there):
+    there.send(there.recv())
+
+
 def first(worker, pending):
     return pending[0]
 
@@ -58,10 +71,21 @@ def test_every_way_gives_each_result_once(way):
 def test_an_error_of_the_work_is_raised_and_leaves_no_process(way):
     with pytest.raises(ValueError, match="invalid literal for int"):
         list(WAYS[way](int, ["1", "2", "three", "4"]))
-    children = multiprocessing.active_children()
-    for child in children:
-        child.join(60)
-    assert not any(child.is_alive() for child in children)
+    assert not [child for child in multiprocessing.active_children() if exists(child)]
+
+
+@forking
+@pytest.mark.parametrize("way", WAYS)
+def test_processes_of_others_are_left_alone(way):
+    here, there = multiprocessing.Pipe()
+    other = multiprocessing.get_context("fork").Process(target=echoing, args=[there])
+    other.start()
+    there.close()
+    with pytest.raises(ValueError, match="invalid literal for int"):
+        list(WAYS[way](int, ["1", "2", "three", "4"]))
+    here.send("still there")
+    assert here.recv() == "still there"
+    other.join()
 
 
 @pytest.mark.parametrize("way", ["in_processes", "dealt"])

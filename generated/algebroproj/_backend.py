@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "11fdf7feaef2ef9b"
+DIGEST = "ce0214d3dfe4ba02"
 """What identifies the C source that belongs to this package."""
 
 

@@ -41,7 +41,7 @@ static FUSED_INLINE int in_range(const four range)
     return isfinite(range[0]) && isfinite(range[1]) && isfinite(range[2]) && isfinite(range[3]);
 }
 
-static FUSED int affine_plane_coordinates_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int affine_plane_coordinates_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[8], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -54,7 +54,7 @@ static FUSED int affine_plane_coordinates_fours(double *const *data, const npy_i
     return in_range(range[0]);
 }
 
-static FUSED int affine_plane_frame_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int affine_plane_frame_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[6], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -68,7 +68,7 @@ static FUSED int affine_plane_frame_fours(double *const *data, const npy_intp *s
     return in_range(range[0]);
 }
 
-static FUSED int affine_space_coordinates_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int affine_space_coordinates_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[15], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -82,7 +82,7 @@ static FUSED int affine_space_coordinates_fours(double *const *data, const npy_i
     return in_range(range[0]);
 }
 
-static FUSED int affine_space_frame_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int affine_space_frame_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[12], out[16], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -98,7 +98,7 @@ static FUSED int affine_space_frame_fours(double *const *data, const npy_intp *s
     return in_range(range[0]);
 }
 
-static FUSED int collinearity_intersect_three_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int collinearity_intersect_three_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[26], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -116,7 +116,7 @@ static FUSED int collinearity_intersect_three_fours(double *const *data, const n
     return in_range(range[0]);
 }
 
-static FUSED int collinearity_model_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int collinearity_model_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[7], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -129,7 +129,7 @@ static FUSED int collinearity_model_point_fours(double *const *data, const npy_i
     return in_range(range[0]);
 }
 
-static FUSED int collinearity_project_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int collinearity_project_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[14], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -143,7 +143,7 @@ static FUSED int collinearity_project_fours(double *const *data, const npy_intp 
     return in_range(range[0]);
 }
 
-static FUSED int collinearity_project_jacobian_parameters_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int collinearity_project_jacobian_parameters_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[14], out[22], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -162,7 +162,7 @@ static FUSED int collinearity_project_jacobian_parameters_fours(double *const *d
     return in_range(range[0]);
 }
 
-static FUSED int collinearity_project_jacobian_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int collinearity_project_jacobian_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[14], out[6], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -177,7 +177,7 @@ static FUSED int collinearity_project_jacobian_point_fours(double *const *data, 
     return in_range(range[0]);
 }
 
-static FUSED int collinearity_space_map_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int collinearity_space_map_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[18], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -192,7 +192,7 @@ static FUSED int collinearity_space_map_fours(double *const *data, const npy_int
     return in_range(range[0]);
 }
 
-static FUSED int correlation_correlation_from_cameras_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int correlation_correlation_from_cameras_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[10], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -208,7 +208,7 @@ static FUSED int correlation_correlation_from_cameras_fours(double *const *data,
     return in_range(range[0]);
 }
 
-static FUSED int correlation_design_row_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int correlation_design_row_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[4], out[5], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -221,7 +221,7 @@ static FUSED int correlation_design_row_fours(double *const *data, const npy_int
     return in_range(range[0]);
 }
 
-static FUSED int correlation_epipolar_line_left_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int correlation_epipolar_line_left_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[11], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -235,7 +235,7 @@ static FUSED int correlation_epipolar_line_left_fours(double *const *data, const
     return in_range(range[0]);
 }
 
-static FUSED int correlation_epipolar_line_right_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int correlation_epipolar_line_right_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[11], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -249,7 +249,7 @@ static FUSED int correlation_epipolar_line_right_fours(double *const *data, cons
     return in_range(range[0]);
 }
 
-static FUSED int correlation_epipoles_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int correlation_epipoles_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[9], out[4], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -263,7 +263,7 @@ static FUSED int correlation_epipoles_fours(double *const *data, const npy_intp 
     return in_range(range[0]);
 }
 
-static FUSED int correlation_rhs_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int correlation_rhs_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[4], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -275,7 +275,7 @@ static FUSED int correlation_rhs_fours(double *const *data, const npy_intp *step
     return in_range(range[0]);
 }
 
-static FUSED int correlation_system_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int correlation_system_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[20], out[30], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -299,7 +299,7 @@ static FUSED int correlation_system_fours(double *const *data, const npy_intp *s
     return in_range(range[0]);
 }
 
-static FUSED int critical_algebraic_distance_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int critical_algebraic_distance_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[19], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -314,7 +314,7 @@ static FUSED int critical_algebraic_distance_fours(double *const *data, const np
     return in_range(range[0]);
 }
 
-static FUSED int critical_invariants_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int critical_invariants_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[16], out[7], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -329,7 +329,7 @@ static FUSED int critical_invariants_fours(double *const *data, const npy_intp *
     return in_range(range[0]);
 }
 
-static FUSED int metric_coplanarity_row_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_coplanarity_row_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[23], out[5], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -349,7 +349,7 @@ static FUSED int metric_coplanarity_row_fours(double *const *data, const npy_int
     return in_range(range[0]);
 }
 
-static FUSED int metric_correlation_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_correlation_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[21], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -368,7 +368,7 @@ static FUSED int metric_correlation_matrix_fours(double *const *data, const npy_
     return in_range(range[0]);
 }
 
-static FUSED int metric_from_normal_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_from_normal_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[12], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -383,7 +383,7 @@ static FUSED int metric_from_normal_fours(double *const *data, const npy_intp *s
     return in_range(range[0]);
 }
 
-static FUSED int metric_from_normal_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_from_normal_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[12], out[24], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -403,7 +403,7 @@ static FUSED int metric_from_normal_jacobian_fours(double *const *data, const np
     return in_range(range[0]);
 }
 
-static FUSED int metric_jacobian_angles_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_jacobian_angles_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[3], out[6], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -416,7 +416,7 @@ static FUSED int metric_jacobian_angles_fours(double *const *data, const npy_int
     return in_range(range[0]);
 }
 
-static FUSED int metric_jacobian_image_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_jacobian_image_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[12], out[4], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -431,7 +431,7 @@ static FUSED int metric_jacobian_image_fours(double *const *data, const npy_intp
     return in_range(range[0]);
 }
 
-static FUSED int metric_model_covariance_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_model_covariance_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[17], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -449,7 +449,7 @@ static FUSED int metric_model_covariance_fours(double *const *data, const npy_in
     return in_range(range[0]);
 }
 
-static FUSED int metric_reconstruct_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_reconstruct_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -462,7 +462,7 @@ static FUSED int metric_reconstruct_fours(double *const *data, const npy_intp *s
     return in_range(range[0]);
 }
 
-static FUSED int metric_reconstruct_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_reconstruct_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[15], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -478,7 +478,7 @@ static FUSED int metric_reconstruct_jacobian_fours(double *const *data, const np
     return in_range(range[0]);
 }
 
-static FUSED int metric_to_normal_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_to_normal_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[12], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -493,7 +493,7 @@ static FUSED int metric_to_normal_fours(double *const *data, const npy_intp *ste
     return in_range(range[0]);
 }
 
-static FUSED int metric_to_normal_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int metric_to_normal_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[12], out[24], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -513,7 +513,7 @@ static FUSED int metric_to_normal_jacobian_fours(double *const *data, const npy_
     return in_range(range[0]);
 }
 
-static FUSED int normal_case_frame_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int normal_case_frame_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[3], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -527,7 +527,7 @@ static FUSED int normal_case_frame_fours(double *const *data, const npy_intp *st
     return in_range(range[0]);
 }
 
-static FUSED int normal_case_from_correlation_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int normal_case_from_correlation_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[9], out[5], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -542,7 +542,7 @@ static FUSED int normal_case_from_correlation_fours(double *const *data, const n
     return in_range(range[0]);
 }
 
-static FUSED int normal_case_from_orientation_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int normal_case_from_orientation_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[11], out[5], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -558,7 +558,7 @@ static FUSED int normal_case_from_orientation_fours(double *const *data, const n
     return in_range(range[0]);
 }
 
-static FUSED int normal_case_map_points_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int normal_case_map_points_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[4], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -570,7 +570,7 @@ static FUSED int normal_case_map_points_fours(double *const *data, const npy_int
     return in_range(range[0]);
 }
 
-static FUSED int normal_case_mu_left_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int normal_case_mu_left_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[6], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -583,7 +583,7 @@ static FUSED int normal_case_mu_left_fours(double *const *data, const npy_intp *
     return in_range(range[0]);
 }
 
-static FUSED int normal_case_mu_right_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int normal_case_mu_right_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[9], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -597,7 +597,7 @@ static FUSED int normal_case_mu_right_fours(double *const *data, const npy_intp 
     return in_range(range[0]);
 }
 
-static FUSED int normal_case_tau_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int normal_case_tau_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[4], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -609,7 +609,7 @@ static FUSED int normal_case_tau_fours(double *const *data, const npy_intp *step
     return in_range(range[0]);
 }
 
-static FUSED int normal_case_tau_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int normal_case_tau_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[4], out[8], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -622,7 +622,7 @@ static FUSED int normal_case_tau_jacobian_fours(double *const *data, const npy_i
     return in_range(range[0]);
 }
 
-static FUSED int normal_case_transform_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int normal_case_transform_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[2], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -635,7 +635,7 @@ static FUSED int normal_case_transform_fours(double *const *data, const npy_intp
     return in_range(range[0]);
 }
 
-static FUSED int optics_image_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int optics_image_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[4], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -647,7 +647,7 @@ static FUSED int optics_image_point_fours(double *const *data, const npy_intp *s
     return in_range(range[0]);
 }
 
-static FUSED int optics_lens_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int optics_lens_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[1], out[16], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -661,7 +661,7 @@ static FUSED int optics_lens_matrix_fours(double *const *data, const npy_intp *s
     return in_range(range[0]);
 }
 
-static FUSED int optics_map_plane_points_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int optics_map_plane_points_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -673,7 +673,7 @@ static FUSED int optics_map_plane_points_fours(double *const *data, const npy_in
     return in_range(range[0]);
 }
 
-static FUSED int optics_object_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int optics_object_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[4], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -685,7 +685,7 @@ static FUSED int optics_object_point_fours(double *const *data, const npy_intp *
     return in_range(range[0]);
 }
 
-static FUSED int optics_plane_homography_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int optics_plane_homography_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[3], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -698,7 +698,7 @@ static FUSED int optics_plane_homography_fours(double *const *data, const npy_in
     return in_range(range[0]);
 }
 
-static FUSED int optics_scale_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int optics_scale_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[2], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -710,7 +710,7 @@ static FUSED int optics_scale_fours(double *const *data, const npy_intp *steps, 
     return in_range(range[0]);
 }
 
-static FUSED int optics_vanishing_line_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int optics_vanishing_line_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[3], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -721,7 +721,7 @@ static FUSED int optics_vanishing_line_fours(double *const *data, const npy_intp
     return in_range(range[0]);
 }
 
-static FUSED int orientation_left_bundle_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int orientation_left_bundle_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[7], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -734,7 +734,7 @@ static FUSED int orientation_left_bundle_fours(double *const *data, const npy_in
     return in_range(range[0]);
 }
 
-static FUSED int orientation_right_bundle_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int orientation_right_bundle_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[10], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -748,7 +748,7 @@ static FUSED int orientation_right_bundle_fours(double *const *data, const npy_i
     return in_range(range[0]);
 }
 
-static FUSED int projection_camera_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_camera_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[12], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -762,7 +762,7 @@ static FUSED int projection_camera_matrix_fours(double *const *data, const npy_i
     return in_range(range[0]);
 }
 
-static FUSED int projection_center_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_center_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -774,7 +774,7 @@ static FUSED int projection_center_from_mu_fours(double *const *data, const npy_
     return in_range(range[0]);
 }
 
-static FUSED int projection_mu_from_center_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_mu_from_center_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -786,7 +786,7 @@ static FUSED int projection_mu_from_center_fours(double *const *data, const npy_
     return in_range(range[0]);
 }
 
-static FUSED int projection_mu_from_center_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_mu_from_center_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[15], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -801,7 +801,7 @@ static FUSED int projection_mu_from_center_jacobian_fours(double *const *data, c
     return in_range(range[0]);
 }
 
-static FUSED int projection_project_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_project_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[8], out[2], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -814,7 +814,7 @@ static FUSED int projection_project_fours(double *const *data, const npy_intp *s
     return in_range(range[0]);
 }
 
-static FUSED int projection_projection_determinant_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_projection_determinant_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -826,7 +826,7 @@ static FUSED int projection_projection_determinant_fours(double *const *data, co
     return in_range(range[0]);
 }
 
-static FUSED int projection_projection_determinant_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_projection_determinant_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[1], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -838,7 +838,7 @@ static FUSED int projection_projection_determinant_from_mu_fours(double *const *
     return in_range(range[0]);
 }
 
-static FUSED int projection_projection_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_projection_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -852,7 +852,7 @@ static FUSED int projection_projection_matrix_fours(double *const *data, const n
     return in_range(range[0]);
 }
 
-static FUSED int projection_projection_matrix_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_projection_matrix_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -866,7 +866,7 @@ static FUSED int projection_projection_matrix_from_mu_fours(double *const *data,
     return in_range(range[0]);
 }
 
-static FUSED int projection_projection_matrix_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_projection_matrix_jacobian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[45], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -889,7 +889,7 @@ static FUSED int projection_projection_matrix_jacobian_fours(double *const *data
     return in_range(range[0]);
 }
 
-static FUSED int projection_reconstruction_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_reconstruction_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -903,7 +903,7 @@ static FUSED int projection_reconstruction_matrix_fours(double *const *data, con
     return in_range(range[0]);
 }
 
-static FUSED int projection_reconstruction_matrix_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int projection_reconstruction_matrix_from_mu_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[9], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -917,7 +917,7 @@ static FUSED int projection_reconstruction_matrix_from_mu_fours(double *const *d
     return in_range(range[0]);
 }
 
-static FUSED int space_homography_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int space_homography_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[4], out[16], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -931,7 +931,7 @@ static FUSED int space_homography_fours(double *const *data, const npy_intp *ste
     return in_range(range[0]);
 }
 
-static FUSED int space_map_plane_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int space_map_plane_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[8], out[4], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -943,7 +943,7 @@ static FUSED int space_map_plane_fours(double *const *data, const npy_intp *step
     return in_range(range[0]);
 }
 
-static FUSED int space_map_points_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int space_map_points_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[7], out[3], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {
@@ -955,7 +955,7 @@ static FUSED int space_map_points_fours(double *const *data, const npy_intp *ste
     return in_range(range[0]);
 }
 
-static FUSED int space_mu_from_fifth_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+static FUSED_TUNED int space_mu_from_fifth_point_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[6], out[4], range[1] = {most_headroom};
     for (npy_intp i = 0; i < points / 4; i++) {

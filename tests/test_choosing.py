@@ -2,7 +2,9 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from math import ulp
 
+import numpy as np
 import pytest
 import sympy
 
@@ -10,6 +12,7 @@ from algebroproj_sym.declaring import DeclarationError
 from algebroproj_sym.declaring.kernel import declared_kernel
 from algebroproj_sym.expressions import Matrix, evaluate, over, vector
 from algebroproj_sym.generating import LoweringError, lower, run
+from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.factored import factored
 from algebroproj_sym.generating.lowering import lowered_form
 from algebroproj_sym.generating.samples import stratified
@@ -96,6 +99,26 @@ def test_a_derivative_is_factored():
     found = factored(declared)
     assert found.form == over(-a, (x - y) ** 2)
     assert found.where == ((a, y + z),)
+
+
+def ulps(low, program):
+    """Return the errors of a program at samples, entry by entry."""
+    found = []
+    for sample in stratified(low, 50):
+        point = {symbol: Fraction(sample.values[symbol.name]) for symbol in low.kernel.symbols}
+        truths = evaluate(low.kernel.derived, point)
+        results = run(program, sample.values)
+        found += [abs(Fraction(r) - t) / Fraction(ulp(t)) for r, t in zip(results, truths, strict=True)]
+    return np.array(found, dtype=float)
+
+
+@pytest.mark.parametrize("name", ["normal_case.from_orientation", "correlation.correlation_from_cameras"])
+def test_no_entry_errs_much_more_than_with_twice_the_digits_throughout(name, lowered):
+    """Not even where another one, so near several singularities that it may, errs by many units in the last place."""
+    low = lowered(name)
+    chosen, throughout = ulps(low, low.program), ulps(low, compensated(low.plain, throughout=True))
+    assert throughout.max() > 4
+    assert np.all(chosen <= np.fmax(4, 1.25 * throughout))
 
 
 @pytest.mark.parametrize("name", ["projection.projection_matrix_jacobian", "metric.to_normal", "space.map_plane"])

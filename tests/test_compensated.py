@@ -5,10 +5,16 @@ from operator import add, mul, sub, truediv
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from algebroproj_sym.generating.runtime._compensated import Compensated, double_double, rounded, wide
+from algebroproj_sym.generating.runtime._compensated import (
+    Compensated,
+    double_double,
+    rounded,
+    rounded_twice,
+    wide,
+)
 from algebroproj_sym.generating.runtime._double_double import DoubleDouble
 
 U = Fraction(2) ** -53
@@ -57,6 +63,30 @@ def test_a_number_is_rounded_to_the_nearest_one(number):
     assert rounded(number) == float(exact(number))
 
 
+factors = single | st.builds(lambda a, b: wide(a) - b, numbers, numbers)
+terms = st.builds(lambda x, y: x * y, factors, factors)
+
+
+@given(terms, st.floats(-1.5, 1.5) | st.integers(-8, 8).map(lambda units: -1 + units * 2.0**-53), factors)
+def test_a_sum_of_products_is_rounded_twice_to_one_of_the_nearest(left, ratio, factor):
+    """Also where they cancel but for their last digits; what is left of a sum then is exact."""
+    assume(factor.hi)
+    right = factor * float(exact(left) / exact(factor) * Fraction(ratio))
+    truth = exact(left) + exact(right)
+    digits = 64 * U**2 * (abs(exact(left)) + abs(exact(right)))
+    assert abs(Fraction(rounded_twice(left + right)) - truth) <= 2 * U * abs(truth) + digits
+    assert abs(Fraction(rounded_twice(left - -right)) - truth) <= 2 * U * abs(truth) + digits
+
+
+@given(products | quotients | single, products)
+def test_only_of_a_sum_is_less_rounded_off_and_that_whatever_was_asked_before(number, other):
+    assert rounded_twice(number) == rounded(number)
+    total, same = number - other, number - other
+    assert exact(total) == exact(same)
+    assert rounded_twice(total) == rounded_twice(number - other)
+    assert rounded_twice(wide(number.hi) - other.hi) == number.hi - other.hi
+
+
 @given(any_numbers, any_numbers | numbers)
 def test_products_and_quotients_err_by_a_few_units_of_twice_the_digits(x, y):
     """A sum that cancels has lost some of them already: what is missing is a part of its second part."""
@@ -96,6 +126,7 @@ def test_without_rounding_there_is_no_remainder(a, b, c):
     x, y, z = map(Fraction, (a, b, c))
     result = (wide(x) * y - z) / (wide(y) + 3) * wide(z)
     assert (result.hi, result.lo) == ((x * y - z) / (y + 3) * z, 0)
+    assert rounded_twice(wide(x) * y - z) == x * y - z
 
 
 def test_arrays_and_scalars_mix():

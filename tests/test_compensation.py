@@ -7,8 +7,9 @@ import pytest
 
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating import Call, Program, Step, run
-from algebroproj_sym.generating.compensation import compensated
+from algebroproj_sym.generating.compensation import compensated, with_sums_rounded_twice
 from algebroproj_sym.generating.expansion import expanded
+from algebroproj_sym.generating.runtime._compensated import DIGITS
 
 NAMES = [kernel.qualified_name for kernel in kernels()]
 
@@ -24,7 +25,7 @@ def erased(program):
     for step in program.steps:
         if isinstance(step, Step):
             operands = tuple(map(of, step.operands))
-            meaning[step.name] = operands[0] if step.operator in ("wide", "rounded") else (step.operator, operands)
+            meaning[step.name] = operands[0] if step.operator in DIGITS else (step.operator, operands)
         elif step.primitive == "let":
             meaning |= dict(zip(step.names, map(of, step.rows[0]), strict=True))
         else:
@@ -38,6 +39,7 @@ def erased(program):
 def test_without_changes_of_digits_the_program_is_the_one_it_was(name, throughout, lowered):
     program = lowered(name).plain
     result = compensated(program, throughout)
+    assert erased(with_sums_rounded_twice(result)) == erased(program)
     names = [n for step in result.steps for n in (step.names if isinstance(step, Call) else (step.name,))]
     assert len(names) == len(set(names)), "each name is assigned once"
     assert erased(result) == erased(program)
@@ -78,12 +80,45 @@ def test_sums_that_cannot_cancel_stay_as_they_are():
     assert compensated(program, throughout=True) != program
 
 
-@pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.epipoles", "metric.to_normal"])
+@pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.epipoles", "projection.project"])
 def test_expanded_programs_give_the_same_bits(name, lowered):
-    program = compensated(lowered(name).plain)
+    program = with_sums_rounded_twice(compensated(lowered(name).plain))
+    assert program.operations()["rounded_twice"]
     rng = np.random.default_rng(5)
     inputs = {symbol: rng.uniform(-3, 3, 200) for symbol in program.inputs}
     single = expanded(program)
-    assert not {"wide", "rounded"} & set(single.operations())
+    assert single.operations().keys().isdisjoint(DIGITS)
     for ours, theirs in zip(run(single, inputs), run(program, inputs), strict=True):
         assert np.array_equal(ours, theirs)
+
+
+def roundings(*steps):
+    return with_sums_rounded_twice(compensated(Program(("x", "y", "z"), steps, (steps[-1].name,)))).operations()
+
+
+PRODUCT, SUM_OF_INPUTS = Step("t0", "*", ("x", "y")), Step("t1", "-", ("x", "z"))
+
+
+DIFFERENCE = Step("t2", "-", ("t0", "z"))
+
+
+@pytest.mark.parametrize(
+    ("steps", "word"),
+    [
+        ([PRODUCT, DIFFERENCE], "rounded_twice"),
+        ([SUM_OF_INPUTS, Step("t2", "*", ("t1", "y")), Step("t3", "+", (1, "t2"))], "rounded_twice"),
+        ([PRODUCT, Step("t2", "neg", ("t0",)), Step("t3", "-", ("t2", "z"))], "rounded_twice"),
+        ([SUM_OF_INPUTS, Step("t2", "-", ("t1", "y"))], "rounded"),
+        ([PRODUCT, DIFFERENCE, Step("t3", "-", ("t2", "y"))], "rounded"),
+        ([PRODUCT, DIFFERENCE, Step("t3", "*", ("t2", "y")), Step("t4", "-", ("t3", "z"))], "rounded"),
+    ],
+)
+def test_last_sums_are_rounded_twice_where_their_terms_are_no_sums_of_products(steps, word):
+    words = roundings(*steps)
+    assert (words[word], words["rounded"] + words["rounded_twice"]) == (1, 1)
+
+
+def test_a_sum_that_is_used_otherwise_is_rounded_once():
+    steps = PRODUCT, Step("t2", "-", ("t0", "z")), Step("t3", "*", ("t2", "t2")), Step("t4", "-", ("t3", "x"))
+    program = compensated(Program(("x", "y", "z"), steps, ("t2", "t4")))
+    assert with_sums_rounded_twice(program) == program

@@ -94,11 +94,11 @@ def test_operations_err_by_a_few_units_of_twice_the_digits(x, y):
         (-x, -left),
     ):
         assert abs(exact(result) - truth) <= 16 * u2 * abs(truth)
-        assert result.rounded() == float(exact(result))
+        assert result.rounded() == result.rounded_twice() == float(exact(result))
 
 
 def test_unrounded_numbers_keep_their_digits_through_every_operation():
     x, y = Unrounded(1.0), Unrounded(3.0)
     for result in (x / y, 1 / y, x + y / 7, 2 - x / y, x * 3 / y, -(x / y), (x / y).rounded(), (x / y).wide() * 1.0):
         assert isinstance(result, Unrounded)
-    assert (x / y).rounded().lo != 0
+    assert (x / y).rounded().lo == (x / y).rounded_twice().lo != 0

@@ -74,7 +74,7 @@ def test_bounds_hold_whatever_the_exact_operands_are(left, right):
     for operation in (add, sub, mul, truediv):
         with np.errstate(all="ignore"):
             result = operation(x, y)
-            numbers = [result, result.rounded()]
+            numbers = [result, result.rounded(), result.rounded_twice()]
         if operation is truediv and straddles:
             assert all(number.error == np.inf for number in numbers[1:])
             continue

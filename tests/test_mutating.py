@@ -229,6 +229,8 @@ def test_what_a_point_or_a_line_decides_the_whole_source_decides_so_too(name):
         ("t = wide(x) - y", "t = x - y", True),
         ("t = rounded(wide(x) - y)", "t = rounded(x - y)", True),
         ("t = rounded(x)", "t = x", False),
+        ("t = rounded_twice(wide(x) - y)", "t = rounded_twice(x - y)", True),
+        ("t = rounded_twice(x)", "t = x", False),
         ("t = x - y", "t = y - x", False),
         ("t = x / y", "t = x / (y - y)", False),
         ("t = f(x)", "t = f(x)", False),
@@ -237,7 +239,7 @@ def test_what_a_point_or_a_line_decides_the_whole_source_decides_so_too(name):
 )
 def test_a_line_is_the_same_only_if_the_rest_cannot_tell(before, after, same):
     parts = (ast.parse(line).body[0] for line in (before, after))
-    assert is_congruent(*parts, digits_of(projection.mu_from_center)) is same
+    assert is_congruent(*parts, digits_of(projection.projection_matrix)) is same
 
 
 def met(expectations, function):

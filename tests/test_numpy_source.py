@@ -2,6 +2,7 @@
 
 import ast
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from hypothesis import strategies as st
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating import Program, Step, run
 from algebroproj_sym.generating.numpy_source import LINE, packed, statements
-from algebroproj_sym.generating.runtime._compensated import rounded, wide
+from algebroproj_sym.generating.runtime._compensated import rounded, rounded_twice, wide
 
 INPUTS = ("x", "y", "z")
 
@@ -45,7 +46,7 @@ def lines_of(program):
 
 
 def executed(program, inputs):
-    namespace = {"wide": wide, "rounded": rounded}
+    namespace = {"wide": wide, "rounded": rounded, "rounded_twice": rounded_twice}
     exec("\n    ".join([f"def body({', '.join(inputs)}):", *statements(program)]), namespace)
     return list(namespace["body"](*inputs.values()))
 
@@ -163,6 +164,8 @@ def test_a_number_of_twice_the_digits_stands_on_the_left_as_arrays_need_not_know
         Step("t4", "-", ("y", "t3")),
     )
     assert lines_of(Program(INPUTS, steps, ("t4",))) == ["y - rounded(2 * (wide(y) - wide(x)))"]
+    twice = [replace(step, operator="rounded_twice") if step.operator == "rounded" else step for step in steps]
+    assert lines_of(Program(INPUTS, tuple(twice), ("t4",))) == ["y - rounded_twice(2 * (wide(y) - wide(x)))"]
 
 
 def test_lines_stay_readable():

@@ -33,7 +33,7 @@ COMPILED = ("let", *LINEAR)
 LONGEST = 4000
 """How many statements a compiler is asked to optimise at once."""
 
-SHORT = 700
+SHORT = 1300
 """How many statements take no longer for points that go from memory to registers and back than for rows of them."""
 
 FEW = 32

@@ -2,8 +2,9 @@
 
 A derivation may offer several forms of a kernel, and there is the factored form of what it derives.  Each can be
 lowered with quotients as written, or with the reciprocals of shared divisors; with twice the digits where sums may
-cancel, or throughout, for long products, where roundings add up.  All are proved equal to the derivation.  On
-stratified samples they differ: their errors are those of the program on machine numbers against its value on fractions.
+cancel, or throughout, for long products, where roundings add up; and with the last sums rounded once or twice.  All are
+proved equal to the derivation.  On stratified samples they differ: their errors are those of the program on machine
+numbers against its value on fractions.
 """
 
 from __future__ import annotations
@@ -14,10 +15,11 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from algebroproj_sym.declaring import Kernel
 from algebroproj_sym.expressions.exact import fmpq, fraction
-from algebroproj_sym.generating.compensation import compensated
+from algebroproj_sym.generating.compensation import compensated, with_sums_rounded_twice
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.factored import factored
 from algebroproj_sym.generating.lowering import Lowered, lowered_form, program_of
@@ -29,7 +31,7 @@ MAX_ULP = 3.5
 """What is asked for: a little less than what is promised, since samples seldom show the largest errors."""
 
 NOT_WORSE = 1.25
-"""How many times the error of the best may be taken, where even that is large: so near a singularity that it may be."""
+"""How many times the least error may be taken, where even that is large: so near a singularity that it may be."""
 
 SAMPLES = 50
 COSTLY = {"/": 8}
@@ -40,16 +42,19 @@ COSTLY = {"/": 8}
 class _Candidate:
     lowered: Lowered
     cost: int
-    median_ulp: float
-    max_ulp: float
+    ulps: NDArray[np.float64]
+
+    @property
+    def median_ulp(self) -> float:
+        return float(np.median(self.ulps))
 
 
 def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     """Lower a kernel, prove the program, and choose it among those of equal forms.
 
-    The cheapest one is taken whose errors are small, or not much larger than those of the best; if there is none, the
-    one that exceeds that least.  Programs with primitive functions, which are not exact on fractions, cannot be
-    compared: there the first form is taken.
+    The cheapest one is taken each of whose errors is small, or not much larger than the least one of any program there;
+    if there is none, the one that exceeds that least.  Programs with primitive functions, which are not exact on
+    fractions, cannot be compared: there the first form is taken.
 
     Parameters
     ----------
@@ -75,14 +80,16 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
         return lowered[0]
     samples = stratified(lowered[0], SAMPLES)
     truths = [_truth(lowered[0].plain, sample) for sample in samples]
-    candidates = [_measured(each, samples, truths) for each in lowered]
+    entries = [entry for entry, output in enumerate(lowered[0].plain.outputs) if not isinstance(output, int)]
+    candidates = [_measured(each, samples, truths, entries) for each in lowered]
     median = max(MEDIAN_ULP, min(candidate.median_ulp for candidate in candidates))
-    most = max(MAX_ULP, NOT_WORSE * min(candidate.max_ulp for candidate in candidates))
+    most = np.fmax(MAX_ULP, NOT_WORSE * np.min([candidate.ulps for candidate in candidates], axis=0))
 
     def excess(candidate: _Candidate) -> float:
-        return max(1, candidate.median_ulp / median, candidate.max_ulp / most)
+        with np.errstate(invalid="ignore"):
+            return float(np.fmax.reduce(candidate.ulps / most, initial=max(1, candidate.median_ulp / median)))
 
-    best = min(candidates, key=lambda candidate: (excess(candidate), candidate.cost, candidate.max_ulp))
+    best = min(candidates, key=lambda candidate: (excess(candidate), candidate.cost, np.max(candidate.ulps)))
     return replace(best.lowered, forms=len(lowered))
 
 
@@ -96,7 +103,8 @@ def _distinct(kernel: Kernel, engine: str) -> Iterator[Lowered]:
             if reciprocals and program_of(form, (), reciprocals) == program_of(form, ()):
                 continue
             lowered = lowered_form(form, engine, reciprocals)
-            for program in (lowered.program, compensated(lowered.plain, throughout=True)):
+            wide = lowered.program, compensated(lowered.plain, throughout=True)
+            for program in (*wide, *map(with_sums_rounded_twice, wide)):
                 if program not in programs:
                     programs.add(program)
                     yield replace(lowered, program=program)
@@ -110,21 +118,22 @@ def _truth(program: Program, sample: Sample) -> tuple[Any, ...] | None:
         return None
 
 
-def _measured(lowered: Lowered, samples: Sequence[Sample], truths: Sequence[tuple[Any, ...] | None]) -> _Candidate:
+def _measured(
+    lowered: Lowered, samples: Sequence[Sample], truths: Sequence[tuple[Any, ...] | None], entries: Sequence[int]
+) -> _Candidate:
     names = lowered.program.inputs
     with np.errstate(all="ignore"):
         results = run(lowered.program, {name: np.array([s.values[name] for s in samples]) for name in names})
     columns = [np.broadcast_to(np.asarray(result, dtype=float), len(samples)).tolist() for result in results]
-    errors = sorted(
-        _ulps(column[place], truth[entry])
+    ulps = [
+        _ulps(columns[entry][place], truth[entry])
         for place, truth in enumerate(truths)
         if truth is not None
-        for entry, column in enumerate(columns)
-        if not isinstance(results[entry], int)
-    )
+        for entry in entries
+    ]
     operations = expanded(lowered.program).operations()
     cost = sum(COSTLY.get(operator, 1) * count for operator, count in operations.items())
-    return _Candidate(lowered, cost, errors[len(errors) // 2], errors[-1])
+    return _Candidate(lowered, cost, np.array(ulps))
 
 
 def _ulps(value: float, truth: Any) -> float:

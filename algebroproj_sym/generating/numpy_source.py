@@ -12,12 +12,13 @@ from dataclasses import dataclass
 
 from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
+from algebroproj_sym.generating.runtime._compensated import DIGITS
 
 LINE = 100
 
 _TEMPORARY = re.compile(r"t\d+")
 
-_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3, "wide": 4, "rounded": 4}
+_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3} | dict.fromkeys(DIGITS, 4)
 _ATOM = 4
 
 
@@ -102,7 +103,7 @@ def _doubled(program: Program) -> set[Operand]:
     doubled: set[Operand] = set()
     for step in program.steps:
         if isinstance(step, Step):
-            widens = step.operator == "wide" or (step.operator != "rounded" and not doubled.isdisjoint(step.operands))
+            widens = step.operator == "wide" or (step.operator not in DIGITS and not doubled.isdisjoint(step.operands))
             doubled |= {step.name} if widens else set()
         elif step.primitive not in LINEAR and not doubled.isdisjoint(step.operands):
             doubled |= {*step.names}
@@ -115,7 +116,7 @@ def _operation(step: Step, written: dict[Operand, _Text], doubled: set[Operand])
     operands = [_operand(operand, written) for operand in step.operands]
     if isinstance(step.operands[0], str) and step.operands[0] not in doubled and not doubled.isdisjoint(step.operands):
         operands[0] = _Text(f"wide({operands[0].text})", _ATOM)
-    if step.operator in ("wide", "rounded"):
+    if step.operator in DIGITS:
         return _Text(f"{step.operator}({operands[0].text})", _ATOM)
     if step.operator == "neg":
         return _Text(f"-{_parenthesised(operands[0], precedence + 1)}", precedence)

@@ -25,6 +25,7 @@ from algebroproj_sym.generating.operation_counts import operation_counts
 from algebroproj_sym.generating.plain_source import plain_files
 from algebroproj_sym.generating.program import Call, Step, run
 from algebroproj_sym.generating.runtime import _primitives as primitives
+from algebroproj_sym.generating.runtime._compensated import DIGITS
 
 LONGEST_FACTOR = 240
 LONGEST_LINE = 400
@@ -121,7 +122,7 @@ def _module(group: Sequence[Lowered], drivers: Sequence[Driver], measured: Mappi
         notice=NOTICE,
         primitives=sorted(called - {"let"}),
         compiled=any(is_compiled(low) for low in group),
-        digits=sorted(operators & {"wide", "rounded"}),
+        digits=sorted(operators.intersection(DIGITS)),
         functions=[_function(low, measured.get(low.kernel.qualified_name)) for low in group],
         drivers=[{"name": driver.name, "module": driver.source.stem} for driver in drivers],
     )

@@ -14,10 +14,10 @@ from operator import add, mul, neg, sub, truediv
 from typing import Any, Literal, TypeAlias
 
 from algebroproj_sym.declaring import Primitive
-from algebroproj_sym.generating.runtime._compensated import rounded, wide
+from algebroproj_sym.generating.runtime._compensated import rounded, rounded_twice, wide
 from algebroproj_sym.generating.runtime._double_double import product_error
 
-Operator = Literal["+", "-", "*", "/", "neg", "wide", "rounded", "product_error"]
+Operator = Literal["+", "-", "*", "/", "neg", "wide", "rounded", "rounded_twice", "product_error"]
 Operand: TypeAlias = "str | int"
 
 _MEANING: dict[Operator, Callable[..., Any]] = {
@@ -28,6 +28,7 @@ _MEANING: dict[Operator, Callable[..., Any]] = {
     "neg": neg,
     "wide": wide,
     "rounded": rounded,
+    "rounded_twice": rounded_twice,
     "product_error": product_error,
 }
 

@@ -43,7 +43,7 @@ def is_congruent(
     (True, False)
     """
     old, new = _names(unchanged), _names(changed)
-    if not _called(unchanged) <= functions.keys() or not new.keys() <= old.keys() or new["rounded"] < old["rounded"]:
+    if not _called(unchanged) <= functions.keys() or not new.keys() <= old.keys() or _roundings(new) < _roundings(old):
         return False
     field = RationalFunctionField([sympy.Symbol(name) for name in sorted(old.keys() - functions.keys())], engine)
     values = {symbol.name: value for symbol, value in field.variables.items()}
@@ -56,6 +56,10 @@ def is_congruent(
 
 def _names(part: ast.AST) -> Counter[str]:
     return Counter(node.id for node in ast.walk(_expression(part)) if isinstance(node, ast.Name))
+
+
+def _roundings(names: Counter[str]) -> int:
+    return names["rounded"] + names["rounded_twice"]
 
 
 def _called(part: ast.AST) -> set[str]:

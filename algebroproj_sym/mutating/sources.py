@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any, NamedTuple
 
+from algebroproj_sym.generating.runtime._compensated import DIGITS
 from algebroproj_sym.verifying import without_twin
 
 _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
@@ -18,9 +19,6 @@ _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
     ast.Mult: ast.Div,
     ast.Div: ast.Mult,
 }
-
-_DIGITS = ("wide", "rounded")
-"""Words of the sources that change how many digits a number has."""
 
 
 class SourceMutant(NamedTuple):
@@ -37,7 +35,7 @@ def source_mutants(function: Callable[..., Any]) -> list[SourceMutant]:
     """Return a function with each single change of its body: operator, operands, index, dropped term, number, digits.
 
     The body of a generated function is the private one of the same name, which it evaluates.  Changes of digits leave
-    out `wide`, which asks for twice the digits, or `rounded`: no real number changes by them.
+    out `wide`, which asks for twice the digits, `rounded` or `rounded_twice`: no real number changes by them.
 
     Examples
     --------
@@ -98,11 +96,12 @@ def _compiled(tree: ast.Module, number: int, part: ast.AST, function: Callable[.
 def digits_of(function: Callable[..., Any]) -> dict[str, Callable[[Any], Any]]:
     """Return what the words for digits mean in mutants: one number, which a change may leave, is rounded to itself."""
     known = function.__globals__
+    words = {word: known[word] for word in DIGITS if word in known}
+    return words | {word: partial(_rounded, words[word]) for word in words.keys() - {"wide"}}
 
-    def rounded(number: Any) -> Any:
-        return known["rounded"](number) if hasattr(number, "rounded") else number
 
-    return {word: known[word] for word in _DIGITS if word in known} | {"rounded": rounded}
+def _rounded(rounding: Callable[[Any], Any], number: Any) -> Any:
+    return rounding(number) if hasattr(number, "rounded") else number
 
 
 def _changed(tree: ast.Module) -> Iterator[tuple[str, int, ast.AST]]:
@@ -125,7 +124,7 @@ def _changes(node: ast.AST, names: list[str]) -> Iterator[tuple[str, ast.expr]]:
             yield "operands", ast.BinOp(right, operator, left)
         yield "dropped term", left
         yield "dropped term", _without_left(operator, right)
-    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _DIGITS:
+    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in DIGITS:
         yield f"{node.func.id} left out", node.args[0]
     elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
         yield "sign", node.operand

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from algebroproj._double_double import DoubleDouble, Unrounded
 from algebroproj._error_bounds import Bounded
-from algebroproj_sym.study.exact_systems import ARB, MPMATH, RATIONAL
+from algebroproj_sym.study.exact_systems import ARB, MPMATH, RATIONAL, UNCHANGED
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 
 __all__ = [
@@ -25,10 +25,6 @@ __all__ = [
     "mpmath_digits",
     "rational",
 ]
-
-
-def _same(number: Any) -> Any:
-    return number
 
 
 def _no_rest(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -63,7 +59,7 @@ def double_double() -> Arithmetic:
         join=lambda parts: Unrounded(parts[0], parts[1]),
         split=lambda value: _words(value),
         nearest=lambda numbers: (numbers[0], numbers[1]),
-        meanings={"wide": _same, "rounded": _same},
+        meanings=UNCHANGED,
     )
 
 
@@ -80,7 +76,7 @@ def float64_balls() -> Arithmetic:
         split=lambda ball: (ball.value, ball.error) if isinstance(ball, Bounded) else (ball, 0.0),
         nearest=lambda numbers: _no_rest(numbers[0]),
         radius=lambda numbers: np.asarray(numbers[1]),
-        meanings={"wide": _same, "rounded": _same},
+        meanings=UNCHANGED,
     )
 
 
@@ -97,7 +93,7 @@ def double_double_balls() -> Arithmetic:
         split=lambda ball: (*_words(ball.value), ball.error) if isinstance(ball, Bounded) else (ball, 0.0, 0.0),
         nearest=lambda numbers: (numbers[0], numbers[1]),
         radius=lambda numbers: np.asarray(numbers[2]),
-        meanings={"wide": _same, "rounded": _same},
+        meanings=UNCHANGED,
     )
 
 

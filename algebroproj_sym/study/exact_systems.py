@@ -14,6 +14,8 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
+from algebroproj._compensated import DIGITS
+
 __all__ = ["ARB", "MPMATH", "RATIONAL"]
 
 Solver = Callable[[list[list[Any]]], list[Any]]
@@ -89,10 +91,11 @@ def _same(number: Any) -> Any:
     return number
 
 
-_UNCHANGED: Meanings = {"wide": _same, "rounded": _same}
+UNCHANGED: Meanings = dict.fromkeys(DIGITS, _same)
+"""What the words for digits mean where every number has the same."""
 
 MPMATH: Meanings = {
-    **_UNCHANGED,
+    **UNCHANGED,
     "solve": _systems(_mpmath_solution),
     "null_vector": _null_spaces(_mpmath_solution, lambda number: bool(abs(number) <= 1), mpmath.mpf(1), mpmath.nan),
     "cos_sin": np.frompyfunc(lambda angle: (mpmath.cos(angle), mpmath.sin(angle)), 1, 2),
@@ -100,11 +103,11 @@ MPMATH: Meanings = {
 }
 
 ARB: Meanings = {
-    **_UNCHANGED,
+    **UNCHANGED,
     "solve": _systems(_arb_solution),
     "null_vector": _null_spaces(_arb_solution, lambda ball: bool(abs(ball) < 1), flint.arb(1), flint.arb.nan()),
     "cos_sin": np.frompyfunc(lambda angle: (angle.cos(), angle.sin()), 1, 2),
     "arctan2": np.frompyfunc(lambda y, x: flint.arb.atan2(y, x), 2, 1),
 }
 
-RATIONAL: Meanings = {**_UNCHANGED, "solve": _systems(_rational_solution)}
+RATIONAL: Meanings = {**UNCHANGED, "solve": _systems(_rational_solution)}

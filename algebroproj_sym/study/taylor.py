@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from algebroproj._primitives import null_vector, solve
+from algebroproj_sym.study.exact_systems import UNCHANGED
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 
 __all__ = ["Taylor", "gradient", "hessian", "inverses", "taylor", "variables"]
@@ -121,8 +122,7 @@ def taylor(count: int, order: int = 1) -> Arithmetic:
         split=lambda number: _split(number, count, order, parts),
         nearest=lambda numbers: (numbers[0], np.zeros_like(numbers[0])),
         meanings={
-            "wide": _same,
-            "rounded": _same,
+            **UNCHANGED,
             "solve": _solve,
             "null_vector": _null_vector,
             "cos_sin": _cos_sin,
@@ -204,10 +204,6 @@ def inverses(matrices: Array) -> Array:
 def _both_ways(a: Any, b: Any) -> Any:
     product = a[:, None] * b[None]
     return product + np.swapaxes(product, 0, 1)
-
-
-def _same(number: Any) -> Any:
-    return number
 
 
 def _joined(numbers: Numbers, count: int, order: int) -> Taylor:

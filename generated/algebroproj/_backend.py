@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "ce0214d3dfe4ba02"
+DIGEST = "3bf95fb8021186ce"
 """What identifies the C source that belongs to this package."""
 
 

@@ -34,7 +34,8 @@ those of the NumPy source.
 #define FUSED_IS_AVAILABLE 1
 #endif
 
-/* Four points at a time, as vectors whose entries can be exchanged. */
+/* Four points at a time, as vectors whose entries can be exchanged; operations are ordered for processors that do several
+   of them at once. */
 #if defined(FUSED) && defined(__x86_64__) && defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
 #include <immintrin.h>
@@ -189,12 +190,13 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #include "_moves.h"
 #endif
 
-/* A little less than the largest number, to which squares of operands are added: the sum is not finite if products of
-   such operands, or of sums of a few of them, or of their halves, might not be.  Then the factor that splits a number into
-   halves, whose products are exact. */
 #define WIDTH BLOCK
 #define INLINED FORCED_INLINE
 #define constant(number) number
+
+/* Headroom is a little less than the largest number, to which squares of operands are added: the sum is not finite if
+   products of such operands, or of sums of a few of them, or of their halves, might not be.  The splitter is the factor
+   that splits a number into halves, whose products are exact. */
 #define real float
 #define absolute fabsf
 #define multiply_add fmaf
@@ -365,7 +367,7 @@ OPTIMIZED_ENDS
 #undef INLINED
 #undef constant
 #ifdef SHUFFLED
-/* Operations are ordered so that few wait for others. */
+/* Operations are put in an order in which few wait for others. */
 OPTIMIZED("schedule-insns", "sched-pressure")
 #include "_fours.h"
 OPTIMIZED_ENDS
@@ -408,7 +410,7 @@ static struct kernel kernels[] = {
      affine_space_frame_longdouble_split, NULL},
     {"collinearity_coplanarity_determinant", "(11),(11),(2),(2)->()", 4, 1, 0,
      {{1, 1, 11}, {1, 1, 11}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
-     NULL,
+     FOURS_VERSION(collinearity_coplanarity_determinant_fours),
      collinearity_coplanarity_determinant_float_split, FUSED_VERSION(collinearity_coplanarity_determinant_float_fused),
      collinearity_coplanarity_determinant_double_split, FUSED_VERSION(collinearity_coplanarity_determinant_double_fused),
      collinearity_coplanarity_determinant_longdouble_split, NULL},
@@ -516,7 +518,7 @@ static struct kernel kernels[] = {
      critical_algebraic_distance_longdouble_split, NULL},
     {"critical_determinant", "(5,2),(5,2)->()", 2, 1, 0,
      {{2, 5, 2}, {2, 5, 2}, {0, 1, 1}},
-     NULL,
+     FOURS_VERSION(critical_determinant_fours),
      critical_determinant_float_split, FUSED_VERSION(critical_determinant_float_fused),
      critical_determinant_double_split, FUSED_VERSION(critical_determinant_double_fused),
      critical_determinant_longdouble_split, NULL},
@@ -570,7 +572,7 @@ static struct kernel kernels[] = {
      metric_model_covariance_longdouble_split, NULL},
     {"metric_normal_covariance", "(3,3),(2),(),(3,3),()->(2,2)", 5, 1, 0,
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 3, 3}, {0, 1, 1}, {2, 2, 2}},
-     NULL,
+     FOURS_VERSION(metric_normal_covariance_fours),
      metric_normal_covariance_float_split, FUSED_VERSION(metric_normal_covariance_float_fused),
      metric_normal_covariance_double_split, FUSED_VERSION(metric_normal_covariance_double_fused),
      metric_normal_covariance_longdouble_split, NULL},
@@ -696,7 +698,7 @@ static struct kernel kernels[] = {
      optics_vanishing_line_longdouble_split, NULL},
     {"orientation_intersect", "(2),(2),(3),(2),(3),(2)->(3)", 6, 1, 0,
      {{1, 1, 2}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
-     NULL,
+     FOURS_VERSION(orientation_intersect_fours),
      orientation_intersect_float_split, FUSED_VERSION(orientation_intersect_float_fused),
      orientation_intersect_double_split, FUSED_VERSION(orientation_intersect_double_fused),
      orientation_intersect_longdouble_split, NULL},
@@ -1235,7 +1237,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "ce0214d3dfe4ba02");
+    return PyModule_AddStringConstant(module, "DIGEST", "3bf95fb8021186ce");
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -98,6 +98,24 @@ static FUSED_TUNED int affine_space_frame_fours(double *const *data, const npy_i
     return in_range(range[0]);
 }
 
+static FUSED_TUNED int collinearity_coplanarity_determinant_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[26], out[1], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 11);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 11);
+        read_four(in + 7, data[0] + i * steps[0] + 7, 11);
+        read_four(in + 11, data[1] + i * steps[1], 11);
+        read_four(in + 15, data[1] + i * steps[1] + 4, 11);
+        read_four(in + 18, data[1] + i * steps[1] + 7, 11);
+        read_2(in + 22, data[2] + i * steps[2]);
+        read_2(in + 24, data[3] + i * steps[3]);
+        collinearity_coplanarity_determinant_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_1(out + 0, data[4] + i * steps[4]);
+    }
+    return in_range(range[0]);
+}
+
 static FUSED_TUNED int collinearity_intersect_three_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[26], out[3], range[1] = {most_headroom};
@@ -314,6 +332,22 @@ static FUSED_TUNED int critical_algebraic_distance_fours(double *const *data, co
     return in_range(range[0]);
 }
 
+static FUSED_TUNED int critical_determinant_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[20], out[1], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 10);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 10);
+        read_four(in + 6, data[0] + i * steps[0] + 6, 10);
+        read_four(in + 10, data[1] + i * steps[1], 10);
+        read_four(in + 14, data[1] + i * steps[1] + 4, 10);
+        read_four(in + 16, data[1] + i * steps[1] + 6, 10);
+        critical_determinant_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_1(out + 0, data[2] + i * steps[2]);
+    }
+    return in_range(range[0]);
+}
+
 static FUSED_TUNED int critical_invariants_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[16], out[7], range[1] = {most_headroom};
@@ -445,6 +479,25 @@ static FUSED_TUNED int metric_model_covariance_fours(double *const *data, const 
         write_four(out + 0, data[6] + i * steps[6], 9);
         write_four(out + 4, data[6] + i * steps[6] + 4, 9);
         write_one(out + 8, data[6] + i * steps[6] + 8, 9);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int metric_normal_covariance_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[22], out[4], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        read_2(in + 9, data[1] + i * steps[1]);
+        read_1(in + 11, data[2] + i * steps[2]);
+        read_four(in + 12, data[3] + i * steps[3], 9);
+        read_four(in + 16, data[3] + i * steps[3] + 4, 9);
+        read_one(in + 20, data[3] + i * steps[3] + 8, 9);
+        read_1(in + 21, data[4] + i * steps[4]);
+        metric_normal_covariance_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_four(out + 0, data[5] + i * steps[5], 4);
     }
     return in_range(range[0]);
 }
@@ -717,6 +770,22 @@ static FUSED_TUNED int optics_vanishing_line_fours(double *const *data, const np
         read_3(in + 0, data[0] + i * steps[0]);
         optics_vanishing_line_four((const four (*)[1])in, (four (*)[1])out, range, 1);
         write_3(out + 0, data[1] + i * steps[1]);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int orientation_intersect_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[14], out[3], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_2(in + 0, data[0] + i * steps[0]);
+        read_2(in + 2, data[1] + i * steps[1]);
+        read_3(in + 4, data[2] + i * steps[2]);
+        read_2(in + 7, data[3] + i * steps[3]);
+        read_3(in + 9, data[4] + i * steps[4]);
+        read_2(in + 12, data[5] + i * steps[5]);
+        orientation_intersect_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_3(out + 0, data[6] + i * steps[6]);
     }
     return in_range(range[0]);
 }

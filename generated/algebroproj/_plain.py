@@ -11,6 +11,7 @@ from types import FunctionType
 from typing import Any
 
 from ._backend import ufunc
+from ._compensated import DIGITS
 from ._evaluation import BLOCK, parts_of
 from ._primitives import null_vector_once, solve_once
 
@@ -61,8 +62,7 @@ def _unchanged(number: Any) -> Any:
 
 
 _WITHOUT_COMPENSATION = {
-    "wide": _unchanged,
-    "rounded": _unchanged,
+    **dict.fromkeys(DIGITS, _unchanged),
     "solve": solve_once,
     "null_vector": null_vector_once,
 }

@@ -10,7 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from ._backend import ufunc
-from ._compensated import rounded, wide
+from ._compensated import rounded, rounded_twice, wide
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -127,10 +127,10 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     g01*g20 + g10*g21 - g11*g20``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 18 (9 -, 8 *, 1 /); the derived expression as written takes 30.
-    In compensated arithmetic, where sums may cancel: 102, 6 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    In compensated arithmetic, where sums may cancel: 84, 6 of them errors of products.
+    The cheapest of 12 equal programs that err little.
 
-    Measured error in float64: 0.435 ULP in the median and 1.94 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.472 ULP in the median and 2.72 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 1.22 ULP in the median, 167 ULP at most on ordinary input, 7.97e+14 ULP on any.
 
     Examples
@@ -150,9 +150,9 @@ def _plane_coordinates(
     c12 = wide(g11) - g01
     c21 = wide(g20) - g00
     c22 = wide(g21) - g01
-    det = rounded(c11 * c22 - c12 * c21)
+    det = rounded_twice(c11 * c22 - c12 * c21)
     t12 = 1 / det
-    return rounded(c22 * d1 - c21 * d2) * t12, rounded(c11 * d2 - c12 * d1) * t12
+    return rounded_twice(c22 * d1 - c21 * d2) * t12, rounded_twice(c11 * d2 - c12 * d1) * t12
 
 
 _PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),), twin=ufunc("affine_plane_coordinates"), recordable=True)
@@ -299,12 +299,12 @@ def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: a factor of a denominator above,
     of 24 terms. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 55 (8 +, 18 -, 27 *, 1 /, 1 neg); the derived expression as written takes 177.
-    In compensated arithmetic, where sums may cancel: 337, 24 of them errors of products.
+    Operations: 54 (8 +, 18 -, 24 *, 3 /, 1 neg); the derived expression as written takes 177.
+    In compensated arithmetic, where sums may cancel: 336, 24 of them errors of products.
     The cheapest of 4 equal programs that err little.
 
-    Measured error in float64: 0.441 ULP in the median and 3.77 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 2.39 ULP in the median, 87.7 ULP at most on ordinary input, 4.76e+15 ULP on any.
+    Measured error in float64: 0.36 ULP in the median and 3.61 ULP at most (200 samples, near singularities too).
+    Without compensation (`plain`): 2.35 ULP in the median, 87.7 ULP at most on ordinary input, 4.76e+15 ULP on any.
 
     Examples
     --------
@@ -337,10 +337,9 @@ def _space_coordinates(
     n2 = a11 * d3 - a13 * d1
     n3 = a12 * d1 - a11 * d2
     det = rounded(a11 * m1 + a12 * m2 + a13 * m3)
-    t40 = 1 / det
     return (
-        rounded(d1 * m1 + d2 * m2 + d3 * m3) * t40, -(rounded(a31 * n1 + a32 * n2 + a33 * n3) * t40),
-        rounded(a21 * n1 + a22 * n2 + a23 * n3) * t40,
+        rounded(d1 * m1 + d2 * m2 + d3 * m3) / det, -(rounded(a31 * n1 + a32 * n2 + a33 * n3) / det),
+        rounded(a21 * n1 + a22 * n2 + a23 * n3) / det,
     )
 
 

@@ -10,7 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from ._backend import ufunc
-from ._compensated import rounded, wide
+from ._compensated import rounded, rounded_twice, wide
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -133,24 +133,24 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
 
         u30 = 1 - u31 - u32
         uN30 = 1 - uN31 - uN32
-        result[0, 0] = uN31*(-1 + u32)/(u31**2*uN30)
+        result[0, 0] = -uN31/(u31*uN30) - u30*uN31/(u31**2*uN30)
         result[0, 1] = -uN31/(u31*uN30)
-        result[0, 2] = -u30*(-1 + uN32)/(u31*uN30**2)
+        result[0, 2] = u30/(u31*uN30) + u30*uN31/(u31*uN30**2)
         result[0, 3] = u30*uN31/(u31*uN30**2)
         result[1, 0] = -uN32/(u32*uN30)
-        result[1, 1] = uN32*(-1 + u31)/(u32**2*uN30)
+        result[1, 1] = -uN32/(u32*uN30) - u30*uN32/(u32**2*uN30)
         result[1, 2] = u30*uN32/(u32*uN30**2)
-        result[1, 3] = -u30*(-1 + uN31)/(u32*uN30**2)
+        result[1, 3] = u30/(u32*uN30) + u30*uN32/(u32*uN30**2)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u32``, ``uN31 + uN32 -
     1``. Their values are given by the function `hypotheses` of this package.
 
-    Operations: 29 (7 -, 14 *, 6 /, 2 neg); the derived expression as written takes 198.
-    In compensated arithmetic, where sums may cancel: 193, 20 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    Operations: 30 (4 +, 4 -, 12 *, 6 /, 4 neg); the derived expression as written takes 198.
+    In compensated arithmetic, where sums may cancel: 173, 18 of them errors of products.
+    The cheapest of 12 equal programs that err little.
 
-    Measured error in float64: 0.254 ULP in the median and 0.499 ULP at most (350 samples, near singularities too).
-    Without compensation (`plain`): 0.563 ULP in the median, 3.64 ULP at most on ordinary input, 8.34e+14 ULP on
+    Measured error in float64: 0.27 ULP in the median and 0.985 ULP at most (350 samples, near singularities too).
+    Without compensation (`plain`): 0.693 ULP in the median, 1.43e+04 ULP at most on ordinary input, 8.34e+14 ULP on
     any.
 
     Examples
@@ -165,16 +165,20 @@ def _tau_jacobian(
     u31: Any, u32: Any, uN31: Any, uN32: Any,
 ) -> tuple[Any, ...]:
     u30 = 1 - wide(u31) - u32
-    t2 = 1 - wide(uN31)
-    uN30 = t2 - uN32
-    t6 = wide(u31) * uN30
-    t13 = u30 * (1 / (t6 * uN30))
+    uN30 = 1 - wide(uN31) - uN32
+    t4 = wide(u31) * uN30
+    t5 = 1 / t4
+    t30 = wide(uN31) * t5
+    t7 = u30 * uN31
+    t32 = t7 / (t4 * uN30)
     t17 = wide(u32) * uN30
-    t26 = u30 * (1 / (t17 * uN30))
+    t18 = 1 / t17
+    t34 = wide(uN32) * t18
+    t21 = u30 * uN32
+    t36 = t21 / (t17 * uN30)
     return (
-        rounded(wide(uN31) * (wide(u32) - 1) / (t6 * u31)), rounded(-(wide(uN31) / t6)),
-        rounded(t13 * (1 - wide(uN32))), rounded(t13 * uN31), rounded(-(wide(uN32) / t17)),
-        rounded(wide(uN32) * (wide(u31) - 1) / (t17 * u32)), rounded(t26 * uN32), rounded(t26 * t2),
+        -rounded_twice(t30 + t7 / (t4 * u31)), -rounded(t30), rounded_twice(u30 * t5 + t32), rounded(t32),
+        -rounded(t34), -rounded_twice(t34 + t21 / (t17 * u32)), rounded(t36), rounded_twice(t36 + u30 * t18),
     )
 
 
@@ -373,13 +377,11 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
         a13 = yA1*yp03 - yA3*yp01
         a23 = yA2*yp03 - yA3*yp02
         numerator = p03*yp01 - p01*u31*yp03
-        uN32 = numerator*yp02/(p02*yp01*yp03)
-        quotient = yp03/ypp03
         z_N = -a13*p02*u31*yp03/(a23*numerator)
         u3_normal_left[0] = u31
-        u3_normal_left[1] = uN32
-        u3_normal_right[0] = quotient*u31*ypp01/yp01
-        u3_normal_right[1] = quotient*uN32*ypp02/yp02
+        u3_normal_left[1] = numerator*yp02/(p02*yp01*yp03)
+        u3_normal_right[0] = u31*yp03*ypp01/(yp01*ypp03)
+        u3_normal_right[1] = numerator*ypp02/(p02*yp01*ypp03)
 
     Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31*yA1*yp02*yp03 +
     u31*yA1*yp03**2 - u31*yA1*yp03 - u31*yA2*yp01*yp03 - u31*yA3*yp01*yp03 + u31*yp01*yp03 + yA1*yp01*yp03 +
@@ -387,12 +389,12 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     + yA3*yp02 - yp02``, ``yA2*yp03 - yA3*yp02``, ``yp01``, ``yp02``, ``yp03``, ``ypp03``. Their values are
     given by the function `hypotheses` of this package.
 
-    Operations: 45 (6 +, 10 -, 23 *, 5 /, 1 neg); the derived expression as written takes 109.
-    In compensated arithmetic, where sums may cancel: 178, 13 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    Operations: 49 (10 +, 11 -, 23 *, 5 /); the derived expression as written takes 109.
+    In compensated arithmetic, where sums may cancel: 182, 13 of them errors of products.
+    The cheapest of 7 equal programs that err little.
 
-    Measured error in float64: 0.379 ULP in the median and 16.6 ULP at most (550 samples, near singularities too).
-    Without compensation (`plain`): 0.723 ULP in the median, 89 ULP at most on ordinary input, 3.68e+16 ULP on any.
+    Measured error in float64: 0.369 ULP in the median and 16.6 ULP at most (550 samples, near singularities too).
+    Without compensation (`plain`): 0.718 ULP in the median, 89 ULP at most on ordinary input, 3.68e+16 ULP on any.
 
     Examples
     --------
@@ -413,13 +415,14 @@ def _from_orientation(
     p03 = wide(yp03) * (t0 + yA1) - wide(yA3) * (t3 + yp01)
     a13 = rounded(wide(yA1) * yp03 - wide(yA3) * yp01)
     a23 = rounded(wide(yA2) * yp03 - wide(yA3) * yp02)
-    t48 = wide(yp03) * u31
-    numerator = rounded(p03 * yp01 - t48 * p01)
-    uN32 = numerator * yp02 / (p02 * yp01 * yp03)
-    quotient = yp03 / ypp03
+    t54 = wide(yp03) * u31
+    t26 = rounded(t54)
+    numerator = rounded(p03 * yp01 - t54 * p01)
+    t29 = 0 / yp02
+    t37 = yp01 * p02
     return (
-        -(rounded(t48) * a13 * p02 / (a23 * numerator)), u31, uN32, quotient * u31 * ypp01 / yp01,
-        quotient * uN32 * ypp02 / yp02,
+        t29 - t26 * a13 * p02 / (a23 * numerator), u31 + t29, numerator * yp02 / (t37 * yp03) + t29,
+        t26 * ypp01 / (yp01 * ypp03) + t29, numerator * ypp02 / (t37 * ypp03) + t29,
     )
 
 
@@ -581,10 +584,10 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
-    In compensated arithmetic, where sums may cancel: 214, 17 of them errors of products.
-    The cheapest of 2 equal programs that err little.
+    In compensated arithmetic, where sums may cancel: 196, 17 of them errors of products.
+    The cheapest of 3 equal programs that err little.
 
-    Measured error in float64: 0.476 ULP in the median and 2.92 ULP at most (400 samples, near singularities too).
+    Measured error in float64: 0.538 ULP in the median and 2.72 ULP at most (400 samples, near singularities too).
     Without compensation (`plain`): 1.72 ULP in the median, 53.1 ULP at most on ordinary input, 2.4e+15 ULP on any.
 
     Examples
@@ -604,7 +607,7 @@ def _mu_right(
     sz = wide(z_n) * (wide(uppN32) - 1) + uppN31
     t6 = wide(y03) * yA2
     t7 = wide(y02) * yA3
-    common = rounded(t6 - t7)
+    common = rounded_twice(t6 - t7)
     t45 = wide(z_n) - 1
     t10 = rounded(t45)
     t12 = wide(yA1) - 1
@@ -613,8 +616,8 @@ def _mu_right(
     t26 = wide(y01) - 1
     t32 = rounded(s0 * yA3 * t45 * (t6 - t14) - t2 * yA2 * z_n * (t7 - t20) - sz * yA2 * yA3 * t26) / (s1 * common * yA1 * t10)
     return (
-        t32, rounded(wide(yA3) * (t26 + y02) - t20) / (common * t10),
-        rounded(t14 - wide(yA2) * (t26 + y03)) / (common * s1),
+        t32, rounded_twice(wide(yA3) * (t26 + y02) - t20) / (common * t10),
+        rounded_twice(t14 - wide(yA2) * (t26 + y03)) / (common * s1),
     )
 
 

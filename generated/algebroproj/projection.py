@@ -10,7 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from ._backend import ufunc
-from ._compensated import rounded, wide
+from ._compensated import rounded, rounded_twice, wide
 from ._evaluation import Signature, evaluate
 
 __all__ = [
@@ -226,7 +226,7 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
 
     Operations: 44 (3 +, 8 -, 18 *, 11 /, 4 neg); the derived expression as written takes 535.
     In compensated arithmetic, where sums may cancel: 105.
-    The cheapest of 8 equal programs that err little.
+    The cheapest of 12 equal programs that err little.
 
     Measured error in float64: 0.432 ULP in the median and 3.02 ULP at most (400 samples, near singularities too).
     Without compensation (`plain`): 0.526 ULP in the median, 38.9 ULP at most on ordinary input, 3.6e+14 ULP on any.
@@ -405,10 +405,10 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     ``y02``, ``y03``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 23 (1 +, 7 -, 12 *, 3 /); the derived expression as written takes 121.
-    In compensated arithmetic, where sums may cancel: 95, 5 of them errors of products.
-    The cheapest of 12 equal programs that err little.
+    In compensated arithmetic, where sums may cancel: 77, 5 of them errors of products.
+    The cheapest of 18 equal programs that err little.
 
-    Measured error in float64: 0.428 ULP in the median and 2.18 ULP at most (400 samples, near singularities too).
+    Measured error in float64: 0.429 ULP in the median and 2.6 ULP at most (400 samples, near singularities too).
     Without compensation (`plain`): 0.665 ULP in the median, 167 ULP at most on ordinary input, 1.94e+14 ULP on any.
 
     Examples
@@ -435,8 +435,8 @@ def _projection_matrix(
     t29 = u30 * y03
     t17 = -1 / rounded(t29)
     return (
-        rounded(t18 - t21) * t8, rounded(t26 - t27) * t13, rounded(y00 + t29) * t17, t5 * t8, 0, t5 * t17, 0,
-        t10 * t13, t10 * t17,
+        rounded_twice(t18 - t21) * t8, rounded_twice(t26 - t27) * t13, rounded_twice(y00 + t29) * t17,
+        t5 * t8, 0, t5 * t17, 0, t10 * t13, t10 * t17,
     )
 
 
@@ -545,7 +545,7 @@ def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any
 
     Operations: 62 (1 +, 11 -, 32 *, 9 /, 9 neg); the derived expression as written takes 1275.
     In compensated arithmetic, where sums may cancel: 345, 37 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    The cheapest of 12 equal programs that err little.
 
     Measured error in float64: 0.25 ULP in the median and 0.522 ULP at most (400 samples, near singularities too).
     Without compensation (`plain`): 0.574 ULP in the median, 30 ULP at most on ordinary input, 6.22e+14 ULP on any.
@@ -863,10 +863,10 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     `hypotheses` of this package.
 
     Operations: 45 (9 +, 14 -, 16 *, 6 /); the derived expression as written takes 1539.
-    In compensated arithmetic, where sums may cancel: 140, 6 of them errors of products.
-    The cheapest of 12 equal programs that err little.
+    In compensated arithmetic, where sums may cancel: 116, 6 of them errors of products.
+    The cheapest of 18 equal programs that err little.
 
-    Measured error in float64: 0.209 ULP in the median and 2.71 ULP at most (550 samples, near singularities too).
+    Measured error in float64: 0.216 ULP in the median and 2.86 ULP at most (550 samples, near singularities too).
     Without compensation (`plain`): 0.315 ULP in the median, 69.7 ULP at most on ordinary input, 1.4e+15 ULP on any.
 
     Examples
@@ -887,17 +887,17 @@ def _reconstruction_matrix(
     d1 = rounded(t6)
     t8 = wide(u32) * y00
     d2 = rounded(t8)
-    w1 = rounded(t6 - t5 * y01)
-    w2 = rounded(t8 - t5 * y02)
+    w1 = rounded_twice(t6 - t5 * y01)
+    w2 = rounded_twice(t8 - t5 * y02)
     t17 = 0 / u30 + 0 / y01 + 0 / y02 + 0 / y03
     t23 = 1 / d1
     t26 = 1 / d2
     t27 = w2 * t26
     t31 = w1 * t23
     return (
-        t17 - y01, y01 * rounded(t6 - t5 * (wide(y01) - 1)) * t23 + t17, t27 * y01 + t17, t17 - y02,
-        t31 * y02 + t17, y02 * rounded(t8 - t5 * (wide(y02) - 1)) * t26 + t17, t17 - y03, t31 * y03 + t17,
-        t27 * y03 + t17,
+        t17 - y01, y01 * rounded_twice(t6 - t5 * (wide(y01) - 1)) * t23 + t17, t27 * y01 + t17, t17 - y02,
+        t31 * y02 + t17, y02 * rounded_twice(t8 - t5 * (wide(y02) - 1)) * t26 + t17, t17 - y03,
+        t31 * y03 + t17, t27 * y03 + t17,
     )
 
 
@@ -963,10 +963,10 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     function `hypotheses` of this package.
 
     Operations: 32 (6 -, 21 *, 1 /, 4 neg); the derived expression as written takes 153.
-    In compensated arithmetic, where sums may cancel: 100, 9 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    In compensated arithmetic, where sums may cancel: 94, 9 of them errors of products.
+    The cheapest of 10 equal programs that err little.
 
-    Measured error in float64: 0.451 ULP in the median and 2.2 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.453 ULP in the median and 2.2 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 1.01 ULP in the median, 123 ULP at most on ordinary input, 4.87e+15 ULP on any.
 
     Examples
@@ -989,7 +989,7 @@ def _reconstruction_matrix_from_mu(
     t7 = rounded(t35)
     t37 = wide(mu1) - 1
     t8 = rounded(t37)
-    n2 = rounded(wide(mu1) * t0 - t35 * t37)
+    n2 = rounded_twice(wide(mu1) * t0 - t35 * t37)
     d1 = rounded(wide(mu1) * t34 - t37 * t35 * mu2)
     t15 = 1 / d1
     t16 = mu2 * t15
@@ -1057,10 +1057,10 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     y2 - y3 + 1``. Their values are given by the function `hypotheses` of this package.
 
     Operations: 19 (5 +, 3 -, 10 *, 1 /); the derived expression as written takes 28.
-    In compensated arithmetic, where sums may cancel: 89, 8 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    In compensated arithmetic, where sums may cancel: 77, 8 of them errors of products.
+    The cheapest of 6 equal programs that err little.
 
-    Measured error in float64: 0.377 ULP in the median and 1.72 ULP at most (200 samples, near singularities too).
+    Measured error in float64: 0.409 ULP in the median and 2.7 ULP at most (200 samples, near singularities too).
     Without compensation (`plain`): 1.27 ULP in the median, 1.62e+03 ULP at most on ordinary input, 2.13e+14 ULP on
     any.
 
@@ -1078,7 +1078,7 @@ def _project(
     delta = rounded(wide(y1) * (wide(mu1) - 1) + wide(y2) * (wide(mu2) - 1) + wide(y3) * (wide(mu3) - 1) + 1)
     t10 = wide(y3) * mu3
     t13 = 1 / delta
-    return rounded(wide(mu1) * y1 + t10 * u31) * t13, rounded(wide(mu2) * y2 + t10 * u32) * t13
+    return rounded_twice(wide(mu1) * y1 + t10 * u31) * t13, rounded_twice(wide(mu2) * y2 + t10 * u32) * t13
 
 
 _PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"), recordable=True)

@@ -64,6 +64,10 @@ class DoubleDouble:
         """Return the one number nearest to the sum of the two."""
         return self.hi
 
+    def rounded_twice(self) -> Number:
+        """Return the same as `rounded`: no sum of two parts is left to be rounded."""
+        return self.rounded()
+
     def wide(self) -> DoubleDouble:
         """Return the number itself, which is one of twice the digits already."""
         return self

@@ -65,6 +65,14 @@ class Bounded:
             return guaranteed(bounded(value, self.error + unit_of(value) * abs(value)))
         return guaranteed(bounded(self.value.hi, self.error + tail(self.value)))
 
+    def rounded_twice(self) -> Bounded:
+        """Return the number rounded without the error of its first part, by which the bound grows too."""
+        if not isinstance(self.value, Compensated):
+            return self.rounded()
+        value = self.value.rounded_twice()
+        left_out = unit_of(value) * (abs(self.value.hi) + abs(value))
+        return guaranteed(bounded(value, self.error + left_out))
+
     def __neg__(self) -> Bounded:
         return Bounded(-self.value, self.error)
 

@@ -114,7 +114,7 @@ def test_every_kernel_has_values_at_inputs_without_structure(lowered):
         ("projection.project", "/ delta", "/ (delta + 1e-9)"),
         ("space.map_points", "return ", "return -"),
         ("optics.scale", "f / (f + x3)", "(f + x3) / f"),
-        ("affine.plane_coordinates", "rounded(c11 * d2", "1e-12 + rounded(c11 * d2"),
+        ("affine.plane_coordinates", "rounded_twice(c11 * d2", "1e-12 + rounded_twice(c11 * d2"),
     ],
 )
 def test_a_planted_error_is_caught_by_the_proof_and_by_the_samples(name, old, new, lowered):

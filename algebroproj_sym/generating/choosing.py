@@ -9,10 +9,10 @@ numbers against its value on fractions.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,8 @@ from algebroproj_sym.generating.factored import factored
 from algebroproj_sym.generating.lowering import Lowered, lowered_form, program_of
 from algebroproj_sym.generating.program import Program, named, run
 from algebroproj_sym.generating.samples import Sample, stratified
+
+Numbers: TypeAlias = "NDArray[np.float64]"
 
 MEDIAN_ULP = 0.55
 MAX_ULP = 3.5
@@ -42,7 +44,7 @@ COSTLY = {"/": 8}
 class _Candidate:
     lowered: Lowered
     cost: int
-    ulps: NDArray[np.float64]
+    ulps: Numbers
 
     @property
     def median_ulp(self) -> float:
@@ -78,10 +80,9 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     lowered = list(_distinct(kernel, engine))
     if len(lowered) == 1:
         return lowered[0]
-    samples = stratified(lowered[0], SAMPLES)
-    truths = [_truth(lowered[0].plain, sample) for sample in samples]
     entries = [entry for entry, output in enumerate(lowered[0].plain.outputs) if not isinstance(output, int)]
-    candidates = [_measured(each, samples, truths, entries) for each in lowered]
+    inputs, truths = _truths(lowered[0].plain, stratified(lowered[0], SAMPLES), entries)
+    candidates = [_measured(each, inputs, truths, entries) for each in lowered]
     median = max(MEDIAN_ULP, min(candidate.median_ulp for candidate in candidates))
     most = np.fmax(MAX_ULP, NOT_WORSE * np.min([candidate.ulps for candidate in candidates], axis=0))
 
@@ -110,7 +111,17 @@ def _distinct(kernel: Kernel, engine: str) -> Iterator[Lowered]:
                     yield replace(lowered, program=program)
 
 
-def _truth(program: Program, sample: Sample) -> tuple[Any, ...] | None:
+def _truths(
+    program: Program, samples: Sequence[Sample], entries: Sequence[int]
+) -> tuple[Mapping[str, Numbers], Numbers]:
+    """Return the inputs for which a program has results, and exact entries of these, each as the sum of two numbers."""
+    results = [(sample.values, _results(program, sample)) for sample in samples]
+    known = [(values, exact) for values, exact in results if exact is not None]
+    inputs = {name: np.array([values[name] for values, _ in known]) for name in program.inputs}
+    return inputs, np.array([[_two_numbers(exact[entry]) for entry in entries] for _, exact in known])
+
+
+def _results(program: Program, sample: Sample) -> tuple[Any, ...] | None:
     """Return the exact results, None where there are none."""
     try:
         return run(program, {name: fmpq(Fraction(value)) for name, value in sample.values.items()}, named)
@@ -118,27 +129,19 @@ def _truth(program: Program, sample: Sample) -> tuple[Any, ...] | None:
         return None
 
 
-def _measured(
-    lowered: Lowered, samples: Sequence[Sample], truths: Sequence[tuple[Any, ...] | None], entries: Sequence[int]
-) -> _Candidate:
-    names = lowered.program.inputs
+def _two_numbers(exact: Any) -> tuple[float, float]:
+    nearest = float(fraction(exact))
+    return nearest, float(fraction(exact - fmpq(Fraction(nearest))))
+
+
+def _measured(lowered: Lowered, inputs: Mapping[str, Numbers], truths: Numbers, entries: Sequence[int]) -> _Candidate:
+    """Measure the errors of some entries, in units in the last place of the exact ones."""
+    nearest, rest = truths[..., 0], truths[..., 1]
     with np.errstate(all="ignore"):
-        results = run(lowered.program, {name: np.array([s.values[name] for s in samples]) for name in names})
-    columns = [np.broadcast_to(np.asarray(result, dtype=float), len(samples)).tolist() for result in results]
-    ulps = [
-        _ulps(columns[entry][place], truth[entry])
-        for place, truth in enumerate(truths)
-        if truth is not None
-        for entry in entries
-    ]
+        results = run(lowered.program, inputs)
+        values = np.stack([np.broadcast_to(results[entry], len(truths)) for entry in entries], axis=1)
+        ulps = abs(values - nearest - rest) / np.spacing(abs(nearest))
+    ulps[~np.isfinite(values)] = np.inf
     operations = expanded(lowered.program).operations()
     cost = sum(COSTLY.get(operator, 1) * count for operator, count in operations.items())
-    return _Candidate(lowered, cost, np.array(ulps))
-
-
-def _ulps(value: float, truth: Any) -> float:
-    """Return the error of a value in units in the last place of the exact one."""
-    if not np.isfinite(value):
-        return np.inf
-    unit = np.spacing(abs(float(fraction(truth))))
-    return float(fraction(abs(fmpq(Fraction(value)) - truth))) / float(unit)
+    return _Candidate(lowered, cost, ulps.ravel())

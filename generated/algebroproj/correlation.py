@@ -563,7 +563,7 @@ def _correlation_matrix(
     return 0, -(z11 + 1), -(z20 + z22), 1, z11, z12, z20, z21, z22
 
 
-_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("u_left", (5, 2)), ("u_right", (5, 2))), ((3, 3),), block=1024, twin=ufunc("correlation_correlation_matrix"))
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("u_left", (5, 2)), ("u_right", (5, 2))), ((3, 3),), block=4096, twin=ufunc("correlation_correlation_matrix"))
 
 
 def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -652,7 +652,7 @@ def _general_correlation_matrix(
     return c00, c01, c02, c10, c11, c12, c20, c21, c22
 
 
-_GENERAL_CORRELATION_MATRIX_SIGNATURE = Signature("general_correlation_matrix", (("v_left", (8, 2)), ("v_right", (8, 2))), ((3, 3),), block=1024, twin=ufunc("correlation_general_correlation_matrix"))
+_GENERAL_CORRELATION_MATRIX_SIGNATURE = Signature("general_correlation_matrix", (("v_left", (8, 2)), ("v_right", (8, 2))), ((3, 3),), block=4096, twin=ufunc("correlation_general_correlation_matrix"))
 
 
 def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:

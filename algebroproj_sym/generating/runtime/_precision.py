@@ -17,8 +17,6 @@ from ._evaluation import Body, Signature, evaluate, parts_of, require_count
 
 __all__ = ["bounds", "dd"]
 
-BLOCK = 1024
-
 
 def dd(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return a generated function that computes with twice the digits.
@@ -55,7 +53,6 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
         signature.name,
         (*signature.arguments, *rests),
         signature.results * 2,
-        BLOCK,
         recordable=signature.recordable,
     )
 
@@ -100,7 +97,7 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
     (0.3333333333333333, True)
     """
     signature, body = parts_of(function, "bounds")
-    both = Signature(signature.name, signature.arguments, signature.results * 2, BLOCK)
+    both = Signature(signature.name, signature.arguments, signature.results * 2)
 
     def with_bounds(*arguments: Any) -> Any:
         require_count(signature, arguments)

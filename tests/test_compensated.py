@@ -8,13 +8,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from algebroproj_sym.generating.runtime._compensated import (
-    Compensated,
-    double_double,
-    rounded,
-    rounded_twice,
-    wide,
-)
+from algebroproj_sym.generating.runtime._compensated import Compensated, double_double, rounded, rounded_twice, wide
 from algebroproj_sym.generating.runtime._double_double import DoubleDouble
 
 U = Fraction(2) ** -53

@@ -97,8 +97,6 @@ def roundings(*steps):
 
 
 PRODUCT, SUM_OF_INPUTS = Step("t0", "*", ("x", "y")), Step("t1", "-", ("x", "z"))
-
-
 DIFFERENCE = Step("t2", "-", ("t0", "z"))
 
 

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy
 
+from algebroproj_sym.generating.runtime._compensated import ROUNDINGS
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 
 
@@ -59,7 +60,7 @@ def _names(part: ast.AST) -> Counter[str]:
 
 
 def _roundings(names: Counter[str]) -> int:
-    return names["rounded"] + names["rounded_twice"]
+    return sum(names[word] for word in ROUNDINGS)
 
 
 def _called(part: ast.AST) -> set[str]:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any, NamedTuple
 
-from algebroproj_sym.generating.runtime._compensated import DIGITS
+from algebroproj_sym.generating.runtime._compensated import DIGITS, ROUNDINGS
 from algebroproj_sym.verifying import without_twin
 
 _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
@@ -97,7 +97,7 @@ def digits_of(function: Callable[..., Any]) -> dict[str, Callable[[Any], Any]]:
     """Return what the words for digits mean in mutants: one number, which a change may leave, is rounded to itself."""
     known = function.__globals__
     words = {word: known[word] for word in DIGITS if word in known}
-    return words | {word: partial(_rounded, words[word]) for word in words.keys() - {"wide"}}
+    return words | {word: partial(_rounded, words[word]) for word in words.keys() & {*ROUNDINGS}}
 
 
 def _rounded(rounding: Callable[[Any], Any], number: Any) -> Any:

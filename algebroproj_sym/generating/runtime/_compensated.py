@@ -13,12 +13,15 @@ from typing import Any, TypeAlias
 
 from ._double_double import DoubleDouble, difference_error, fast_two_sum, sum_error, two_product, two_sum
 
-__all__ = ["DIGITS", "Compensated", "double_double", "rounded", "rounded_twice", "wide"]
+__all__ = ["DIGITS", "ROUNDINGS", "Compensated", "double_double", "rounded", "rounded_twice", "wide"]
 
 Number: TypeAlias = Any
 Last: TypeAlias = tuple[Callable[[Number, Number, Number], Number], Number, Number]
 
-DIGITS = ("wide", "rounded", "rounded_twice")
+ROUNDINGS = ("rounded", "rounded_twice")
+"""The words of a program that make one number of two."""
+
+DIGITS = ("wide", *ROUNDINGS)
 """The words of a program that change how many digits a number has, and in real arithmetic nothing."""
 
 NEAREST, NEAR, SUM, SUMS = range(4)

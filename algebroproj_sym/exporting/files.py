@@ -14,7 +14,6 @@ from algebroproj_sym.exporting.claims import theorems
 from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import free
 from algebroproj_sym.exporting.theorems import Theorem
-from algebroproj_sym.replaying import NotReplayable, Rejected
 
 FORMULAS = "Formulas"
 LIBRARY = "Algebroproj"
@@ -74,7 +73,7 @@ def exported(record: Mapping[str, Any]) -> Exported:
     claim = Exported(paper, number, section, title, kind, verdict)
     try:
         found = theorems(record)
-    except (NotExportable, NotReplayable, Rejected) as why:
+    except NotExportable as why:
         return replace(claim, reason=str(why))
     except (RecursionError, OverflowError):
         return replace(claim, reason="the expressions are too large")

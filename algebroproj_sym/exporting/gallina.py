@@ -4,9 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import NamedTuple, TypeAlias
 
-from algebroproj_sym.exporting.divisions import Splits
 from algebroproj_sym.exporting.terms import Term
+
+
+class Split(NamedTuple):
+    """The numerator of a divisor: a rational number times natural powers of the listed divisors."""
+
+    content: Fraction
+    exponents: tuple[int, ...]
+
+
+Splits: TypeAlias = Mapping[Term, Split]
 
 RESERVED = frozenset(
     [

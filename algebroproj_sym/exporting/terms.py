@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from algebroproj_sym.replaying.statement import Statement
-from algebroproj_sym.replaying.text import Form, Node
+from algebroproj_sym.replaying.text import Form
+from algebroproj_sym.replaying.text import Operation as Node
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,9 +10,9 @@ from typing import Any
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import derived, judged, judged_where_declared, require_as_declared, say_what_is_wrong
+from algebroproj_sym.cli.steps import judged, judged_where_declared, require_as_declared, say_what_is_wrong
 from algebroproj_sym.cli.terminal import console, progressing, verbosity
-from algebroproj_sym.declaring import Answer, Judgement, identities, installed_papers, select
+from algebroproj_sym.declaring import Answer, Judgement, identities, installed_papers, located, quotes_of
 from algebroproj_sym.processes import uncollected
 from algebroproj_sym.proving import outcomes
 from algebroproj_sym.reporting import (
@@ -68,12 +68,10 @@ def _judged(
     papers = tuple(dict.fromkeys(selectors or installed_papers()))
     if jobs > 1 and {*papers} <= {*installed_papers()}:
         return judged_where_declared(papers, engine, jobs, fresh=fresh, recorded=recorded)
-    claims = select(selectors)
-    judgements = judged(claims, engine, jobs, fresh=fresh)
-    if not recorded:
-        return judgements, []
-    derived(claims, jobs)
-    return judgements, list(map(claim_record, judgements))
+    found = located(selectors)
+    judgements = judged([claim for _, claim in found], engine, jobs, fresh=fresh)
+    quotes = quotes_of(derivation for derivation, _ in found)
+    return judgements, [claim_record(judgement, quotes) for judgement in judgements] if recorded else []
 
 
 def _check_files(files: Sequence[Path], engine: str, jobs: int, output: str, seconds: float) -> None:

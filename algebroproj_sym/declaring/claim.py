@@ -16,14 +16,12 @@ import sympy
 
 from algebroproj_sym.expressions import (
     Expression,
-    divided,
     free_symbols,
     rational,
     remembered,
     shape,
     symbols_of,
     text,
-    written,
 )
 
 Kind = Literal[
@@ -323,5 +321,5 @@ def statement_text(statement: Statement | None) -> str | None:
     if statement is None:
         return None
     if isinstance(statement, tuple):
-        return written(sympy.Tuple(*map(divided, statement)))
+        return f"({', '.join(map(text, statement))}{',' if len(statement) == 1 else ''})"
     return f"{statement:f}" if isinstance(statement, Decimal) else text(statement)

@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim, Verdict, expressions_of, in_derived_terms
+from algebroproj_sym.declaring.claim import Claim, Statement, Verdict, expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import free_symbols, symbols_of
 from algebroproj_sym.proving import Proof
@@ -87,8 +87,8 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
         claim=claim,
         verdict=verdict,
         hypotheses=evidence.hypotheses,
-        certificate=evidence.certificate,
-        counterexample=None if printed is None else _completed(claim, printed.counterexample),
+        certificate=_with_whole_witness(claim, verdict, evidence.certificate),
+        counterexample=None if printed is None else _completed(claim, claim.printed, printed.counterexample),
         engine=engine,
         seconds=time.perf_counter() - start,
     )
@@ -112,9 +112,22 @@ def abridged(judgement: Judgement) -> Judgement:
     return replace(judgement, claim=named, hypotheses=(), certificate=None, counterexample=None)
 
 
-def _completed(claim: Claim, point: Mapping[sympy.Symbol, Fraction] | None) -> Mapping[sympy.Symbol, Fraction] | None:
+def _with_whole_witness(
+    claim: Claim, verdict: Verdict, certificate: Mapping[str, Any] | None
+) -> Mapping[str, Any] | None:
+    if certificate is None or "witness" not in certificate:
+        return certificate
+    form = claim.corrected if verdict in ("misprint", "illegible") else claim.printed
+    witness = {sympy.Symbol(name): value for name, value in certificate["witness"].items()}
+    completed = _completed(claim, form, witness) or {}
+    return {**certificate, "witness": {symbol.name: str(value) for symbol, value in completed.items()}}
+
+
+def _completed(
+    claim: Claim, form: Statement | None, point: Mapping[sympy.Symbol, Any] | None
+) -> Mapping[sympy.Symbol, Any] | None:
     """Give a value also to symbols that cancel when the meanings of others are put in, wherever a point has values."""
-    shown = {symbol for form in expressions_of(claim.printed) for symbol in free_symbols(form)}
+    shown = {symbol for part in expressions_of(form) for symbol in free_symbols(part)}
     meanings = [value for symbol, value in claim.where.items() if symbol in shown]
     needed = shown.difference(claim.where).union(*map(free_symbols, meanings))
     if not point or needed <= point.keys():

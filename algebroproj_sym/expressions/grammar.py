@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
-from itertools import islice, pairwise
+from itertools import pairwise
 from typing import Any, TypeAlias
 
 import sympy
@@ -18,6 +18,7 @@ Expression: TypeAlias = "sympy.Expr | sympy.ImmutableDenseMatrix"
 
 
 LONG = 300
+MOST_PARTS = 500_000
 REMEMBERED = 1 << 18
 
 _ANY_REAL = sympy.Symbol("x", real=True).assumptions0.items()
@@ -25,6 +26,10 @@ _ANY_REAL = sympy.Symbol("x", real=True).assumptions0.items()
 
 class NotRationalError(TypeError):
     """An expression is not a rational expression over Q."""
+
+
+class TooLargeError(ValueError):
+    """An expression is too large to be written out."""
 
 
 def rational(value: Any, argument: str) -> Expression:
@@ -161,17 +166,28 @@ def _divided(node: Any) -> Any:
 
 
 def text(expression: Expression) -> str:
-    """Return the expression as text that SymPy parses back.
+    """Return the expression as text that shows every division that was made, and that SymPy parses.
 
     The terms of a long one keep the order they are stored in: sorting them takes longer than any proof.
+
+    Raises
+    ------
+    TooLargeError
+        If the expression, with every shared part written out, has too many parts.
 
     Examples
     --------
     >>> x = sympy.Symbol("x")
-    >>> text(over(x, 2))
-    'x/2'
+    >>> text(over(x, x) + over(1, 2))
+    '1/2 + x/x'
     """
-    result = divided(expression)
-    nodes = (node for entry in entries(result) for node in sympy.preorder_traversal(entry))
-    is_long = next(islice(nodes, LONG, None), None) is not None
-    return written(result, ordered=not is_long)
+    count = sum(map(_parts, entries(expression)))
+    if count > MOST_PARTS:
+        raise TooLargeError(f"expected a form of at most {MOST_PARTS} parts, got {count:.3g}")
+    return written(expression, ordered=count <= LONG, fractions=True)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _parts(node: Any) -> int:
+    """Return how many parts an expression has, one that is shared as often as it is used."""
+    return 1 + sum(map(_parts, node.args))

@@ -429,8 +429,9 @@ class Problem:
 
     def _refuted(self, place: _Place) -> Finding:
         sides = {"left": place.values(self.left), "right": place.values(self.right)}
-        shown = {name: [str(_shown(value)) for value in values] for name, values in sides.items()}
-        return Finding("refuted", {"method": "counterexample"} | shown | place.extension(), place.shown())
+        shown = {name: [*map(_text, values)] for name, values in sides.items()}
+        point = {"point": place.texts()} if place.field else {}
+        return Finding("refuted", {"method": "counterexample"} | shown | point | place.extension(), place.shown())
 
 
 def _powers_in(polynomial: Any, units: Sequence[Any]) -> tuple[list[int], Any]:
@@ -466,13 +467,24 @@ class _Place:
             return {}
         low, high = self.field.interval
         coefficients = [str(c) for c in reversed(self.field.polynomial.coeffs())]
-        values = {symbol.name: [*map(str, reversed(value.polynomial.coeffs()))] for symbol, value in self.point.items()}
-        return {"extension": {"coefficients": coefficients, "root between": [str(low), str(high)], "values": values}}
+        return {"extension": {"coefficients": coefficients, "root between": [str(low), str(high)]}}
+
+    def texts(self) -> dict[str, str]:
+        """Return the coordinates as text, by name."""
+        return {symbol.name: _text(value) for symbol, value in self.point.items()}
 
 
 def _witnessed(witness: _Place) -> dict[str, Any]:
     """Return the last part of a certificate: the point at which everything holds."""
-    return {"witness": {symbol.name: str(value) for symbol, value in witness.shown().items()}} | witness.extension()
+    return {"witness": witness.texts()} | witness.extension()
+
+
+def _text(value: Any) -> str:
+    """Return a number as text; one of an extension as a polynomial in its root r."""
+    if not isinstance(value, Algebraic):
+        return str(value)
+    terms = [f"({c})*r**{k}" if k else f"({c})" for k, c in enumerate(value.polynomial.coeffs()) if c]
+    return " + ".join(terms) or "0"
 
 
 def _shown(value: Any) -> Any:

@@ -194,13 +194,13 @@ def _decided(question: Question, engine: str, prove: Any) -> Outcome:
         engine=engine,
     )
     certificate = dict(proof.certificate or {})
-    point = proof.counterexample
+    point = certificate.pop("point", proof.counterexample)
     return Outcome(
         proof.verdict,
         str(certificate.get("method", "none")),
         monotonic() - start,
         str(certificate.get("reason", "")),
         tuple(map(str, proof.hypotheses)),
-        None if point is None else {symbol.name: str(value) for symbol, value in point.items()},
+        None if point is None else {str(symbol): str(value) for symbol, value in point.items()},
         certificate,
     )

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from math import prod
 from typing import Any, TypeAlias
 
 from algebroproj_sym.exporting import points
@@ -16,7 +17,7 @@ from algebroproj_sym.exporting.counts import Functions, gradients, independent_a
 from algebroproj_sym.exporting.gallina import formula, listed
 from algebroproj_sym.exporting.limits import denominators, limits
 from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero, inverse
-from algebroproj_sym.exporting.rational_functions import require_same_hypotheses, vector
+from algebroproj_sym.exporting.rational_functions import ratio, require_same_hypotheses, vector
 from algebroproj_sym.exporting.reading import decimal, formula_of, natural, rational, symbol
 from algebroproj_sym.exporting.reading import form as read
 from algebroproj_sym.exporting.refusal import NotExportable
@@ -71,26 +72,45 @@ def constrained(statement: Statement, form: str, certificate: Certificate) -> Pr
     """Show equations that follow from constraints, by their cofactors; and a point that satisfies all hypotheses."""
     left, right = statement.written(form), statement.written("derived")
     given = _constrained(statement, _hypotheses(statement, left, right))
-    pairs = zip(left.entries, right.entries, strict=True)
-    goals = [
-        _member(given, a, b, part, len(given.units)) for (a, b), part in zip(pairs, certificate["entries"], strict=True)
-    ]
+    goals = _members(given, [*zip(left.entries, right.entries, strict=True)], certificate, len(given.units))
     return {"holds": universal(given, goals), "witness": _witness(given, statement.point(certificate["witness"]))}
 
 
-def _member(given: Hypotheses, left: Term, right: Term, part: Certificate, units: int) -> Goal:
-    """Return the goal that an entry follows from the constraints; so many units enter the multiplier."""
-    field, count = splitting(given).field, natural(part["power"])
+def _members(
+    given: Hypotheses, pairs: Sequence[tuple[Term, Term]], certificate: Certificate, units: int
+) -> list[Goal]:
+    """Return the goals that entries follow from the constraints; so many units enter the multiplier.
+
+    The certificate's polynomials are compared with what the exporter finds but for a rational factor.
+    """
+    field = splitting(given).field
+    numerators = [field.numerator(constraint) for constraint in given.constraints]
+    generators = [field.polynomial(formula_of(text)) for text in certificate["generators"]]
+    ratios = [ratio(*pair) for pair in zip(generators, numerators, strict=True)]
     exponents = dict.fromkeys(range(len(given.divisors)), 1)
+    product_of_units = field.powers(exponents)
     for place, unit in enumerate(given.units[:units]):
+        product_of_units = product_of_units * field.numerator(unit)[0]
         for factor, exponent in field.value(unit).exponents.items():
             exponents[factor] += max(exponent, 0)
         exponents[len(given.divisors) + place] = 1
-    raised = {place: exponent * count for place, exponent in exponents.items()}
+    units_as_they_are = Fraction(prod(field.value(unit).denominator for unit in given.units[:units]))
+    multiplier = field.polynomial(formula_of(certificate["multiplier"]))
+    scale = ratio(multiplier, (product_of_units, int(units_as_they_are)))
     texts = [formula(divisor) for divisor in given.divisors]
-    for text, exponent in part["denominator"].items():
-        raised[texts.index(formula(formula_of(text)))] += natural(exponent)
-    return Goal(left, right, count, vector(raised), tuple(map(formula_of, part["cofactors"])))
+    goals = []
+    for (left, right), part in zip(pairs, certificate["entries"], strict=True):
+        count = natural(part["power"])
+        raised = {place: exponent * count for place, exponent in exponents.items()}
+        for text, exponent in part["denominator"].items():
+            raised[texts.index(formula(formula_of(text)))] += natural(exponent)
+        over = natural(part["number"]) * scale**count
+        cofactors = [
+            product([number(r / over), formula_of(text)]) if r != over else formula_of(text)
+            for r, text in zip(ratios, part["cofactors"], strict=True)
+        ]
+        goals.append(Goal(left, right, 1, vector(raised), tuple(cofactors)))
+    return goals
 
 
 def _witness(given: Hypotheses, point: Point) -> tuple[str, str]:
@@ -110,12 +130,11 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Pro
     given = replace(given, definitions=definitions)
     pairs = [*zip(left.entries, right.entries, strict=True)]
     crossed = [(product([a, d]), product([b, p])) for a, b in pairs]
-    if "constraints" in certificate or "entries" in certificate:
+    proved: Proved = {}
+    if "constraints" in statement.setting:
         given = _constrained(statement, given, [d, p])
-        goals = [
-            _member(given, a, b, part, len(given.units) - 1)
-            for (a, b), part in zip(crossed, certificate["entries"], strict=True)
-        ]
+        goals = _members(given, crossed, certificate, len(given.units) - 1)
+        proved["witness"] = _witness(given, statement.point(certificate["nonzero at"]))
     else:
         given = replace(given, units=(d, p))
         goals = [Goal(a, b) for a, b in crossed]
@@ -123,7 +142,7 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Pro
     scaled = equations([Goal(a, product([k, b])) for a, b in pairs])
     listed_pairs = listed([f"({formula(a)}, {formula(b)})" for a, b in pairs])
     lemma = f"proportional {formula(p)} {formula(d)} {listed_pairs}"
-    return {
+    return proved | {
         "holds": universal(
             given,
             goals,
@@ -218,7 +237,7 @@ def _kernel(statement: Statement, certificate: Certificate) -> Proved:
         return {}
     derived = statement.written("derived")
     vectors = [read(text).entries for text in certificate["kernel"]]
-    given = _hypotheses(statement, derived, *(Written(vector, {}) for vector in vectors))
+    given = Hypotheses(tuple(sorted(statement.symbols)), (), derived.definitions)
     goals = [Goal(_dot(row, vector), integer(0)) for row in _rows(statement, derived.entries) for vector in vectors]
     given = with_divisors(given, [goal.left for goal in goals])
     return {"kernel": universal(given, goals), "independent": _independent(statement, certificate, vectors)}
@@ -265,9 +284,7 @@ def _unchanged(statement: Statement, certificate: Certificate) -> Proved:
     vectors = [read(text).entries for text in certificate["kernel"]]
     components = [dict(zip(variables, vector, strict=True)) for vector in vectors]
     directions = [[part.get(symbol, integer(0)) for symbol in functions.variables] for part in components]
-    entries = Written(functions.entries, dict(functions.definitions))
-    divisors = _hypotheses(statement, entries, *(Written(vector, {}) for vector in vectors)).divisors
-    found = {"kernel": unchanged_along(functions, divisors, directions)}
+    found = {"kernel": unchanged_along(functions, directions)}
     return found | {"independent": _independent(statement, certificate, vectors)}
 
 

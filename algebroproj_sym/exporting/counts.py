@@ -153,20 +153,16 @@ def independent_at(
     return statement, "\n".join(proof)
 
 
-def unchanged_along(
-    functions: Functions, divisors: Sequence[Term], directions: Sequence[Sequence[Term]]
-) -> tuple[str, str]:
+def unchanged_along(functions: Functions, directions: Sequence[Sequence[Term]]) -> tuple[str, str]:
     """Return statement and proof that functions have no derivatives along directions.
 
     Parameters
     ----------
     functions : Functions
-    divisors : sequence of Term
-        What does not vanish.
     directions : sequence of sequence of Term
         For each direction as many components as there are variables.
     """
-    given = Hypotheses(functions.variables, tuple(divisors), Definitions(functions.definitions))
+    given = Hypotheses(functions.variables, (), Definitions(functions.definitions))
     given = with_divisors(given, [*functions.entries, *(part for direction in directions for part in direction)])
     split = splitting(given)
     definitions, results = split.trees([*given.definitions.values()]), split.trees(functions.entries)

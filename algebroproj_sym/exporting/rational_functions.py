@@ -155,6 +155,12 @@ class Field:
             raise NotExportable("expected a polynomial with integer coefficients")
         return value.numerator * self.powers(value.exponents)
 
+    def numerator(self, term: Term) -> tuple[Polynomial, int]:
+        """Return what is left of a formula when negative powers of divisors are dropped: a polynomial over a number."""
+        value = self.value(term)
+        above = value.numerator * self.powers({place: power for place, power in value.exponents.items() if power > 0})
+        return above, value.denominator
+
     def met(self) -> list[Term]:
         """Return the divisors that were met without being listed."""
         return [expanded(divisor, self.variables) for divisor in self.divisors[len(self.listed) :]]
@@ -163,6 +169,17 @@ class Field:
         """Return the irreducible factors of polynomials as formulas, each with one of its two signs."""
         factors = [factor for term in terms for factor, _ in self.polynomial(term).factor()[1]]
         return {formula(expanded(upright(factor), self.variables)) for factor in factors}
+
+
+def ratio(polynomial: Polynomial, to: tuple[Polynomial, int]) -> Fraction:
+    """Return the number by which a polynomial is a multiple of another one over a number."""
+    above, below = to
+    if not above or not polynomial:
+        raise NotExportable("a constraint, or what must not vanish, is identically zero")
+    found = Fraction(int(polynomial.leading_coefficient()), int(above.leading_coefficient()))
+    if polynomial * found.denominator != above * found.numerator:
+        raise NotExportable("the generators or the multiplier are not those of the constraints and hypotheses")
+    return found * below
 
 
 def upright(polynomial: Polynomial) -> Polynomial:

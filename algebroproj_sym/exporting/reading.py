@@ -15,7 +15,7 @@ from typing import Any
 from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import Term, integer, name, negative, power, product, quotient, total
 
-_TOKEN = re.compile(r"\s*(?:([0-9]+)|([^\W\d]\w*)|\$([0-9]+)|(\*\*|[-+*/(),\[\]]))")
+_TOKEN = re.compile(r"\s*(?:([0-9]+)|([^\W\d]\w*)|(\*\*|[-+*/(),\[\]]))")
 _BINDS = {"(": 0, "+": 1, "-": 1, "*": 2, "/": 2, "sign": 3, "**": 4}
 LARGEST_EXPONENT = 100_000
 LONGEST_NUMBER = 4_000
@@ -29,7 +29,7 @@ class Form:
     entries: tuple[Term, ...]
 
 
-def form(text: Any, steps: Sequence[Term] = ()) -> Form:
+def form(text: Any) -> Form:
     """Read an expression, a matrix or factors.
 
     Raises
@@ -48,14 +48,14 @@ def form(text: Any, steps: Sequence[Term] = ()) -> Form:
     """
     tokens = _tokens(text)
     if tokens[:3] == ["Matrix", "(", "["] and tokens[-2:] == ["]", ")"]:
-        rows = [_listed(row, "[", "]", text, steps) for row in _apart(tokens[3:-2], text)]
+        rows = [_listed(row, "[", "]", text) for row in _apart(tokens[3:-2], text)]
         if len({len(row) for row in rows}) > 1:
             raise _wrong(text)
         return Form((len(rows), len(rows[0]) if rows else 0), tuple(entry for row in rows for entry in row))
     if tokens[:1] == ["("] and tokens[-1:] == [")"] and "," in tokens:
-        factors = tuple(_listed(tokens, "(", ")", text, steps))
+        factors = tuple(_listed(tokens, "(", ")", text))
         return Form((len(factors),), factors)
-    return Form((), (_expression(tokens, text, steps),))
+    return Form((), (_expression(tokens, text),))
 
 
 def formula_of(text: Any) -> Term:
@@ -144,13 +144,13 @@ def _apart(tokens: Sequence[str], text: Any) -> list[list[str]]:
     return parts if parts[-1] else parts[:-1]
 
 
-def _listed(tokens: Sequence[str], opening: str, closing: str, text: Any, steps: Sequence[Term]) -> list[Term]:
+def _listed(tokens: Sequence[str], opening: str, closing: str, text: Any) -> list[Term]:
     if len(tokens) < 3 or tokens[0] != opening or tokens[-1] != closing:
         raise _wrong(text)
-    return [_expression(part, text, steps) for part in _apart(tokens[1:-1], text)]
+    return [_expression(part, text) for part in _apart(tokens[1:-1], text)]
 
 
-def _expression(tokens: Sequence[str], text: Any, steps: Sequence[Term]) -> Term:
+def _expression(tokens: Sequence[str], text: Any) -> Term:
     operands: list[Term] = []
     operators: list[str] = []
     wanted = True
@@ -159,8 +159,8 @@ def _expression(tokens: Sequence[str], text: Any, steps: Sequence[Term]) -> Term
             operators.append("sign" if token == "-" else "plus")
         elif wanted and token == "(":
             operators.append(token)
-        elif wanted and (token[0].isalnum() or token[0] in "_$"):
-            operands.append(_atom(token, text, steps))
+        elif wanted and (token[0].isalnum() or token[0] == "_"):
+            operands.append(_atom(token, text))
             wanted = False
         elif not wanted and token == ")":
             while operators and operators[-1] != "(":
@@ -189,11 +189,7 @@ def _waits_less(waiting: str, token: str) -> bool:
     return ranks[waiting] > ranks[token] or (ranks[waiting] == ranks[token] and token != "**")
 
 
-def _atom(token: str, text: Any, steps: Sequence[Term]) -> Term:
-    if token[0] == "$":
-        if int(token[1:]) >= len(steps):
-            raise _wrong(text)
-        return steps[int(token[1:])]
+def _atom(token: str, text: Any) -> Term:
     if token[0] in "0123456789":
         if len(token) > LONGEST_NUMBER:
             raise NotExportable(f"a number has more than {LONGEST_NUMBER} digits")

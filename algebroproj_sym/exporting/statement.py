@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -31,20 +31,12 @@ class Statement:
 
     def form(self, name: str) -> Form:
         """Return a form with every division that was made."""
-        text = self.record[name]
-        divisions = (self.record.get("divisions") or {}).get(name)
-        return _in_steps(divisions, form(text)) if divisions else form(text)
+        return form(self.record[name])
 
     @cached_property
     def where(self) -> dict[str, Term]:
         """What symbols of the printed form stand for."""
-        divisions = (self.record.get("divisions") or {}).get("where") or {}
-        return {
-            symbol(name): _in_steps(divisions[name], Form((), ())).entries[0]
-            if name in divisions
-            else formula_of(text)
-            for name, text in (self.record.get("where") or {}).items()
-        }
+        return {symbol(name): formula_of(text) for name, text in self.record["where"].items()}
 
     def listed(self, name: str) -> tuple[Term, ...]:
         """Return the expressions of an entry of the setting."""
@@ -81,7 +73,7 @@ class Statement:
 
         Examples
         --------
-        >>> record = {"kind": "identity", "printed": "D/x", "derived": "y", "where": {"D": "x*y"}}
+        >>> record = {"kind": "identity", "printed": "D/x", "derived": "y", "where": {"D": "x*y"}, "setting": {}}
         >>> Statement(record).written("printed").definitions.keys()
         dict_keys(['D'])
         """
@@ -99,16 +91,3 @@ class Statement:
                 definitions |= {**own.definitions, stands: own.entries[0]}
         found = written(substituted(entries, standing), "t", taken)
         return Written(found.entries, definitions | found.definitions)
-
-
-
-
-def _in_steps(divisions: Mapping[str, Sequence[str]], shown: Form) -> Form:
-    """Return a form whose text is written in steps."""
-    steps: list[Term] = []
-    for text in divisions["steps"]:
-        steps += form(text, steps).entries
-    entries = tuple(form(text, steps).entries[0] for text in divisions["entries"])
-    if shown.entries and len(shown.entries) != len(entries):
-        raise NotExportable("the steps of a form have not as many entries as its text")
-    return Form(shown.shape, entries)

@@ -68,8 +68,7 @@ def _factored(field: Field, term: Term) -> Factored:
     value = field.value(term)
     if not value.numerator:
         raise NotExportable("an expression is zero everywhere")
-    above = value.numerator * field.powers({i: n for i, n in value.exponents.items() if n > 0})
-    content, powers = above.factor()
+    content, powers = field.numerator(term)[0].factor()
     factors: dict[Term, int] = {}
     for factor, exponent in powers:
         found = upright(factor)

@@ -20,7 +20,7 @@ from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero,
 from algebroproj_sym.exporting.rational_functions import ratio, require_same_hypotheses, vector
 from algebroproj_sym.exporting.reading import decimal, formula_of, natural, rational, symbol
 from algebroproj_sym.exporting.reading import form as read
-from algebroproj_sym.exporting.refusal import NotExportable
+from algebroproj_sym.exporting.refusal import NotExportable, Silent
 from algebroproj_sym.exporting.statement import Point, Statement
 from algebroproj_sym.exporting.terms import (
     Term,
@@ -433,7 +433,7 @@ def theorems(record: Mapping[str, Any]) -> Proved:
     """
     kind, verdict, certificate = record["kind"], record["verdict"], record["certificate"]
     if kind in REASONS:
-        raise NotExportable(REASONS[kind])
+        raise Silent(REASONS[kind])
     if verdict == "open" or certificate is None:
         raise NotExportable("an open claim shows nothing")
     statement = Statement(record)
@@ -444,7 +444,7 @@ def theorems(record: Mapping[str, Any]) -> Proved:
         refutation = certificate["refutation"] if verdict == "misprint" else certificate
         found |= _translated(REFUTATIONS, kind)(statement, "printed", refutation)
     if not found:
-        raise NotExportable("the matrix has too few rows or columns, which can be seen without a theorem")
+        raise Silent("the matrix has too few rows or columns, which can be seen without a theorem")
     return found
 
 

@@ -113,6 +113,16 @@ def _members(
     return goals
 
 
+def _common_point(given: Hypotheses, listed_points: Sequence[Point]) -> Point:
+    """Return the point of two, or of both together, where all hypotheses hold."""
+    witness, other = listed_points
+    for point in (witness, witness | other, other):
+        nonzero = points.values(point, given.definitions, [*given.divisors, *given.units])
+        if nonzero and all(nonzero):
+            return point
+    raise NotExportable("neither point of the certificate satisfies all hypotheses")
+
+
 def _witness(given: Hypotheses, point: Point) -> tuple[str, str]:
     literals = [Literal("Nonzero", (divisor,)) for divisor in (*given.divisors, *given.units)]
     literals += [Literal("Zero", (constraint,)) for constraint in given.constraints]
@@ -134,7 +144,8 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Pro
     if "constraints" in statement.setting:
         given = _constrained(statement, given, [d, p])
         goals = _members(given, crossed, certificate, len(given.units) - 1)
-        proved["witness"] = _witness(given, statement.point(certificate["nonzero at"]))
+        listed_points = [statement.point(certificate[key]) for key in ("witness", "nonzero at")]
+        proved["witness"] = _witness(given, _common_point(given, listed_points))
     else:
         given = replace(given, units=(d, p))
         goals = [Goal(a, b) for a, b in crossed]

@@ -17,7 +17,7 @@ from algebroproj_sym.exporting.counts import Functions, gradients, independent_a
 from algebroproj_sym.exporting.gallina import formula, listed
 from algebroproj_sym.exporting.limits import denominators, limits
 from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero, inverse
-from algebroproj_sym.exporting.rational_functions import ratio, require_same_hypotheses, vector
+from algebroproj_sym.exporting.rational_functions import hypotheses, ratio, vector
 from algebroproj_sym.exporting.reading import decimal, formula_of, natural, rational, symbol
 from algebroproj_sym.exporting.reading import form as read
 from algebroproj_sym.exporting.refusal import NotExportable, Silent
@@ -48,8 +48,8 @@ def _hypotheses(statement: Statement, *forms: Written) -> Hypotheses:
     definitions = {called: value for form in forms for called, value in form.definitions.items()}
     variables = tuple(sorted(statement.symbols))
     entries = inlined([entry for form in forms for entry in form.entries], definitions)
-    require_same_hypotheses(variables, statement.hypotheses, [*entries, *_side_conditions(statement)])
-    return Hypotheses(variables, statement.hypotheses, definitions)
+    divisors = hypotheses(variables, statement.hypotheses, [*entries, *_side_conditions(statement)])
+    return Hypotheses(variables, divisors, definitions)
 
 
 def _side_conditions(statement: Statement) -> tuple[Term, ...]:

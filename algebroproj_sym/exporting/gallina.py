@@ -39,14 +39,18 @@ LIBRARY_NAMES = frozenset(
 )
 """What the exported files use of Coq's standard library."""
 
-_DEFINED = re.compile(r"^\s*(?:Definition|Fixpoint|Inductive|Lemma|Theorem|Notation|\|)\s+(\w+)", re.MULTILINE)
+_DEFINED = re.compile(
+    r"^\s*(?:(?:Definition|Fixpoint|Inductive|Lemma|Theorem)\s+(\w+)|\|\s+([A-Z]\w*) [(:])", re.MULTILINE
+)
 
 
 @cache
 def reserved() -> frozenset[str]:
     """Return the names that mean something in an exported file: no variable may be called so."""
     lemmas = [resources("algebroproj_sym.exporting").joinpath(name).read_text("utf-8") for name in LEMMAS]
-    return KEYWORDS | LIBRARY_NAMES | {found for text in lemmas for found in _DEFINED.findall(text)}
+    return KEYWORDS | LIBRARY_NAMES | {
+        found for text in lemmas for pair in _DEFINED.findall(text) for found in pair if found
+    }
 
 
 LONG = 10**15

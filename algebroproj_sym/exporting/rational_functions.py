@@ -165,11 +165,6 @@ class Field:
         """Return the divisors that were met without being listed."""
         return [expanded(divisor, self.variables) for divisor in self.divisors[len(self.listed) :]]
 
-    def irreducible(self, terms: Sequence[Term]) -> set[str]:
-        """Return the irreducible factors of polynomials as formulas, each with one of its two signs."""
-        factors = [factor for term in terms for factor, _ in self.polynomial(term).factor()[1]]
-        return {formula(expanded(upright(factor), self.variables)) for factor in factors}
-
 
 def ratio(polynomial: Polynomial, to: tuple[Polynomial, int]) -> Fraction:
     """Return the number by which a polynomial is a multiple of another one over a number."""
@@ -217,24 +212,37 @@ def expanded(polynomial: Polynomial, variables: Sequence[str]) -> Term:
     return total(terms)
 
 
-def require_same_hypotheses(variables: Sequence[str], listed: Sequence[Term], formulas: Sequence[Term]) -> None:
-    """Refuse hypotheses that do not exclude exactly where a divisor of the formulas is zero.
+def hypotheses(variables: Sequence[str], listed: Sequence[Term], formulas: Sequence[Term]) -> tuple[Term, ...]:
+    """Return irreducible polynomials that are not zero, after comparing those that are listed with the divisors.
+
+    Raises
+    ------
+    NotExportable
+        If what is listed does not exclude exactly where a divisor of the formulas is zero.
 
     Examples
     --------
     >>> from algebroproj_sym.exporting.reading import formula_of
-    >>> require_same_hypotheses(("x", "y"), [formula_of("x")], [formula_of("y/x + x/x**2")])
-    >>> require_same_hypotheses(("x", "y"), [], [formula_of("y/x")])
+    >>> [formula(h) for h in hypotheses(("x", "y"), [formula_of("x*x")], [formula_of("y/x + x/x**2")])]
+    ['x']
+    >>> hypotheses(("x", "y"), [], [formula_of("y/x")])
     Traceback (most recent call last):
     ...
     algebroproj_sym.exporting.refusal.NotExportable: the forms divide by x, which the hypotheses do not list
     """
-    forms = Field(tuple(variables))
+    field = Field(tuple(variables))
     for term in formulas:
-        forms.value(term)
-    needed, given = forms.irreducible(forms.met()), forms.irreducible(listed)
-    lacking, idle = sorted(needed - given), sorted(given - needed)
+        field.value(term)
+    needed = {formula(expanded(upright(factor), variables)) for factor in field.divisors}
+    found: dict[str, Term] = {}
+    for term in listed:
+        factors = field.polynomial(term).factor()[1]
+        for factor, exponent in factors:
+            shown = expanded(upright(factor), variables)
+            found[formula(shown)] = term if len(factors) == exponent == 1 else shown
+    lacking, idle = sorted(needed - found.keys()), sorted(found.keys() - needed)
     if lacking:
         raise NotExportable(f"the forms divide by {', '.join(lacking)}, which the hypotheses do not list")
     if idle:
         raise NotExportable(f"the hypotheses list {', '.join(idle)}, by which no form divides")
+    return tuple(found.values())

@@ -31,7 +31,6 @@ from algebroproj_sym.exporting.terms import (
     inlined,
     integer,
     name,
-    names,
     negative,
     number,
     product,
@@ -85,7 +84,7 @@ def about(statement: Statement, form: str, made: Object) -> Proved:
     printed, derived = statement.written(form), statement.written("derived")
     given = _hypotheses(statement, printed, derived)
     entries = [entry for row in made.rows for entry in row]
-    given = replace(given, variables=tuple(sorted({*given.variables, *names(entries)})))
+    given = replace(given, variables=tuple(sorted({*given.variables, *made.variables})))
     field = splitting(given).field
     expected = inlined(derived.entries, derived.definitions)
     if len(entries) != len(expected) or any(

@@ -26,6 +26,7 @@ CHECKING = ("-silent", "-o", "-bytecode-compiler", "yes")
 """What coqchk is asked for: a list of axioms, and to compute as fast as coqc."""
 
 ABOUT = ("paper", "number", "section", "title", "kind", "verdict")
+NO_STEPS = "no steps are written for claims of this kind"
 LONGEST_NAME = 200
 HEADER = f"""From Coq Require Import Reals QArith List.
 From {LIBRARY} Require Import Formulas Linear.
@@ -233,7 +234,7 @@ def _reason(claim: Exported) -> str:
 
 
 def _convention(claim: Exported) -> str:
-    about = f"{claim.paper}:{claim.number}  {claim.trivial} of {claim.equations}: {claim.why}: {claim.title}"
+    about = f"{claim.paper}:{claim.number}  {claim.trivial} of {claim.equations}: {claim.why or NO_STEPS}: {claim.title}"
     return f"{plain(about)}\n"
 
 

@@ -12,7 +12,8 @@ from algebroproj_sym.exporting.objects import Object, Workshop
 from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.expressions.provenance import Made, Record, recording
 
-CONVENTION = "the derivation writes it down as it is printed"
+CONVENTION = "the derivation introduces it in this form"
+NUMBERS = "it is made of numbers that the derivation computes"
 
 
 def made_by_derivations(
@@ -39,7 +40,7 @@ def _object(workshop: Workshop, made: Made | None) -> Object | str:
     if made is None:
         return "its making was not noted"
     try:
-        return workshop.object(made) or CONVENTION
+        return workshop.object(made) or (CONVENTION if made.value.free_symbols else NUMBERS)
     except (NotExportable, RecursionError, KeyError, ValueError, TypeError, IndexError, AttributeError) as why:
         return str(why) or type(why).__name__
 

@@ -35,11 +35,21 @@ class Made:
 
 @dataclass
 class Record:
-    """What was noted: how the derived forms of claims were made, by paper and number, and how scalars were."""
+    """What was noted.
+
+    Attributes
+    ----------
+    claims : dict of (paper, number) to Made
+        How the derived forms of claims were made.
+    scalars : dict of Expr to Made
+        How scalars were made, the last time.
+    atoms : list of Made
+        Results since the last claim that are a number or a symbol, which say nothing by their value.
+    """
 
     claims: dict[tuple[str, str], Made] = field(default_factory=dict)
     scalars: dict[Any, Made] = field(default_factory=dict)
-    number: Made | None = None
+    atoms: list[Made] = field(default_factory=list)
 
 
 _records: list[Record] = []
@@ -79,10 +89,10 @@ def noted(operation: str, operands: tuple[Any, ...], result: Any) -> Any:
             return result
         result = result._new(result.rows, result.cols, list(result.flat()))
         result.__dict__["made"] = made
-    elif result.is_Rational:
-        _records[-1].number = made
     elif result.args:
         _records[-1].scalars[result] = made
+    else:
+        _records[-1].atoms.append(made)
     return result
 
 
@@ -122,6 +132,18 @@ def declare(key: tuple[str, str], derived: Any) -> None:
     """Note how the derived form of a claim was made."""
     if _records and isinstance(derived, sympy.Expr | sympy.MatrixBase):
         record = _records[-1]
-        is_last = record.number is not None and record.number.value == derived
-        record.claims[key] = record.number if record.number is not None and is_last else made_of(derived)
-        record.number = None
+        record.claims[key] = _with_atoms(made_of(derived), record.atoms)
+        record.atoms.clear()
+
+
+def _with_atoms(made: Made, atoms: list[Made]) -> Made:
+    """Return how a value was made whose numbers and symbols, in order, are the last ones that operations gave."""
+    parts = [made] if made.operation == "scalar" else [*made.operands[1:]] if made.operation == "entries" else []
+    places = [place for place, part in enumerate(parts) if not part.value.args]
+    for results in (atoms, [atom for atom in atoms if atom.operation != "part"]):
+        last = results[len(results) - len(places) :] if len(results) >= len(places) else []
+        if places and [atom.value for atom in last] == [parts[place].value for place in places]:
+            found = dict(enumerate(parts)) | dict(zip(places, last, strict=True))
+            whole = found[0] if made.operation == "scalar" else Made("entries", (made.operands[0], *found.values()), made.value)
+            return whole
+    return made

@@ -128,7 +128,7 @@ class Workshop:
         return self.pieces[made]
 
     def _named(self, made: Made, piece: Piece, wanted: str = "") -> Piece:
-        called = f"the_{identifier(wanted or self.called[made])}"
+        called = identifier(f"the_{wanted or self.called[made]}")
         while called in self.taken:
             called += "'"
         self.taken.add(called)

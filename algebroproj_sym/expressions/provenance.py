@@ -6,7 +6,7 @@ its provenance; a scalar, of which SymPy keeps one copy, is found by its value, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
@@ -45,11 +45,14 @@ class Record:
         How scalars were made, the last time.
     atoms : list of Made
         Results since the last claim that are a number or a symbol, which say nothing by their value.
+    names : dict of Made to str
+        What modules call their objects.
     """
 
     claims: dict[tuple[str, str], Made] = field(default_factory=dict)
     scalars: dict[Any, Made] = field(default_factory=dict)
     atoms: list[Made] = field(default_factory=list)
+    names: dict[Made, str] = field(default_factory=dict)
 
 
 _records: list[Record] = []
@@ -80,7 +83,7 @@ def is_recording() -> bool:
 
 
 def noted(operation: str, operands: tuple[Any, ...], result: Any) -> Any:
-    """Return the result of an operation, after noting how it was made; plain data among the operands stay as they are."""
+    """Return the result of an operation, after noting how it was made; plain data among operands stay as they are."""
     if not _records or not isinstance(result, sympy.Expr | sympy.MatrixBase):
         return result
     made = Made(operation, tuple(map(_operand, operands)), result)
@@ -136,6 +139,18 @@ def declare(key: tuple[str, str], derived: Any) -> None:
         record.atoms.clear()
 
 
+def name(objects: Mapping[str, Any]) -> None:
+    """Note what a module calls its objects."""
+    for called, value in objects.items() if _records else ():
+        made = None
+        if isinstance(value, sympy.MatrixBase):
+            made = getattr(value, "__dict__", {}).get("made")
+        elif isinstance(value, sympy.Expr) and value.args:
+            made = _records[-1].scalars.get(value)
+        if made is not None and not called.startswith("_"):
+            _records[-1].names.setdefault(made, called)
+
+
 def _with_atoms(made: Made, atoms: list[Made]) -> Made:
     """Return how a value was made whose numbers and symbols, in order, are the last ones that operations gave."""
     parts = [made] if made.operation == "scalar" else [*made.operands[1:]] if made.operation == "entries" else []
@@ -144,6 +159,7 @@ def _with_atoms(made: Made, atoms: list[Made]) -> Made:
         last = results[len(results) - len(places) :] if len(results) >= len(places) else []
         if places and [atom.value for atom in last] == [parts[place].value for place in places]:
             found = dict(enumerate(parts)) | dict(zip(places, last, strict=True))
-            whole = found[0] if made.operation == "scalar" else Made("entries", (made.operands[0], *found.values()), made.value)
-            return whole
+            if made.operation == "scalar":
+                return found[0]
+            return Made("entries", (made.operands[0], *found.values()), made.value)
     return made

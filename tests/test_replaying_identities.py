@@ -14,7 +14,11 @@ from hypothesis import strategies as st
 
 from algebroproj_sym import prove
 from algebroproj_sym.cli import main
+from algebroproj_sym.declaring import Answer, Identity
+from algebroproj_sym.proving import Question
+from algebroproj_sym.proving.worker import _decided
 from algebroproj_sym.replaying import replay_identity
+from algebroproj_sym.reporting import answers_record
 
 CORPUS = Path(__file__).resolve().parent / "corpus"
 QUESTIONS = {
@@ -31,24 +35,9 @@ QUESTIONS = {
 
 
 def record_of(lhs, rhs, constraints, nonzero):
-    proof = prove(lhs, rhs, constraints=constraints, nonzero=nonzero)
-    point = proof.counterexample
-    return json.loads(
-        json.dumps(
-            {
-                "file": "mine.json",
-                "name": "mine",
-                "lhs": lhs,
-                "rhs": rhs,
-                "constraints": constraints,
-                "nonzero": nonzero,
-                "verdict": proof.verdict,
-                "hypotheses": [*map(str, proof.hypotheses)],
-                "counterexample": None if point is None else {s.name: str(v) for s, v in point.items()},
-                "certificate": proof.certificate,
-            }
-        )
-    )
+    question = Question(lhs, rhs, tuple(constraints), tuple(nonzero))
+    answer = Answer(Identity(Path("mine.json"), "mine", question, None), _decided(question, "flint", prove))
+    return json.loads(json.dumps(answers_record([answer])["identities"][0]))
 
 
 @pytest.fixture(scope="module")

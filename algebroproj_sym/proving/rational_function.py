@@ -72,10 +72,14 @@ class RationalFunctionField:
         content, factors = self.ring.factor(polynomial)
         normalised = []
         for factor, multiplicity in factors:
-            unit = self.ring.unit(factor)
-            content *= unit**multiplicity
-            normalised.append((factor if unit == 1 else factor * self.ring.constant(1 / unit), multiplicity))
+            content *= self.ring.unit(factor) ** multiplicity
+            normalised.append((self.primitive(factor), multiplicity))
         return content, normalised
+
+    def primitive(self, polynomial: Any) -> Any:
+        """Return a polynomial times the number that makes its coefficients integers without a common factor."""
+        unit = self.ring.unit(polynomial) if polynomial else Fraction(1)
+        return polynomial if unit == 1 else polynomial * self.ring.constant(1 / unit)
 
     def place(self, factor: Any) -> int:
         """Return the place of an irreducible factor in the list of denominators, entering it if it is new."""

@@ -179,9 +179,10 @@ class _Branch:
 
     def _add_zero(self, polynomial: Any, multiplier: Any, cofactors: Cofactors) -> None:
         _require_short(polynomial)
+        content = content_of(polynomial)
         self.live.append(len(self.zeros))
-        self.zeros.append(polynomial)
-        self.steps.append(Step("zero", polynomial, multiplier, cofactors))
+        self.zeros.append(polynomial / content)
+        self.steps.append(Step("zero", polynomial / content, multiplier * content, cofactors))
 
     def _strip(self) -> bool:
         """Drop zeros and multiples, divide by what does not vanish, and notice what cannot be zero."""
@@ -196,8 +197,7 @@ class _Branch:
                 return True
             if removed != 1:
                 self.live.remove(place)
-                scale = content_of(rest)
-                self._add_zero(rest / scale, removed * scale, {place: self._one})
+                self._add_zero(rest, removed, {place: self._one})
                 return True
         return False
 

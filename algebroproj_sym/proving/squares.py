@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from algebroproj_sym.proving.combination import System
+from algebroproj_sym.proving.elimination import content_of
 
 Squares = list[tuple[Any, Any]]
 
@@ -35,7 +36,9 @@ class Zeros:
 
 
 def sum_of_squares(polynomial: Any) -> Squares | None:
-    """Return positive numbers and polynomials whose weighted squares add up to a polynomial, by completing squares.
+    """Return positive numbers and integer polynomials whose weighted squares add up to a polynomial.
+
+    They are found by completing squares.
 
     Examples
     --------
@@ -43,7 +46,7 @@ def sum_of_squares(polynomial: Any) -> Squares | None:
     >>> context = flint.fmpq_mpoly_ctx.get(("x", "y"), flint.Ordering.degrevlex)
     >>> x, y = context.gens()
     >>> sum_of_squares(x**2 + x * y + y**2)
-    [(1, x + 1/2*y), (3/4, y)]
+    [(1/4, 2*x + y), (3/4, y)]
     >>> sum_of_squares(x**2 - y**2) is None
     True
     """
@@ -53,12 +56,18 @@ def sum_of_squares(polynomial: Any) -> Squares | None:
         if pivot is None:
             return None
         weight, root = pivot
-        squares.append((weight, root))
+        squares.append(primitive_square(weight, root))
         polynomial = polynomial - weight * root**2
     rest = polynomial.leading_coefficient() if polynomial != 0 else 0
     if rest < 0:
         return None
     return [*squares, (rest, polynomial.context().constant(1))] if rest else squares
+
+
+def primitive_square(weight: Any, root: Any) -> tuple[Any, Any]:
+    """Return the same weighted square with a root that has integer coefficients without a common factor."""
+    content = content_of(root)
+    return weight * content**2, root / content
 
 
 def _pivot(polynomial: Any) -> tuple[Any, Any] | None:

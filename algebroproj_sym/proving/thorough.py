@@ -27,9 +27,9 @@ from algebroproj_sym.expressions.exact import fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField
 from algebroproj_sym.proving.cases import Case, End, Step, case_distinction, follows
 from algebroproj_sym.proving.combination import Combination, System
-from algebroproj_sym.proving.elimination import DerivedUnit
+from algebroproj_sym.proving.elimination import DerivedUnit, denominator_of
 from algebroproj_sym.proving.rational_function import RationalFunctionField
-from algebroproj_sym.proving.squares import Positive, Zeros, real_facts
+from algebroproj_sym.proving.squares import Positive, Zeros, primitive_square, real_facts
 from algebroproj_sym.proving.translation import Frame, does_not_change, frame_of
 from algebroproj_sym.proving.varieties import Value, real_points, value_at
 
@@ -183,16 +183,19 @@ class Problem:
         return _open("no combination of the constraints was found, and no real point at which the sides differ")
 
     def written(self, polynomial: Any) -> str:
-        """Return a polynomial of FLINT's ring as text."""
+        """Return a polynomial of FLINT's ring, with integer coefficients, as text."""
         names = [symbol.name for symbol in self.field.symbols]
         terms = []
         for powers, value in polynomial.to_dict().items():
             factors = [
                 name if n == 1 else f"{name}**{n}" for name, n in zip(names, map(int, powers), strict=False) if n
             ]
-            number = [] if value == 1 and factors else [f"({value})" if value.q != 1 else str(value)]
+            number = [] if value == 1 and factors else [str(value)]
             terms.append("*".join(number + factors))
         return " + ".join(terms).replace("+ -", "- ") or "0"
+
+    def _listed(self, polynomials: Sequence[Any], number: int) -> list[str]:
+        return [self.written(polynomial * number) for polynomial in polynomials]
 
     def _into(self, polynomial: Any) -> Any:
         terms = self.field.ring.terms(polynomial)
@@ -212,14 +215,10 @@ class Problem:
         for part in evidence:
             missing = zip(self.known_units, powers, part.powers, strict=True)
             scale = prod((unit ** (most - some) for unit, most, some in missing), start=self._one)
-            entries.append(
-                {
-                    "power": 1 if any(powers) else 0,
-                    "exponent": part.exponent,
-                    "cofactors": [self.written(cofactor * scale) for cofactor in part.cofactors],
-                }
-            )
-        factors = [f"({self.written(unit)})**{n}" for unit, n in zip(self.known_units, powers, strict=True) if n]
+            entries.append((part.exponent, [cofactor * scale for cofactor in part.cofactors]))
+        number = denominator_of(*chain.from_iterable(cofactors for _, cofactors in entries))
+        factors = [str(number)] if number != 1 else []
+        factors += [f"({self.written(unit)})**{n}" for unit, n in zip(self.known_units, powers, strict=True) if n]
         product = prod((unit for unit, n in zip(self.known_units, powers, strict=True) if n), start=self._one)
         derived = self.system.elimination.behind(product)
         if not all(self._follows(found, derived[:place]) for place, found in enumerate(derived)):
@@ -230,7 +229,10 @@ class Problem:
             "method": "sums of squares" if self.facts else usual,
             **self._before(steps),
             "multiplier": "*".join(factors) or "1",
-            "entries": entries,
+            "entries": [
+                {"power": 1 if factors else 0, "exponent": exponent, "cofactors": self._listed(cofactors, number)}
+                for exponent, cofactors in entries
+            ],
         }
         return Finding("proved", certificate | _witnessed(witness))
 
@@ -300,11 +302,12 @@ class Problem:
 
     def _derivation(self, found: DerivedUnit) -> dict[str, Any]:
         product, cofactors, cofactor = found.relation()
+        number = denominator_of(product, *cofactors, cofactor)
         return {
             "not zero": self.written(found.unit),
-            "product": self.written(product),
-            "cofactors": [self.written(part) for part in cofactors],
-            "factor": self.written(cofactor),
+            "product": self.written(product * number),
+            "cofactors": self._listed(cofactors, number),
+            "factor": self.written(cofactor * number),
         }
 
     def _translations(self) -> list[dict[str, Any]]:
@@ -351,12 +354,14 @@ class Problem:
         return {**assumed, **steps, "cases": [*map(self._case, case.rest)]}
 
     def _case_step(self, step: Step) -> dict[str, Any]:
-        factor = {} if step.factor is None else {"factor": self.written(step.factor)}
-        return {step.shows: self.written(step.polynomial), **self._sum(step), **factor}
+        return {step.shows: self.written(step.polynomial), **self._sum(step, step.factor)}
 
-    def _sum(self, part: Step | End) -> dict[str, Any]:
-        cofactors = {str(place): self.written(cofactor) for place, cofactor in part.cofactors.items()}
-        return {"multiplier": self.written(part.multiplier), "cofactors": cofactors}
+    def _sum(self, part: Step | End, factor: Any = None) -> dict[str, Any]:
+        others = {} if factor is None else {"factor": factor}
+        number = denominator_of(part.multiplier, *part.cofactors.values(), *others.values())
+        cofactors = {str(place): self.written(cofactor * number) for place, cofactor in part.cofactors.items()}
+        others = {key: self.written(other * number) for key, other in others.items()}
+        return {"multiplier": self.written(part.multiplier * number), "cofactors": cofactors, **others}
 
     # -- what holds over the reals alone
 
@@ -375,7 +380,10 @@ class Problem:
         """Return a fact about the system at the origin as one about the constraints."""
         squares = [(weight, self.frame.lifted(root)) for weight, root in fact.squares]
         if isinstance(fact, Positive):
-            return Positive(self.frame.lifted(fact.polynomial), squares)
+            polynomial = self.frame.lifted(fact.polynomial)
+            number = denominator_of(polynomial)
+            return Positive(polynomial * number, [primitive_square(weight * number, root) for weight, root in squares])
+        squares = [primitive_square(*square) for square in squares]
         return Zeros(squares, fact.multiplier, fact.cofactors)
 
     def _holds(self, fact: Positive | Zeros) -> bool:
@@ -392,11 +400,13 @@ class Problem:
         return not self.field.ring.terms(rest) and self._is_product_of_units(fact.multiplier)
 
     def _step(self, fact: Positive | Zeros) -> dict[str, Any]:
-        squares = [[str(weight), self.written(root)] for weight, root in fact.squares]
         if isinstance(fact, Positive):
+            squares = [[str(weight), self.written(root)] for weight, root in fact.squares]
             return {"not zero": self.written(fact.polynomial), "squares": squares}
-        cofactors = [self.written(cofactor) for cofactor in fact.cofactors]
-        return {"squares": squares, "multiplier": self.written(fact.multiplier), "cofactors": cofactors}
+        number = denominator_of(fact.multiplier, *fact.cofactors)
+        squares = [[str(weight), self.written(root)] for weight, root in fact.squares]
+        multiplier, cofactors = self.written(fact.multiplier * number), self._listed(fact.cofactors, number)
+        return {"squares": squares, "multiplier": multiplier, "cofactors": cofactors}
 
     # -- points
 

@@ -202,7 +202,11 @@ def test_json_is_one_object(file):
     assert result.exit_code == 0
     assert record["summary"] == {"proved": 1, "refuted": 1}
     assert [item["method"] for item in record["identities"]] == ["normal form", "counterexample"]
-    assert record["identities"][1]["counterexample"] == {"x": "-sqrt(2)"}
+    assert record["identities"][1]["counterexample"] == {"x": "r"}
+    assert record["identities"][1]["certificate"]["extension"] == {
+        "coefficients": ["1", "0", "-2"],
+        "root between": ["-2", "-1"],
+    }
 
 
 @pytest.mark.parametrize("item", [DREAM | {"expected": "proved"}, SQUARE | {"constraints": ["1"]}])

@@ -493,8 +493,9 @@ def _text(value: Any) -> str:
     """Return a number as text; one of an extension as a polynomial in its root r."""
     if not isinstance(value, Algebraic):
         return str(value)
-    terms = [f"({c})*r**{k}" if k else f"({c})" for k, c in enumerate(value.polynomial.coeffs()) if c]
-    return " + ".join(terms) or "0"
+    root = sympy.Symbol("r")
+    terms = (sympy.Rational(int(c.p), int(c.q)) * root**k for k, c in enumerate(value.polynomial.coeffs()))
+    return str(sympy.Add(*terms))
 
 
 def _shown(value: Any) -> Any:

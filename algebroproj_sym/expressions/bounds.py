@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from math import comb
 from typing import Any
 
@@ -56,9 +57,7 @@ class Size:
 
 
 ONE = Size(0, 1, 1)
-NAME = Size(1, 1, 1)
-
-
+VARIABLE = Size(1, 1, 1)
 
 
 @dataclass(frozen=True)
@@ -77,15 +76,15 @@ class Extent:
     below: Size = ONE
     divided: bool = False
 
-    def excess(self) -> tuple[str, str] | None:
+    def excess(self, times: int = 1) -> tuple[str, str] | None:
         """Return what was expected, and what came, if this is more than there may be."""
         degree, bits = max(self.above.degree, self.below.degree), max(self.above.bits, self.below.bits)
         if degree > MAX_DEGREE:
             return f"a degree of at most {MAX_DEGREE} when multiplied out", f"up to {degree}"
         if bits > MAX_BITS:
             return f"coefficients of at most {MAX_BITS} bits", f"up to {bits}"
-        if not self.divided and self.above.terms > MAX_TERMS:
-            return f"at most {MAX_TERMS} terms when multiplied out", f"up to {self.above.terms}"
+        if not self.divided and self.above.terms > times * MAX_TERMS:
+            return f"at most {times * MAX_TERMS} terms when multiplied out", f"up to {self.above.terms}"
         return None
 
 
@@ -124,8 +123,17 @@ def power(base: Extent, exponent: int, names: int) -> Extent:
     return Extent(base.above.power(exponent, names), base.below.power(exponent, names), base.divided)
 
 
-def require_bounded(expression: sympy.Expr | sympy.MatrixBase, argument: str) -> None:
-    """Refuse a SymPy expression that would be refused as text for its size; each part that it shares is looked at once.
+def require_bounded(value: Any, argument: str, times: int = 1) -> None:
+    """Refuse an expression or exact number that is larger than a text may be; what is neither is left to others.
+
+    Parameters
+    ----------
+    value : sympy.Expr, sympy matrix, int or fractions.Fraction
+        What may be too large; each part that it shares is looked at once.
+    argument : str
+        What to call it in an error message.
+    times : int
+        How many times as many terms, symbols and numbers as in a text there may be.
 
     Raises
     ------
@@ -139,15 +147,19 @@ def require_bounded(expression: sympy.Expr | sympy.MatrixBase, argument: str) ->
     ...
     algebroproj_sym.expressions.bounds.TooLargeError: lhs: expected an exponent of at most 1000, got 1000000000
     """
-    roots = list(expression.flat()) if isinstance(expression, sympy.MatrixBase) else [expression]
-    _Walk(argument).enter(roots)
+    if isinstance(value, int | Fraction):
+        value = sympy.Rational(value.numerator, value.denominator)
+    roots = list(value.flat()) if isinstance(value, sympy.MatrixBase) else [value]
+    if all(isinstance(root, sympy.Basic) for root in roots):
+        _Walk(argument, times).enter(roots)
 
 
 class _Walk:
     """Looks at each part of an expression after its own parts, without recursion."""
 
-    def __init__(self, argument: str) -> None:
+    def __init__(self, argument: str, times: int) -> None:
         self._argument = argument
+        self._times = times
         self._found: dict[Any, tuple[Extent, int, int]] = {}
         self._names = 0
 
@@ -165,7 +177,8 @@ class _Walk:
                 else:
                     self._found[waiting.pop()] = self._measured(node)
         leaves = sum(self._found[root][2] for root in roots)
-        self._require(leaves <= MAX_TOKENS, f"at most {MAX_TOKENS} symbols and numbers", str(leaves))
+        most = self._times * MAX_TOKENS
+        self._require(leaves <= most, f"at most {most} symbols and numbers", str(leaves))
 
     def _measured(self, node: Any) -> tuple[Extent, int, int]:
         """Return the extent of a node whose parts are known, its levels, and its leaves."""
@@ -175,7 +188,7 @@ class _Walk:
         leaves = sum(part[2] for part in parts) or 1
         self._require(levels <= MAX_LEVELS, f"at most {MAX_LEVELS} levels of nesting", "more")
         extent = self._extent(node, extents)
-        excess = extent.excess()
+        excess = extent.excess(self._times)
         self._require(excess is None, *(excess or ("", "")))
         return extent, levels, leaves
 
@@ -195,7 +208,7 @@ class _Walk:
             return total(parts, self._names)
         if isinstance(node, sympy.Mul):
             return product(parts, self._names)
-        return Extent(NAME)
+        return Extent(VARIABLE)
 
     def _require(self, condition: bool, expected: str, got: str) -> None:
         if not condition:

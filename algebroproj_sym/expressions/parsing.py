@@ -34,8 +34,8 @@ from algebroproj_sym.expressions.bounds import (
     MAX_NAMES,
     MAX_NESTING,
     MAX_TOKENS,
-    NAME,
     ONE,
+    VARIABLE,
     Extent,
     number,
     power,
@@ -45,9 +45,10 @@ from algebroproj_sym.expressions.bounds import (
 )
 from algebroproj_sym.expressions.grammar import Expression
 from algebroproj_sym.expressions.quotient import over
+from algebroproj_sym.expressions.symbols import NAME
 
 _TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(\*\*|[-+*/^()\[\],=]))")
-_NAME = re.compile(r"\s*([^\W\d]\w*'*)")
+_NAME = re.compile(rf"\s*({NAME.pattern})")
 _OPERATOR = "an operator"
 
 
@@ -322,7 +323,7 @@ class _Parser:
             if self._variables is not None and token.text not in self._variables:
                 declared = ", ".join(sorted(self._variables)) or "no names"
                 raise self._error(token.position, f"one of the variables {declared}", repr(token.text))
-            return _Value(self._symbols[token.text], Extent(NAME))
+            return _Value(self._symbols[token.text], Extent(VARIABLE))
         if self._take("("):
             self._enter()
             inside = self._sum()

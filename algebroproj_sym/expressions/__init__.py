@@ -1,5 +1,6 @@
 """Rational expressions: what they are, how they are built without losing a divisor, how they are evaluated."""
 
+from algebroproj_sym.expressions.bounds import TooLargeError, require_bounded
 from algebroproj_sym.expressions.differentiation import diff
 from algebroproj_sym.expressions.dual import derivatives, jacobian
 from algebroproj_sym.expressions.evaluation import Neighbourhood, evaluate
@@ -34,6 +35,7 @@ from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over, remembered
 from algebroproj_sym.expressions.size import size
 from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
+from algebroproj_sym.expressions.symbols import SymbolError, admits, assumed, assumption, is_plain, values_of
 from algebroproj_sym.expressions.writing import written
 
 __all__ = [
@@ -43,7 +45,12 @@ __all__ = [
     "NotRationalError",
     "ParseError",
     "Scalar",
+    "SymbolError",
+    "TooLargeError",
     "adjugate",
+    "admits",
+    "assumed",
+    "assumption",
     "columns",
     "cross",
     "derivatives",
@@ -57,6 +64,7 @@ __all__ = [
     "homogeneous",
     "in_steps",
     "inverse",
+    "is_plain",
     "jacobian",
     "keeps_divisions",
     "linear_system",
@@ -66,12 +74,14 @@ __all__ = [
     "parse_zero",
     "rational",
     "remembered",
+    "require_bounded",
     "rows",
     "shape",
     "size",
     "solve",
     "symbols_of",
     "text",
+    "values_of",
     "vector",
     "written",
 ]

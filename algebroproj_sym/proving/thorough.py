@@ -11,7 +11,7 @@ verdict.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -34,6 +34,8 @@ from algebroproj_sym.proving.translation import Frame, does_not_change, frame_of
 from algebroproj_sym.proving.varieties import Value, real_points, value_at
 
 RealPoint = Mapping[sympy.Symbol, Any]
+
+NO_POINT = "no real point was found that satisfies constraints, hypotheses and assumptions: add witness="
 
 FIRST_TRIES = 60
 ENOUGH_POINTS = 12
@@ -84,6 +86,8 @@ class Problem:
         What sums of squares have added to the constraints and to what is not zero, in order.
     given_frame : Frame, optional
         The translations that the facts go with.
+    admits : callable
+        Whether a point is one that the question is about.
     """
 
     field: RationalFunctionField
@@ -96,6 +100,7 @@ class Problem:
     given: Sequence[Mapping[sympy.Symbol, Fraction]] = ()
     facts: Sequence[Positive | Zeros] = ()
     given_frame: Frame | None = None
+    admits: Callable[[RealPoint], bool] = lambda point: True
 
     @cached_property
     def context(self) -> Any:
@@ -174,7 +179,7 @@ class Problem:
                 if None not in evidence:
                     break
         if witness is None:
-            return _open("no real point was found that satisfies constraints and hypotheses")
+            return _open(NO_POINT)
         found = [part for part in evidence if part is not None]
         if len(found) == len(evidence):
             return self._proved(found, witness)
@@ -421,6 +426,8 @@ class Problem:
                 yield from self._judged(_Place(dict(zip(self.field.symbols, whole[:-1], strict=True)), field))
 
     def _judged(self, place: _Place) -> Iterator[tuple[_Place, bool]]:
+        if not self.admits(place.shown()):
+            return
         try:
             yield place, bool(place.values(self.left) != place.values(self.right))
         except ZeroDivisionError:

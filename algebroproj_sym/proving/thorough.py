@@ -25,11 +25,11 @@ import sympy
 from algebroproj_sym.expressions import Expression, evaluate
 from algebroproj_sym.expressions.exact import fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField
-from algebroproj_sym.proving.cases import Case, End, Step, case_distinction, follows
+from algebroproj_sym.proving.cases import Case, End, SquaresStep, Step, case_distinction, follows
 from algebroproj_sym.proving.combination import Combination, System
 from algebroproj_sym.proving.elimination import DerivedUnit, denominator_of
 from algebroproj_sym.proving.rational_function import RationalFunctionField
-from algebroproj_sym.proving.squares import Positive, Zeros, primitive_square, real_facts
+from algebroproj_sym.proving.squares import Positive, Squares, Zeros, primitive_square, real_facts
 from algebroproj_sym.proving.translation import Frame, does_not_change, frame_of
 from algebroproj_sym.proving.varieties import Value, real_points, value_at
 
@@ -353,10 +353,12 @@ class Problem:
             return {**assumed, **steps, "exponent": case.rest.exponent, **self._sum(case.rest)}
         return {**assumed, **steps, "cases": [*map(self._case, case.rest)]}
 
-    def _case_step(self, step: Step) -> dict[str, Any]:
+    def _case_step(self, step: Step | SquaresStep) -> dict[str, Any]:
+        if isinstance(step, SquaresStep):
+            return {"squares": self._squares(step.squares), **self._sum(step)}
         return {step.shows: self.written(step.polynomial), **self._sum(step, step.factor)}
 
-    def _sum(self, part: Step | End, factor: Any = None) -> dict[str, Any]:
+    def _sum(self, part: Step | SquaresStep | End, factor: Any = None) -> dict[str, Any]:
         others = {} if factor is None else {"factor": factor}
         number = denominator_of(part.multiplier, *part.cofactors.values(), *others.values())
         cofactors = {str(place): self.written(cofactor * number) for place, cofactor in part.cofactors.items()}
@@ -401,12 +403,13 @@ class Problem:
 
     def _step(self, fact: Positive | Zeros) -> dict[str, Any]:
         if isinstance(fact, Positive):
-            squares = [[str(weight), self.written(root)] for weight, root in fact.squares]
-            return {"not zero": self.written(fact.polynomial), "squares": squares}
+            return {"not zero": self.written(fact.polynomial), "squares": self._squares(fact.squares)}
         number = denominator_of(fact.multiplier, *fact.cofactors)
-        squares = [[str(weight), self.written(root)] for weight, root in fact.squares]
         multiplier, cofactors = self.written(fact.multiplier * number), self._listed(fact.cofactors, number)
-        return {"squares": squares, "multiplier": multiplier, "cofactors": cofactors}
+        return {"squares": self._squares(fact.squares), "multiplier": multiplier, "cofactors": cofactors}
+
+    def _squares(self, squares: Squares) -> list[list[str]]:
+        return [[str(weight), self.written(root)] for weight, root in squares]
 
     # -- points
 

@@ -73,6 +73,11 @@ class GroebnerBasis:
             self._next_pair()
 
     @property
+    def context(self) -> Any:
+        """The ring of the generators."""
+        return self._context
+
+    @property
     def is_unit(self) -> bool:
         """Whether the ideal is the whole ring."""
         return any(not any(powers) for powers in self._leading)
@@ -80,6 +85,19 @@ class GroebnerBasis:
     def remainder(self, polynomial: Any) -> Any:
         """Return what is left of a polynomial after division by the basis: zero if it lies in the ideal."""
         return self._reduced(polynomial, {})[0]
+
+    def normal_form(self, polynomial: Any) -> Any:
+        """Return the polynomial without a monomial that is leading in the ideal, equal modulo the ideal."""
+        total = self._context.constant(0)
+        while (polynomial := self.remainder(polynomial)) != 0:
+            leading = self._monomial(tuple(map(int, polynomial.monomial(0)))) * polynomial.leading_coefficient()
+            total, polynomial = total + leading, polynomial - leading
+        return total
+
+    def occurring(self) -> list[int]:
+        """Return the places of the variables that occur in the generators."""
+        degrees = [polynomial.degrees() for polynomial in self._generators if polynomial != 0]
+        return [place for place, column in enumerate(zip(*degrees, strict=True)) if any(column)]
 
     def cofactors(self, polynomial: Any) -> list[Any] | None:
         """Return the cofactors of a polynomial with respect to the generators, None if it is not in the ideal."""

@@ -16,7 +16,7 @@ from typing import Any, Literal
 from algebroproj_sym.proving.buchberger import EffortExceededError
 from algebroproj_sym.proving.combination import System
 from algebroproj_sym.proving.elimination import MAX_LENGTH, Solved, affine, content_of, substituted
-from algebroproj_sym.proving.squares import LONGEST, Squares, sum_of_squares
+from algebroproj_sym.proving.squares import LONGEST, Squares, definite_multiple, sum_of_squares
 from algebroproj_sym.proving.varieties import real_points, value_at
 
 MOST_CASES = 60
@@ -185,6 +185,8 @@ class _Branch:
         while self.is_empty is None and self.goal != 0 and self._advance():
             pass
         rest = self._end() or self._distinguished() or self._combination()
+        if rest is None and self._add_definite():
+            return self.case(assumed)
         return None if rest is None else Case(assumed, tuple(self.steps), rest)
 
     @property
@@ -297,12 +299,24 @@ class _Branch:
             for sign in (1, -1) if len(self.zeros[place]) <= LONGEST else ():
                 squares = sum_of_squares(sign * self.zeros[place])
                 if squares:
-                    self.live.remove(place)
-                    self.steps.append(SquaresStep(squares, self._one, {place: self._one * sign}))
-                    self.live += range(len(self.zeros), len(self.zeros) + len(squares))
-                    self.zeros += [root for _, root in squares]
+                    self._replace(place, squares, self._one * sign)
                     return True
         return False
+
+    def _add_definite(self) -> bool:
+        """Put the squares that add up to a multiple of a zero in its place."""
+        for place in self.live:
+            found = definite_multiple(self.zeros[place], self.seed)
+            if found is not None:
+                self._replace(place, *found)
+                return True
+        return False
+
+    def _replace(self, place: int, squares: Squares, factor: Any) -> None:
+        self.live.remove(place)
+        self.steps.append(SquaresStep(squares, self._one, {place: factor}))
+        self.live += range(len(self.zeros), len(self.zeros) + len(squares))
+        self.zeros += [root for _, root in squares]
 
     def _affine(self) -> Iterator[tuple[int, int, Any]]:
         """Places and variables in which a zero is affine, with the slope."""

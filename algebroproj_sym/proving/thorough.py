@@ -148,7 +148,7 @@ class Problem:
         finding = self._decided()
         if finding.verdict != "open" or len(self.facts) >= MOST_STEPS:
             return finding
-        known = [fact for fact in map(self._everywhere, real_facts(self.system)) if self._holds(fact)]
+        known = [fact for fact in map(self._everywhere, real_facts(self.system, self.seed)) if self._holds(fact)]
         return self._knowing(known).decided() if known else finding
 
     def _decided(self) -> Finding:

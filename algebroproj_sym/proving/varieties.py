@@ -10,7 +10,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, product
 from typing import Any
 
 import flint
@@ -23,6 +23,8 @@ Value = Fraction | Algebraic
 MAX_DEGREE = 24
 MAX_DEGREE_IN_FIELD = 6
 MAX_LENGTH = 3_000
+MOST_SIMPLE = 800
+_SCALES = (Fraction(1), Fraction(2), Fraction(1, 2))
 _SMALL = [Fraction(n) for n in (1, 2, 3, -1, -2, 4, 5, -3, 7, -4)]
 _PYTHAGOREAN = [Fraction(a, b) for a, b in ((3, 5), (4, 5), (5, 13), (12, 13), (8, 17), (15, 17), (-3, 5), (-4, 5))]
 
@@ -74,6 +76,29 @@ def real_points(
             continue
         if all(value_at(constraint, point) == 0 for constraint in constraints):
             yield point
+
+
+def simple_points(polynomials: Sequence[Any], context: Any) -> Iterator[list[Value]]:
+    """Yield points on which polynomials vanish, with coordinates 0, 1 and -1 in the variables that occur, or multiples.
+
+    Examples
+    --------
+    >>> context = flint.fmpq_mpoly_ctx.get(("x", "y"), flint.Ordering.degrevlex)
+    >>> x, y = context.gens()
+    >>> [[*map(str, point)] for point in simple_points([x * y - 4], context)]
+    [['2', '2'], ['-2', '-2']]
+    """
+    size = len(context.gens())
+    occurring = [i for i in range(size) if any(p != 0 and p.degrees()[i] for p in polynomials)]
+    if 3 ** len(occurring) > MOST_SIMPLE:
+        return
+    for signs in product((0, 1, -1), repeat=len(occurring)):
+        for scale in _SCALES if any(signs) else _SCALES[:1]:
+            point: list[Value] = [Fraction(0)] * size
+            for place, sign in zip(occurring, signs, strict=True):
+                point[place] = sign * scale
+            if all(value_at(polynomial, point) == 0 for polynomial in polynomials):
+                yield point
 
 
 def value_at(polynomial: Any, point: Sequence[Value]) -> Value:

@@ -15,6 +15,8 @@ from collections.abc import Mapping, Sequence
 from heapq import heapify, heappop, heappush
 from typing import Any
 
+import flint
+
 Powers = tuple[int, ...]
 
 MAX_STEPS = 20_000
@@ -93,6 +95,37 @@ class GroebnerBasis:
             leading = self._monomial(tuple(map(int, polynomial.monomial(0)))) * polynomial.leading_coefficient()
             total, polynomial = total + leading, polynomial - leading
         return total
+
+    def relation(self, polynomials: Sequence[Any]) -> list[Any] | None:
+        """Return numbers, not all zero, with which polynomials add up to an element of the ideal: the first that exist.
+
+        Examples
+        --------
+        >>> import flint
+        >>> context = flint.fmpq_mpoly_ctx.get(("x",), flint.Ordering.degrevlex)
+        >>> (x,) = context.gens()
+        >>> GroebnerBasis([x**2 - 2]).relation([x**0, x, x**2, x**3])
+        [-2, 0, 1]
+        """
+        rows: list[tuple[dict[Powers, Any], list[Any]]] = []
+        for place, polynomial in enumerate(polynomials):
+            rest = {tuple(map(int, powers)): value for powers, value in self.normal_form(polynomial).to_dict().items()}
+            numbers = [flint.fmpq(int(k == place)) for k in range(place + 1)]
+            for row, combination in rows:
+                factor = rest.get(max(row), 0)
+                if factor:
+                    rest = {p: rest.get(p, 0) - factor * row.get(p, 0) for p in {*rest, *row}}
+                    rest = {p: value for p, value in rest.items() if value}
+                    numbers = [n - factor * c for n, c in zip(numbers, combination + [0] * place, strict=False)]
+            if not rest:
+                return numbers
+            scale = 1 / rest[max(rest)]
+            rows.append(({p: value * scale for p, value in rest.items()}, [n * scale for n in numbers]))
+        return None
+
+    def free(self) -> set[int]:
+        """Return a maximal set of variables that occur and of which no power product is a leading monomial."""
+        return self.independent() & {*self.occurring()}
 
     def occurring(self) -> list[int]:
         """Return the places of the variables that occur in the generators."""

@@ -38,6 +38,7 @@ RealPoint = Mapping[sympy.Symbol, Any]
 FIRST_TRIES = 60
 ENOUGH_POINTS = 12
 MORE_TRIES = 300
+FURTHER_TRIES = 100
 MOST_STEPS = 4
 
 
@@ -167,7 +168,8 @@ class Problem:
         if witness is not None and None in evidence and self._distinguished is not None:
             return self._proved_by_cases(self._distinguished, witness)
         if witness is None or None in evidence:
-            for place, differs in self._places(MORE_TRIES, extension=True):
+            further = self._places(FURTHER_TRIES, extension=True, further=True)
+            for place, differs in chain(self._places(MORE_TRIES, extension=True), further):
                 if differs:
                     return self._refuted(place)
                 witness = witness or place
@@ -413,11 +415,12 @@ class Problem:
 
     # -- points
 
-    def _places(self, tries: int, *, extension: bool = False) -> Iterator[tuple[_Place, bool]]:
+    def _places(self, tries: int, *, extension: bool = False, further: bool = False) -> Iterator[tuple[_Place, bool]]:
         """Yield places where constraints and hypotheses hold, and whether the sides differ there."""
         for given in self.given:
             yield from self._judged(_Place(given, None))
-        for values in real_points(self.system.members, self.context, self.seed, tries, extension=extension):
+        members, kinds = self.system.members, {"extension": extension, "further": further}
+        for values in real_points(members, self.context, self.seed, tries, **kinds):
             whole = self._completed(values)
             if whole is not None:
                 field = whole[0].field if isinstance(whole[0], Algebraic) else None

@@ -6,16 +6,28 @@ Each fact carries its evidence: positive numbers a_j and polynomials s_j, and fo
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any
 
+import flint
+
+from algebroproj_sym.proving.buchberger import EffortExceededError, GroebnerBasis
 from algebroproj_sym.proving.combination import System
 from algebroproj_sym.proving.elimination import content_of
+from algebroproj_sym.proving.semidefinite import squares_in_ideal
+from algebroproj_sym.proving.varieties import Value, real_points, simple_points
 
 Squares = list[tuple[Any, Any]]
 
 LONGEST = 200
+MOST_TERMS = 60
+MOST_DEGREE = 6
+IDEAL_STEPS = 4_000
+SIGNS = 40
+TRIES = 40
 
 
 @dataclass(frozen=True)
@@ -81,9 +93,71 @@ def _pivot(polynomial: Any) -> tuple[Any, Any] | None:
     return None
 
 
-def real_facts(system: System) -> list[Positive | Zeros]:
+def definite_multiple(polynomial: Any, seed: int) -> tuple[Squares, Any] | None:
+    """Return squares that add up to a multiple of a polynomial, and the factor, by a search for Gram matrices.
+
+    Examples
+    --------
+    >>> import flint
+    >>> context = flint.fmpq_mpoly_ctx.get(("x", "y", "spare"), flint.Ordering.degrevlex)
+    >>> x, y, spare = context.gens()
+    >>> squares, factor = definite_multiple(x**4 + x**3 * y + x**2 * y**2 + x * y**3 + y**4, 1)
+    >>> len(squares), factor
+    (3, 1)
+    """
+    degree = int(polynomial.total_degree())
+    if degree % 2 or degree > MOST_DEGREE or len(polynomial) > MOST_TERMS or _changes_sign(polynomial, seed):
+        return None
+    squares = _attempted([polynomial], degree // 2, _zeros_of([polynomial], seed))
+    return None if squares is None else (squares, divmod(_total(squares), polynomial)[0])
+
+
+def _attempted(polynomials: Sequence[Any], degree: int, zeros: Sequence[Sequence[Value]]) -> Squares | None:
+    try:
+        squares = squares_in_ideal(GroebnerBasis(polynomials, IDEAL_STEPS), degree, zeros)
+    except EffortExceededError:
+        return None
+    return None if squares is None else [primitive_square(*square) for square in squares]
+
+
+def _total(squares: Squares) -> Any:
+    return sum(weight * root**2 for weight, root in squares)
+
+
+def _changes_sign(polynomial: Any, seed: int) -> bool:
+    generator = random.Random(seed)
+    signs = set()
+    for _ in range(SIGNS):
+        value = polynomial(*(flint.fmpq(generator.randint(-9, 9), 3) for _ in polynomial.context().gens()))
+        signs.add((value > 0) - (value < 0))
+        if signs >= {1, -1}:
+            return True
+    return False
+
+
+def _zeros_of(polynomials: Sequence[Any], seed: int) -> list[list[Value]]:
+    context = polynomials[0].context()
+    random_points = real_points(polynomials, context, seed, TRIES, extension=True)
+    return [*simple_points(polynomials, context), *islice(random_points, TRIES)]
+
+
+def real_facts(system: System, seed: int) -> list[Positive | Zeros]:
     """Return what the constraints that are left after elimination say over the reals alone."""
-    return [*_positive_factors(system.members)] or [*_zeros(system)]
+    return [*_positive_factors(system.members)] or [*_zeros(system)] or [*_zeros_in_ideal(system, seed)]
+
+
+def _zeros_in_ideal(system: System, seed: int) -> Iterator[Zeros]:
+    """Yield the sum of squares of lowest degree that is found in the ideal of what is left."""
+    if not system.members or max(map(len, system.members)) > MOST_TERMS:
+        return
+    zeros = _zeros_of(system.members, seed)
+    for degree in range(1, MOST_DEGREE // 2 + 1):
+        squares = _attempted(system.members, degree, zeros)
+        parts = None if squares is None or system.basis is None else system.basis.cofactors(_total(squares))
+        if squares is not None and parts is not None:
+            multiplier, cofactors = system.elimination.combined(parts)
+            yield Zeros(squares, *system.elimination.discharged(_total(squares), multiplier, cofactors))
+            return
 
 
 def _positive_factors(members: Sequence[Any]) -> Iterator[Positive]:

@@ -25,11 +25,11 @@ import sympy
 from algebroproj_sym.expressions import Expression, evaluate
 from algebroproj_sym.expressions.exact import fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField
-from algebroproj_sym.proving.cases import Case, End, Step, case_distinction, follows
+from algebroproj_sym.proving.cases import Case, End, SquaresStep, Step, case_distinction, follows
 from algebroproj_sym.proving.combination import Combination, System
 from algebroproj_sym.proving.elimination import DerivedUnit, denominator_of
 from algebroproj_sym.proving.rational_function import RationalFunctionField
-from algebroproj_sym.proving.squares import Positive, Zeros, primitive_square, real_facts
+from algebroproj_sym.proving.squares import Positive, Squares, Zeros, primitive_square, real_facts
 from algebroproj_sym.proving.translation import Frame, does_not_change, frame_of
 from algebroproj_sym.proving.varieties import Value, real_points, value_at
 
@@ -40,6 +40,7 @@ NO_POINT = "no real point was found that satisfies constraints, hypotheses and a
 FIRST_TRIES = 60
 ENOUGH_POINTS = 12
 MORE_TRIES = 300
+FURTHER_TRIES = 100
 MOST_STEPS = 4
 
 
@@ -153,7 +154,7 @@ class Problem:
         finding = self._decided()
         if finding.verdict != "open" or len(self.facts) >= MOST_STEPS:
             return finding
-        known = [fact for fact in map(self._everywhere, real_facts(self.system)) if self._holds(fact)]
+        known = [fact for fact in map(self._everywhere, real_facts(self.system, self.seed)) if self._holds(fact)]
         return self._knowing(known).decided() if known else finding
 
     def _decided(self) -> Finding:
@@ -172,7 +173,8 @@ class Problem:
         if witness is not None and None in evidence and self._distinguished is not None:
             return self._proved_by_cases(self._distinguished, witness)
         if witness is None or None in evidence:
-            for place, differs in self._places(MORE_TRIES, extension=True):
+            further = self._places(FURTHER_TRIES, extension=True, further=True)
+            for place, differs in chain(self._places(MORE_TRIES, extension=True), further):
                 if differs:
                     return self._refuted(place)
                 witness = witness or place
@@ -358,10 +360,12 @@ class Problem:
             return {**assumed, **steps, "exponent": case.rest.exponent, **self._sum(case.rest)}
         return {**assumed, **steps, "cases": [*map(self._case, case.rest)]}
 
-    def _case_step(self, step: Step) -> dict[str, Any]:
+    def _case_step(self, step: Step | SquaresStep) -> dict[str, Any]:
+        if isinstance(step, SquaresStep):
+            return {"squares": self._squares(step.squares), **self._sum(step)}
         return {step.shows: self.written(step.polynomial), **self._sum(step, step.factor)}
 
-    def _sum(self, part: Step | End, factor: Any = None) -> dict[str, Any]:
+    def _sum(self, part: Step | SquaresStep | End, factor: Any = None) -> dict[str, Any]:
         others = {} if factor is None else {"factor": factor}
         number = denominator_of(part.multiplier, *part.cofactors.values(), *others.values())
         cofactors = {str(place): self.written(cofactor * number) for place, cofactor in part.cofactors.items()}
@@ -406,20 +410,22 @@ class Problem:
 
     def _step(self, fact: Positive | Zeros) -> dict[str, Any]:
         if isinstance(fact, Positive):
-            squares = [[str(weight), self.written(root)] for weight, root in fact.squares]
-            return {"not zero": self.written(fact.polynomial), "squares": squares}
+            return {"not zero": self.written(fact.polynomial), "squares": self._squares(fact.squares)}
         number = denominator_of(fact.multiplier, *fact.cofactors)
-        squares = [[str(weight), self.written(root)] for weight, root in fact.squares]
         multiplier, cofactors = self.written(fact.multiplier * number), self._listed(fact.cofactors, number)
-        return {"squares": squares, "multiplier": multiplier, "cofactors": cofactors}
+        return {"squares": self._squares(fact.squares), "multiplier": multiplier, "cofactors": cofactors}
+
+    def _squares(self, squares: Squares) -> list[list[str]]:
+        return [[str(weight), self.written(root)] for weight, root in squares]
 
     # -- points
 
-    def _places(self, tries: int, *, extension: bool = False) -> Iterator[tuple[_Place, bool]]:
+    def _places(self, tries: int, *, extension: bool = False, further: bool = False) -> Iterator[tuple[_Place, bool]]:
         """Yield places where constraints and hypotheses hold, and whether the sides differ there."""
         for given in self.given:
             yield from self._judged(_Place(given, None))
-        for values in real_points(self.system.members, self.context, self.seed, tries, extension=extension):
+        members, kinds = self.system.members, {"extension": extension, "further": further}
+        for values in real_points(members, self.context, self.seed, tries, **kinds):
             whole = self._completed(values)
             if whole is not None:
                 field = whole[0].field if isinstance(whole[0], Algebraic) else None

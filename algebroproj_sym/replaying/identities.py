@@ -338,7 +338,7 @@ def _after_derivation(known: _Known, step: Mapping[str, Any]) -> _Known:
 def _require_case(known: _Known, case: Mapping[str, Any]) -> None:
     """Check that the claim vanishes in a case."""
     for step in case.get("steps", ()):
-        known = _after_step(known, step)
+        known = _after_squares(known, step) if "squares" in step else _after_step(known, step)
     if "cases" not in case:
         _require_end(known, known.multiplier(case["multiplier"]), case)
         return

@@ -322,8 +322,6 @@ def _require_complete(claim: Claim, where: str) -> None:
 def _require_witness(claim: Claim, where: str) -> None:
     if claim.witness is None:
         return
-    if not claim.constraints:
-        raise DeclarationError(f"{where}: expected a witness for constraints, got one without them")
     if not isinstance(claim.witness, Mapping):
         raise DeclarationError(f"{where}, witness: expected a mapping, got {type(claim.witness).__name__}")
     forms = (claim.printed, claim.derived, claim.corrected, claim.constraints, claim.nonzero, (*claim.where.values(),))

@@ -32,20 +32,24 @@ from algebroproj_sym.expressions.linear import (
 )
 from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over, remembered
+from algebroproj_sym.expressions.rounding import ROUNDINGS, Rounding, decimals, leading, rounded
 from algebroproj_sym.expressions.size import size
 from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
 from algebroproj_sym.expressions.writing import written
 
 __all__ = [
+    "ROUNDINGS",
     "Expression",
     "Matrix",
     "Neighbourhood",
     "NotRationalError",
     "ParseError",
+    "Rounding",
     "Scalar",
     "adjugate",
     "columns",
     "cross",
+    "decimals",
     "derivatives",
     "determinant",
     "diff",
@@ -59,6 +63,7 @@ __all__ = [
     "inverse",
     "jacobian",
     "keeps_divisions",
+    "leading",
     "linear_system",
     "minors_of",
     "over",
@@ -66,6 +71,7 @@ __all__ = [
     "parse_zero",
     "rational",
     "remembered",
+    "rounded",
     "rows",
     "shape",
     "size",

@@ -205,9 +205,7 @@ def angles_of(printed: Printed) -> tuple[Fraction, Fraction, Fraction]:
 
 
 for side, printed_matrix in MATRICES.items():
-    for name, angle, derived in zip(
-        ("omega", "phi", "kappa"), ANGLES[side], angles_of(printed_matrix), strict=True
-    ):
+    for name, angle, derived in zip(("omega", "phi", "kappa"), ANGLES[side], angles_of(printed_matrix), strict=True):
         section.numeric(
             f"4/b/beyond/angles#{side}.{name}",
             f"{name} of {MATRIX_NAMES[side]} as printed, in gon",

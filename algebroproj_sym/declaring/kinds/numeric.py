@@ -16,4 +16,3 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     holds = found == printed
     certificate = {"method": "exact rounding", "rounded": f"{found:f}"}
     return Proof("proved" if holds else "refuted", (), certificate, None if holds else {}, engine)
-

@@ -170,9 +170,7 @@ def _rest(certificate: Mapping[str, Any], judgement: Judgement) -> Mapping[str, 
 def _data(caption: str, record: Mapping[str, Any]) -> list[Table]:
     if not record:
         return []
-    return [
-        Table(caption, ("what", "value"), [(key, _readable(value)) for key, value in record.items()])
-    ]
+    return [Table(caption, ("what", "value"), [(key, _readable(value)) for key, value in record.items()])]
 
 
 def _readable(value: Any) -> Markup | str:

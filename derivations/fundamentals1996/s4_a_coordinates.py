@@ -179,8 +179,8 @@ section.definition(
 # ### Round angles
 #
 # The matrices are rotations $\mathbf R = \mathbf R_z(\kappa) \mathbf R_y(\varphi) \mathbf R_x(\omega)$ with
-# $\tan\omega = r_{32} / r_{33}$, $\sin\varphi = -r_{31}$, $\tan\kappa = r_{21} / r_{11}$.  Their angles are round: to five
-# decimals of a gon they have one digit after the point.  Here one gon is $3.14159159 / 200$.
+# $\tan\omega = r_{32} / r_{33}$, $\sin\varphi = -r_{31}$, $\tan\kappa = r_{21} / r_{11}$.  Their angles are round: to
+# five decimals of a gon they have one digit after the point.  Here one gon is $3.14159159 / 200$.
 
 # %%
 HALF_TURN = Fraction("3.14159159")
@@ -252,8 +252,8 @@ CUT_OFF_ALONE = {
     ("right", 1, 0): {
         "expect": "misprint",
         "corrected": "-0.05336034",
-        "note": "Without rounding -0.05336033547: cut off instead of rounded, alone among the elements of R'', three of "
-        "which would have another last digit if they were cut off.",
+        "note": "Without rounding -0.05336033547: cut off instead of rounded, alone among the elements of R''; three "
+        "of the others would have another last digit if they were cut off.",
     }
 }
 ELEMENTS = [(i, j) for i in range(3) for j in range(3)]
@@ -271,8 +271,8 @@ for side, printed_matrix in MATRICES.items():
 # %% [markdown]
 # ### The gon
 #
-# A gon is $\pi / 200$, but $\pi$ does not give the printed matrices.  Of the numbers with eight decimals only $3.14159159$
-# does; of those with nine decimals it and its neighbours from $3.141591586$ to $3.141591592$.
+# A gon is $\pi / 200$, but $\pi$ does not give the printed matrices.  Of the numbers with eight decimals only
+# $3.14159159$ does; of those with nine decimals it and its neighbours from $3.141591586$ to $3.141591592$.
 
 
 # %%

@@ -323,8 +323,8 @@ LAST_DIGIT = {
     "expect": "misprint",
     "corrected": "1.477",
     "note": f"{FIRST_TWO}  The unrounded Z gives 1.47654.  The Z with five decimals gives 1.47646, but misses the "
-    "three other coordinates, and x would have another last digit if it were cut off: an arithmetic of about seven digits "
-    "has lost the last one.",
+    "three other coordinates, and x would have another last digit if it were cut off: an arithmetic of about seven "
+    "digits has lost the last one.",
 }
 for side, (image, matrix, printed) in EPIPOLES.items():
     for component, name in enumerate(("x", "y")):

@@ -120,7 +120,9 @@ def every_kind():
     section.numeric(
         "1.23", "not a seventh", printed="-0.15", derived=-sympy.Rational(1, 7), corrected="-0.14", expect="misprint"
     )
-    section.numeric("1.24", "inputs", printed="0.16", derived=sympy.Rational(1, 7), unrounded=sympy.Rational(4, 25))
+    section.numeric("1.24", "cut off", printed="-0.66", derived=sympy.Rational(-2, 3), rounding="cut")
+    section.numeric("1.29", "zero", printed="-0.0", derived=sympy.Rational(-1, 21))
+    section.numeric("1.30", "tie", printed="0.13", derived=sympy.Rational(1, 8))
     section.reference("1.25", "reference", printed="1.3.8", meant="1.3.8")
     section.reference("1.26", "wrong reference", printed="1.3.8", meant="1.3.9")
     section.definition("1.27", "definition", printed=vector(x / (y - 1), a), where={a: x**2})
@@ -315,6 +317,12 @@ TAMPERED = [
     ("1.21", "certificate", "columns", [0]),
     ("1.22", "printed", "0.15"),
     ("1.23", "printed", "-0.14"),
+    ("1.24", "printed", "-0.67"),
+    ("1.24", "setting", "rounding", "nearest"),
+    ("1.29", "setting", "rounding", "nearest_"),
+    ("1.29", "derived", "-1/20"),
+    ("1.30", "printed", "0.12"),
+    ("1.30", "setting", "rounding", "cut"),
 ]
 
 

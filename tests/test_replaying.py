@@ -85,7 +85,7 @@ def every_kind():
     section.numeric(
         "1.23", "not a third", printed="0.34", derived=sympy.Rational(1, 3), corrected="0.33", expect="misprint"
     )
-    section.numeric("1.24", "inputs", printed="0.36", derived=sympy.Rational(1, 3), unrounded=sympy.Rational(9, 25))
+    section.numeric("1.24", "cut off", printed="-0.66", derived=sympy.Rational(-2, 3), rounding="cut")
     section.reference("1.25", "reference", printed="1.3.8", meant="1.3.8")
     section.reference("1.26", "wrong reference", printed="1.3.8", meant="1.3.9")
     section.definition("1.27", "definition", printed=vector(x / (y - 1), a), where={a: x**2})
@@ -173,12 +173,20 @@ def test_an_open_claim_is_not_replayable(small):
         ("1.5", {"kind": "identity"}, "setting"),
         ("1.14", {"printed": "2"}, "minor is not of the claimed size"),
         ("1.15", {"printed": "1"}, "minor is not of the claimed size"),
-        ("1.24", {"setting": {"units": "1/2"}}, "method"),
         ("1.1", {"engine": "magic"}, "engine"),
         ("1.1", {"expected": "false"}, "the declared verdict"),
         ("1.1", {"surplus": 1}, "expected the fields"),
         ("1.1", {"title": "a\x1b[2Jb"}, "printable"),
         ("1.1", {"number": "1.1 "}, "expected a number"),
+        ("1.24", {"setting": {"rounding": "nearest"}}, "the rounded number is another one"),
+        ("1.24", {"setting": {}}, "expected the rounding nearest or cut"),
+        ("1.24", {"setting": {"rounding": "up"}}, "expected the rounding nearest or cut"),
+        ("1.24", {"printed": "-0.67"}, "the exact number, rounded, is another one"),
+        ("1.24", {"printed": "-0.666"}, "not as many decimals"),
+        ("1.24", {"derived": "Matrix([[-2/3], [5]])"}, "matrix"),
+        ("1.24", {"certificate": {"method": "exact rounding", "rounded": "-0.67"}}, "the rounded number is another"),
+        ("1.24", {"certificate": {"method": "exact rounding", "rounded": "0.66"}}, "the rounded number is another"),
+        ("1.22", {"setting": {"rounding": "cut"}, "derived": "2/3", "printed": "0.67"}, "rounded number is another"),
         ("1.1", {"printed": "__import__('os').getcwd()"}, "expected an expression"),
     ],
 )
@@ -299,10 +307,8 @@ def reread(record):
     }
     if "variable" in setting:
         options["variable"] = symbols[setting["variable"]]
-    if "unrounded" in setting:
-        options["unrounded"] = sympy.sympify(setting["unrounded"])
-    if "units" in setting:
-        options["units"] = Fraction(setting["units"])
+    if "rounding" in setting:
+        options["rounding"] = setting["rounding"]
     kernel = (
         (record["certificate"] or {}).get("kernel")
         or (record["certificate"].get("refutation") or {}).get("kernel")

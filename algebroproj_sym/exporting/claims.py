@@ -37,7 +37,6 @@ from algebroproj_sym.exporting.vanishing import both_ways
 from algebroproj_sym.replaying.evaluation import at_point, derivatives, evaluate
 from algebroproj_sym.replaying.statement import Point, Statement
 from algebroproj_sym.replaying.text import decimal, parse
-from algebroproj_sym.replaying.text import number as rational_number
 
 Certificate: TypeAlias = Mapping[str, Any]
 Proved: TypeAlias = dict[str, tuple[str, str]]
@@ -277,29 +276,37 @@ def limit(statement: Statement, form: str, certificate: Certificate) -> Proved:
 
 
 def numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show that a number is within the tolerance of the exact one, or of the one from unrounded input."""
+    """Show that the exact number lies in the interval of those that are rounded to the printed one, or cut off."""
     exact = written(statement, "derived")
-    if certificate["method"] == "rounding of inputs":
-        exact = Written((read(statement.setting["unrounded"]),), {})
-    return {"holds": points.at_point({}, exact.definitions, _compared(statement, form, exact, "Near"))}
-
-
-def _compared(statement: Statement, form: str, exact: Written, kind: str) -> list[Literal]:
-    printed, digit = decimal(statement.record[form])
-    tolerance = rational_number(statement.setting["units"]) * digit
-    sides = (number(printed), exact.entries[0], number(tolerance))
-    return [*divisors_nonzero(exact.entries, exact.definitions), Literal(kind, sides)]
+    return {"holds": _compared(exact, _limits(statement, form, exact.entries[0]))}
 
 
 def not_numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show that a number is farther from the exact one, and from the one from unrounded input, than the tolerance."""
-    found = {}
-    forms = {"refuted": written(statement, "derived")}
-    if "unrounded" in statement.setting:
-        forms["refuted from unrounded input"] = Written((read(statement.setting["unrounded"]),), {})
-    for shown, exact in forms.items():
-        found[shown] = points.at_point({}, exact.definitions, _compared(statement, form, exact, "Far"))
-    return found
+    """Show that the exact number lies beyond one of the limits of this interval."""
+    exact = written(statement, "derived")
+    lower, upper = _limits(statement, form, exact.entries[0])
+    value = evaluate(statement.form("derived"), at_point({}))[0]
+    missed = lower if value < decimal(statement.record[form])[0] else upper
+    beyond = Literal("AtMost" if missed.kind == "Less" else "Less", missed.terms[::-1])
+    return {"refuted": _compared(exact, [beyond])}
+
+
+def _limits(statement: Statement, form: str, exact: Term) -> tuple[Literal, Literal]:
+    """Return what holds of the exact number if it is rounded, or cut off, to the printed one: a limit on each side."""
+    printed, digit = decimal(statement.record[form])
+    rounding = statement.setting.get("rounding")
+    if rounding not in ("nearest", "cut"):
+        raise NotExportable(f"the rounding {rounding!r}")
+    nearer = abs(printed) - (digit / 2 if rounding == "nearest" else 0)
+    farther = nearer + digit
+    above = Literal("AtMost", (number(nearer), exact)) if printed > 0 else Literal("Less", (number(-farther), exact))
+    below = Literal("AtMost", (exact, number(-nearer))) if printed < 0 else Literal("Less", (exact, number(farther)))
+    return above, below
+
+
+def _compared(exact: Written, literals: Sequence[Literal]) -> tuple[str, str]:
+    divisors = divisors_nonzero(exact.entries, exact.definitions)
+    return points.at_point({}, exact.definitions, [*divisors, *literals])
 
 
 def differing(statement: Statement, form: str, certificate: Certificate) -> Proved:

@@ -33,17 +33,20 @@ from algebroproj_sym.expressions.linear import (
 )
 from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over, remembered
+from algebroproj_sym.expressions.rounding import ROUNDINGS, Rounding, decimals, leading, rounded
 from algebroproj_sym.expressions.size import size
 from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
 from algebroproj_sym.expressions.symbols import SymbolError, admits, assumed, assumption, is_plain, values_of
 from algebroproj_sym.expressions.writing import written
 
 __all__ = [
+    "ROUNDINGS",
     "Expression",
     "Matrix",
     "Neighbourhood",
     "NotRationalError",
     "ParseError",
+    "Rounding",
     "Scalar",
     "SymbolError",
     "TooLargeError",
@@ -53,6 +56,7 @@ __all__ = [
     "assumption",
     "columns",
     "cross",
+    "decimals",
     "derivatives",
     "determinant",
     "diff",
@@ -67,6 +71,7 @@ __all__ = [
     "is_plain",
     "jacobian",
     "keeps_divisions",
+    "leading",
     "linear_system",
     "minors_of",
     "over",
@@ -75,6 +80,7 @@ __all__ = [
     "rational",
     "remembered",
     "require_bounded",
+    "rounded",
     "rows",
     "shape",
     "size",

@@ -176,7 +176,7 @@ def other_witnesses():
 def contradictory_constraints():
     """Anything follows from what nothing satisfies."""
     for c in numbers():
-        honest = member("x**2 + 1", str(c + 1), f"x**2 - {c}", "1", {"x": "1"}) if c == 1 else equal("x", "x")
+        honest = member("x", str(c), f"x - {c}", "1", {"x": str(c)})
         yield honest, member("x", "0", str(c), "x", {"x": "1"})
         yield honest, member("x", str(c), "x**2 + 1", f"x - {c}", {"x": "0"})
         yield honest, member(f"x/(x - {c})", f"{c}/(x - {c})", f"x - {c}", "1", {"x": str(c)}, f"x - {c}")
@@ -406,7 +406,21 @@ def moved_statements():
             yield honest, changed(honest, [{"zero": "a", "along": wrong}], "certificate", "translations")
 
 
-IDENTITIES = (dividing_steps, invented_units, squares_that_are_none, shown_numbers, moved_statements)
+def surplus_parts():
+    """Whatever else stands in a certificate, at any depth."""
+    honest = following(
+        "x**2", "1", "x**2 - 1", "x**2 - 1", [{"power": 0, "exponent": 1, "cofactors": ["1"]}], {"x": "1"}
+    )
+    step = {"not zero": "x", "product": "1", "cofactors": ["-1"], "factor": "x"}
+    stepped = changed(honest, [step], "certificate", "steps")
+    for name in ("proof", "value", "Factor", "comment", "zero", "cases", "divisions", "goal", "scale", "refutation"):
+        yield honest, {**honest, name: "0"}
+        yield honest, changed(honest, "0", "certificate", name)
+        yield honest, changed(honest, "0", "certificate", "entries", 0, name)
+        yield stepped, changed(stepped, "0", "certificate", "steps", 0, name)
+
+
+IDENTITIES = (surplus_parts, dividing_steps, invented_units, squares_that_are_none, shown_numbers, moved_statements)
 
 
 @pytest.mark.parametrize("family", [*CLAIMS, *IDENTITIES], ids=lambda family: family.__name__)

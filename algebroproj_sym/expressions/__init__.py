@@ -31,7 +31,7 @@ from algebroproj_sym.expressions.linear import (
     solve,
     vector,
 )
-from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
+from algebroproj_sym.expressions.parsing import ParseError, names_in, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over, remembered
 from algebroproj_sym.expressions.rounding import ROUNDINGS, Rounding, decimals, leading, rounded
 from algebroproj_sym.expressions.size import size
@@ -74,6 +74,7 @@ __all__ = [
     "leading",
     "linear_system",
     "minors_of",
+    "names_in",
     "over",
     "parse",
     "parse_zero",

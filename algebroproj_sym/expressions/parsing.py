@@ -49,6 +49,7 @@ from algebroproj_sym.expressions.symbols import NAME
 
 _TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(\*\*|[-+*/^()\[\],=]))")
 _NAME = re.compile(rf"\s*({NAME.pattern})")
+_MATRIX = re.compile(r"\A\s*Matrix\s*\(\s*\[")
 _OPERATOR = "an operator"
 
 
@@ -68,6 +69,17 @@ class ParseError(ValueError):
         self.position = position
         self.expected = expected
         self.got = got
+
+
+def names_in(text: str) -> set[str]:
+    """Return the names that occur in a text of the grammar, also those that cancel.
+
+    Examples
+    --------
+    >>> sorted(names_in("Matrix([[x + y - y, z']])"))
+    ['x', 'y', "z'"]
+    """
+    return {*_NAME.findall(_MATRIX.sub("[", text, count=1))}
 
 
 @dataclass(frozen=True)

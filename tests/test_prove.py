@@ -572,7 +572,7 @@ def test_real_symbols_stand_for_any_number():
 
 
 def test_a_witness_is_exact():
-    with pytest.raises(NotRationalError, match="witness, x: expected .* got 0.5"):
+    with pytest.raises(NotRationalError, match=r"witness, x: expected .* got 0\.5"):
         prove(x**3, x, constraints=[x**2 - 1], witness={x: 0.5})
 
 

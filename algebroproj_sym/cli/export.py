@@ -12,7 +12,7 @@ from rich.table import Table
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import judged
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.terminal import console, echo, progressing
 from algebroproj_sym.declaring import select
 from algebroproj_sym.exporting import (
     UNEXPORTED,
@@ -108,7 +108,7 @@ def _say(claims: Sequence[Exported], out: Path) -> None:
 def _require_accepted(results: Sequence[Compiled]) -> None:
     rejected = [result for result in results if result.error]
     for result in rejected:
-        click.echo(f"{result.name}.v: {result.error}", err=True)
+        echo(f"{result.name}.v: {result.error}", err=True)
     worst = max(results, key=lambda result: result.seconds)
     found = sorted({axiom for result in results[1:] for axiom in result.axioms})
     console().print(

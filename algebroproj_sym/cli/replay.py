@@ -13,7 +13,7 @@ import click
 from rich.table import Table
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.terminal import console, echo_json, progressing, visible
 from algebroproj_sym.declaring import derivations_of, quotes_of
 from algebroproj_sym.replaying import Rejected, Replayed, Status, replay
 from algebroproj_sym.reporting import declaration
@@ -59,11 +59,12 @@ def replay_command(path: Path, source: str | None, jobs: int, output: str) -> No
     if source is not None:
         results, missing = _compared(results, ledger, _declared(source))
     if output == "json":
-        click.echo(json.dumps(_record(results), indent=1, ensure_ascii=False))
+        echo_json(_record(results))
     else:
         for result in results:
             if result.status != "replayed":
-                console().print(f"{result.paper}:{result.number}  {result.status}: {result.reason}", markup=False)
+                told = f"{result.paper}:{result.number}  {result.status}: {result.reason}"
+                console().print(visible(told, line=True))
         console().print(_table(results))
         counts = Counter(result.status for result in results)
         listed = ", ".join(

@@ -287,6 +287,10 @@ def reference(value: Any, where: str) -> sympy.ImmutableDenseMatrix:
 def _require_complete(claim: Claim, where: str) -> None:
     if not _NUMBER.fullmatch(claim.number):
         raise DeclarationError(f"{where}: expected a number such as 1.3.8, 1.3/y03 or 1.3.5#mu3, got {claim.number!r}")
+    for name in ("paper", "section", "number", "title"):
+        given = getattr(claim, name)
+        if not isinstance(given, str) or not given.isprintable():
+            raise DeclarationError(f"{where}, {name}: expected text on one line, got {given!r}")
     if claim.expected not in VERDICTS or claim.expected == "open":
         raise DeclarationError(f"{where}: expected one of the verdicts {VERDICTS} but open, got {claim.expected!r}")
     if claim.expected in ("misprint", "illegible") and claim.corrected is None:

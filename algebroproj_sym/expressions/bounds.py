@@ -21,7 +21,8 @@ MAX_NAME_LENGTH = 100
 MAX_EXPONENT = 1_000
 MAX_DEGREE = 5_000
 MAX_TERMS = 300_000
-MAX_BITS = 200_000
+MAX_BITS = 14_000
+"""Python does not write integers of more than 4300 digits, which is a little more."""
 
 MAX_LEVELS = 4 * MAX_NESTING
 """Levels of a SymPy expression: one of text is a sum of products of powers in brackets."""
@@ -81,8 +82,8 @@ class Extent:
         degree, bits = max(self.above.degree, self.below.degree), max(self.above.bits, self.below.bits)
         if degree > MAX_DEGREE:
             return f"a degree of at most {MAX_DEGREE} when multiplied out", f"up to {degree}"
-        if bits > MAX_BITS:
-            return f"coefficients of at most {MAX_BITS} bits", f"up to {bits}"
+        if bits > times * MAX_BITS:
+            return f"coefficients of at most {times * MAX_BITS} bits", f"up to {bits}"
         if not self.divided and self.above.terms > times * MAX_TERMS:
             return f"at most {times * MAX_TERMS} terms when multiplied out", f"up to {self.above.terms}"
         return None
@@ -133,7 +134,7 @@ def require_bounded(value: Any, argument: str, times: int = 1) -> None:
     argument : str
         What to call it in an error message.
     times : int
-        How many times as many terms, symbols and numbers as in a text there may be.
+        How many times as many terms, bits, symbols and numbers as in a text there may be.
 
     Raises
     ------

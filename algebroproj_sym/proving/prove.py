@@ -438,8 +438,8 @@ def _refuted_further(question: _Question, field: RationalFunctionField, reason: 
 def _refuted(question: _Question, point: Point) -> Proof:
     certificate = {
         "method": "counterexample",
-        "left": [str(value) for value in evaluate(question.left, point)],
-        "right": [str(value) for value in evaluate(question.right, point)],
+        "left": [str(fmpq(value)) for value in evaluate(question.left, point)],
+        "right": [str(fmpq(value)) for value in evaluate(question.right, point)],
     }
     used = {symbol: point[symbol] for symbol in question.symbols}
     return Proof("refuted", (), certificate, used, question.engine)

@@ -168,7 +168,7 @@ class Problem:
             if count >= ENOUGH_POINTS:
                 break
         if witness is None and self.system.is_inconsistent:
-            return _open("the constraints and hypotheses contradict each other, which would prove anything")
+            return _open(self._contradiction())
         evidence = [self._evidence(numerator) for numerator in self.numerators]
         if witness is not None and None in evidence and self._distinguished is not None:
             return self._proved_by_cases(self._distinguished, witness)
@@ -188,6 +188,16 @@ class Problem:
         if self._distinguished is not None:
             return self._proved_by_cases(self._distinguished, witness)
         return _open("no combination of the constraints was found, and no real point at which the sides differ")
+
+    def _contradiction(self) -> str:
+        """Return what cannot be: constraints that contradict each other, or something that they force to be zero."""
+        zeros = self.system.constraints
+        if System(zeros, [], self.context).is_inconsistent:
+            return "the constraints contradict each other, which would prove anything"
+        for unit, restricted in zip(self.units, self.units_at_origin, strict=True):
+            if System(zeros, [restricted], self.context).is_inconsistent:
+                return f"{self.written(unit)} is zero wherever the constraints hold, and must not be: nothing is stated"
+        return "the constraints and hypotheses contradict each other, which would prove anything"
 
     def written(self, polynomial: Any) -> str:
         """Return a polynomial of FLINT's ring, with integer coefficients, as text."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import sys
 from array import array
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from heapq import heapify, heappop, heappush
 from typing import Any
 
@@ -96,7 +96,15 @@ class GroebnerBasis:
             total, polynomial = total + leading, polynomial - leading
         return total
 
-    def relation(self, polynomials: Sequence[Any]) -> list[Any] | None:
+    def powers(self, polynomial: Any, most: int) -> Iterator[Any]:
+        """Yield the powers of a polynomial modulo the ideal, the highest last."""
+        power = self._context.constant(1)
+        for k in range(most + 1):
+            yield power
+            if k < most:
+                power = self.normal_form(power * polynomial)
+
+    def relation(self, polynomials: Iterable[Any]) -> list[Any] | None:
         """Return numbers, not all zero, with which polynomials add up to an element of the ideal: the first that exist.
 
         Examples

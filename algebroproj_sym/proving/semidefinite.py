@@ -8,7 +8,8 @@ An interior point method suggests a solution, which is rounded; only an exact de
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import combinations_with_replacement, islice
+from fractions import Fraction
+from itertools import combinations_with_replacement
 from typing import Any
 
 import flint
@@ -21,11 +22,13 @@ from algebroproj_sym.proving.varieties import Value, value_at
 Place = tuple[int, int]
 
 MOST_MONOMIALS = 60
-MOST_SQUARES = 12
-MOST_FREEDOM = 45
+MOST_SQUARES = 16
+MOST_FREEDOM = 60
 NEWTON_STEPS = 60
 SHORTEST = 1e-6
-MOST_ROUNDED = 12
+SMALLEST_WEIGHT = 1e-9
+NEARLY_ZERO = 1e-4
+SIMPLE = 12
 DENOMINATORS = (1, 2, 4, 8, 16, 64, 256, 2**12, 2**20)
 
 
@@ -51,16 +54,24 @@ def squares_in_ideal(
     [(1, 1), (1, x), (1, y)]
     """
     candidates = _vanishing(_standard_monomials(basis, degree), zeros)
-    while candidates and len(candidates) <= MOST_MONOMIALS:
+    while 0 < len(candidates) <= MOST_MONOMIALS:
+        size = len(candidates)
         equations = _equations(basis, candidates)
         never = _never(equations)
-        if not never:
-            break
-        candidates = [candidate for place, candidate in enumerate(candidates) if place not in never]
-    if not 0 < len(candidates) <= MOST_SQUARES:
-        return None
-    found = _definite(_null_space(equations, len(candidates)), len(candidates))
-    return None if found is None else _decomposed(found, candidates)
+        kernel = [[flint.fmpq(int(i == place)) for i in range(size)] for place in never]
+        if not never and size <= MOST_SQUARES:
+            directions = _null_space(equations, size)
+            found, kernel = _definite(directions, size)
+            if found is not None:
+                return _decomposed(found, candidates)
+        if not kernel:
+            return None
+        candidates = _combinations(_kernel(kernel, size), candidates)
+    return None
+
+
+def _combinations(vectors: Sequence[Sequence[Any]], polynomials: Sequence[Any]) -> list[Any]:
+    return [sum(c * p for c, p in zip(vector, polynomials, strict=True) if c) for vector in vectors]
 
 
 def _standard_monomials(basis: GroebnerBasis, degree: int) -> list[Any]:
@@ -85,8 +96,7 @@ def _vanishing(monomials: list[Any], zeros: Sequence[Sequence[Any]]) -> list[Any
     if not zeros or not monomials:
         return monomials
     rows = [row for point in zeros for row in _conditions([value_at(monomial, point) for monomial in monomials])]
-    spanning = _kernel(rows, len(monomials))
-    return [sum(c * m for c, m in zip(vector, monomials, strict=True) if c) for vector in spanning]
+    return _combinations(_kernel(rows, len(monomials)), monomials)
 
 
 def _conditions(values: Sequence[Value]) -> list[list[Any]]:
@@ -136,22 +146,50 @@ def _kernel(rows: list[list[Any]], width: int) -> list[list[Any]]:
     return found
 
 
-def _definite(directions: Sequence[Mapping[Place, Any]], size: int) -> list[list[Any]] | None:
-    """Return a positive definite combination of symmetric matrices, decomposed; None if none is found."""
+def _definite(directions: Sequence[Mapping[Place, Any]], size: int) -> tuple[list[list[Any]] | None, list[list[Any]]]:
+    """Return a positive definite combination of symmetric matrices, decomposed, or vectors that all seem to map to zero.
+
+    The vectors are a guess: they are those of the combination that is as definite as one can be.
+    """
     if not 0 < len(directions) <= MOST_FREEDOM:
-        return None
+        return None, []
     approximate = [{place: float(fraction(value)) for place, value in each.items()} for each in directions]
-    for factors in islice(_interior(approximate, size), MOST_ROUNDED):
-        for denominator in DENOMINATORS:
+    last: list[float] = []
+    for least, factors in _interior(approximate, size):
+        last = factors
+        for denominator in DENOMINATORS if least < 0 else ():
             rounded = [flint.fmpq(round(factor * denominator), denominator) for factor in factors]
             found = _triangular(_symmetric(_sum(directions, rounded), size))
             if found is not None:
-                return found
-    return None
+                return found, []
+    return None, _null_vectors(_symmetric(_sum(approximate, last), size)) if last else []
 
 
-def _interior(directions: Sequence[Mapping[Place, float]], size: int) -> Iterator[list[float]]:
-    """Yield factors with which matrices add up to one of trace ``size`` that seems definite.
+def _null_vectors(matrix: list[list[float]]) -> list[list[Any]]:
+    """Return rational vectors that a matrix nearly maps to zero: elimination with the largest diagonal entry first."""
+    size = len(matrix)
+    rows, pivots = [list(row) for row in matrix], list[int]()
+    while len(pivots) < size:
+        pivot = max((i for i in range(size) if i not in pivots), key=lambda i: rows[i][i])
+        lead = rows[pivot]
+        if lead[pivot] < NEARLY_ZERO:
+            break
+        pivots.append(pivot)
+        lead[:] = [value / lead[pivot] for value in lead]
+        for i, row in enumerate(rows):
+            if i != pivot and row[pivot]:
+                row[:] = [x - row[pivot] * y for x, y in zip(row, lead, strict=True)]
+    found = []
+    for free in (i for i in range(size) if i not in pivots):
+        vector = [flint.fmpq(int(i == free)) for i in range(size)]
+        for pivot in pivots:
+            vector[pivot] = fmpq(Fraction(-rows[pivot][free]).limit_denominator(SIMPLE))
+        found.append(vector)
+    return found if len(found) < size else []
+
+
+def _interior(directions: Sequence[Mapping[Place, float]], size: int) -> Iterator[tuple[float, list[float]]]:
+    """Yield s and factors with which matrices add up to one of trace ``size`` that seems definite if s is negative.
 
     The least s is sought for which the sum and s times the unit matrix are definite, by Newton's method for s minus a
     multiple of the logarithm of the determinant; the multiple is halved from step to step.
@@ -183,10 +221,11 @@ def _interior(directions: Sequence[Mapping[Place, float]], size: int) -> Iterato
                 return
         point = _moved(point, step, length)
         weight *= 0.5 if length == 1.0 else 1.0
-        if point[-1] < 0:
-            factors = dict(zip(others, point, strict=False))
-            factors[pivot] = (size - sum(traces[k] * factor for k, factor in factors.items())) / traces[pivot]
-            yield [factors[k] for k in range(len(directions))]
+        factors = dict(zip(others, point, strict=False))
+        factors[pivot] = (size - sum(traces[k] * factor for k, factor in factors.items())) / traces[pivot]
+        yield point[-1], [factors[k] for k in range(len(directions))]
+        if weight < SMALLEST_WEIGHT:
+            return
 
 
 def _moved(point: Sequence[float], step: Sequence[float], length: float) -> list[float]:

@@ -108,8 +108,12 @@ def definite_multiple(polynomial: Any, seed: int) -> tuple[Squares, Any] | None:
     degree = int(polynomial.total_degree())
     if degree % 2 or degree > MOST_DEGREE or len(polynomial) > MOST_TERMS or _changes_sign(polynomial, seed):
         return None
-    squares = _attempted([polynomial], degree // 2, _zeros_of([polynomial], seed))
-    return None if squares is None else (squares, divmod(_total(squares), polynomial)[0])
+    zeros = _zeros_of([polynomial], seed)
+    for size in (degree // 2, degree // 2 + 1):
+        squares = _attempted([polynomial], size, zeros)
+        if squares is not None:
+            return squares, divmod(_total(squares), polynomial)[0]
+    return None
 
 
 def _attempted(polynomials: Sequence[Any], degree: int, zeros: Sequence[Sequence[Value]]) -> Squares | None:
@@ -151,7 +155,7 @@ def _zeros_in_ideal(system: System, seed: int) -> Iterator[Zeros]:
     if not system.members or max(map(len, system.members)) > MOST_TERMS:
         return
     zeros = _zeros_of(system.members, seed)
-    for degree in range(1, MOST_DEGREE // 2 + 1):
+    for degree in range(1, MOST_DEGREE // 2 + 2):
         squares = _attempted(system.members, degree, zeros)
         parts = None if squares is None or system.basis is None else system.basis.cofactors(_total(squares))
         if squares is not None and parts is not None:

@@ -24,9 +24,10 @@ Value = Fraction | Algebraic
 MAX_DEGREE = 24
 MAX_DEGREE_IN_FIELD = 6
 MAX_LENGTH = 3_000
-SCALES = 5
-MAX_DEGREE_TOGETHER = 8
-TOGETHER_STEPS = 1_000
+SCALES = 7
+MAX_DEGREE_TOGETHER = 30
+MAX_DEGREE_OF_ROOT = 9
+TOGETHER_STEPS = 3_000
 MOST_SIMPLE = 800
 _SCALES = (Fraction(1), Fraction(2), Fraction(1, 2))
 _SMALL = [Fraction(n) for n in (1, 2, 3, -1, -2, 4, 5, -3, 7, -4)]
@@ -145,6 +146,7 @@ class _Start:
         self._root: int | None = None
         self._minimal: Any = None
         self._scale = Fraction(1, 2 ** (attempt // 4 % SCALES)) if further else Fraction(1)
+        self._further = further
         self._together = further and attempt % 4 == 2
 
     def completed(self, constraints: list[Any]) -> list[Value]:
@@ -176,15 +178,17 @@ class _Start:
             raise _DeadEndError
         variables = [self._variables[i] for i in basis.occurring()]
         form = sum(variable * self._generator.choice((1, 1, 2, -1, 3)) for variable in variables)
-        relation = basis.relation([form**k for k in range(MAX_DEGREE_TOGETHER + 2)])
+        relation = basis.relation(basis.powers(form, MAX_DEGREE_TOGETHER + 1))
         if relation is None:
             raise _DeadEndError
-        factors = [factor for factor, _ in flint.fmpq_poly(relation).factor()[1] if has_real_root(factor)]
+        factors = [factor for factor, _ in flint.fmpq_poly(relation).factor()[1]]
+        factors = [factor for factor in factors if factor.degree() <= MAX_DEGREE_OF_ROOT and has_real_root(factor)]
         if not factors:
             raise _DeadEndError
         factor, spare = self._generator.choice(factors), self._variables[-1]
-        powers = [form**k for k in range(factor.degree())]
-        basis = GroebnerBasis([*constraints, sum(c * form**k for k, c in enumerate(factor.coeffs()))], TOGETHER_STEPS)
+        powers = list(basis.powers(form, factor.degree() - 1))
+        value = sum(c * power for c, power in zip(factor.coeffs(), basis.powers(form, factor.degree()), strict=True))
+        basis = GroebnerBasis([*constraints, value], TOGETHER_STEPS)
         self._root = len(self._variables) - 1
         self._minimal = sum(c * spare**k for k, c in enumerate(factor.coeffs()))
         self._known.append((self._root, spare))
@@ -237,7 +241,7 @@ class _Start:
 
     def _whole_value(self) -> Fraction:
         kind = self._generator.random()
-        if kind < 0.12 and self._attempt % 2:
+        if kind < 0.12 and (self._attempt % 2 or self._further):
             return Fraction(0)
         if kind < 0.3 and self._attempt % 3 == 2:
             return self._generator.choice(_PYTHAGOREAN)

@@ -358,7 +358,9 @@ def test_every_explanation_names_a_change_of_a_claim_and_gives_a_reason_of_its_o
 
 
 def test_the_command_knows_what_is_explained():
-    explained = next(entry for entry in explanations() if entry.claim.startswith("fundamentals1996:4/i/beyond/direction#"))
+    explained = next(
+        entry for entry in explanations() if entry.claim.startswith("fundamentals1996:4/i/beyond/direction#")
+    )
     result = run(explained.claim, "--limit", "0", "--only", "claims", "--format", "json")
     assert result.exit_code == 0
     fates = {fate["form"]: fate for fate in json.loads(result.stdout)["claims"][0]["fates"]}

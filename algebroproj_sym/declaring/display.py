@@ -11,7 +11,7 @@ import sympy
 from algebroproj_sym.declaring.claim import Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement
 from algebroproj_sym.declaring.latex import latex
-from algebroproj_sym.expressions import Expression, decimals, evaluate, leading, size
+from algebroproj_sym.expressions import Expression, assumption, decimals, evaluate, leading, size
 from algebroproj_sym.proving import reduced
 
 LONGEST = 400
@@ -68,6 +68,8 @@ def evidence_lines(judgement: Judgement, show: Callable[[object], str] = str) ->
         lines.append(f"undecided: {judgement.certificate['reason']}" if method == "none" else f"by {method}{about}")
     if judgement.hypotheses:
         lines.append("holds where none of these vanishes: " + ", ".join(map(show, judgement.hypotheses)))
+    if judgement.claim.assumed:
+        lines.append("assumed: " + "; ".join(map(assumption, judgement.claim.assumed)))
     if judgement.counterexample:
         values = ", ".join(f"{show(symbol)} = {show(value)}" for symbol, value in judgement.counterexample.items())
         lines.append(f"counterexample: {values}")

@@ -125,13 +125,13 @@ def inverse(matrix: Sequence[Sequence[Fraction]]) -> tuple[tuple[Fraction, ...],
 
 
 def values(point: Point, definitions: Mapping[str, Term], terms: Sequence[Term]) -> list[Fraction] | None:
-    """Return the values of terms at a point, None if a divisor is zero there."""
+    """Return the values of terms at a point, None if a divisor is zero there, or a name has no value."""
     known = dict(point)
     try:
         for called, definition in definitions.items():
             known[called] = _value(definition, known)
         return [_value(term, known) for term in terms]
-    except ZeroDivisionError:
+    except (ZeroDivisionError, KeyError):
         return None
 
 

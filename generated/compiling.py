@@ -1,7 +1,7 @@
 """How the C source becomes the extension module, in this project and in the one that holds the derivations.
 
-A module is compiled where there is a C compiler, and left out where there is none.  GCC takes half a minute for it on one
-core; it works on parts of the module at the same time, on all cores.
+A module is compiled where there is a C compiler, and left out where there is none.  GCC needs half a minute for it on
+one core.  So GCC compiles parts of it at the same time, on all cores.
 """
 
 import os

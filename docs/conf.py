@@ -72,8 +72,9 @@ html_theme_options = {
 
 def _formula(self, node, block):
     """Write a formula as MathML, which a browser shows without a script."""
-    from algebroproj_sym.reporting.site.markdown import latex_html
     from docutils.nodes import SkipNode
+
+    from algebroproj_sym.reporting.site.markdown import latex_html
 
     self.body.append(str(latex_html(html.unescape(node.astext()).strip(), block=block)))
     raise SkipNode

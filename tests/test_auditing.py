@@ -110,7 +110,7 @@ def test_what_is_no_formula_is_refused(latex):
 def test_a_side_that_cannot_be_read_hides_no_other():
     left, right = read_formula(r"\mathbf{q} = x + 1", SYMBOLS)
     assert right() == x + 1
-    with pytest.raises(UnreadableError, match=r"\\mathbf\{q\} is in no table"):
+    with pytest.raises(UnreadableError, match=r"no table of symbols has \\mathbf\{q\}"):
         left()
 
 

@@ -31,7 +31,7 @@ from algebroproj_sym.reporting import ledger
 
 @click.group(name="export")
 def export_group() -> None:
-    """Write the claims in the language of a proof assistant."""
+    """Write the claims as theorems for a proof assistant."""
 
 
 @export_group.command()
@@ -42,19 +42,19 @@ def export_group() -> None:
     "path",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Take the claims of a ledger instead of judging them.",
+    help="Use the claims of this ledger instead of judging them again.",
 )
-@click.option("--compile", "compiling", is_flag=True, help="Compile the files with coqc, and check what they assume.")
+@click.option("--compile", "compiling", is_flag=True, help="Compile the files with coqc, and check their axioms.")
 @options.engine
 @options.jobs
 def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: bool, engine: str, jobs: int) -> None:
-    """Write what the claims show as theorems for Coq, a file for each section.
+    """Write the claims as theorems for Coq, one file for each section.
 
-    The files need Coq 8.16 or later and nothing beyond its standard library; "make -j2" in DIR compiles them. What
-    cannot be exported is listed in not_exported.txt, with the reason.
+    The files need Coq 8.16 or later and its standard library.  "make -j2" in DIR compiles them.  The file
+    not_exported.txt lists the claims that cannot be exported, each with a reason.
 
-    With --compile, coqc compiles them here; exit status 1 if it rejects a file, or if a file assumes more than the
-    axioms of the real numbers of the standard library. SELECTORs are those of check.
+    With --compile, coqc compiles the files now.  The exit status is 1 if it rejects a file, or if a theorem uses more
+    axioms than those of the standard real numbers.  SELECTORs are the same as for check.
     """
     if path is not None and selectors:
         raise click.UsageError("expected either SELECTORs or --ledger, got both")

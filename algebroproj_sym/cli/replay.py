@@ -29,12 +29,11 @@ STATUSES: tuple[Status, ...] = get_args(Status)
 @options.jobs
 @options.output_format
 def replay_command(path: Path, jobs: int, output: str) -> None:
-    """Check whether the verdicts of a LEDGER follow from the evidence that it keeps.
+    """Check the verdicts of a LEDGER again, without the prover.
 
-    LEDGER is the file that build writes (out/ledger.json, the default), or the output of check --format json, also for
-    a file of identities. Nothing
-    is proved, searched for or imported from the derivations; the code is none of the prover's. Exit status 1 if a
-    certificate is rejected or cannot be replayed.
+    LEDGER is the file that build writes (the default is out/ledger.json), or the output of check --format json.  Each
+    verdict must follow from the evidence beside it.  Nothing is searched for, and no code of the prover is used.  The
+    exit status is 1 if a certificate is rejected or cannot be replayed.
     """
     ledger = _read(path)
     try:

@@ -35,7 +35,7 @@ def rational(value: Any, argument: str) -> Expression:
     value : sympy.Expr, sympy matrix, int or fractions.Fraction
         Built from symbols, rational numbers, ``+ - * /``, integer powers and `over`.
     argument : str
-        What to call the value in an error message.
+        The name of the value in error messages.
 
     Returns
     -------
@@ -44,7 +44,7 @@ def rational(value: Any, argument: str) -> Expression:
     Raises
     ------
     NotRationalError
-        If a float, another kind of number, another function, or a symbol occurs that does not stand for any number.
+        If the value contains a float, another kind of number, another function, or a symbol that is no plain number.
 
     Examples
     --------

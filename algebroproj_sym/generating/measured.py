@@ -30,8 +30,8 @@ class Plain:
 
         Examples
         --------
-        >>> Plain(0.5, 1e13, 12.0).sentence()
-        'Without compensation (`plain`): 0.5 ULP in the median; at most 12 ULP on ordinary input, 1e+13 ULP on all samples.'
+        >>> print(Plain(1, 1e13, 8.0).sentence())
+        Without compensation (`plain`): 1 ULP in the median; at most 8 ULP on ordinary input, 1e+13 ULP on all samples.
         """
         largest = f"at most {self.max_ulp_of_ordinary:.3g} ULP on ordinary input, {self.max_ulp:.3g} ULP on all samples"
         return f"Without compensation (`plain`): {self.median_ulp} ULP in the median; {largest}."

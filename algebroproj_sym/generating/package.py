@@ -250,7 +250,7 @@ def _operations(low: Lowered) -> str:
         _counted(counts[kind], kind) for kind in ("+", "-", "*", "/", "neg", *PRIMITIVES) if counts[kind]
     )
     before = operation_counts(low).derived
-    text = f"Operations: {counts.total()} ({listed or 'none'}).\n    The derived expression takes {before} as it is written."
+    text = f"Operations: {counts.total()} ({listed or 'none'}).\n    The derived expression takes {before} as written."
     if low.program == low.plain:
         return text
     single = expanded(low.program).operations()

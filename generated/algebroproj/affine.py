@@ -62,7 +62,7 @@ def plane_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     The formula is a polynomial: no input is singular.
 
     Operations: 4 (4 subtractions).
-    The derived expression takes 4 as it is written.
+    The derived expression takes 4 as written.
 
     Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
@@ -129,7 +129,7 @@ def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     g10*g21 - g11*g20``. The function `hypotheses` of this package computes them.
 
     Operations: 18 (9 subtractions, 8 multiplications, 1 division).
-    The derived expression takes 30 as it is written.
+    The derived expression takes 30 as written.
     With compensation of sums that may cancel: 84 (6 of them compute errors of products).
     This is the cheapest accurate one of 12 programs that are proved equal.
 
@@ -222,7 +222,7 @@ def space_frame(g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     The formula is a polynomial: no input is singular.
 
     Operations: 9 (9 subtractions).
-    The derived expression takes 9 as it is written.
+    The derived expression takes 9 as written.
 
     Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
@@ -306,7 +306,7 @@ def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = 
     terms. The function `hypotheses` of this package computes them.
 
     Operations: 54 (8 additions, 18 subtractions, 24 multiplications, 3 divisions, 1 negation).
-    The derived expression takes 177 as it is written.
+    The derived expression takes 177 as written.
     With compensation of sums that may cancel: 336 (24 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 

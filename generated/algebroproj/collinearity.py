@@ -97,7 +97,7 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     Zo*c_omega*c_phi``. The function `hypotheses` of this package computes them.
 
     Operations: 109 (16 additions, 14 subtractions, 59 multiplications, 11 divisions, 4 negations, 5 cos_sin).
-    The derived expression takes 264 as it is written.
+    The derived expression takes 264 as written.
     With compensation of sums that may cancel: 601 (61 of them compute errors of products).
 
     Measured error in float64: 0.329 ULP in the median, at most 1.71 ULP (100 samples, some near singularities).
@@ -208,7 +208,7 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
     function `hypotheses` of this package computes them.
 
     Operations: 21 (9 additions, 11 multiplications, 1 division).
-    The derived expression takes 26 as it is written.
+    The derived expression takes 26 as written.
     With compensation of sums that may cancel: 93 (9 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
@@ -308,7 +308,7 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
     function `hypotheses` of this package computes them.
 
     Operations: 41 (9 additions, 16 multiplications, 10 divisions, 6 negations).
-    The derived expression takes 146 as it is written.
+    The derived expression takes 146 as written.
     With compensation of sums that may cancel: 113 (9 of them compute errors of products).
     This is the cheapest accurate one of 8 programs that are proved equal.
 
@@ -399,7 +399,7 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
     function `hypotheses` of this package computes them.
 
     Operations: 68 (9 additions, 18 subtractions, 40 multiplications, 1 division).
-    The derived expression takes 138 as it is written.
+    The derived expression takes 138 as written.
     With compensation of sums that may cancel: 364 (41 of them compute errors of products).
     This is the cheapest accurate one of 8 programs that are proved equal.
 
@@ -490,7 +490,7 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
     function `hypotheses` of this package computes them.
 
     Operations: 28 (12 additions, 15 multiplications, 1 division).
-    The derived expression takes 39 as it is written.
+    The derived expression takes 39 as written.
     With compensation of sums that may cancel: 124 (12 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
@@ -584,7 +584,7 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     The formula is a polynomial: no input is singular.
 
     Operations: 155 (19 additions, 46 subtractions, 90 multiplications).
-    The derived expression takes 175 as it is written.
+    The derived expression takes 175 as written.
     With compensation of sums that may cancel: 779 (90 of them compute errors of products).
 
     Measured error in float64: 0.242 ULP in the median, at most 4.57 ULP (150 samples, some near singularities).
@@ -684,7 +684,7 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     terms. The function `hypotheses` of this package computes them.
 
     Operations: 121 (17 additions, 33 subtractions, 70 multiplications, 1 division).
-    The derived expression takes 252 as it is written.
+    The derived expression takes 252 as written.
     With compensation of sums that may cancel: 616 (67 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
@@ -846,7 +846,7 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     The function `hypotheses` of this package computes them.
 
     Operations: 322 (54 additions, 82 subtractions, 185 multiplications, 1 division).
-    The derived expression takes 329 as it is written.
+    The derived expression takes 329 as written.
     With compensation of sums that may cancel: 1767 (186 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
@@ -1027,7 +1027,7 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
     function `hypotheses` of this package computes them.
 
     Operations: 9 (1 subtraction, 7 multiplications, 1 division).
-    The derived expression takes 18 as it is written.
+    The derived expression takes 18 as written.
     With compensation of sums that may cancel: 13 (2 of them compute errors of products).
     This is the cheapest accurate one of 6 programs that are proved equal.
 
@@ -1108,7 +1108,7 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     No input is singular.
 
     Operations: 42 (8 additions, 5 subtractions, 26 multiplications, 3 cos_sin).
-    The derived expression takes 47 as it is written.
+    The derived expression takes 47 as written.
     With compensation of sums that may cancel: 243 (26 of them compute errors of products).
 
     Measured error in float64: 0.233 ULP in the median, at most 0.499 ULP (100 samples, some near singularities).

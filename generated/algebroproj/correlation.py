@@ -66,7 +66,7 @@ def design_row(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | Non
     The formula is a polynomial: no input is singular.
 
     Operations: 7 (3 subtractions, 4 multiplications).
-    The derived expression takes 7 as it is written.
+    The derived expression takes 7 as written.
 
     Measured error in float64: 0.255 ULP in the median, at most 1.18 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.255 ULP in the median; at most 1.18 ULP on ordinary input, 1.18 ULP on all
@@ -124,7 +124,7 @@ def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = Non
     The formula is a polynomial: no input is singular.
 
     Operations: 1 (1 subtraction).
-    The derived expression takes 1 as it is written.
+    The derived expression takes 1 as written.
 
     Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
@@ -184,7 +184,7 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
     The formula is a polynomial: no input is singular.
 
     Operations: 12 (6 additions, 6 multiplications).
-    The derived expression takes 12 as it is written.
+    The derived expression takes 12 as written.
     With compensation of sums that may cancel: 60 (6 of them compute errors of products).
 
     Measured error in float64: 0.253 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
@@ -250,7 +250,7 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
     The formula is a polynomial: no input is singular.
 
     Operations: 12 (6 additions, 6 multiplications).
-    The derived expression takes 12 as it is written.
+    The derived expression takes 12 as written.
     With compensation of sums that may cancel: 60 (6 of them compute errors of products).
 
     Measured error in float64: 0.258 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
@@ -333,7 +333,7 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     mupp2*mupp3*upp31``. The function `hypotheses` of this package computes them.
 
     Operations: 68 (3 additions, 17 subtractions, 45 multiplications, 1 division, 2 negations).
-    The derived expression takes 2900 as it is written.
+    The derived expression takes 2900 as written.
     With compensation of sums that may cancel: 361 (46 of them compute errors of products).
     This is the cheapest accurate one of 12 programs that are proved equal.
 
@@ -463,7 +463,7 @@ def system(u_left: ArrayLike, u_right: ArrayLike, *, out: tuple[NDArray[Any], ND
     The formula is a polynomial: no input is singular.
 
     Operations: 40 (20 subtractions, 20 multiplications).
-    The derived expression takes 40 as it is written.
+    The derived expression takes 40 as written.
 
     Measured error in float64: 0.245 ULP in the median, at most 1.38 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.245 ULP in the median; at most 1.33 ULP on ordinary input, 1.38 ULP on all
@@ -544,7 +544,7 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
     be finite and very large.
 
     Operations: 45 (2 additions, 20 subtractions, 20 multiplications, 2 negations, 1 solve).
-    The derived expression takes 42 as it is written.
+    The derived expression takes 42 as written.
     With compensation of sums that may cancel: 215 (20 of them compute errors of products).
 
     Measured error in float64: 0.365 ULP in the median, at most 0.359 times what rounding the arguments changes (150
@@ -631,7 +631,7 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: ND
     be finite and very large.
 
     Operations: 33 (32 multiplications, 1 null_vector).
-    The derived expression takes 32 as it is written.
+    The derived expression takes 32 as written.
     With compensation of sums that may cancel: 65 (32 of them compute errors of products).
 
     Measured error in float64: 0.217 ULP in the median, at most 0.0805 times what rounding the arguments changes
@@ -709,7 +709,7 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
     `hypotheses` of this package computes them.
 
     Operations: 20 (5 subtractions, 14 multiplications, 1 division).
-    The derived expression takes 28 as it is written.
+    The derived expression takes 28 as written.
     With compensation of sums that may cancel: 40 (10 of them compute errors of products).
     This is the cheapest accurate one of 6 programs that are proved equal.
 

@@ -57,7 +57,7 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | No
     The formula is a polynomial: no input is singular.
 
     Operations: 159 (13 additions, 51 subtractions, 95 multiplications).
-    The derived expression takes 3184 as it is written.
+    The derived expression takes 3184 as written.
     With compensation of sums that may cancel: 993 (95 of them compute errors of products).
 
     Measured error in float64: 0.291 ULP in the median, at most 172.0 ULP (150 samples, some near singularities).
@@ -160,7 +160,7 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None =
     The formula is a polynomial: no input is singular.
 
     Operations: 30 (15 additions, 15 multiplications).
-    The derived expression takes 30 as it is written.
+    The derived expression takes 30 as written.
     With compensation of sums that may cancel: 153 (15 of them compute errors of products).
 
     Measured error in float64: 0.281 ULP in the median, at most 0.67 ULP (150 samples, some near singularities).
@@ -244,7 +244,7 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     The formula is a polynomial: no input is singular.
 
     Operations: 854 (126 additions, 213 subtractions, 498 multiplications, 6 divisions, 11 negations).
-    The derived expression takes 99702 as it is written.
+    The derived expression takes 99702 as written.
     With compensation of sums that may cancel: 5668 (496 of them compute errors of products).
     This is the cheapest accurate one of 2 programs that are proved equal.
 
@@ -511,7 +511,7 @@ def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = 
     The formula is a polynomial: no input is singular.
 
     Operations: 104 (19 additions, 27 subtractions, 55 multiplications, 3 negations).
-    The derived expression takes 191 as it is written.
+    The derived expression takes 191 as written.
     With compensation of sums that may cancel: 526 (55 of them compute errors of products).
     This is the cheapest accurate one of 2 programs that are proved equal.
 

@@ -74,7 +74,7 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDA
     of this package computes them.
 
     Operations: 6 (1 subtraction, 3 multiplications, 1 division, 1 negation).
-    The derived expression takes 6 as it is written.
+    The derived expression takes 6 as written.
 
     Measured error in float64: 0.347 ULP in the median, at most 1.59 ULP (200 samples, some near singularities).
     Without compensation (`plain`): 0.347 ULP in the median; at most 1.55 ULP on ordinary input, 1.59 ULP on all
@@ -161,7 +161,7 @@ def reconstruct_jacobian(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *,
     of this package computes them.
 
     Operations: 14 (2 subtractions, 6 multiplications, 3 divisions, 3 negations).
-    The derived expression takes 25 as it is written.
+    The derived expression takes 25 as written.
 
     Measured error in float64: 0.408 ULP in the median, at most 2.84 ULP (200 samples, some near singularities).
     Without compensation (`plain`): 0.408 ULP in the median; at most 2.25 ULP on ordinary input, 2.84 ULP on all
@@ -245,7 +245,7 @@ def rotation_left(phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None 
     No input is singular.
 
     Operations: 8 (4 multiplications, 2 negations, 2 cos_sin).
-    The derived expression takes 4 as it is written.
+    The derived expression takes 4 as written.
 
     Measured error in float64: 0.269 ULP in the median, at most 1.64 ULP (100 samples, some near singularities).
     Without compensation (`plain`): 0.269 ULP in the median; at most 1.64 ULP on ordinary input, 1.64 ULP on all
@@ -321,7 +321,7 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
     No input is singular.
 
     Operations: 24 (2 additions, 2 subtractions, 15 multiplications, 2 negations, 3 cos_sin).
-    The derived expression takes 20 as it is written.
+    The derived expression takes 20 as written.
     With compensation of sums that may cancel: 111 (11 of them compute errors of products).
 
     Measured error in float64: 0.279 ULP in the median, at most 1.47 ULP (100 samples, some near singularities).
@@ -404,7 +404,7 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
     The formula is a polynomial: no input is singular.
 
     Operations: 72 (18 additions, 9 subtractions, 45 multiplications).
-    The derived expression takes 126 as it is written.
+    The derived expression takes 126 as written.
     With compensation of sums that may cancel: 369 (45 of them compute errors of products).
     This is the cheapest accurate one of 2 programs that are proved equal.
 
@@ -520,7 +520,7 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
     No input is singular.
 
     Operations: 85 (14 additions, 12 subtractions, 49 multiplications, 2 negations, 3 cos_sin, 5 arctan2).
-    The derived expression takes 78 as it is written.
+    The derived expression takes 78 as written.
     With compensation of sums that may cancel: 472 (47 of them compute errors of products).
 
     Measured error in float64: 0.27 ULP in the median, at most 1.13 ULP (100 samples, some near singularities).
@@ -622,7 +622,7 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     The formula is a polynomial: no input is singular.
 
     Operations: 39 (7 additions, 6 subtractions, 24 multiplications, 2 negations).
-    The derived expression takes 67 as it is written.
+    The derived expression takes 67 as written.
     With compensation of sums that may cancel: 165 (20 of them compute errors of products).
     This is the cheapest accurate one of 2 programs that are proved equal.
 
@@ -698,7 +698,7 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
     `hypotheses` of this package computes them.
 
     Operations: 19 (2 additions, 4 subtractions, 12 multiplications, 1 division).
-    The derived expression takes 24 as it is written.
+    The derived expression takes 24 as written.
     With compensation of sums that may cancel: 73 (9 of them compute errors of products).
     This is the cheapest accurate one of 8 programs that are proved equal.
 
@@ -801,7 +801,7 @@ def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray
     `hypotheses` of this package computes them.
 
     Operations: 69 (2 additions, 12 subtractions, 50 multiplications, 2 divisions, 3 negations).
-    The derived expression takes 270 as it is written.
+    The derived expression takes 270 as written.
     With compensation of sums that may cancel: 239 (22 of them compute errors of products).
     This is the cheapest accurate one of 8 programs that are proved equal.
 
@@ -899,7 +899,7 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
     `hypotheses` of this package computes them.
 
     Operations: 19 (2 additions, 4 subtractions, 12 multiplications, 1 division).
-    The derived expression takes 24 as it is written.
+    The derived expression takes 24 as written.
     With compensation of sums that may cancel: 73 (9 of them compute errors of products).
     This is the cheapest accurate one of 8 programs that are proved equal.
 
@@ -1002,7 +1002,7 @@ def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArr
     `hypotheses` of this package computes them.
 
     Operations: 70 (2 additions, 12 subtractions, 50 multiplications, 2 divisions, 4 negations).
-    The derived expression takes 270 as it is written.
+    The derived expression takes 270 as written.
     With compensation of sums that may cancel: 239 (22 of them compute errors of products).
     This is the cheapest accurate one of 8 programs that are proved equal.
 
@@ -1101,7 +1101,7 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
     package computes them.
 
     Operations: 13 (2 additions, 7 multiplications, 1 division, 3 negations).
-    The derived expression takes 10 as it is written.
+    The derived expression takes 10 as written.
 
     Measured error in float64: 0.169 ULP in the median, at most 1.81 ULP (200 samples, some near singularities).
     Without compensation (`plain`): 0.169 ULP in the median; at most 1.6 ULP on ordinary input, 1.81 ULP on all
@@ -1182,7 +1182,7 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
     `hypotheses` of this package computes them.
 
     Operations: 55 (5 additions, 11 subtractions, 37 multiplications, 2 divisions).
-    The derived expression takes 84 as it is written.
+    The derived expression takes 84 as written.
     With compensation of sums that may cancel: 211 (30 of them compute errors of products).
     This is the cheapest accurate one of 8 programs that are proved equal.
 
@@ -1290,7 +1290,7 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     `hypotheses` of this package computes them.
 
     Operations: 135 (34 additions, 11 subtractions, 81 multiplications, 6 divisions, 3 negations).
-    The derived expression takes 1224 as it is written.
+    The derived expression takes 1224 as written.
     With compensation of sums that may cancel: 772 (87 of them compute errors of products).
     This is the cheapest accurate one of 2 programs that are proved equal.
 
@@ -1414,7 +1414,7 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     of this package computes them.
 
     Operations: 79 (9 additions, 16 subtractions, 52 multiplications, 1 division, 1 negation).
-    The derived expression takes 330 as it is written.
+    The derived expression takes 330 as written.
     With compensation of sums that may cancel: 423 (53 of them compute errors of products).
     This is the cheapest accurate one of 10 programs that are proved equal.
 

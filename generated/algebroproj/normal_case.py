@@ -65,7 +65,7 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
     The function `hypotheses` of this package computes them.
 
     Operations: 10 (4 subtractions, 4 multiplications, 2 divisions).
-    The derived expression takes 24 as it is written.
+    The derived expression takes 24 as written.
     With compensation of sums that may cancel: 34.
     This is the cheapest accurate one of 2 programs that are proved equal.
 
@@ -148,7 +148,7 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
     The function `hypotheses` of this package computes them.
 
     Operations: 30 (4 additions, 4 subtractions, 12 multiplications, 6 divisions, 4 negations).
-    The derived expression takes 198 as it is written.
+    The derived expression takes 198 as written.
     With compensation of sums that may cancel: 173 (18 of them compute errors of products).
     This is the cheapest accurate one of 12 programs that are proved equal.
 
@@ -240,7 +240,7 @@ def transform(tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     The formula is a polynomial: no input is singular.
 
     Operations: 2 (2 subtractions).
-    The derived expression takes 2 as it is written.
+    The derived expression takes 2 as written.
 
     Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
@@ -301,7 +301,7 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     function `hypotheses` of this package computes them.
 
     Operations: 11 (2 additions, 2 subtractions, 6 multiplications, 1 division).
-    The derived expression takes 16 as it is written.
+    The derived expression takes 16 as written.
     With compensation of sums that may cancel: 41 (2 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
@@ -396,7 +396,7 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     package computes them.
 
     Operations: 49 (10 additions, 11 subtractions, 23 multiplications, 5 divisions).
-    The derived expression takes 109 as it is written.
+    The derived expression takes 109 as written.
     With compensation of sums that may cancel: 182 (13 of them compute errors of products).
     This is the cheapest accurate one of 7 programs that are proved equal.
 
@@ -503,7 +503,7 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     uN32*yA2*z_n - yA1 - yA2*z_n``, ``yA3``. The function `hypotheses` of this package computes them.
 
     Operations: 15 (3 additions, 3 subtractions, 6 multiplications, 2 divisions, 1 negation).
-    The derived expression takes 55 as it is written.
+    The derived expression takes 55 as written.
     With compensation of sums that may cancel: 63 (3 of them compute errors of products).
     This is the cheapest accurate one of 2 programs that are proved equal.
 
@@ -593,7 +593,7 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. The function `hypotheses` of this package computes them.
 
     Operations: 43 (6 additions, 12 subtractions, 22 multiplications, 3 divisions).
-    The derived expression takes 172 as it is written.
+    The derived expression takes 172 as written.
     With compensation of sums that may cancel: 196 (17 of them compute errors of products).
     This is the cheapest accurate one of 3 programs that are proved equal.
 
@@ -691,7 +691,7 @@ def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDA
     function `hypotheses` of this package computes them.
 
     Operations: 11 (1 addition, 4 multiplications, 3 divisions, 3 negations).
-    The derived expression takes 11 as it is written.
+    The derived expression takes 11 as written.
 
     Measured error in float64: 0.313 ULP in the median, at most 1.69 ULP (350 samples, some near singularities).
     Without compensation (`plain`): 0.313 ULP in the median; at most 1.65 ULP on ordinary input, 1.69 ULP on all
@@ -771,7 +771,7 @@ def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) ->
     of this package computes them.
 
     Operations: 3 (2 subtractions, 1 division).
-    The derived expression takes 3 as it is written.
+    The derived expression takes 3 as written.
 
     Measured error in float64: 0.00141 ULP in the median, at most 1.39 ULP (200 samples, some near singularities).
     Without compensation (`plain`): 0.00141 ULP in the median; at most 1.39 ULP on ordinary input, 1.39 ULP on all

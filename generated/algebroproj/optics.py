@@ -72,7 +72,7 @@ def lens_matrix(f: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     The formula is a polynomial: no input is singular.
 
     Operations: 0 (none).
-    The derived expression takes 0 as it is written.
+    The derived expression takes 0 as written.
 
     Measured error in float64: 0.0 ULP in the median, at most 0.0 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.0 ULP in the median; at most 0 ULP on ordinary input, 0 ULP on all samples.
@@ -133,7 +133,7 @@ def image_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) 
     this package computes them.
 
     Operations: 5 (1 addition, 3 multiplications, 1 division).
-    The derived expression takes 9 as it is written.
+    The derived expression takes 9 as written.
 
     Measured error in float64: 0.365 ULP in the median, at most 1.53 ULP (200 samples, some near singularities).
     Without compensation (`plain`): 0.365 ULP in the median; at most 1.36 ULP on ordinary input, 1.53 ULP on all
@@ -207,7 +207,7 @@ def object_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None)
     of this package computes them.
 
     Operations: 5 (1 subtraction, 3 multiplications, 1 division).
-    The derived expression takes 9 as it is written.
+    The derived expression takes 9 as written.
 
     Measured error in float64: 0.315 ULP in the median, at most 1.82 ULP (200 samples, some near singularities).
     Without compensation (`plain`): 0.315 ULP in the median; at most 1.82 ULP on ordinary input, 1.82 ULP on all
@@ -278,7 +278,7 @@ def scale(f: ArrayLike, x3: ArrayLike, *, out: NDArray[Any] | None = None) -> ND
     this package computes them.
 
     Operations: 2 (1 addition, 1 division).
-    The derived expression takes 2 as it is written.
+    The derived expression takes 2 as written.
 
     Measured error in float64: 0.266 ULP in the median, at most 1.05 ULP (200 samples, some near singularities).
     Without compensation (`plain`): 0.266 ULP in the median; at most 0.932 ULP on ordinary input, 1.05 ULP on all
@@ -353,7 +353,7 @@ def plane_homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArr
     The formula is a polynomial: no input is singular.
 
     Operations: 2 (2 subtractions).
-    The derived expression takes 2 as it is written.
+    The derived expression takes 2 as written.
 
     Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
@@ -414,7 +414,7 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = 
     mu2*u2``. The function `hypotheses` of this package computes them.
 
     Operations: 10 (2 additions, 2 subtractions, 5 multiplications, 1 division).
-    The derived expression takes 16 as it is written.
+    The derived expression takes 16 as written.
     With compensation of sums that may cancel: 41 (3 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
@@ -489,7 +489,7 @@ def vanishing_line(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray
     The formula is a polynomial: no input is singular.
 
     Operations: 2 (2 subtractions).
-    The derived expression takes 2 as it is written.
+    The derived expression takes 2 as written.
 
     Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all

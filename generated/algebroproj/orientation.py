@@ -65,7 +65,7 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
     package computes them.
 
     Operations: 27 (12 subtractions, 13 multiplications, 2 divisions).
-    The derived expression takes 99 as it is written.
+    The derived expression takes 99 as written.
     With compensation of sums that may cancel: 113 (10 of them compute errors of products).
     This is the cheapest accurate one of 3 programs that are proved equal.
 
@@ -159,7 +159,7 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     computes them.
 
     Operations: 34 (4 additions, 11 subtractions, 16 multiplications, 3 divisions).
-    The derived expression takes 209 as it is written.
+    The derived expression takes 209 as written.
     With compensation of sums that may cancel: 152 (10 of them compute errors of products).
     This is the cheapest accurate one of 3 programs that are proved equal.
 
@@ -280,7 +280,7 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     The function `hypotheses` of this package computes them.
 
     Operations: 203 (24 additions, 52 subtractions, 120 multiplications, 3 divisions, 4 negations).
-    The derived expression takes 377 as it is written.
+    The derived expression takes 377 as written.
     With compensation of sums that may cancel: 1125 (112 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 

@@ -75,7 +75,7 @@ def camera_matrix(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = No
     The formula is a polynomial: no input is singular.
 
     Operations: 5 (3 subtractions, 2 multiplications).
-    The derived expression takes 5 as it is written.
+    The derived expression takes 5 as written.
 
     Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
@@ -138,7 +138,7 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     ``y03``. The function `hypotheses` of this package computes them.
 
     Operations: 14 (5 subtractions, 5 multiplications, 3 divisions, 1 negation).
-    The derived expression takes 50 as it is written.
+    The derived expression takes 50 as written.
     With compensation of sums that may cancel: 44.
     This is the cheapest accurate one of 2 programs that are proved equal.
 
@@ -228,7 +228,7 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
     ``y03``. The function `hypotheses` of this package computes them.
 
     Operations: 44 (3 additions, 8 subtractions, 18 multiplications, 11 divisions, 4 negations).
-    The derived expression takes 535 as it is written.
+    The derived expression takes 535 as written.
     With compensation of sums that may cancel: 105.
     This is the cheapest accurate one of 12 programs that are proved equal.
 
@@ -321,7 +321,7 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     them.
 
     Operations: 18 (1 addition, 4 subtractions, 11 multiplications, 1 division, 1 negation).
-    The derived expression takes 47 as it is written.
+    The derived expression takes 47 as written.
     With compensation of sums that may cancel: 69 (7 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
@@ -411,7 +411,7 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     ``y03``. The function `hypotheses` of this package computes them.
 
     Operations: 23 (1 addition, 7 subtractions, 12 multiplications, 3 divisions).
-    The derived expression takes 121 as it is written.
+    The derived expression takes 121 as written.
     With compensation of sums that may cancel: 77 (5 of them compute errors of products).
     This is the cheapest accurate one of 18 programs that are proved equal.
 
@@ -552,7 +552,7 @@ def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any
     ``y03``. The function `hypotheses` of this package computes them.
 
     Operations: 62 (1 addition, 11 subtractions, 32 multiplications, 9 divisions, 9 negations).
-    The derived expression takes 1275 as it is written.
+    The derived expression takes 1275 as written.
     With compensation of sums that may cancel: 345 (37 of them compute errors of products).
     This is the cheapest accurate one of 12 programs that are proved equal.
 
@@ -667,7 +667,7 @@ def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any]
     The formula is a polynomial: no input is singular.
 
     Operations: 5 (3 subtractions, 2 multiplications).
-    The derived expression takes 5 as it is written.
+    The derived expression takes 5 as written.
 
     Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
@@ -728,7 +728,7 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
     ``y03``. The function `hypotheses` of this package computes them.
 
     Operations: 14 (5 subtractions, 7 multiplications, 1 division, 1 negation).
-    The derived expression takes 130 as it is written.
+    The derived expression takes 130 as written.
     With compensation of sums that may cancel: 82 (8 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
@@ -801,7 +801,7 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
     The formula is a polynomial: no input is singular.
 
     Operations: 12 (1 addition, 4 subtractions, 7 multiplications).
-    The derived expression takes 13 as it is written.
+    The derived expression takes 13 as written.
     With compensation of sums that may cancel: 63 (7 of them compute errors of products).
     This is the cheapest accurate one of 2 programs that are proved equal.
 
@@ -877,7 +877,7 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     ``y01``, ``y01 + y02 + y03 - 1``, ``y02``, ``y03``. The function `hypotheses` of this package computes them.
 
     Operations: 45 (9 additions, 14 subtractions, 16 multiplications, 6 divisions).
-    The derived expression takes 1539 as it is written.
+    The derived expression takes 1539 as written.
     With compensation of sums that may cancel: 116 (6 of them compute errors of products).
     This is the cheapest accurate one of 18 programs that are proved equal.
 
@@ -979,7 +979,7 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     them.
 
     Operations: 32 (6 subtractions, 21 multiplications, 1 division, 4 negations).
-    The derived expression takes 153 as it is written.
+    The derived expression takes 153 as written.
     With compensation of sums that may cancel: 94 (9 of them compute errors of products).
     This is the cheapest accurate one of 10 programs that are proved equal.
 
@@ -1075,7 +1075,7 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     + 1``. The function `hypotheses` of this package computes them.
 
     Operations: 19 (5 additions, 3 subtractions, 10 multiplications, 1 division).
-    The derived expression takes 28 as it is written.
+    The derived expression takes 28 as written.
     With compensation of sums that may cancel: 77 (8 of them compute errors of products).
     This is the cheapest accurate one of 6 programs that are proved equal.
 

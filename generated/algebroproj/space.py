@@ -69,7 +69,7 @@ def homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     The formula is a polynomial: no input is singular.
 
     Operations: 3 (3 subtractions).
-    The derived expression takes 3 as it is written.
+    The derived expression takes 3 as written.
 
     Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
     Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
@@ -133,7 +133,7 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | Non
     ``y42``, ``y43``. The function `hypotheses` of this package computes them.
 
     Operations: 10 (6 subtractions, 4 divisions).
-    The derived expression takes 24 as it is written.
+    The derived expression takes 24 as written.
     With compensation of sums that may cancel: 46.
     This is the cheapest accurate one of 2 programs that are proved equal.
 
@@ -210,7 +210,7 @@ def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) 
     - mu2*y2 - mu3*y3``. The function `hypotheses` of this package computes them.
 
     Operations: 14 (4 additions, 2 subtractions, 7 multiplications, 1 division).
-    The derived expression takes 33 as it is written.
+    The derived expression takes 33 as written.
     With compensation of sums that may cancel: 59 (4 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
@@ -291,7 +291,7 @@ def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -
     function `hypotheses` of this package computes them.
 
     Operations: 20 (3 additions, 3 subtractions, 10 multiplications, 4 divisions).
-    The derived expression takes 19 as it is written.
+    The derived expression takes 19 as written.
     With compensation of sums that may cancel: 72 (7 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 

@@ -25,6 +25,7 @@ from algebroproj_sym.declaring import (
     needed_by,
     numbered_with,
     outline,
+    quotes_of,
 )
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
@@ -274,14 +275,15 @@ def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Note
 
 
 def _check_module(name: str, engine: str, memory: Memory, recorded: bool) -> CheckedModule:
-    sections = [derivation.section for derivation in derivations_in(name)]
+    found = derivations_in(name)
+    sections, quotes = [derivation.section for derivation in found], quotes_of(found)
     claims = [claim for section in sections for claim in section.claims]
     judgements = [*check(claims, engine, memory=memory)]
     return CheckedModule(
         name,
         tuple(map(outline, sections)),
         tuple(abridged(judgement) if judgement.as_declared else judgement for judgement in judgements),
-        tuple(map(claim_record, judgements)) if recorded else (),
+        tuple(claim_record(judgement, quotes) for judgement in judgements) if recorded else (),
     )
 
 

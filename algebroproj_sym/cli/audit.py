@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -10,7 +9,7 @@ import click
 
 from algebroproj_sym.auditing import audit, stale
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing
 from algebroproj_sym.declaring import located
 from algebroproj_sym.reporting import audit_lines, audit_record, audit_table
 
@@ -36,13 +35,13 @@ def audit_command(selectors: Sequence[str], papers: Path | None, output: str) ->
     findings = list(progressing(audit(chosen, papers), len(chosen), "auditing"))
     left_over = stale(chosen)
     if output == "json":
-        click.echo(json.dumps(audit_record(findings, papers is not None), indent=1, ensure_ascii=False))
+        echo_json(audit_record(findings, papers is not None))
     else:
-        console().print("\n".join(audit_lines(findings)), markup=False, soft_wrap=True)
+        console().print("\n".join(audit_lines(findings)), soft_wrap=True)
         console().print(audit_table(findings))
         if papers is None:
             console().print("The quotes were not looked up in the papers: no folder was given with --papers DIR.")
     if left_over:
-        click.echo(f"quoted, but no claim: {', '.join(left_over)}", err=True)
+        echo(f"quoted, but no claim: {', '.join(left_over)}", err=True)
     if left_over or any(finding.status == "failed" for finding in findings):
         raise SystemExit(1)

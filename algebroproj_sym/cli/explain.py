@@ -6,7 +6,7 @@ import click
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console
+from algebroproj_sym.cli.terminal import console, echo
 from algebroproj_sym.declaring import markdown, numbered_with, quotations, select, split
 from algebroproj_sym.reporting import explanation
 
@@ -26,7 +26,7 @@ def explain(selector: str, output: str, engine: str) -> None:
     for judgement in pipeline.check(claims, engine):
         claim = judgement.claim
         if output == "markdown":
-            click.echo(f"{markdown(judgement)}\n")
+            echo(f"{markdown(judgement)}\n")
             continue
         kernels = [k for d in found for k in d.section.kernels if k.paper == claim.paper and claim.number in k.claims]
         derivation = next(d for d in found if claim in d.section.claims)

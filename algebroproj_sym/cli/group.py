@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from algebroproj_sym.cli.terminal import verbosity
+from algebroproj_sym.cli.terminal import echo, verbosity, visible
 from algebroproj_sym.declaring import BrokenModuleError, DeclarationError, MalformedFileError, UnknownSelectorError
 from algebroproj_sym.expressions import NotRationalError
 from algebroproj_sym.generating import LoweringError
@@ -45,14 +45,17 @@ class Group(click.Group):
         """Run a command."""
         try:
             return super().invoke(context)
+        except click.ClickException as error:
+            error.message = visible(error.message)
+            raise
         except (MalformedFileError, UnknownSelectorError) as error:
-            raise click.UsageError(str(error)) from error
+            raise click.UsageError(visible(str(error))) from error
         except _KNOWN as error:
             if verbosity() == "verbose":
-                click.echo(traceback.format_exc(), err=True)
-            raise click.ClickException(f"{error}\n{_advice(error)}") from error
+                echo(traceback.format_exc(), err=True)
+            raise click.ClickException(visible(f"{error}\n{_advice(error)}")) from error
         except KeyboardInterrupt:
-            click.echo("Interrupted. No file was left half written.", err=True)
+            echo("Interrupted. No file was left half written.", err=True)
             context.exit(INTERRUPTED)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -15,7 +14,7 @@ from rich.table import Table
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing
 from algebroproj_sym.declaring import kernels, select
 from algebroproj_sym.mutating import (
     Fate,
@@ -86,13 +85,13 @@ def mutate(
         changed = pipeline.mutated_kernels(lowered, folder, limit, samples, engine, jobs)
         functions = list(progressing(changed, len(lowered), "changing functions"))
     if output == "json":
-        click.echo(json.dumps(_record(claims, functions), indent=1, ensure_ascii=False))
+        echo_json(_record(claims, functions))
     else:
         _print_claims(claims)
         _print_functions(functions)
     stale = superfluous(claims, explanations())
     for entry in stale:
-        click.echo(f"{entry.claim}  {entry.form}: is explained, but does not survive", err=True)
+        echo(f"{entry.claim}  {entry.form}: is explained, but does not survive", err=True)
     if stale or _survivors(claims) or any(_unnoticed(function) for function in functions):
         raise SystemExit(1)
 
@@ -119,7 +118,7 @@ def _print_claims(claims: Sequence[MutatedClaim]) -> None:
         total = sum(claim.total for claim in group)
         table.add_row(kind, *map(str, (len(group), total, tried, *(counts[fate] for fate in FATES))))
     for claim, fate in _survivors(claims):
-        console().print(f"{claim.paper}:{claim.number}  {fate.change}: {fate.form}: {fate.reason}", markup=False)
+        console().print(f"{claim.paper}:{claim.number}  {fate.change}: {fate.form}: {fate.reason}")
     console().print(table)
     counts = Counter(fate.fate for claim in claims for fate in claim.fates)
     wrong = counts["refuted"] + counts["undefined"] + counts["survived"]
@@ -138,7 +137,7 @@ def _print_functions(functions: Sequence[MutatedKernel]) -> None:
     for function in functions:
         for fate in _unnoticed(function):
             name = function.function
-            console().print(f"{name}  {fate.change}: {fate.line}: not noticed by the numbers", markup=False)
+            console().print(f"{name}  {fate.change}: {fate.line}: not noticed by the numbers")
     console().print(table)
     by_proof, by_numbers, equivalent, worse, same = _counts([fate for each in functions for fate in each.fates])
     console().print(f"{by_proof} changed sources compute something else: {by_numbers} noticed by numbers, all by proof")

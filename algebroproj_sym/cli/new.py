@@ -28,7 +28,7 @@ def new(name: str, out: Path) -> None:
         raise click.ClickException(f"{error}\nChoose another name, or another folder with --out DIR.") from error
     folder = written[0].parent
     for path in written:
-        console().print(str(path), markup=False)
+        console().print(str(path))
     console().print("Next:")
-    console().print(f"  algebroproj check {folder}", markup=False)
-    console().print(f"  algebroproj build --derivations {folder} --name {name}_functions", markup=False)
+    console().print(f"  algebroproj check {folder}")
+    console().print(f"  algebroproj build --derivations {folder} --name {name}_functions")

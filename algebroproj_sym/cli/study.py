@@ -121,7 +121,7 @@ def _run(
     text = study.report(dataset) + (f"\nReport and figures take in one member of {step}.\n" if step > 1 else "")
     drawings = figures.save(study.figures(dataset), out / "figures")
     write_texts({"report.txt": text}, out)
-    console().print(text.rstrip("\n"), markup=False)
+    console().print(text.rstrip("\n"))
     names = sorted({path.stem for path in drawings})
     console().print(f"written to {out}: {sweep.result.name}, report.txt, figures ({', '.join(names)})")
 

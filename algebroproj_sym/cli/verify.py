@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels, require_as_declared, verified
-from algebroproj_sym.cli.terminal import console
+from algebroproj_sym.cli.terminal import console, echo_json
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.reporting import verification_table, write_json
 from algebroproj_sym.verifying import BOUND, verification_record
@@ -60,7 +59,7 @@ def verify(
     if out is not None:
         write_json(record, out / "accuracy.json")
     if output == "json":
-        click.echo(json.dumps(record, indent=1))
+        echo_json(record)
     else:
         console().print(verification_table(verifications))
         passed = sum(verification.passed for verification in verifications)

@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
-from algebroproj_sym.exporting.divisions import Splits, evaluated, expanded, field_over
 from algebroproj_sym.exporting.gallina import conjoined, exponent_list, formula, identifier, listed, tree
+from algebroproj_sym.exporting.rational_functions import Field
+from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import Term, free, used
-from algebroproj_sym.replaying.field import Element, Field
 
 CHECKED = "all: vm_cast_no_check (@eq_refl bool true)."
 
@@ -73,17 +73,17 @@ class Hypotheses:
 
 @dataclass(frozen=True)
 class Splitting:
-    """Where names stand in the environment, how divisors split, and the field and values that tell it."""
+    """Where names stand in the environment, and the field that tells how divisors split."""
 
     places: Mapping[str, int]
-    splits: Splits
     field: Field
-    known: Mapping[str, Element]
 
     def tree(self, term: Term) -> str:
-        """Return a term as a tree, after its divisors were split."""
-        evaluated(term, self.field, self.known, self.splits)
-        return tree(term, self.places, self.splits)
+        """Return a term as a tree, after its divisors were split; each must be listed."""
+        self.field.value(term)
+        if len(self.field.divisors) > len(self.field.listed):
+            raise NotExportable("a division meets a factor that is no hypothesis")
+        return tree(term, self.places, self.field.splits)
 
     def trees(self, terms: Sequence[Term]) -> str:
         """Return a list of trees."""
@@ -92,25 +92,23 @@ class Splitting:
 
 def splitting(given: Hypotheses) -> Splitting:
     """Return how divisors split under hypotheses."""
-    field = field_over(given.variables, given.divisors)
-    known = {variable: field.symbol(variable) for variable in given.variables}
-    splits: Splits = {}
-    for called, value in given.definitions.items():
-        known[called] = evaluated(value, field, known, splits)
     places = {called: place for place, called in enumerate((*given.variables, *given.definitions))}
-    return Splitting(places, splits, field, known)
+    return Splitting(places, _field(given))
+
+
+def _field(given: Hypotheses) -> Field:
+    field = Field(given.variables, given.divisors)
+    for called, value in given.definitions.items():
+        field.define(called, value)
+    return field
 
 
 def with_divisors(given: Hypotheses, terms: Sequence[Term]) -> Hypotheses:
     """Return the hypotheses, and that nothing else vanishes that terms divide by."""
-    field = field_over(given.variables, given.divisors)
-    known = {variable: field.symbol(variable) for variable in given.variables}
-    for called, value in used(given.definitions, terms).items():
-        known[called] = evaluated(value, field, known)
+    field = _field(replace(given, definitions=used(given.definitions, terms)))
     for term in terms:
-        evaluated(term, field, known)
-    others = [expanded(factor, field.places) for factor in field.factors[field.listed :]]
-    return replace(given, divisors=(*given.divisors, *others))
+        field.value(term)
+    return replace(given, divisors=(*given.divisors, *field.met()))
 
 
 def needed(given: Hypotheses, goals: Sequence[Goal]) -> Hypotheses:

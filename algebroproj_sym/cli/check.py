@@ -44,11 +44,12 @@ from algebroproj_sym.reporting import (
 def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, output: str, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
-    A SELECTOR is a paper key, paper:section or paper:number, or the path of a derivation module or folder, which may
-    be followed by :section or :number as well; without one, every claim of every installed paper is judged.
+    A SELECTOR is a paper (okamoto1981), a section (okamoto1981:2.1), a number (fundamentals1996:1.3.8), or the path of
+    a folder or module, which may also have a :section or :number.  Without a SELECTOR, every claim of every installed
+    paper is judged.
 
-    A SELECTOR may also be a file of identities, NAME.json: a list of objects with lhs, rhs, and optionally
-    constraints, nonzero, name, variables, witness, expected.  Each is decided within the time limit.
+    A SELECTOR may also be a file of identities, NAME.json.  It has a list of objects with lhs and rhs.  An object may
+    also have constraints, nonzero, name, variables, witness and expected.
     """
     files = [Path(selector) for selector in selectors if selector.endswith(".json")]
     if files:

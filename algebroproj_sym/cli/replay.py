@@ -34,19 +34,19 @@ STATUSES: tuple[Status, ...] = get_args(Status)
     "sources",
     multiple=True,
     metavar="SELECTOR",
-    help="With --derivations: where the claims are declared, instead of all installed papers; may be repeated.",
+    help="With --derivations: where the claims are declared, instead of all installed papers. May be repeated.",
 )
 @options.jobs
 @options.output_format
 def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: int, output: str) -> None:
-    """Check whether the verdicts of a LEDGER follow from the evidence that it keeps.
+    """Check the verdicts of a LEDGER again, without the prover.
 
-    LEDGER is the file that build writes (out/ledger.json, the default). It may also be the output of check --format
-    json, for claims or for a file of identities.
+    LEDGER is the file that build writes (the default is out/ledger.json), or the output of check --format json, for
+    claims or for a file of identities.
 
-    Nothing is proved and nothing is searched for. The code that checks shares nothing with the prover. Without
-    --derivations it judges the texts that the ledger shows; with it, these texts are compared with what the derivations
-    declare. Exit status 1 if an entry is rejected, cannot be replayed, or is declared otherwise.
+    Each verdict must follow from the evidence beside it.  Nothing is searched for, and no code of the prover is used.
+    With --derivations, the forms in the ledger are also compared with those in the derivations.  The exit status is 1
+    if an entry is rejected, cannot be replayed, or differs from its declaration.
     """
     if sources and not comparing:
         raise click.UsageError("--source: expected it together with --derivations")

@@ -27,13 +27,13 @@ class Judgement:
     verdict : str
         One of the six verdicts.
     hypotheses : tuple of sympy.Expr
-        The factors of all denominators met.
+        The factors of all denominators.
     certificate : mapping or None
-        The evidence for the printed form, or for the corrected one where the printed form is refuted.
+        The evidence for the printed form, or for the corrected form if the printed form is refuted.
     counterexample : mapping of Symbol to Fraction, or None
-        Where the printed form fails.
+        A point where the printed form fails.
     engine : str
-        The polynomial arithmetic that was used.
+        The library for polynomials that was used.
     seconds : float
         The time it took.
     """
@@ -60,7 +60,7 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
     claim : Claim
         As declared by a derivation.
     engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
+        The library for polynomials.
 
     Returns
     -------

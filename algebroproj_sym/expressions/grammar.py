@@ -39,7 +39,7 @@ def rational(value: Any, argument: str, *, assuming: bool = False) -> Expression
     value : sympy.Expr, sympy matrix, int or fractions.Fraction
         Built from symbols, rational numbers, ``+ - * /``, integer powers and `over`.
     argument : str
-        What to call the value in an error message.
+        The name of the value in error messages.
     assuming : bool
         Whether symbols may have assumptions beyond that they are real.
 
@@ -50,7 +50,7 @@ def rational(value: Any, argument: str, *, assuming: bool = False) -> Expression
     Raises
     ------
     NotRationalError
-        If a float, another kind of number, another function, or a symbol occurs that does not stand for any number.
+        If the value contains a float, another kind of number, another function, or a symbol that is no plain number.
 
     Examples
     --------

@@ -102,14 +102,14 @@ class _Value:
 
 
 def parse(text: str, argument: str = "text", variables: Collection[str] | None = None) -> Expression:
-    """Return the expression, or the matrix of expressions, that a text stands for.
+    """Read an expression, or a matrix of expressions, from text.
 
     Parameters
     ----------
     text : str
         In the grammar of this module.
     argument : str
-        What to call the text in an error message.
+        The name of the text in error messages.
     variables : collection of str, optional
         The names that may occur; by default any.
 

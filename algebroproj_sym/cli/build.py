@@ -42,9 +42,9 @@ from algebroproj_sym.verifying import verification_record
 @options.jobs
 @options.fresh
 def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int, fresh: bool) -> None:
-    """Prove everything, generate, verify, and write ledger and report.
+    """Prove everything, generate and verify the functions, write ledger and report.
 
-    Writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
+    This writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
     """
     claims, chosen = select(sources), kernels((), sources)
     elsewhere = [claim for claim in pipeline.claims_of(chosen, sources) if claim not in claims]

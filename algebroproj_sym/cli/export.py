@@ -12,7 +12,7 @@ from rich.table import Table
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import judged
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.terminal import console, echo, progressing
 from algebroproj_sym.declaring import installed_papers
 from algebroproj_sym.exporting import (
     ASSUMPTIONS,
@@ -37,7 +37,7 @@ from algebroproj_sym.reporting import ledger
 
 @click.group(name="export")
 def export_group() -> None:
-    """Write the claims in the language of a proof assistant."""
+    """Write the claims as theorems for a proof assistant."""
 
 
 @export_group.command()
@@ -48,21 +48,22 @@ def export_group() -> None:
     "path",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Take the claims of a ledger instead of judging them.",
+    help="Use the claims of this ledger instead of judging them again.",
 )
-@click.option("--compile", "compiling", is_flag=True, help="Have the files checked by coqc and by coqchk.")
+@click.option("--compile", "compiling", is_flag=True, help="Compile the files with coqc, and check them with coqchk.")
 @options.engine
 @options.jobs
 def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: bool, engine: str, jobs: int) -> None:
-    """Write what the claims show as theorems for Coq, a file for each section.
+    """Write the claims as theorems for Coq, one file for each section.
 
-    The evidence of each claim is replayed first. The files need Coq 8.16 or later and nothing beyond its standard
-    library; "make -j2 check" in DIR has them checked. What cannot be exported is listed in not_exported.txt, with the
-    reason. Exit status 1 if evidence does not replay, or if a claim rests on other hypotheses than it lists.
+    The evidence of each claim is replayed first.  The exit status is 1 if it does not replay, or if a claim needs other
+    hypotheses than it lists.  The file not_exported.txt lists the claims that cannot be exported, each with a reason.
 
-    With --compile, coqc compiles the files here, and coqchk checks what was compiled; exit status 1 if one of them
-    rejects a file, or if a theorem assumes more than the axioms of the real numbers of the standard library. SELECTORs
-    are those of check.
+    The files need Coq 8.16 or later and its standard library.  "make -j2 check" in DIR checks them.
+
+    With --compile, coqc compiles the files now, and coqchk checks the result.  The exit status is 1 if one of them
+    rejects a file, or if a theorem uses more axioms than those of the standard real numbers.  SELECTORs are the same as
+    for check.
     """
     if path is not None and selectors:
         raise click.UsageError("expected either SELECTORs or --ledger, got both")
@@ -152,7 +153,7 @@ def _say(claims: Sequence[Exported], out: Path) -> None:
 def _require_accepted(program: str, results: Sequence[Compiled]) -> None:
     rejected = [result for result in results if result.error]
     for result in rejected:
-        click.echo(f"{result.name}.v: {result.error}", err=True)
+        echo(f"{result.name}.v: {result.error}", err=True)
     if len(results) > 1:
         worst = max(results, key=lambda result: result.seconds)
         console().print(

@@ -147,7 +147,7 @@ def numbered_with(sources: Sequence[str] = ()) -> tuple[Derivation, ...]:
 
 
 def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
-    """Return the claims that some selectors name, in the order of the papers; all claims without a selector.
+    """Return the claims that selectors name, in the order of the papers.  Without a selector, return all claims.
 
     Parameters
     ----------
@@ -159,7 +159,7 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
     UnknownSelectorError
         If a selector names nothing.
     DeclarationError
-        If modules that are not numbered together declare the same number of the same paper.
+        If two modules declare the same number of the same paper.
     """
     return tuple(claim for _, claim in located(selectors))
 

@@ -76,7 +76,7 @@ class Section:
         return self._declare("limit", number, title, printed, derived, **options)
 
     def numeric(self, number: str, title: str, *, printed: str, derived: Any, **options: Unpack[Options]) -> Claim:
-        """Declare that a printed decimal number is the derived rational number, rounded to its last digit."""
+        """Declare that a printed decimal number is the derived rational number, rounded as `rounding` says."""
         where = f"claim {self.paper}:{number}"
         if "corrected" in options:
             options["corrected"] = decimal(options["corrected"], f"{where}, corrected")

@@ -19,7 +19,7 @@ from algebroproj_sym.exporting.limits import denominators, limits
 from algebroproj_sym.exporting.objects import Object, dot
 from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero, inverse
 from algebroproj_sym.exporting.rational_functions import hypotheses, ratio, vector
-from algebroproj_sym.exporting.reading import decimal, formula_of, natural, rational, symbol
+from algebroproj_sym.exporting.reading import decimal, formula_of, natural, symbol
 from algebroproj_sym.exporting.reading import form as read
 from algebroproj_sym.exporting.refusal import NotExportable, Silent
 from algebroproj_sym.exporting.statement import Point, Statement
@@ -105,9 +105,7 @@ def constrained(statement: Statement, form: str, certificate: Certificate) -> Pr
     return {"holds": universal(given, goals), "witness": _witness(given, statement.point(certificate["witness"]))}
 
 
-def _members(
-    given: Hypotheses, pairs: Sequence[tuple[Term, Term]], certificate: Certificate, units: int
-) -> list[Goal]:
+def _members(given: Hypotheses, pairs: Sequence[tuple[Term, Term]], certificate: Certificate, units: int) -> list[Goal]:
     """Return the goals that entries follow from the constraints; so many units enter the multiplier.
 
     The certificate's polynomials are compared with what the exporter finds but for a rational factor.
@@ -227,9 +225,7 @@ def structure(statement: Statement, form: str, certificate: Certificate) -> Prov
 
 def _marks(statement: Statement, form: str) -> list[tuple[int, str]]:
     """Return the sign and the mark of each entry of a pattern."""
-    signed = [
-        (node.kind == "-", node.parts[0] if node.kind == "-" else node) for node in statement.form(form).entries
-    ]
+    signed = [(node.kind == "-", node.parts[0] if node.kind == "-" else node) for node in statement.form(form).entries]
     if any(node.parts for _, node in signed):
         raise NotExportable("a pattern is of names and integers")
     return [(-1 if minus else 1, str(node.value)) for minus, node in signed]
@@ -338,7 +334,12 @@ def limit(statement: Statement, form: str, certificate: Certificate) -> Proved:
     printed, derived = statement.written(form), statement.written("derived")
     variable = symbol(statement.setting["variable"])
     entries = inlined(derived.entries, derived.definitions)
-    at_zero = Written(tuple(quotient(integer(1), below) for below in denominators(tuple(sorted(statement.symbols)), entries, variable)), {})
+    at_zero = Written(
+        tuple(
+            quotient(integer(1), below) for below in denominators(tuple(sorted(statement.symbols)), entries, variable)
+        ),
+        {},
+    )
     given = _hypotheses(statement, printed, at_zero)
     given = replace(given, variables=tuple(v for v in given.variables if v != variable))
     divisors = [*map(formula_of, certificate["divisors"])]
@@ -346,29 +347,39 @@ def limit(statement: Statement, form: str, certificate: Certificate) -> Proved:
 
 
 def numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show that a number is within the tolerance of the exact one, or of the one from unrounded input."""
+    """Show that the exact number lies in the interval of those that are rounded to the printed one, or cut off."""
     exact = statement.written("derived")
-    if certificate["method"] == "rounding of inputs":
-        exact = Written((formula_of(statement.setting["unrounded"]),), {})
-    return {"holds": points.at_point({}, exact.definitions, _compared(statement, form, exact, "Near"))}
-
-
-def _compared(statement: Statement, form: str, exact: Written, kind: str) -> list[Literal]:
-    printed, digit = decimal(statement.record[form])
-    tolerance = rational(statement.setting["units"]) * digit
-    sides = (number(printed), exact.entries[0], number(tolerance))
-    return [*divisors_nonzero(exact.entries, exact.definitions), Literal(kind, sides)]
+    return {"holds": _compared(exact, _limits(statement, form, exact.entries[0]))}
 
 
 def not_numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show that a number is farther from the exact one, and from the one from unrounded input, than the tolerance."""
-    found = {}
-    forms = {"refuted": statement.written("derived")}
-    if "unrounded" in statement.setting:
-        forms["refuted from unrounded input"] = Written((formula_of(statement.setting["unrounded"]),), {})
-    for shown, exact in forms.items():
-        found[shown] = points.at_point({}, exact.definitions, _compared(statement, form, exact, "Far"))
-    return found
+    """Show that the exact number lies beyond one of the limits of this interval."""
+    exact = statement.written("derived")
+    lower, upper = _limits(statement, form, exact.entries[0])
+    found = points.values({}, exact.definitions, exact.entries)
+    if found is None:
+        raise NotExportable("the exact number is not defined")
+    missed = lower if found[0] < decimal(statement.record[form])[0] else upper
+    beyond = Literal("AtMost" if missed.kind == "Less" else "Less", missed.terms[::-1])
+    return {"refuted": _compared(exact, [beyond])}
+
+
+def _limits(statement: Statement, form: str, exact: Term) -> tuple[Literal, Literal]:
+    """Return what holds of the exact number if it is rounded, or cut off, to the printed one: a limit on each side."""
+    printed, digit = decimal(statement.record[form])
+    rounding = statement.setting.get("rounding")
+    if rounding not in ("nearest", "cut"):
+        raise NotExportable(f"the rounding {rounding!r}")
+    nearer = abs(printed) - (digit / 2 if rounding == "nearest" else 0)
+    farther = nearer + digit
+    above = Literal("AtMost", (number(nearer), exact)) if printed > 0 else Literal("Less", (number(-farther), exact))
+    below = Literal("AtMost", (exact, number(-nearer))) if printed < 0 else Literal("Less", (exact, number(farther)))
+    return above, below
+
+
+def _compared(exact: Written, literals: Sequence[Literal]) -> tuple[str, str]:
+    divisors = divisors_nonzero(exact.entries, exact.definitions)
+    return points.at_point({}, exact.definitions, [*divisors, *literals])
 
 
 def differing(statement: Statement, form: str, certificate: Certificate) -> Proved:

@@ -116,9 +116,7 @@ def assumptions(folder: Path) -> Compiled:
     return replace(found, axioms=axioms(output), error=assumed(axioms(output)))
 
 
-def _each(
-    judge: Callable[[Path, str], Compiled], folder: Path, names: Sequence[str], jobs: int
-) -> Iterator[Compiled]:
+def _each(judge: Callable[[Path, str], Compiled], folder: Path, names: Sequence[str], jobs: int) -> Iterator[Compiled]:
     with ThreadPoolExecutor(jobs) as pool:
         yield from pool.map(lambda name: judge(folder, name), names)
 

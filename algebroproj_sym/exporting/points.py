@@ -17,7 +17,7 @@ Point = Mapping[str, Fraction]
 
 @dataclass(frozen=True)
 class Literal:
-    """What is said of formulas at a point: ``Zero``, ``Nonzero``, ``Equal``, ``Unequal``, ``Near`` or ``Far``."""
+    """What is said of formulas at a point: ``Zero``, ``Nonzero``, ``Equal``, ``Unequal``, ``Less`` or ``AtMost``."""
 
     kind: str
     terms: tuple[Term, ...]
@@ -36,8 +36,8 @@ _SAID = {
     "Nonzero": "{} <> 0",
     "Equal": "{} = {}",
     "Unequal": "{} <> {}",
-    "Near": "Rabs ({} - {}) <= {}",
-    "Far": "{2} < Rabs ({0} - {1})",
+    "Less": "{} < {}",
+    "AtMost": "{} <= {}",
 }
 
 
@@ -53,8 +53,6 @@ def said(literal: Literal | Regular) -> str:
     if isinstance(literal, Regular):
         return f"regular_matrix {listed([listed([formula(term) for term in row]) for row in literal.rows])}"
     texts = [formula(term) for term in literal.terms]
-    if literal.kind in ("Near", "Far"):
-        texts[1] = formula(literal.terms[1], within=1)
     return _SAID[literal.kind].format(*texts)
 
 

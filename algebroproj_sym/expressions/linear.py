@@ -152,7 +152,7 @@ def vector(*components: Scalar | int) -> Matrix:
 
 
 def columns(*vectors: Matrix) -> Matrix:
-    """Return the matrix with the given columns; what has several columns gives them all.
+    """Return the matrix with the given columns.  A matrix gives all its columns.
 
     Examples
     --------
@@ -181,7 +181,7 @@ def homogeneous(point: Matrix) -> Matrix:
 
 
 def determinant(matrix: Matrix) -> Scalar:
-    """Return the determinant, expanded by minors row by row, each minor computed once.
+    """Return the determinant.  It is expanded row by row, and each minor is computed once.
 
     Examples
     --------

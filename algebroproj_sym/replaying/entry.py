@@ -26,7 +26,7 @@ SETTINGS: Mapping[str, set[str]] = {
     "rank": set(),
     "count": {"variables"},
     "limit": {"variable"},
-    "numeric": {"units", "unrounded"},
+    "numeric": {"rounding"},
     "reference": set(),
     "definition": set(),
 }

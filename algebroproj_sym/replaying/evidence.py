@@ -15,7 +15,7 @@ from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import Polynomial, constant
 from algebroproj_sym.replaying.rejection import require
 from algebroproj_sym.replaying.statement import Point, Statement
-from algebroproj_sym.replaying.text import decimal, number, parse, parse_polynomial
+from algebroproj_sym.replaying.text import decimal, number, parse_polynomial
 
 Certificate: TypeAlias = Mapping[str, Any]
 Sides: TypeAlias = Callable[[Algebra], tuple[list[Any], list[Any]]]
@@ -441,48 +441,34 @@ def _lowest(polynomial: Polynomial, place: int) -> tuple[int, Polynomial]:
 
 
 def numeric(statement: Statement, form: str, certificate: Certificate) -> None:
-    """Show that a printed number is the exact one, rounded."""
-    require(_rounded(statement, form, certificate), "the number is further away than the tolerance")
+    """Show that a printed number is the exact one, rounded as declared."""
+    require(_rounded(statement, form, certificate), "the exact number, rounded, is another one")
 
 
 def numeric_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
-    """Show that a printed number is not the exact one, rounded."""
-    require(not _rounded(statement, form, certificate), "the number lies within the tolerance")
+    """Show that a printed number is not the exact one, rounded as declared."""
+    require(not _rounded(statement, form, certificate), "the number is the exact one, rounded")
 
 
 def _rounded(statement: Statement, form: str, certificate: Certificate) -> bool:
-    units = number(statement.setting.get("units"))
-    inputs = statement.setting.get("unrounded")
-    exact = evaluate(statement.form("derived"), at_point({}))[0]
-    difference = _compared(statement, form, exact, certificate, "difference", "units of the last digit")
-    if abs(difference) <= units or inputs is None:
-        _method(certificate, "exact rounding")
-        _keys(certificate, "method", "difference", "units of the last digit")
-        return abs(difference) <= units
-    _method(certificate, "rounding of inputs")
-    _keys(
-        certificate,
-        "method",
-        "difference",
-        "units of the last digit",
-        "unrounded difference",
-        "with unrounded inputs",
-    )
-    unrounded = evaluate(parse(inputs), at_point({}))[0]
-    return (
-        abs(_compared(statement, form, unrounded, certificate, "unrounded difference", "with unrounded inputs"))
-        <= units
-    )
-
-
-def _compared(
-    statement: Statement, form: str, exact: Fraction, certificate: Certificate, key: str, rounded: str
-) -> Fraction:
+    """Whether the printed number is the one that the certificate gives, after a check that this is the rounded one."""
+    _method(certificate, "exact rounding")
+    _keys(certificate, "method", "rounded")
+    exact = statement.form("derived")
+    require(not exact.shape, "the exact number is a matrix")
     printed, digit = decimal(statement.record[form])
-    difference = (printed - exact) / digit
-    require(number(certificate.get(key)) == difference, "the difference is another one")
-    require(certificate.get(rounded) == f"{float(difference):+.3g}", "the rounded difference is another one")
-    return difference
+    given, last = decimal(certificate["rounded"])
+    require(last == digit, "the rounded number has not as many decimals as the printed one")
+    value = evaluate(exact, at_point({}))[0]
+    require(_rounds_to(value, given, digit, statement.setting.get("rounding")), "the rounded number is another one")
+    return given == printed
+
+
+def _rounds_to(exact: Fraction, given: Fraction, digit: Fraction, rounding: Any) -> bool:
+    """Whether a number lies in the interval of those that are rounded to the given one, or cut off."""
+    require(rounding in ("nearest", "cut"), f"expected the rounding nearest or cut, got {rounding!r}")
+    lower = abs(given) - digit / 2 if rounding == "nearest" else abs(given)
+    return exact * given >= 0 and lower <= abs(exact) < lower + digit
 
 
 def reference(statement: Statement, form: str, certificate: Certificate) -> None:

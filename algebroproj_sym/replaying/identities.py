@@ -26,6 +26,8 @@ KEYS = {
     "file", "name", "lhs", "rhs", "constraints", "nonzero", "verdict", "expected", "method", "reason", "hypotheses",
     "counterexample", "certificate",
 }  # fmt: skip
+NEEDED = frozenset({"method", "denominators", "claims", "generators", "units", "entries", "witness"})
+OPTIONAL = frozenset({"steps", "translations", "extension"})
 MEMBERSHIPS = ("ideal membership", "radical membership", "sums of squares")
 
 
@@ -194,6 +196,8 @@ class _Known:
 def _follow(question: _Question, certificate: Mapping[str, Any]) -> None:
     method = certificate["method"]
     require(method in (*MEMBERSHIPS, "case distinction"), f"there is no method {method!r}")
+    by_cases = method == "case distinction"
+    _keys(certificate, NEEDED if by_cases else NEEDED | {"multiplier"}, OPTIONAL)
     require(bool(question.constraints), "there are no constraints")
     field = question.field(certificate["denominators"])
     algebra = field.algebra
@@ -212,9 +216,11 @@ def _follow(question: _Question, certificate: Mapping[str, Any]) -> None:
     require(len(certificate["entries"]) == len(claims), "the certificate has not as many entries as the statement")
     for claim, entry in zip(claims, certificate["entries"], strict=True):
         asked = replace(known, claim=_restricted(claim, moved))
-        if method == "case distinction":
+        if by_cases:
+            _keys(entry, _keys_of_case(entry), {"steps"})
             _require_case(asked, entry)
         else:
+            _keys(entry, {"power", "exponent", "cofactors"})
             multiplier = asked.multiplier(certificate["multiplier"]) ** _natural(entry["power"])
             _require_end(asked, multiplier, entry)
     divisors = [*map(parse_polynomial, certificate["denominators"])]
@@ -267,6 +273,8 @@ def _moved(question: _Question, field: Field, certificate: Mapping[str, Any]) ->
     translations = certificate.get("translations", ())
     names = [along["zero"] for along in translations]
     for along in translations:
+        _keys(along, {"zero", "along"})
+        require(along["along"].keys() <= field.places.keys(), "a translation moves what does not occur")
         own = {name: along["along"].get(name, "0") for name in names}
         require(own == {name: str(int(name == along["zero"])) for name in names}, "a translation moves another one")
     texts = (*certificate["claims"], *certificate["generators"], *certificate["denominators"])
@@ -310,6 +318,7 @@ def _squares(known: _Known, step: Mapping[str, Any]) -> tuple[list[Element], Ele
 
 def _positive(known: _Known, step: Mapping[str, Any]) -> Element:
     """Return a sum of squares that is positive everywhere."""
+    _keys(step, {"squares", "not zero"})
     roots, total = _squares(known, step)
     constants = [root for root in roots if root.cleared().is_constant() and not root.is_zero]
     require((total - known.read(step["not zero"])).is_zero, "the squares do not add up")
@@ -321,6 +330,7 @@ def _after_squares(known: _Known, step: Mapping[str, Any]) -> _Known:
     """Return what is known after a sum of squares was shown to be zero, or to be positive."""
     if "not zero" in step:
         return known.with_unit(_positive(known, step))
+    _keys(step, {"squares", "multiplier", "cofactors"})
     roots, total = _squares(known, step)
     rest = known.multiplier(step["multiplier"]) * total - known.combined(step["cofactors"])
     require(rest.is_zero, "the cofactors do not multiply out to the sum of squares")
@@ -329,20 +339,27 @@ def _after_squares(known: _Known, step: Mapping[str, Any]) -> _Known:
 
 def _after_derivation(known: _Known, step: Mapping[str, Any]) -> _Known:
     """Return what is known after something was shown not to be zero."""
+    _keys(step, {"not zero", "product", "cofactors", "factor"})
     unit = known.read(step["not zero"])
     rest = known.multiplier(step["product"]) - known.combined(step["cofactors"]) - known.read(step["factor"]) * unit
     require(rest.is_zero, "the cofactors do not multiply out to what does not vanish")
     return known.with_unit(unit)
 
 
+def _keys_of_case(case: Mapping[str, Any]) -> Set[str]:
+    return {"cases"} if "cases" in case else {"exponent", "multiplier", "cofactors"}
+
+
 def _require_case(known: _Known, case: Mapping[str, Any]) -> None:
     """Check that the claim vanishes in a case."""
     for step in case.get("steps", ()):
-        known = _after_step(known, step)
+        known = _after_squares(known, step) if "squares" in step else _after_step(known, step)
     if "cases" not in case:
         _require_end(known, known.multiplier(case["multiplier"]), case)
         return
     first, second = case["cases"]
+    for part in (first, second):
+        _keys(part, {"assumed", *_keys_of_case(part)}, {"steps"})
     require(first["assumed"].keys() == {"not zero"} and second["assumed"].keys() == {"zero"}, "a case is missing")
     require(first["assumed"]["not zero"] == second["assumed"]["zero"], "the cases are not complementary")
     distinguished = known.read(second["assumed"]["zero"])
@@ -353,6 +370,7 @@ def _require_case(known: _Known, case: Mapping[str, Any]) -> None:
 def _after_step(known: _Known, step: Mapping[str, Any]) -> _Known:
     """Return what is known after a step of a case."""
     ((shows, text),) = [(key, value) for key, value in step.items() if key in ("zero", "not zero", "goal")]
+    _keys(step, {shows, "multiplier", "cofactors", *(() if shows == "zero" else ("factor",))})
     shown, multiplier, total = known.read(text), known.multiplier(step["multiplier"]), known.combined(step["cofactors"])
     if shows == "zero":
         require((multiplier * shown - total).is_zero, "the cofactors do not multiply out to what is zero")

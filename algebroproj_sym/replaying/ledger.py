@@ -57,6 +57,7 @@ def replay_claim(record: Mapping[str, Any]) -> Replayed:
 
     Examples
     --------
+    >>> from algebroproj_sym.replaying import declaration_digest
     >>> record = {
     ...     "paper": "demo", "number": "1.1", "section": "1", "title": "a square", "kind": "identity",
     ...     "expected": "proved", "printed": "(x**2 - 1)/(x - 1)", "derived": "x + 1", "corrected": None, "where": {},

@@ -100,9 +100,7 @@ def _setting(claim: Claim) -> dict[str, Any]:
     if claim.variables:
         setting["variables"] = [variable.name for variable in claim.variables]
     if claim.kind == "numeric":
-        setting["units"] = str(claim.units)
-        if claim.unrounded is not None:
-            setting["unrounded"] = text(claim.unrounded)
+        setting["rounding"] = claim.rounding
     return setting
 
 

@@ -138,7 +138,9 @@ def _run(program: str, folder: Path, name: str, *arguments: str) -> tuple[Compil
     ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, encoding="utf-8", check=False)
     seconds = time.perf_counter() - start
     failure = _shortened(ended.stderr) or f"{program} ended with status {ended.returncode}"
-    return Compiled(name, seconds, (), failure if ended.returncode else ""), ended.stdout + ended.stderr * (program == "coqchk")
+    return Compiled(name, seconds, (), failure if ended.returncode else ""), ended.stdout + ended.stderr * (
+        program == "coqchk"
+    )
 
 
 def _shortened(message: str, limit: int = 2000) -> str:

@@ -10,7 +10,7 @@ from importlib.resources import files as resources
 from multiprocessing import get_context
 from typing import Any
 
-from algebroproj_sym.exporting.claims import theorems
+from algebroproj_sym.exporting.claims import Proved, theorems
 from algebroproj_sym.exporting.gallina import LEMMAS
 from algebroproj_sym.exporting.objects import Definition, Object
 from algebroproj_sym.exporting.refusal import NotExportable, Silent
@@ -108,14 +108,14 @@ def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
 def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     """Return the theorems of a claim whose evidence was replayed."""
     definitions: tuple[Definition, ...] = ()
-    why = made if isinstance(made, str) else ""
+    missing = made if isinstance(made, str) else ""
+    found: Proved = {}
     try:
-        found = None
         if isinstance(made, Object) and record["kind"] == "identity":
             try:
                 found, definitions = theorems(record, made), made.definitions
-            except (NotExportable, RecursionError) as reason:
-                why = str(reason)
+            except (NotExportable, RecursionError) as error:
+                missing = str(error) or "the expressions are too large"
         found = found or theorems(record)
     except NotExportable as why:
         return _exported(record, reason=str(why), refused=not isinstance(why, Silent))
@@ -129,11 +129,12 @@ def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
         return _exported(record, reason="paper, section and number are too long for names of files", refused=True)
     named = {shown: stem if shown == "holds" else f"{stem}_{word(shown)}" for shown in found}
     proved = tuple(Theorem(named[shown], *found[shown]) for shown in found)
-    return _exported(record, theorems=proved, definitions=definitions, why=why)
+    return _exported(record, theorems=proved, definitions=definitions, why=missing)
 
 
 def _exported(record: Mapping[str, Any], **found: Any) -> Exported:
-    return Exported(*(str(record.get(key)) for key in ABOUT), **found)
+    paper, number, section, title, kind, verdict = (str(record.get(key)) for key in ABOUT)
+    return Exported(paper, number, section, title, kind, verdict, **found)
 
 
 def export(
@@ -234,7 +235,9 @@ def _reason(claim: Exported) -> str:
 
 
 def _convention(claim: Exported) -> str:
-    about = f"{claim.paper}:{claim.number}  {claim.trivial} of {claim.equations}: {claim.why or NO_STEPS}: {claim.title}"
+    about = (
+        f"{claim.paper}:{claim.number}  {claim.trivial} of {claim.equations}: {claim.why or NO_STEPS}: {claim.title}"
+    )
     return f"{plain(about)}\n"
 
 

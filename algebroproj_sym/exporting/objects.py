@@ -107,7 +107,9 @@ class Workshop:
             return None
         order: dict[Made, None] = {}
         self._collect(made, order, set())
-        return Object(tuple(self.defined[step] for step in order), piece.text, piece.rows, piece.variables, piece.scalar)
+        return Object(
+            tuple(self.defined[step] for step in order), piece.text, piece.rows, piece.variables, piece.scalar
+        )
 
     def _collect(self, made: Made, order: dict[Made, None], met: set[Made]) -> None:
         if made in met:
@@ -372,9 +374,9 @@ def _times(a: Piece, b: Piece) -> Piece:
     if a.scalar or b.scalar:
         k, m = (a, b) if a.scalar else (b, a)
         return _called("scaled", lambda u, v: tuple(tuple(product([u[0][0], x]) for x in row) for row in v))(k, m)
-    return _called(
-        "product", lambda u, v: tuple(tuple(dot(row, column) for column in _transposed(v)) for row in u)
-    )(a, b)
+    return _called("product", lambda u, v: tuple(tuple(dot(row, column) for column in _transposed(v)) for row in u))(
+        a, b
+    )
 
 
 def _columns(*parts: Piece) -> Piece:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy
 
@@ -55,6 +55,7 @@ class Record:
     names: dict[Made, str] = field(default_factory=dict)
 
 
+Result = TypeVar("Result")
 _records: list[Record] = []
 
 
@@ -82,16 +83,15 @@ def is_recording() -> bool:
     return bool(_records)
 
 
-def noted(operation: str, operands: tuple[Any, ...], result: Any) -> Any:
+def noted(operation: str, operands: tuple[Any, ...], result: Result) -> Result:
     """Return the result of an operation, after noting how it was made; plain data among operands stay as they are."""
     if not _records or not isinstance(result, sympy.Expr | sympy.MatrixBase):
         return result
     made = Made(operation, tuple(map(_operand, operands)), result)
     if isinstance(result, sympy.MatrixBase):
-        if not hasattr(result, "__dict__"):
-            return result
-        result = result._new(result.rows, result.cols, list(result.flat()))
-        result.__dict__["made"] = made
+        if hasattr(result, "__dict__"):
+            result = result._new(result.rows, result.cols, list(result.flat()))
+            result.__dict__["made"] = made
     elif result.args:
         _records[-1].scalars[result] = made
     else:

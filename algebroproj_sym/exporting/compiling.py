@@ -1,4 +1,4 @@
-"""Compiling: Coq's kernel and its checker accept the exported files, and what they assume is compared with what may be."""
+"""Compiling: coqc and coqchk accept the exported files, and what these assume is compared with what may be."""
 
 from __future__ import annotations
 
@@ -190,7 +190,8 @@ def unexpected(output: str) -> str:
 
     Examples
     --------
-    >>> said = "* Theory: Set is predicative\n* Axioms:\n    {}\n* Constants/Inductives relying on type-in-type: <none>\n"
+    >>> said = "* Theory: Set is predicative\n* Axioms:\n    {}\n"
+    >>> said += "* Constants/Inductives relying on type-in-type: <none>\n"
     >>> said += "* Constants/Inductives relying on unsafe (co)fixpoints: <none>\n"
     >>> said += "* Inductives whose positivity is assumed: <none>\n"
     >>> unexpected(said.format("Coq.Logic.Classical_Prop.classic")), unexpected(said.format("Algebroproj.a.evil"))

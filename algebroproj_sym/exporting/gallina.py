@@ -44,11 +44,8 @@ _DEFINED = re.compile(
 def reserved() -> frozenset[str]:
     """Return the names that mean something in an exported file: no variable may be called so."""
     lemmas = [resources("algebroproj_sym.exporting").joinpath(name).read_text("utf-8") for name in LEMMAS]
-    return (
-        KEYWORDS
-        | LIBRARY_NAMES
-        | {found for text in lemmas for pair in _DEFINED.findall(text) for found in pair if found}
-    )
+    defined = {found for text in lemmas for pair in _DEFINED.findall(text) for found in pair if found}
+    return frozenset([*_KEYWORDS.split(), *_LIBRARY.split(), *defined])
 
 
 LONG = 10**15

@@ -165,7 +165,7 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Non
         _membership(statement, certificate, field, crossed, [derived[pivot]])
         point = statement.point(certificate["nonzero at"])
         statement.require_allowed(point)
-        require(both(at_point(point))[0][pivot] != 0, "the printed form is zero at the point")
+        require(statement.side(form, at_point(point))[pivot] != 0, "the printed form is zero at the point")
         return
     _method(certificate, "normal form")
     _keys(certificate, "method", "denominators", "pivot")

@@ -21,15 +21,15 @@ from algebroproj_sym.reporting import audit_lines, audit_record, audit_table
     type=click.Path(exists=True, file_okay=False, path_type=Path),
     envvar="ALGEBROPROJ_PAPERS",
     metavar="DIR",
-    help="Folder with the papers' files, to look the quotes up in; also ALGEBROPROJ_PAPERS.",
+    help="Folder with the papers' LaTeX files. The default is the variable ALGEBROPROJ_PAPERS.",
 )
 @options.output_format
 def audit_command(selectors: Sequence[str], papers: Path | None, output: str) -> None:
-    """Hold what claims say is printed against the LaTeX that they quote.
+    """Compare what claims say is printed with the LaTeX that they quote.
 
-    A SELECTOR is that of the command check. Each quote is parsed, and must be what the claim says is printed, symbol by
-    symbol; nothing derived is used. With the papers' files, each quote must occur there on its line. Exit status 1 if a
-    quote fails, is missing without a reason, or belongs to no claim.
+    A SELECTOR is the same as for check. Each quote is parsed. The result must be what the claim says is printed, symbol
+    by symbol. With the papers' files, each quote must stand on its line. The exit status is 1 if a quote fails, is
+    missing without a reason, or belongs to no claim.
     """
     chosen = located(selectors)
     findings = list(progressing(audit(chosen, papers), len(chosen), "auditing"))

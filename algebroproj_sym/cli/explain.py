@@ -13,14 +13,12 @@ from algebroproj_sym.reporting import explanation
 
 @click.command()
 @click.argument("selector")
-@options.output_as(
-    "text", "markdown", help="Form of the output; Markdown has its formulas in LaTeX, to be pasted into a review."
-)
+@options.output_as("text", "markdown", help="Format of the output. Markdown has formulas in LaTeX.")
 @options.engine
 def explain(selector: str, output: str, engine: str) -> None:
-    """Show what a claim prints, what is derived, the verdict, the evidence, and the functions that rest on it.
+    """Show one claim: the printed form, the derived form, the verdict and the evidence.
 
-    A SELECTOR is that of the command check: mypaper:1.3.8, or a whole section, module or folder.
+    SELECTOR names a claim, such as fundamentals1996:1.3.8, or a section, module or folder, as for check.
     """
     claims = select((selector,))
     source, _ = split(selector)

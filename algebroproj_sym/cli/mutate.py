@@ -37,15 +37,15 @@ FATES: tuple[Fate, ...] = get_args(Fate)
     default=10,
     show_default=True,
     metavar="N",
-    help="Changes of each claim or function, chosen always in the same way; 0 for all.",
+    help="Changes of each claim or function. 0 means all. The choice is always the same.",
 )
-@click.option("--only", type=click.Choice(("claims", "functions")), help="Change claims alone, or functions alone.")
+@click.option("--only", type=click.Choice(("claims", "functions")), help="Change only claims, or only functions.")
 @click.option(
     "--package",
     "folder",
     type=click.Path(exists=True, file_okay=False, path_type=Path),
     metavar="DIR",
-    help="A folder that contains the package; by default the functions of the installed one are changed.",
+    help="Folder that contains the package. The default is the installed package.",
 )
 @options.samples
 @options.engine
@@ -61,14 +61,15 @@ def mutate(
     jobs: int,
     output: str,
 ) -> None:
-    """Change proved claims, and the generated functions that rest on them, in single places.
+    """Change claims and functions in single places, and test whether the checks notice.
 
-    A changed printed form (a sign, an index, a prime, a factor, a numerator against its denominator, an entry) must be
-    refuted by an exact counterexample, be proved the same statement, or be one of the changes that the file
-    survivors.toml explains one by one. A changed source (an operator, operands, an index, a dropped term, a number)
-    must be noticed by the proof of the source, and by the comparison with 50 digits, or be proved to compute the same
-    real numbers, as it is where words are left out that only change the number of digits. Exit status 1 if a change
-    survives.
+    In the printed form of a proved claim, a sign, an index, a prime, a factor or an entry is changed.  The changed form
+    must be refuted at an exact point, or proved to be the same statement.
+
+    In the source of a function, an operator, an operand, an index, a term or a number is changed.  The proof of the
+    source must notice, and so must the comparison with 50 digits.
+
+    The exit status is 1 if a change survives that the file survivors.toml does not explain.
     """
     chosen = select(selectors)
     claims: list[MutatedClaim] = []

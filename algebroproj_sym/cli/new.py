@@ -15,10 +15,10 @@ from algebroproj_sym.scaffolding import InvalidNameError, OccupiedError, create
 @click.argument("name")
 @options.folder(".", "the folder")
 def new(name: str, out: Path) -> None:
-    """Write a derivation folder DIR/NAME to start from.
+    """Write a folder DIR/NAME to start from.
 
-    It has one module with a definition, an identity, a misprint with its correction, and a kernel.  NAME is the paper
-    key and the name of a Python package: lower-case letters, digits and underscores.
+    It has one module with a definition, an identity, a misprint with its correction, and a function.  NAME is the key
+    of the paper and the name of a Python package: use lower-case letters, digits and underscores.
     """
     try:
         written = create(name, out)

@@ -54,7 +54,7 @@ def derived(claims: Sequence[Claim], jobs: int) -> None:
 def require_kernels(chosen: Sequence[Kernel]) -> None:
     """Refuse to write a package without functions."""
     if not chosen:
-        raise click.ClickException("no kernels are declared.\nDeclare a function with section.kernel(...) in a module.")
+        raise click.ClickException("no functions are declared.\nDeclare one with section.kernel(...) in a module.")
 
 
 def lowered_kernels(chosen: Sequence[Kernel], sources: Sequence[str], engine: str, jobs: int) -> list[Lowered]:

@@ -5,19 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from decimal import Decimal, InvalidOperation
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Literal, TypeAlias, TypedDict, get_args
 
 import sympy
 
 from algebroproj_sym.expressions import (
+    ROUNDINGS,
     Expression,
+    Rounding,
     SymbolError,
     TooLargeError,
     assumed,
     assumption,
-    divided,
     free_symbols,
     is_plain,
     rational,
@@ -26,7 +27,6 @@ from algebroproj_sym.expressions import (
     shape,
     symbols_of,
     text,
-    written,
 )
 
 Kind = Literal[
@@ -57,6 +57,7 @@ _RESTRICTED = (*_ASSUMING, "vanishing")
 ROOM = 100
 """How many times as large as a text the form of a claim may be."""
 
+_DECIMAL = re.compile(r"-?[0-9]+(\.[0-9]+)?")
 _NUMBER = re.compile(r"(table:)?\d+[a-z]?(\.\d+)*(/[^\s/#]+)*(#[^\s/#]+)?")
 
 
@@ -76,8 +77,7 @@ class Options(TypedDict, total=False):
     variable: sympy.Symbol
     variables: Sequence[sympy.Symbol]
     kernel: Sequence[Any]
-    units: Fraction
-    unrounded: Any
+    rounding: Rounding
     instead: str
     note: str
 
@@ -115,11 +115,9 @@ class Claim:
     kernel : tuple of matrix
         For a rank: vectors that the derived matrix takes to zero.  For a count: directions, in the variables, along
         which the derived functions do not change.
-    units : Fraction
-        For a printed number: how far it may be from the derived one, in units of its last digit.
-    unrounded : Expression or None
-        For a printed number that depends on rounded ones: the number derived from inputs that agree with the printed
-        inputs to their last digits.  It explains a printed number that the printed inputs miss.
+    rounding : {"nearest", "cut"}
+        For a printed number: whether the derived one is rounded to the nearest number with as many decimals, or its
+        further digits are cut off, see `algebroproj_sym.expressions.rounded`.
     instead : str
         For a false statement: the number of the claim that says what is true.
     note : str
@@ -144,8 +142,7 @@ class Claim:
     variable: sympy.Symbol | None = None
     variables: tuple[sympy.Symbol, ...] = ()
     kernel: tuple[Expression, ...] = ()
-    units: Fraction = Fraction(1, 2)
-    unrounded: Expression | None = None
+    rounding: Rounding = "nearest"
     instead: str = ""
     note: str = ""
     assumed: tuple[sympy.Symbol, ...] = ()
@@ -172,7 +169,6 @@ def declared(
     """
     where = f"claim {paper}:{number}"
     expected = options.pop("expect", "definition" if kind == "definition" else "proved")
-    unrounded = options.pop("unrounded", None)
     symbols: set[sympy.Symbol] = set()
 
     def read(value: Any, name: str) -> Any:
@@ -193,7 +189,6 @@ def declared(
         nonzero=tuple(read(value, "nonzero") for value in _sequence(options, "nonzero", where)),
         variables=tuple(options.pop("variables", ())),
         kernel=tuple(read(vector, "kernel") for vector in options.pop("kernel", ())),
-        unrounded=read(unrounded, "unrounded"),
         **options,
     )
     claim = _with_plain_symbols(claim, symbols, where)
@@ -259,20 +254,16 @@ def decimal(value: Any, where: str) -> Decimal:
     Raises
     ------
     DeclarationError
-        If the value is not the text of a finite decimal number (a float has lost the printed digits).
+        If the value is not the text of digits with a decimal point (a float has lost the printed digits).
 
     Examples
     --------
     >>> decimal("-0.0000000", "printed").as_tuple().exponent
     -7
     """
-    try:
-        number = Decimal(value) if isinstance(value, str) else None
-    except InvalidOperation:
-        number = None
-    if number is None or not number.is_finite():
-        raise DeclarationError(f"{where}: expected the text of a decimal number, got {value!r}")
-    return number
+    if not isinstance(value, str) or not _DECIMAL.fullmatch(value):
+        raise DeclarationError(f"{where}: expected the text of a decimal number such as -0.50, got {value!r}")
+    return Decimal(value)
 
 
 def reference(value: Any, where: str) -> sympy.ImmutableDenseMatrix:
@@ -317,9 +308,10 @@ def _require_complete(claim: Claim, where: str) -> None:
             raise DeclarationError(
                 f"{where}: expected two sides of one shape, got {_shape(form)} and {_shape(claim.derived)}"
             )
-    numbers = [form for form in (claim.derived, claim.unrounded) if form is not None and claim.kind == "numeric"]
-    if any(shape(form) or symbols_of([form]) for form in numbers):
-        raise DeclarationError(f"{where}: expected derived numbers, got {', '.join(map(str, numbers))}")
+    if claim.kind == "numeric" and claim.derived is not None and (shape(claim.derived) or symbols_of([claim.derived])):
+        raise DeclarationError(f"{where}, derived: expected a number, got {claim.derived}")
+    if claim.rounding not in (ROUNDINGS if claim.kind == "numeric" else ("nearest",)):
+        raise DeclarationError(f"{where}, rounding: expected one of {ROUNDINGS} for a number, got {claim.rounding!r}")
     if claim.nonzero and claim.kind not in _RESTRICTED:
         raise DeclarationError(f"{where}: expected nonzero for an identity or vanishing, got it for {claim.kind}")
     _require_witness(claim, where)
@@ -382,5 +374,5 @@ def statement_text(statement: Statement | None) -> str | None:
     if statement is None:
         return None
     if isinstance(statement, tuple):
-        return written(sympy.Tuple(*map(divided, statement)))
+        return f"({', '.join(map(text, statement))}{',' if len(statement) == 1 else ''})"
     return f"{statement:f}" if isinstance(statement, Decimal) else text(statement)

@@ -27,13 +27,13 @@ class Judgement:
     verdict : str
         One of the six verdicts.
     hypotheses : tuple of sympy.Expr
-        The factors of all denominators met.
+        The factors of all denominators.
     certificate : mapping or None
-        The evidence for the printed form, or for the corrected one where the printed form is refuted.
+        The evidence for the printed form, or for the corrected form if the printed form is refuted.
     counterexample : mapping of Symbol to Fraction, or None
-        Where the printed form fails.
+        A point where the printed form fails.
     engine : str
-        The polynomial arithmetic that was used.
+        The library for polynomials that was used.
     seconds : float
         The time it took.
     """
@@ -60,7 +60,7 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
     claim : Claim
         As declared by a derivation.
     engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
+        The library for polynomials.
 
     Returns
     -------
@@ -83,8 +83,8 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
         claim=claim,
         verdict=verdict,
         hypotheses=evidence.hypotheses,
-        certificate=evidence.certificate,
-        counterexample=None if printed is None else _completed(claim, printed.counterexample),
+        certificate=_with_whole_witness(claim, verdict, evidence.certificate),
+        counterexample=None if printed is None else _completed(claim, claim.printed, printed.counterexample),
         engine=engine,
         seconds=time.perf_counter() - start,
     )
@@ -118,9 +118,22 @@ def abridged(judgement: Judgement) -> Judgement:
     return replace(judgement, claim=named, hypotheses=(), certificate=None, counterexample=None)
 
 
-def _completed(claim: Claim, point: Mapping[sympy.Symbol, Fraction] | None) -> Mapping[sympy.Symbol, Fraction] | None:
+def _with_whole_witness(
+    claim: Claim, verdict: Verdict, certificate: Mapping[str, Any] | None
+) -> Mapping[str, Any] | None:
+    if certificate is None or "witness" not in certificate:
+        return certificate
+    form = claim.corrected if verdict in ("misprint", "illegible") else claim.printed
+    witness = {sympy.Symbol(name): value for name, value in certificate["witness"].items()}
+    completed = _completed(claim, form, witness) or {}
+    return {**certificate, "witness": {symbol.name: str(value) for symbol, value in completed.items()}}
+
+
+def _completed(
+    claim: Claim, form: Statement | None, point: Mapping[sympy.Symbol, Any] | None
+) -> Mapping[sympy.Symbol, Any] | None:
     """Give a value also to symbols that cancel when the meanings of others are put in, wherever a point has values."""
-    shown = {symbol for form in expressions_of(claim.printed) for symbol in free_symbols(form)}
+    shown = {symbol for part in expressions_of(form) for symbol in free_symbols(part)}
     meanings = [value for symbol, value in claim.where.items() if symbol in shown]
     needed = shown.difference(claim.where).union(*map(free_symbols, meanings))
     if not point or needed <= point.keys():

@@ -31,19 +31,22 @@ from algebroproj_sym.expressions.linear import (
     solve,
     vector,
 )
-from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
+from algebroproj_sym.expressions.parsing import ParseError, names_in, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over, remembered
+from algebroproj_sym.expressions.rounding import ROUNDINGS, Rounding, decimals, leading, rounded
 from algebroproj_sym.expressions.size import size
 from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
 from algebroproj_sym.expressions.symbols import SymbolError, admits, assumed, assumption, is_plain, values_of
 from algebroproj_sym.expressions.writing import written
 
 __all__ = [
+    "ROUNDINGS",
     "Expression",
     "Matrix",
     "Neighbourhood",
     "NotRationalError",
     "ParseError",
+    "Rounding",
     "Scalar",
     "SymbolError",
     "TooLargeError",
@@ -53,6 +56,7 @@ __all__ = [
     "assumption",
     "columns",
     "cross",
+    "decimals",
     "derivatives",
     "determinant",
     "diff",
@@ -67,14 +71,17 @@ __all__ = [
     "is_plain",
     "jacobian",
     "keeps_divisions",
+    "leading",
     "linear_system",
     "minors_of",
+    "names_in",
     "over",
     "parse",
     "parse_zero",
     "rational",
     "remembered",
     "require_bounded",
+    "rounded",
     "rows",
     "shape",
     "size",

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
-from itertools import islice, pairwise
+from itertools import pairwise
 from typing import Any, TypeAlias
 
 import sympy
 
+from algebroproj_sym.expressions.bounds import TooLargeError
 from algebroproj_sym.expressions.quotient import over
 from algebroproj_sym.expressions.symbols import is_plain
 from algebroproj_sym.expressions.writing import written
@@ -19,6 +20,7 @@ Expression: TypeAlias = "sympy.Expr | sympy.ImmutableDenseMatrix"
 
 
 LONG = 300
+MOST_PARTS = 500_000
 REMEMBERED = 1 << 18
 
 _KNOWN: dict[bool, set[Any]] = {False: set(), True: set()}
@@ -37,7 +39,7 @@ def rational(value: Any, argument: str, *, assuming: bool = False) -> Expression
     value : sympy.Expr, sympy matrix, int or fractions.Fraction
         Built from symbols, rational numbers, ``+ - * /``, integer powers and `over`.
     argument : str
-        What to call the value in an error message.
+        The name of the value in error messages.
     assuming : bool
         Whether symbols may have assumptions beyond that they are real.
 
@@ -48,7 +50,7 @@ def rational(value: Any, argument: str, *, assuming: bool = False) -> Expression
     Raises
     ------
     NotRationalError
-        If a float, another kind of number, another function, or a symbol occurs that does not stand for any number.
+        If the value contains a float, another kind of number, another function, or a symbol that is no plain number.
 
     Examples
     --------
@@ -109,8 +111,7 @@ def _shown(node: Any) -> str:
 
 
 def _is_long(roots: Iterable[Any]) -> bool:
-    nodes = (node for root in roots for node in sympy.preorder_traversal(root))
-    return next(islice(nodes, LONG, None), None) is not None
+    return sum(map(_parts, roots)) > LONG
 
 
 def entries(expression: Expression) -> tuple[Scalar, ...]:
@@ -178,15 +179,28 @@ def _divided(node: Any) -> Any:
 
 
 def text(expression: Expression) -> str:
-    """Return the expression as text that SymPy parses back.
+    """Return the expression as text that shows every division that was made, and that SymPy parses.
 
     The terms of a long one keep the order they are stored in: sorting them takes longer than any proof.
+
+    Raises
+    ------
+    TooLargeError
+        If the expression, with every shared part written out, has too many parts.
 
     Examples
     --------
     >>> x = sympy.Symbol("x")
-    >>> text(over(x, 2))
-    'x/2'
+    >>> text(over(x, x) + over(1, 2))
+    '1/2 + x/x'
     """
-    result = divided(expression)
-    return written(result, ordered=not _is_long(entries(result)))
+    count = sum(map(_parts, entries(expression)))
+    if count > MOST_PARTS:
+        raise TooLargeError(f"expected a form of at most {MOST_PARTS} parts, got {count:.3g}")
+    return written(expression, ordered=not _is_long(entries(expression)), fractions=True)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _parts(node: Any) -> int:
+    """Return how many parts an expression has, one that is shared as often as it is used."""
+    return 1 + sum(map(_parts, node.args))

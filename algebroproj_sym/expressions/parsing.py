@@ -49,6 +49,7 @@ from algebroproj_sym.expressions.symbols import NAME
 
 _TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(\*\*|[-+*/^()\[\],=]))")
 _NAME = re.compile(rf"\s*({NAME.pattern})")
+_MATRIX = re.compile(r"\A\s*Matrix\s*\(\s*\[")
 _OPERATOR = "an operator"
 
 
@@ -68,6 +69,17 @@ class ParseError(ValueError):
         self.position = position
         self.expected = expected
         self.got = got
+
+
+def names_in(text: str) -> set[str]:
+    """Return the names that occur in a text of the grammar, also those that cancel.
+
+    Examples
+    --------
+    >>> sorted(names_in("Matrix([[x + y - y, z']])"))
+    ['x', 'y', "z'"]
+    """
+    return {*_NAME.findall(_MATRIX.sub("[", text, count=1))}
 
 
 @dataclass(frozen=True)
@@ -90,14 +102,14 @@ class _Value:
 
 
 def parse(text: str, argument: str = "text", variables: Collection[str] | None = None) -> Expression:
-    """Return the expression, or the matrix of expressions, that a text stands for.
+    """Read an expression, or a matrix of expressions, from text.
 
     Parameters
     ----------
     text : str
         In the grammar of this module.
     argument : str
-        What to call the text in an error message.
+        The name of the text in error messages.
     variables : collection of str, optional
         The names that may occur; by default any.
 

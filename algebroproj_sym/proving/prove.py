@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import chain, islice
+from math import lcm
 from typing import Any, Literal
 
 import sympy
@@ -345,8 +346,8 @@ def _prove_constrained(question: _Question) -> Proof:
         return _refuted_further(question, field, NO_POINT)
     if question.differs_at(witness):
         return _refuted(question, witness)
-    generators = [_numerator(field, constraint) for constraint in question.constraints]
-    multiplier = _nonvanishing(field, question.nonzero)
+    generators = [field.primitive(_numerator(field, constraint)) for constraint in question.constraints]
+    multiplier = field.primitive(_nonvanishing(field, question.nonzero))
     evidence = [_membership(field, entry, generators, multiplier) for entry in difference]
     if any(part is None for part in evidence):
         return _refuted_further(question, field, "no cofactors were found")
@@ -367,8 +368,8 @@ def _prove_thoroughly(question: _Question, given: Sequence[Point]) -> Proof:
         field=field,
         left=question.left,
         right=question.right,
-        numerators=[entry.numerator for entry in difference],
-        constraints=[_numerator(field, constraint) for constraint in question.constraints],
+        numerators=[field.primitive(entry.numerator) for entry in difference],
+        constraints=[field.primitive(_numerator(field, constraint)) for constraint in question.constraints],
         nonzero=[_numerator(field, unit) for unit in question.nonzero],
         seed=question.seed,
         given=given,
@@ -381,16 +382,19 @@ def _prove_thoroughly(question: _Question, given: Sequence[Point]) -> Proof:
 def _membership(
     field: RationalFunctionField, entry: RationalFunction, generators: Sequence[Any], multiplier: Any
 ) -> dict[str, Any] | None:
-    """Return the cofactors of the numerator times a power of the multiplier, and the denominator that was cleared."""
+    """Return cofactors of the numerator times a power of the multiplier and a number, and the denominator cleared."""
     cleared = () if entry.is_zero else entry.denominator
     denominator = {written(field.expression(field.factors[place])): count for place, count in cleared if count}
     for power in range(SATURATION + 1):
         found = cofactors(field.ring, entry.numerator * multiplier**power, generators)
         if found is not None:
+            number = lcm(*(value.denominator for part in found for value in field.ring.terms(part).values()))
+            scaled = [field.expression(part * field.ring.constant(Fraction(number))) for part in found]
             return {
+                "number": number,
                 "power": power,
                 "denominator": dict(sorted(denominator.items())),
-                "cofactors": [text(field.expression(cofactor)) for cofactor in found],
+                "cofactors": [*map(text, scaled)],
             }
     return None
 

@@ -195,16 +195,27 @@ def _decided(question: Question, engine: str) -> Outcome:
         return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
     proof = prove(**statement, engine=engine, thorough=True)
     certificate = dict(proof.certificate or {})
-    point = proof.counterexample
+    point = certificate.pop("point", proof.counterexample)
+    if "witness" in certificate:
+        certificate["witness"] = _whole(certificate["witness"], question)
     return Outcome(
         proof.verdict,
         str(certificate.get("method", "none")),
         monotonic() - start,
         str(certificate.get("reason", "")),
         tuple(map(str, proof.hypotheses)),
-        None if point is None else {symbol.name: str(value) for symbol, value in point.items()},
+        None if point is None else _whole(point, question),
         certificate,
     )
+
+
+def _whole(point: Mapping[Any, Any], question: Question) -> dict[str, str]:
+    """Return a point as text, with a value also for names that cancel."""
+    from algebroproj_sym.expressions import names_in
+
+    texts = (question.lhs, question.rhs, *question.constraints, *question.nonzero)
+    names = sorted({name for text in texts for name in names_in(text)})
+    return dict.fromkeys(names, "1") | {str(symbol): str(value) for symbol, value in point.items()}
 
 
 class _UnreadableError(ValueError):

@@ -8,15 +8,15 @@ from typing import Any
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kinds.identity import decided
-from algebroproj_sym.expressions import Scalar, entries, over, text, vector
-from algebroproj_sym.proving import Proof, reduced
+from algebroproj_sym.expressions import Scalar, entries, vector
+from algebroproj_sym.proving import Proof
 
 
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed ~ derived`` through p_i d_k = p_k d_i, for an entry k that is not identically zero.
 
-    The certificate keeps the pivot k and the factor p_k / d_k, which must not be identically zero, with a point that
-    shows it where there are constraints.  A refutation is a point at which p_i d_k and p_k d_i differ.
+    The certificate keeps the pivot k.  The factor p_k / d_k must not be identically zero; where there are constraints,
+    a point shows it.  A refutation is a point at which p_i d_k and p_k d_i differ.
     """
     p, d = entries(printed), entries(claim.derived)
     found = (_is_zero(claim, entry, engine) for entry in d)
@@ -36,7 +36,6 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     if point is None:
         reason = "no point was found at which the printed form is not zero: it may be zero, or add witness="
         return replace(proof, verdict="open", certificate={"method": "none", "reason": reason})
-    certificate["scale"] = text(reduced(over(p[pivot], d[pivot]), engine))
     if claim.constraints:
         certificate["nonzero at"] = {symbol.name: str(value) for symbol, value in point.items()}
     return replace(proof, certificate=certificate)

@@ -577,6 +577,28 @@ def test_the_command_names_what_it_rejects(small, tmp_path):
     assert record["summary"] == {"replayed": len(book["claims"]) - 1, "rejected": 1}
 
 
+def test_a_ledger_is_compared_with_the_derivations(real, tmp_path):
+    path = tmp_path / "ledger.json"
+    selector = "fundamentals1996:1.3"
+    book = json.loads(CliRunner().invoke(main, ["check", selector, "--format", "json"]).stdout)
+    path.write_text(json.dumps(book), encoding="utf-8")
+    assert "texts of the ledger were judged" in run(path).stdout
+    same = run(path, "--derivations", "--source", selector)
+    assert (same.exit_code, "The ledger is that of the derivations." in same.stdout) == (0, True)
+    more = run(path, "--derivations", "--source", selector, "--source", "fundamentals1996:1.2")
+    assert more.exit_code == 1
+    assert "missing in the ledger: fundamentals1996:1.2" in more.stderr
+    assert run(path, "--source", selector).exit_code == 2
+    for key, value in {"note": "forged", "title": "forged", "quote": {"line": 1, "latex": "x"}}.items():
+        forged = copy.deepcopy(book)
+        forged["claims"][0][key] = value
+        forged["claims"][0]["declaration"] = declaration_digest(forged["claims"][0])
+        path.write_text(json.dumps(forged), encoding="utf-8")
+        compared = run(path, "--derivations", "--source", selector)
+        assert compared.exit_code == 1
+        assert "the derivations declare it otherwise" in compared.stdout
+
+
 @pytest.mark.parametrize("content", ["", "[]", "{}", '{"claims": 1}'])
 def test_what_is_no_ledger_is_wrong_usage(content, tmp_path):
     path = tmp_path / "ledger.json"

@@ -13,7 +13,7 @@ from rich.table import Table
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import judged
 from algebroproj_sym.cli.terminal import console, echo, progressing
-from algebroproj_sym.declaring import select
+from algebroproj_sym.declaring import installed_papers
 from algebroproj_sym.exporting import (
     ASSUMPTIONS,
     UNEXPORTED,
@@ -28,7 +28,8 @@ from algebroproj_sym.exporting import (
     render,
     require_compiler,
 )
-from algebroproj_sym.exporting.files import plain
+from algebroproj_sym.exporting.files import CONVENTIONS, plain
+from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import Rejected, Replayed, replay
 from algebroproj_sym.reporting import ledger
@@ -68,10 +69,16 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
         raise click.UsageError("expected either SELECTORs or --ledger, got both")
     if compiling:
         _require_compiler()
-    found = _ledger(path) if path is not None else ledger(judged(select(selectors), engine, jobs))
+    if path is None:
+        declared, objects = made_by_derivations(selectors)
+        found, replayed = ledger(judged(declared, engine, jobs)), None
+    else:
+        found = _ledger(path)
+        replayed = _replayed(found, jobs, path)
+        papers = {result.paper for result in replayed} & {*installed_papers()}
+        objects = made_by_derivations(sorted(papers))[1] if papers else {}
     records = found["claims"]
-    replayed = None if path is None else _replayed(found, jobs, path)
-    claims = list(progressing(export(records, jobs, replayed), len(records), "exporting"))
+    claims = list(progressing(export(records, jobs, replayed, objects), len(records), "exporting"))
     files = render(claims)
     write_texts(files, out)
     _say(claims, out)
@@ -136,6 +143,10 @@ def _say(claims: Sequence[Exported], out: Path) -> None:
     console().print(table)
     total = sum(len(claim.theorems) for claim in claims)
     missing = sum(1 for claim in claims if not claim.theorems)
+    trivial = sum(claim.trivial for claim in claims)
+    console().print(
+        f"{sum(claim.equations for claim in claims)} equations, of which {trivial} read a = a, see {out / CONVENTIONS}"
+    )
     console().print(f"written to {out}: {total} theorems; {missing} claims without, see {out / UNEXPORTED}")
 
 

@@ -46,7 +46,7 @@ class Group(click.Group):
         try:
             return super().invoke(context)
         except click.ClickException as error:
-            error.message = visible(error.message)
+            vars(error)["message"] = visible(error.message)
             raise
         except (MalformedFileError, UnknownSelectorError) as error:
             raise click.UsageError(visible(str(error))) from error

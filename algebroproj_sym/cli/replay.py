@@ -14,7 +14,7 @@ from rich.table import Table
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, echo_json, progressing, visible
-from algebroproj_sym.declaring import derivations_of, quotes_of
+from algebroproj_sym.declaring import located, quotes_of
 from algebroproj_sym.replaying import Rejected, Replayed, Status, replay
 from algebroproj_sym.reporting import declaration
 
@@ -28,17 +28,17 @@ STATUSES: tuple[Status, ...] = get_args(Status)
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     default=Path("out/ledger.json"),
 )
+@click.option("--derivations", "comparing", is_flag=True, help="Compare each entry with its declaration.")
 @click.option(
-    "--derivations",
-    "source",
-    is_flag=False,
-    flag_value="",
-    metavar="[SOURCE]",
-    help="Also compare each entry with its declaration in this paper, module or folder. The default is all papers.",
+    "--source",
+    "sources",
+    multiple=True,
+    metavar="SELECTOR",
+    help="With --derivations: where the claims are declared, instead of all installed papers. May be repeated.",
 )
 @options.jobs
 @options.output_format
-def replay_command(path: Path, source: str | None, jobs: int, output: str) -> None:
+def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: int, output: str) -> None:
     """Check the verdicts of a LEDGER again, without the prover.
 
     LEDGER is the file that build writes (the default is out/ledger.json), or the output of check --format json, for
@@ -48,6 +48,8 @@ def replay_command(path: Path, source: str | None, jobs: int, output: str) -> No
     With --derivations, the forms in the ledger are also compared with those in the derivations.  The exit status is 1
     if an entry is rejected, cannot be replayed, or differs from its declaration.
     """
+    if sources and not comparing:
+        raise click.UsageError("--source: expected it together with --derivations")
     ledger = _read(path)
     try:
         found = replay(ledger, jobs)
@@ -55,8 +57,8 @@ def replay_command(path: Path, source: str | None, jobs: int, output: str) -> No
     except Rejected as error:
         raise click.ClickException(f"{path}: {error}") from error
     missing: list[str] = []
-    if source is not None:
-        results, missing = _compared(results, ledger, _declared(source))
+    if comparing:
+        results, missing = _compared(results, ledger, _declared(sources))
     if output == "json":
         echo_json(_record(results))
     else:
@@ -70,7 +72,7 @@ def replay_command(path: Path, source: str | None, jobs: int, output: str) -> No
             f"{counts[status]} {status}" for status in STATUSES if counts[status] or status != STATUSES[2]
         )
         console().print(f"{len(results)} {'claims' if 'claims' in ledger else 'identities'}: {listed}")
-        console().print(_said_of_declarations(source, missing))
+        console().print(_said_of_declarations(comparing, missing))
     if missing:
         click.echo(f"missing in the ledger: {', '.join(missing)}", err=True)
     if missing or any(result.status != "replayed" for result in results):
@@ -92,14 +94,13 @@ def _listed(ledger: Mapping[str, Any]) -> Any:
     return ledger.get("claims", ledger.get("identities"))
 
 
-def _declared(source: str) -> dict[tuple[str, str], str]:
+def _declared(sources: Sequence[str]) -> dict[tuple[str, str], str]:
     """Return the digests of what derivations declare, by paper and number."""
-    found = derivations_of([source] if source else [])
-    quotes = quotes_of(found)
-    claims = [claim for derivation in found for claim in derivation.section.claims]
+    found = located(sources)
+    quotes = quotes_of(derivation for derivation, _ in found)
     return {
         (claim.paper, claim.number): declaration(claim, quotes.get((claim.paper, claim.number)))["declaration"]
-        for claim in progressing(claims, len(claims), "reading derivations")
+        for _, claim in progressing(found, len(found), "reading derivations")
     }
 
 
@@ -119,8 +120,8 @@ def _compared(
     return compared, [f"{paper}:{number}" for paper, number in declared if (paper, number) not in listed]
 
 
-def _said_of_declarations(source: str | None, missing: Sequence[str]) -> str:
-    if source is None:
+def _said_of_declarations(comparing: bool, missing: Sequence[str]) -> str:
+    if not comparing:
         return "The texts of the ledger were judged; --derivations compares them with the derivations."
     return (
         f"The derivations declare {len(missing)} claims that the ledger lacks."

@@ -16,6 +16,7 @@ from algebroproj_sym.exporting import points
 from algebroproj_sym.exporting.counts import Functions, gradients, independent_at, unchanged_along
 from algebroproj_sym.exporting.gallina import formula, listed
 from algebroproj_sym.exporting.limits import denominators, limits
+from algebroproj_sym.exporting.objects import Object, dot
 from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero, inverse
 from algebroproj_sym.exporting.rational_functions import hypotheses, ratio, vector
 from algebroproj_sym.exporting.reading import decimal, formula_of, natural, symbol
@@ -25,17 +26,28 @@ from algebroproj_sym.exporting.statement import Point, Statement
 from algebroproj_sym.exporting.terms import (
     Term,
     Written,
+    difference,
     free,
     inlined,
     integer,
     name,
+    names,
     negative,
     number,
     product,
     quotient,
     total,
 )
-from algebroproj_sym.exporting.theorems import Goal, Hypotheses, equations, splitting, universal, with_divisors
+from algebroproj_sym.exporting.theorems import (
+    Goal,
+    Hypotheses,
+    equations,
+    matrix_of,
+    splitting,
+    universal,
+    universal_of_matrix,
+    with_divisors,
+)
 from algebroproj_sym.exporting.vanishing import both_ways
 
 Certificate: TypeAlias = Mapping[str, Any]
@@ -66,6 +78,24 @@ def identity(statement: Statement, form: str, certificate: Certificate) -> Prove
     left, right = statement.written(form), statement.written("derived")
     given = _hypotheses(statement, left, right)
     return {"holds": universal(given, [Goal(a, b) for a, b in zip(left.entries, right.entries, strict=True)])}
+
+
+def about(statement: Statement, form: str, made: Object) -> Proved:
+    """Show that an object which the derivation makes step by step is what is printed."""
+    printed, derived = statement.written(form), statement.written("derived")
+    given = _hypotheses(statement, printed, derived)
+    entries = [entry for row in made.rows for entry in row]
+    given = replace(given, variables=tuple(sorted({*given.variables, *names(entries)})))
+    field = splitting(given).field
+    expected = inlined(derived.entries, derived.definitions)
+    if len(entries) != len(expected) or any(
+        field.value(difference(a, b)).numerator for a, b in zip(entries, expected, strict=True)
+    ):
+        raise NotExportable("the steps of the derivation make another form than the ledger has")
+    goals = [Goal(a, b) for a, b in zip(entries, printed.entries, strict=True)]
+    width = len(made.rows[0])
+    rows = [goals[start : start + width] for start in range(0, len(goals), width)]
+    return {"holds": universal_of_matrix(given, rows, made.text, scalar=made.scalar)}
 
 
 def constrained(statement: Statement, form: str, certificate: Certificate) -> Proved:
@@ -162,24 +192,36 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Pro
 
 
 def structure(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show zeros, equal and opposite entries of a matrix."""
+    """Show zeros, equal and opposite entries of a matrix: it has the pattern, for some values of the marks."""
     derived = statement.written("derived")
     given = _hypotheses(statement, derived)
+    marks = _marks(statement, form)
     first: dict[str, Term] = {}
-    goals = []
-    for (sign, mark), entry in zip(_marks(statement, form), derived.entries, strict=True):
-        signed = entry if sign > 0 else negative(entry)
-        if mark.lstrip("-").isdecimal():
-            goals.append(Goal(signed, integer(int(mark))))
-        elif first.setdefault(mark, signed) is not signed:
-            goals.append(Goal(first[mark], signed))
-    proved = {"holds": universal(given, goals)} if goals else {}
+    expected = []
+    for (sign, mark), entry in zip(marks, derived.entries, strict=True):
+        value = integer(int(mark)) if mark.lstrip("-").isdecimal() else first.setdefault(
+            mark, entry if sign > 0 else negative(entry)
+        )
+        expected.append(value if sign > 0 else negative(value))
+    width = statement.form("derived").shape[1]
+    goals = [Goal(a, b) for a, b in zip(derived.entries, expected, strict=True)]
+    rows = [goals[start : start + width] for start in range(0, len(goals), width)]
+    variables = tuple(v for v in given.variables if v not in first)
+    given = replace(given, variables=variables)
+    bound = {mark: name(mark) for mark in first}
+    pattern = [
+        (lambda value: value if sign > 0 else negative(value))(bound[mark] if mark in bound else integer(int(mark)))
+        for sign, mark in marks
+    ]
+    shown = [pattern[start : start + width] for start in range(0, len(pattern), width)]
+    holds = universal_of_matrix(given, rows, pattern=shown, marks=first)
     point = _point_where(statement, given, [*first.values()])
     literals = [
         *divisors_nonzero([*first.values()], given.definitions),
         *(Literal("Nonzero", (t,)) for t in first.values()),
     ]
-    return proved | ({"marked": points.at_point(point, given.definitions, literals)} if first else {})
+    marked = {"marked": points.at_point(point, given.definitions, literals)} if first else {}
+    return {"holds": holds} | marked
 
 
 def _marks(statement: Statement, form: str) -> list[tuple[int, str]]:
@@ -192,7 +234,7 @@ def _marks(statement: Statement, form: str) -> list[tuple[int, str]]:
 
 def _point_where(statement: Statement, given: Hypotheses, terms: Sequence[Term]) -> Point:
     """Return a point with small coordinates where terms are defined and not zero."""
-    variables = sorted(statement.symbols)
+    variables = given.variables
     for shift in range(200):
         point = {v: Fraction((place + 2) * (place + shift + 1) % (97 + shift) + 2) for place, v in enumerate(variables)}
         values = points.values(point, given.definitions, terms)
@@ -245,18 +287,11 @@ def _kernel(statement: Statement, certificate: Certificate) -> Proved:
     derived = statement.written("derived")
     vectors = [read(text).entries for text in certificate["kernel"]]
     given = Hypotheses(tuple(sorted(statement.symbols)), (), derived.definitions)
-    goals = [Goal(_dot(row, vector), integer(0)) for row in _rows(statement, derived.entries) for vector in vectors]
-    given = with_divisors(given, [goal.left for goal in goals])
-    return {"kernel": universal(given, goals), "independent": _independent(statement, certificate, vectors)}
-
-
-def _dot(row: Sequence[Term], vector: Sequence[Term]) -> Term:
-    nonzero = [(a, b) for a, b in zip(row, vector, strict=True) if not {_plain(a), _plain(b)} & {0}]
-    return total([b if _plain(a) == 1 else a if _plain(b) == 1 else product([a, b]) for a, b in nonzero])
-
-
-def _plain(term: Term) -> int | None:
-    return int(term.value) if term.kind == "int" else None
+    matrix = _rows(statement, derived.entries)
+    rows = [[Goal(dot(row, vector), integer(0)) for vector in vectors] for row in matrix]
+    given = with_divisors(given, [goal.left for row in rows for goal in row])
+    shown = f"times\n {matrix_of(matrix)}\n {matrix_of(vectors)}"
+    return {"kernel": universal_of_matrix(given, rows, shown), "independent": _independent(statement, certificate, vectors)}
 
 
 def _independent(statement: Statement, certificate: Certificate, vectors: Sequence[Sequence[Term]]) -> tuple[str, str]:
@@ -440,13 +475,15 @@ REASONS: Mapping[str, str] = {
 }
 
 
-def theorems(record: Mapping[str, Any]) -> Proved:
+def theorems(record: Mapping[str, Any], made: Object | None = None) -> Proved:
     """Return statements and proofs of what a claim shows, by what they show.
 
     Parameters
     ----------
     record : mapping
         A claim of the ledger.
+    made : Object, optional
+        How its derivation makes the derived form of an identity.
 
     Raises
     ------
@@ -460,7 +497,9 @@ def theorems(record: Mapping[str, Any]) -> Proved:
         raise NotExportable("an open claim shows nothing")
     statement = Statement(record)
     found = Proved()
-    if verdict != "false":
+    if verdict != "false" and made is not None:
+        found |= about(statement, "printed" if verdict == "proved" else "corrected", made)
+    elif verdict != "false":
         found |= _translated(PROOFS, kind)(statement, "printed" if verdict == "proved" else "corrected", certificate)
     if verdict in ("misprint", "false"):
         refutation = certificate["refutation"] if verdict == "misprint" else certificate

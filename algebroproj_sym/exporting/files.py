@@ -12,6 +12,7 @@ from typing import Any
 
 from algebroproj_sym.exporting.claims import theorems
 from algebroproj_sym.exporting.gallina import LEMMAS
+from algebroproj_sym.exporting.objects import Definition, Object
 from algebroproj_sym.exporting.refusal import NotExportable, Silent
 from algebroproj_sym.exporting.terms import free
 from algebroproj_sym.exporting.theorems import Theorem
@@ -20,13 +21,14 @@ from algebroproj_sym.replaying import Replayed, replay_claim
 ASSUMPTIONS = "assumptions"
 LIBRARY = "Algebroproj"
 UNEXPORTED = "not_exported.txt"
+CONVENTIONS = "conventions.txt"
 CHECKING = ("-silent", "-o", "-bytecode-compiler", "yes")
 """What coqchk is asked for: a list of axioms, and to compute as fast as coqc."""
 
 ABOUT = ("paper", "number", "section", "title", "kind", "verdict")
 LONGEST_NAME = 200
 HEADER = f"""From Coq Require Import Reals QArith List.
-From {LIBRARY} Require Import Formulas.
+From {LIBRARY} Require Import Formulas Linear.
 Import ListNotations.
 Open Scope R_scope.
 """
@@ -46,6 +48,10 @@ class Exported:
         Why there is no theorem; empty if there is one.
     refused : bool
         Whether the evidence does not replay, or does not show what the ledger says.
+    definitions : tuple of Definition
+        The objects that the theorems are about.
+    why : str
+        Why there are no such objects, if it is known.
     """
 
     paper: str
@@ -57,15 +63,29 @@ class Exported:
     theorems: tuple[Theorem, ...] = ()
     reason: str = ""
     refused: bool = False
+    definitions: tuple[Definition, ...] = ()
+    why: str = ""
+
+    @property
+    def equations(self) -> int:
+        """How many equations the theorems state, entry by entry."""
+        return sum(theorem.equations for theorem in self.theorems)
+
+    @property
+    def trivial(self) -> int:
+        """How many of these read a = a."""
+        return sum(theorem.trivial for theorem in self.theorems)
 
 
-def exported(record: Mapping[str, Any]) -> Exported:
+def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     """Return the theorems of a claim.
 
     Parameters
     ----------
     record : mapping
         A claim of the ledger.
+    made : Object or str
+        How its derivation makes the derived form, or why that is not known.
 
     Examples
     --------
@@ -80,14 +100,22 @@ def exported(record: Mapping[str, Any]) -> Exported:
     """
     replayed = replay_claim(record)
     if replayed.status == "replayed":
-        return translated(record)
+        return translated(record, made)
     return _exported(record, reason=f"the evidence does not replay: {replayed.reason}", refused=True)
 
 
-def translated(record: Mapping[str, Any]) -> Exported:
+def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     """Return the theorems of a claim whose evidence was replayed."""
+    definitions: tuple[Definition, ...] = ()
+    why = made if isinstance(made, str) else ""
     try:
-        found = theorems(record)
+        found = None
+        if isinstance(made, Object) and record["kind"] == "identity":
+            try:
+                found, definitions = theorems(record, made), made.definitions
+            except (NotExportable, RecursionError) as reason:
+                why = str(reason)
+        found = found or theorems(record)
     except NotExportable as why:
         return _exported(record, reason=str(why), refused=not isinstance(why, Silent))
     except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
@@ -99,7 +127,8 @@ def translated(record: Mapping[str, Any]) -> Exported:
     if len(stem) + len(_file_name(str(record["paper"]), str(record["section"]))) > LONGEST_NAME:
         return _exported(record, reason="paper, section and number are too long for names of files", refused=True)
     named = {shown: stem if shown == "holds" else f"{stem}_{word(shown)}" for shown in found}
-    return _exported(record, theorems=tuple(Theorem(named[shown], *found[shown]) for shown in found))
+    proved = tuple(Theorem(named[shown], *found[shown]) for shown in found)
+    return _exported(record, theorems=proved, definitions=definitions, why=why)
 
 
 def _exported(record: Mapping[str, Any], **found: Any) -> Exported:
@@ -107,7 +136,10 @@ def _exported(record: Mapping[str, Any], **found: Any) -> Exported:
 
 
 def export(
-    records: Sequence[Mapping[str, Any]], jobs: int = 1, replayed: Sequence[Replayed] | None = None
+    records: Sequence[Mapping[str, Any]],
+    jobs: int = 1,
+    replayed: Sequence[Replayed] | None = None,
+    objects: Mapping[tuple[str, str], Object | str] | None = None,
 ) -> Iterator[Exported]:
     """Yield the theorems of claims, in order.
 
@@ -119,20 +151,23 @@ def export(
         How many processes.
     replayed : sequence of Replayed, optional
         What the replay of a whole ledger says of them; without it each claim is replayed by itself.
+    objects : mapping of (paper, number) to Object or str, optional
+        How the derivations make what they derive, or why that is not known.
     """
     said = [None] * len(records) if replayed is None else replayed
+    made = [(objects or {}).get((str(r.get("paper")), str(r.get("number"))), "") for r in records]
     if jobs == 1:
-        yield from map(_judged, records, said)
+        yield from map(_judged, records, said, made)
         return
     with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        yield from pool.map(_judged, records, said, chunksize=8)
+        yield from pool.map(_judged, records, said, made, chunksize=8)
 
 
-def _judged(record: Mapping[str, Any], replayed: Replayed | None) -> Exported:
+def _judged(record: Mapping[str, Any], replayed: Replayed | None, made: Object | str) -> Exported:
     if replayed is None:
-        return exported(record)
+        return exported(record, made)
     if replayed.status == "replayed":
-        return translated(record)
+        return translated(record, made)
     return _exported(record, reason=f"the evidence does not replay: {replayed.reason}", refused=True)
 
 
@@ -182,6 +217,7 @@ def render(claims: Iterable[Exported]) -> dict[str, str]:
         "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*names, ASSUMPTIONS))]),
         "Makefile": _makefile([*texts]),
         UNEXPORTED: "".join(_reason(claim) for claim in claims if claim.reason),
+        CONVENTIONS: "".join(_convention(claim) for claim in claims if claim.trivial),
     }
 
 
@@ -196,11 +232,21 @@ def _reason(claim: Exported) -> str:
     return f"{plain(about)}\n"
 
 
+def _convention(claim: Exported) -> str:
+    about = f"{claim.paper}:{claim.number}  {claim.trivial} of {claim.equations}: {claim.why}: {claim.title}"
+    return f"{plain(about)}\n"
+
+
 def _section(claims: Sequence[Exported]) -> tuple[str, list[str]]:
     """Return the file of a section, and the names of its theorems."""
     called: list[str] = []
     parts = [HEADER]
+    defined = dict.fromkeys(definition for claim in claims for definition in claim.definitions)
     for claim in claims:
+        for definition in claim.definitions:
+            if definition in defined:
+                del defined[definition]
+                parts.append(f"{definition.command}\n")
         about = f"{claim.paper}:{claim.number}, {claim.verdict}: {claim.title}"
         parts.append(f"(** {comment(about)} *)\n")
         for theorem in claim.theorems:

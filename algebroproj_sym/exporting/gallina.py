@@ -21,7 +21,7 @@ class Split(NamedTuple):
 
 Splits: TypeAlias = Mapping[Term, Split]
 
-LEMMAS = ("Formulas.v",)
+LEMMAS = ("Formulas.v", "Linear.v")
 """The files that every exported file requires."""
 
 KEYWORDS = frozenset(

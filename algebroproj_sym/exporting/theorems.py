@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
@@ -21,6 +22,21 @@ class Theorem:
     name: str
     statement: str
     proof: str
+
+    @property
+    def _sides(self) -> list[tuple[str, str]]:
+        return re.findall(r"^([^\n]+) = ([^\n]+?)(?: /\\)?$", self.statement, re.MULTILINE)
+
+    @property
+    def equations(self) -> int:
+        """How many equations it states; one between matrices counts as often as there are entries."""
+        _, matrix, entries = self.statement.rpartition(" =\n[[")
+        return entries.count(";") + 1 if matrix else len(self._sides)
+
+    @property
+    def trivial(self) -> int:
+        """How many of these read a = a."""
+        return sum(left == right for left, right in self._sides)
 
 
 @dataclass(frozen=True)
@@ -154,6 +170,65 @@ def universal(
     return statement, f"intros {' '.join(introduced.order)}.\nrefine ({proof}).\n{CHECKED}"
 
 
+def matrix_of(rows: Sequence[Sequence[Term]]) -> str:
+    """Return a matrix of formulas."""
+    return listed([listed([formula(entry) for entry in row]) for row in rows])
+
+
+def universal_of_matrix(
+    given: Hypotheses,
+    rows: Sequence[Sequence[Goal]],
+    left: str = "",
+    *,
+    scalar: bool = False,
+    pattern: Sequence[Sequence[Term]] = (),
+    marks: Mapping[str, Term] | None = None,
+) -> tuple[str, str]:
+    """Return statement and proof that matrices are equal.
+
+    Parameters
+    ----------
+    given : Hypotheses
+    rows : sequence of sequence of Goal
+        The equations between entries; the left sides are what Coq computes of `left`.
+    left : str
+        The left side, if it is not the matrix of the left sides.
+    scalar : bool
+        Whether the only entry is meant.
+    pattern : sequence of sequence of Term
+        The right side, if it is not the matrix of the right sides.
+    marks : mapping of str to Term
+        Names that occur in the pattern, and values for which it holds.
+    """
+    goals = [goal for row in rows for goal in row]
+    named = [*(marks or {}).values()]
+    given = needed(given, [*goals, *(Goal(value, value) for value in named)])
+    stated, introduced = premises(given)
+    right = [[goal.right for goal in row] for row in rows] if not pattern else pattern
+    shown = formula(right[0][0]) if scalar else matrix_of(right)
+    left = left or matrix_of([[goal.left for goal in row] for row in rows])
+    chosen = f"exists {spelled([*(marks or {})])} : R,\n" if marks else ""
+    lines = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
+    statement = "\n".join([*lines, *stated, f"{chosen}{left} =\n{shown}"])
+    split = splitting(given)
+    listed_rows = listed([listed([_goal(goal, split) for goal in row], ";\n  ") for row in rows], ";\n ")
+    environment = f"({_environment(given)})"
+    tactics = [f"intros {' '.join(introduced.order)}."] if introduced.order else []
+    tactics += [f"exists {', '.join(f'({formula(value)})' for value in named)}."] if named else []
+    tactics += [
+        f"pose (rows := {listed_rows}).",
+        f"assert (all (map (concludes {environment}) (concat rows))) as same.",
+        f"{{ refine ({_following(given, split, 'concat rows', introduced)}).\n{CHECKED} }}",
+        "vm_cast_no_check same." if scalar else f"vm_cast_no_check (same_matrix {environment} rows same).",
+    ]
+    return statement, "\n".join(tactics)
+
+
+def _environment(given: Hypotheses) -> str:
+    variables, definitions = (listed([identifier(n) for n in part]) for part in (given.variables, given.definitions))
+    return f"{variables} ++ {definitions}"
+
+
 def premises(given: Hypotheses) -> tuple[list[str], Introduced]:
     """Return the lines of the premises, and the names that a proof introduces."""
     taken = {*given.variables, *given.definitions}
@@ -182,13 +257,16 @@ def premises_of_definitions(definitions: Mapping[str, Term], taken: set[str]) ->
 def consequence(given: Hypotheses, goals: Sequence[Goal], introduced: Introduced) -> str:
     """Return the application of the lemma that goals follow."""
     split = splitting(given)
-    certificates = listed([_goal(goal, split) for goal in goals], ";\n  ")
+    return _following(given, split, listed([_goal(goal, split) for goal in goals], ";\n  "), introduced)
+
+
+def _following(given: Hypotheses, split: Splitting, certificates: str, introduced: Introduced) -> str:
     variables, definitions = (listed([identifier(n) for n in part]) for part in (given.variables, given.definitions))
     return (
         f"follows {variables} {definitions}\n {split.trees(given.divisors)}\n"
         f" {split.trees([*given.definitions.values()])}\n"
         f" {split.trees(given.units)}\n {split.trees(given.constraints)}\n"
-        f" {certificates}\n _ {conjoined(introduced.divisors)} {conjoined(introduced.definitions)}"
+        f" ({certificates})\n _ {conjoined(introduced.divisors)} {conjoined(introduced.definitions)}"
         f" {conjoined(introduced.units)} {conjoined(introduced.constraints)}"
     )
 

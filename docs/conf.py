@@ -107,8 +107,14 @@ def _site_css(app, error):
         (Path(app.outdir) / "_static" / "site.css").write_text("\n".join(rules), encoding="utf-8")
 
 
+def _stars(app, what, name, subject, options, lines):
+    """Keep the star of a shape such as (..., *core), which is no markup."""
+    lines[:] = [re.sub(r"(?<=[ (])\*(?=core)", r"\\*", line) for line in lines]
+
+
 def setup(app):
     """Register the formulas, their style and the table of errors."""
+    app.connect("autodoc-process-docstring", _stars, priority=400)
     app.connect("build-finished", _site_css)
     app.add_html_math_renderer(
         "mathml",

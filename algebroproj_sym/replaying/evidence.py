@@ -177,12 +177,12 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Non
         require(own.pop("pivot") == pivot, "the pivot is another one")
         side = statement.form("derived")
         _consequence(statement, own, crossed, [Form((), side.operations, (side.entries[pivot],))])
-        _nonzero_at(statement, both, pivot, point)
+        _nonzero_at(statement, form, pivot, point)
         return
     if constrained:
         _keys(certificate, *MEMBERSHIP, "pivot", "nonzero at")
         _membership(statement, certificate, field, crossed, [derived[pivot]])
-        _nonzero_at(statement, both, pivot, statement.point(certificate["nonzero at"]))
+        _nonzero_at(statement, form, pivot, statement.point(certificate["nonzero at"]))
         return
     _method(certificate, "normal form")
     _keys(certificate, "method", "denominators", "pivot")
@@ -191,9 +191,9 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Non
     _hypotheses(statement, field, certificate["denominators"])
 
 
-def _nonzero_at(statement: Statement, sides: Sides, pivot: int, point: Point) -> None:
+def _nonzero_at(statement: Statement, form: str, pivot: int, point: Point) -> None:
     statement.require_allowed(point)
-    require(sides(at_point(point))[0][pivot] != 0, "the printed form is zero at the point")
+    require(statement.side(form, at_point(point))[pivot] != 0, "the printed form is zero at the point")
 
 
 def structure(statement: Statement, form: str, certificate: Certificate) -> None:

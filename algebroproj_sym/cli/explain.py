@@ -6,21 +6,19 @@ import click
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console
+from algebroproj_sym.cli.terminal import console, echo
 from algebroproj_sym.declaring import markdown, numbered_with, quotations, select, split
 from algebroproj_sym.reporting import explanation
 
 
 @click.command()
 @click.argument("selector")
-@options.output_as(
-    "text", "markdown", help="Form of the output; Markdown has its formulas in LaTeX, to be pasted into a review."
-)
+@options.output_as("text", "markdown", help="Format of the output. Markdown has formulas in LaTeX.")
 @options.engine
 def explain(selector: str, output: str, engine: str) -> None:
-    """Show what a claim prints, what is derived, the verdict, the evidence, and the functions that rest on it.
+    """Show one claim: the printed form, the derived form, the verdict and the evidence.
 
-    A SELECTOR is that of the command check: mypaper:1.3.8, or a whole section, module or folder.
+    SELECTOR names a claim, such as fundamentals1996:1.3.8, or a section, module or folder, as for check.
     """
     claims = select((selector,))
     source, _ = split(selector)
@@ -28,7 +26,7 @@ def explain(selector: str, output: str, engine: str) -> None:
     for judgement in pipeline.check(claims, engine):
         claim = judgement.claim
         if output == "markdown":
-            click.echo(f"{markdown(judgement)}\n")
+            echo(f"{markdown(judgement)}\n")
             continue
         kernels = [k for d in found for k in d.section.kernels if k.paper == claim.paper and claim.number in k.claims]
         derivation = next(d for d in found if claim in d.section.claims)

@@ -11,7 +11,7 @@ import sympy
 from algebroproj_sym.declaring.claim import Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement
 from algebroproj_sym.declaring.latex import latex
-from algebroproj_sym.expressions import Expression, size
+from algebroproj_sym.expressions import Expression, assumption, decimals, evaluate, leading, size
 from algebroproj_sym.proving import reduced
 
 LONGEST = 400
@@ -64,15 +64,26 @@ def evidence_lines(judgement: Judgement, show: Callable[[object], str] = str) ->
     lines = []
     if judgement.certificate:
         method = judgement.certificate["method"]
-        lines.append(f"undecided: {judgement.certificate['reason']}" if method == "none" else f"by {method}")
+        about = f": {_rounding(judgement)}" if method == "exact rounding" else ""
+        lines.append(f"undecided: {judgement.certificate['reason']}" if method == "none" else f"by {method}{about}")
     if judgement.hypotheses:
         lines.append("holds where none of these vanishes: " + ", ".join(map(show, judgement.hypotheses)))
+    if judgement.claim.assumed:
+        lines.append("assumed: " + "; ".join(map(assumption, judgement.claim.assumed)))
     if judgement.counterexample:
         values = ", ".join(f"{show(symbol)} = {show(value)}" for symbol, value in judgement.counterexample.items())
         lines.append(f"counterexample: {values}")
     if judgement.claim.instead:
         lines.append(f"true instead: ({judgement.claim.instead})")
     return lines
+
+
+def _rounding(judgement: Judgement) -> str:
+    """Return the one exact number of a printed one, with more digits, and what its rounding gives."""
+    claim, given = judgement.claim, (judgement.certificate or {})["rounded"]
+    assert claim.derived is not None
+    exact = leading(evaluate(claim.derived, {})[0], decimals(Decimal(given)) + 3)
+    return f"{exact}, {'cut off' if claim.rounding == 'cut' else 'to the nearest'} {given}"
 
 
 def _in_line(expression: object) -> str:

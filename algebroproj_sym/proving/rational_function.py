@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Any
 
 import sympy
@@ -180,6 +180,12 @@ class RationalFunction:
         denominator = tuple(sorted((self.field.place(factor), count) for factor, count in factors))
         numerator = self.field.product(self.denominator) * self.field.ring.constant(1 / content)
         return RationalFunction(self.field, numerator, denominator)
+
+
+def numerators_over_one(values: Sequence[RationalFunction]) -> list[Any]:
+    """Return the numerators of elements over one denominator."""
+    common = reduce(_union, (value.denominator for value in values))
+    return [value._numerator_over(common) for value in values]
 
 
 def _combine(left: Exponents, right: Exponents, join: Any) -> Exponents:

@@ -11,7 +11,7 @@ verdict.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -34,6 +34,8 @@ from algebroproj_sym.proving.translation import Frame, does_not_change, frame_of
 from algebroproj_sym.proving.varieties import Value, real_points, value_at
 
 RealPoint = Mapping[sympy.Symbol, Any]
+
+NO_POINT = "no real point was found that satisfies constraints, hypotheses and assumptions: add witness="
 
 FIRST_TRIES = 60
 ENOUGH_POINTS = 12
@@ -85,6 +87,8 @@ class Problem:
         What sums of squares have added to the constraints and to what is not zero, in order.
     given_frame : Frame, optional
         The translations that the facts go with.
+    admits : callable
+        Whether a point is one that the question is about.
     """
 
     field: RationalFunctionField
@@ -97,6 +101,7 @@ class Problem:
     given: Sequence[Mapping[sympy.Symbol, Fraction]] = ()
     facts: Sequence[Positive | Zeros] = ()
     given_frame: Frame | None = None
+    admits: Callable[[RealPoint], bool] = lambda point: True
 
     @cached_property
     def context(self) -> Any:
@@ -171,7 +176,7 @@ class Problem:
             if count >= ENOUGH_POINTS:
                 break
         if witness is None and self.system.is_inconsistent:
-            return _open("the constraints and hypotheses contradict each other, which would prove anything")
+            return _open(self._contradiction())
         evidence = [self._evidence(numerator) for numerator in self.numerators]
         if witness is not None and None in evidence and self._distinguished is not None:
             return self._proved_by_cases(self._distinguished, witness)
@@ -184,13 +189,23 @@ class Problem:
                 if None not in evidence:
                     break
         if witness is None:
-            return _open("no real point was found that satisfies constraints and hypotheses")
+            return _open(NO_POINT)
         found = [part for part in evidence if part is not None]
         if len(found) == len(evidence):
             return self._proved(found, witness)
         if self._distinguished is not None:
             return self._proved_by_cases(self._distinguished, witness)
         return _open("no combination of the constraints was found, and no real point at which the sides differ")
+
+    def _contradiction(self) -> str:
+        """Return what cannot be: constraints that contradict each other, or something that they force to be zero."""
+        zeros = self.system.constraints
+        if System(zeros, [], self.context).is_inconsistent:
+            return "the constraints contradict each other, which would prove anything"
+        for unit, restricted in zip(self.units, self.units_at_origin, strict=True):
+            if System(zeros, [restricted], self.context).is_inconsistent:
+                return f"{self.written(unit)} is zero wherever the constraints hold, and must not be: nothing is stated"
+        return "the constraints and hypotheses contradict each other, which would prove anything"
 
     def written(self, polynomial: Any) -> str:
         """Return a polynomial of FLINT's ring, with integer coefficients, as text."""
@@ -435,6 +450,8 @@ class Problem:
                 yield from self._judged(_Place(dict(zip(self.field.symbols, whole[:-1], strict=True)), field))
 
     def _judged(self, place: _Place) -> Iterator[tuple[_Place, bool]]:
+        if not self.admits(place.shown()):
+            return
         try:
             yield place, bool(place.values(self.left) != place.values(self.right))
         except ZeroDivisionError:
@@ -453,8 +470,9 @@ class Problem:
 
     def _refuted(self, place: _Place) -> Finding:
         sides = {"left": place.values(self.left), "right": place.values(self.right)}
-        shown = {name: [str(_shown(value)) for value in values] for name, values in sides.items()}
-        return Finding("refuted", {"method": "counterexample"} | shown | place.extension(), place.shown())
+        shown = {name: [*map(_text, values)] for name, values in sides.items()}
+        point = {"point": place.texts()} if place.field else {}
+        return Finding("refuted", {"method": "counterexample"} | shown | point | place.extension(), place.shown())
 
 
 def _powers_in(polynomial: Any, units: Sequence[Any]) -> tuple[list[int], Any]:
@@ -490,13 +508,25 @@ class _Place:
             return {}
         low, high = self.field.interval
         coefficients = [str(c) for c in reversed(self.field.polynomial.coeffs())]
-        values = {symbol.name: [*map(str, reversed(value.polynomial.coeffs()))] for symbol, value in self.point.items()}
-        return {"extension": {"coefficients": coefficients, "root between": [str(low), str(high)], "values": values}}
+        return {"extension": {"coefficients": coefficients, "root between": [str(low), str(high)]}}
+
+    def texts(self) -> dict[str, str]:
+        """Return the coordinates as text, by name."""
+        return {symbol.name: _text(value) for symbol, value in self.point.items()}
 
 
 def _witnessed(witness: _Place) -> dict[str, Any]:
     """Return the last part of a certificate: the point at which everything holds."""
-    return {"witness": {symbol.name: str(value) for symbol, value in witness.shown().items()}} | witness.extension()
+    return {"witness": witness.texts()} | witness.extension()
+
+
+def _text(value: Any) -> str:
+    """Return a number as text; one of an extension as a polynomial in its root r."""
+    if not isinstance(value, Algebraic):
+        return str(value)
+    root = sympy.Symbol("r")
+    terms = (sympy.Rational(int(c.p), int(c.q)) * root**k for k, c in enumerate(value.polynomial.coeffs()))
+    return str(sympy.Add(*terms))
 
 
 def _shown(value: Any) -> Any:

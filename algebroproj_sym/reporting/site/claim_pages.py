@@ -13,10 +13,10 @@ from algebroproj_sym.declaring import bibtex, quotations
 from algebroproj_sym.reporting.site.addresses import claim_record_file, errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
-    RELATIONS,
     comparison,
     printed_marks,
     reference_text,
+    relation,
     where,
 )
 from algebroproj_sym.reporting.site.evidence import evidence
@@ -39,7 +39,7 @@ def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: M
         entry=entry,
         claim=claim,
         paper=paper,
-        relation=RELATIONS[claim.kind],
+        relation=relation(claim),
         comparison=forms,
         where=meanings,
         constraints=[block(expression) for expression in claim.constraints],

@@ -20,7 +20,7 @@ from algebroproj_sym.reporting.site.formulas import Form, block, derived_number,
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
 
-RELATIONS = {
+_RELATIONS = {
     "identity": "Both sides are equal wherever they are defined.",
     "identity up to scale": "Both sides are equal but for a common factor.",
     "identity under constraints": "Both sides are equal wherever the constraints hold.",
@@ -29,9 +29,12 @@ RELATIONS = {
     "rank": "The rank that the matrix has in general.",
     "count": "How many of the functions are independent.",
     "limit": "The limit of the expression.",
-    "numeric": "The printed number is the exact one, rounded to its last digit.",
     "reference": "Where the reference points.",
     "definition": "It introduces a notation.",
+}
+_ROUNDINGS = {
+    "nearest": "The printed number is the nearest to the exact one with as many decimals.",
+    "cut": "The printed number is the exact one, with its further digits cut off.",
 }
 _DERIVED = {
     "identity up to scale": "Derived, but for a factor",
@@ -85,6 +88,11 @@ def comparison(judgement: Judgement) -> Comparison:
         caption = "Reconstructed" if claim.printed is None else "Corrected"
         sides.append(Side(caption, _form(claim, claim.corrected, marks["corrected"], f"{caption.lower()} form")))
     return Comparison(tuple(sides), _table(judgement, derived))
+
+
+def relation(claim: Claim) -> str:
+    """Return how the printed form is compared with the derived one."""
+    return _ROUNDINGS[claim.rounding] if claim.kind == "numeric" else _RELATIONS[claim.kind]
 
 
 def printed_marks(judgement: Judgement) -> tuple[Marks, Marks]:

@@ -20,6 +20,7 @@ from algebroproj_sym.exporting import assumptions, checked, compiled, compiled_l
 from algebroproj_sym.exporting.compiling import ALLOWED, assumed, axioms
 from algebroproj_sym.exporting.files import translated, word
 from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, reserved
+from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.exporting.points import inverse, values
 from algebroproj_sym.exporting.terms import (
     difference,
@@ -301,8 +302,8 @@ def test_the_files_name_each_other(records):
 
 
 def test_nothing_is_admitted(repository):
-    for name in LEMMAS:
-        text = (repository / "algebroproj_sym/exporting" / name).read_text(encoding="utf-8")
+    for lemmas in LEMMAS:
+        text = (repository / "algebroproj_sym/exporting" / lemmas).read_text(encoding="utf-8")
         assert not re.search(r"\b(Admitted|admit|Axiom|Parameter|Conjecture|Abort|Hypothesis Hfalse)\b", text)
 
 
@@ -384,7 +385,8 @@ def test_an_axiom_that_no_theorem_uses_is_found_out(records, library):
 
 @needs_coq
 def test_what_a_file_of_theorems_prints_is_not_believed(records, library):
-    faked = 'Axiom evil : False.\nTheorem claim_1_1 : 1 = 2.\nProof. destruct evil. Qed.\nPrint Assumptions Rplus_0_l.\n'
+    faked = "Axiom evil : False.\nTheorem claim_1_1 : 1 = 2.\nProof. destruct evil. Qed.\n"
+    faked += "Print Assumptions Rplus_0_l.\n"
     found = library([exported(record_of(records, "1.1"))], lambda text: text[: text.index("(**")] + faked)
     assert "evil" in found.error
 
@@ -418,7 +420,7 @@ PAYLOADS = [
     "\ud800",
     "Δ' α\u0301",
 ]
-NAMED = ("paper", "number", "section", "title", "kind", "verdict", "expected", "engine", "note", "instead", "declaration")
+NAMED = ("paper", "number", "section", "title", "kind", "verdict", "expected", "engine", "note", "instead")
 PLACES = [
     *((key,) for key in NAMED),
     *((key,) for key in ("printed", "derived", "corrected")),
@@ -543,8 +545,9 @@ def test_every_word_of_coq_that_a_file_uses_is_no_name_of_a_variable(records):
 
 
 COMMANDS = {
-    *"From Coq Require Import Reals QArith List Algebroproj Formulas Linear ListNotations Open Scope R_scope".split(),
-    *"Theorem Proof Qed intros intro refine all vm_cast_no_check pose proof exact F".split(),
+    *("From", "Coq", "Require", "Import", "Reals", "QArith", "List", "Algebroproj", "Formulas", "Linear"),
+    *("ListNotations", "Open", "Scope", "R_scope", "Theorem", "Proof", "Qed", "intros", "intro", "refine", "all"),
+    *("vm_cast_no_check", "pose", "proof", "assert", "same", "rows", "concat", "x", "F", "ltac", "Z", "pivot", "k"),
 }
 
 
@@ -587,3 +590,87 @@ def test_without_coq_compiling_is_refused_before_anything_is_written(tmp_path, m
     assert result.exit_code == 1
     assert "coqc is not installed" in result.output
     assert not (tmp_path / "coq").exists()
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# objects of derivations
+
+MODULE = """
+import sympy
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import (
+    Matrix, adjugate, columns, cross, determinant, dot, homogeneous, inverse, linear_system, over, solve, vector)
+
+a, b, c, d, x, y = sympy.symbols("a b c d x y")
+section = Section("demo", "1", "Objects")
+M = columns(vector(a, b), c * vector(1, 0) - vector(0, d))
+N = M.subs(c, 1)
+Delta = determinant(N)
+M_inverse = inverse(M)
+system, right_side = linear_system([a * x + y - b, x - c * y], [x, y])
+at = solve(system, right_side)
+image = N * homogeneous(vector(x))
+ratio = over(image[0], image[1])
+section.identity("1.1", "entries", printed=Matrix([[a, c], [b, -d]]), derived=M)
+section.identity("1.2", "substituted", printed=Matrix([[a, 1], [b, -d]]), derived=N)
+section.identity("1.3", "determinant", printed=-a * d - b, derived=Delta)
+section.identity("1.4", "inverse", printed=Matrix.eye(2), derived=M * M_inverse)
+section.identity("1.5", "solution", printed=vector(b * c, b) / (a * c + 1), derived=at)
+section.identity("1.6", "entry of a product", printed=(a + x) / (b - d * x), derived=ratio)
+section.identity("1.7", "nothing", printed=vector(0, 0, 0), derived=cross(vector(a, b, c), vector(a, b, c)))
+section.identity("1.8", "zero", printed=0, derived=dot(vector(a, b), vector(-b, a)))
+section.identity("1.9", "adjugate", printed=Matrix([[-d, -c], [-b, a]]), derived=adjugate(M))
+zeros = dot(vector(a, b), vector(-b, a)), dot(M[0, :].T, vector(c, -a))
+section.identity("1.10", "zeros", printed=vector(0, 0), derived=vector(*zeros))
+section.identity("1.11", "convention", printed=vector(x, y), derived=vector(x, y))
+section.identity("1.12", "parts", printed=Matrix([[b, -d], [a, c]]), derived=M[1, :].col_join(M[:1, :]))
+section.identity("1.13", "sides", printed=Matrix([[2 * a, b + c], [b + c, -2 * d]]), derived=(2 * M + 2 * M.T) / 2)
+section.structure("1.14", "pattern", printed=Matrix([[0, a], [-a, 0]]), derived=M - M.T - Matrix([[0, 0], [0, 0]]))
+"""
+
+
+@pytest.fixture(scope="module")
+def objects(tmp_path_factory):
+    path = tmp_path_factory.mktemp("derivations") / "s1_objects.py"
+    path.write_text(MODULE, encoding="utf-8")
+    claims, made = made_by_derivations([str(path)])
+    found = ledger([judge(claim) for claim in claims], timed=False)["claims"]
+    return found, made
+
+
+def test_objects_are_made_as_the_derivation_makes_them(objects):
+    records, made = objects
+    exported_claims = {claim.number: claim for claim in export(records, objects=made)}
+    commands = {d.name: d.text for claim in exported_claims.values() for d in claim.definitions}
+    assert commands["the_N"] == "the_M a b (1) d"
+    assert commands["the_Delta"].startswith("determinant (the_N")
+    assert commands["the_M_inverse"].startswith("inverse (the_M")
+    assert commands["the_image"].startswith("product (the_N")
+    assert "solution" in commands["the_at"]
+    assert {number: claim.trivial for number, claim in exported_claims.items() if claim.trivial} == {"1.11": 2}
+    assert "1.11" in render(exported_claims.values())["conventions.txt"]
+
+
+@needs_coq
+def test_the_kernel_accepts_objects(objects, library):
+    records, made = objects
+    found = library([*export(records, objects=made)])
+    assert found.error == ""
+    assert {*found.axioms} == ALLOWED
+
+
+def test_steps_that_make_another_form_are_noticed(objects):
+    records, made = objects
+    (record,) = [record for record in records if record["number"] == "1.3"]
+    other = made["demo", "1.8"]
+    claim = translated(record, other)
+    assert not claim.definitions
+    assert claim.why == "the steps of the derivation make another form than the ledger has"
+
+
+@needs_coq
+def test_the_kernel_rejects_an_object_that_is_made_otherwise(objects, library):
+    records, made = objects
+    claims = [*export(records, objects=made)]
+    assert library(claims, lambda text: text.replace("determinant (the_N", "- determinant (the_N")).error
+    assert library(claims, lambda text: text.replace("inverse (the_M", "adjugate (the_M")).error

@@ -262,7 +262,7 @@ MALFORMED = {
     "expected": ([SQUARE | {"expected": "true"}], "key 'expected': expected one of proved, refuted, open, got 'true'"),
     "variables": ([SQUARE | {"variables": ["a"]}], "key 'lhs', position 5: expected one of the variables a, got 'b'"),
     "shapes": ([{"lhs": "[[x, y]]", "rhs": "x"}], "key 'rhs': expected the shape of 'lhs', got (1, 2) and ()"),
-    "witness": ([SQUARE | {"witness": {"a": "0.x"}}], "entry 'a': expected a rational number as text, got '0.x'"),
+    "witness": ([SQUARE | {"witness": {"a": "0.x"}}], "key 'witness', entry 'a', position 2: expected an operator"),
     "deep": ("[" * 100_000, "expected JSON"),
 }
 

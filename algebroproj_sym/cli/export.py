@@ -84,7 +84,7 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
     _say(claims, out)
     refused = [claim for claim in claims if claim.refused]
     for claim in refused:
-        click.echo(f"{plain(f'{claim.paper}:{claim.number}')} is not exported: {plain(claim.reason)}", err=True)
+        echo(f"{plain(f'{claim.paper}:{claim.number}')} is not exported: {plain(claim.reason)}", err=True)
     if compiling:
         _compile(out, [name.removesuffix(".v") for name in files if name.endswith(".v")], jobs)
     if refused:

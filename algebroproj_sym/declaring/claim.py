@@ -233,7 +233,7 @@ def _with_plain_symbols(claim: Claim, symbols: set[sympy.Symbol], where: str) ->
         )
     if all(symbol == kept for symbol, kept in plain.items()):
         return claim
-    forms = {name: _replaced(getattr(claim, name), plain) for name in ("printed", "derived", "corrected", "unrounded")}
+    forms = {name: _replaced(getattr(claim, name), plain) for name in ("printed", "derived", "corrected")}
     lists = {name: _replaced(getattr(claim, name), plain) for name in ("constraints", "nonzero", "variables", "kernel")}
     implied = [plain[symbol] for symbol in given if symbol.is_zero is False]
     lists["nonzero"] += tuple(unit for unit in implied if unit not in lists["nonzero"])

@@ -22,6 +22,7 @@ from algebroproj_sym.declaring.importing import import_at, is_package, modules_i
 from algebroproj_sym.declaring.kernel import Kernel
 from algebroproj_sym.declaring.quotes import Quote, quotations
 from algebroproj_sym.declaring.section import Section
+from algebroproj_sym.expressions import provenance
 
 PAPERS = "algebroproj_derivations"
 
@@ -278,6 +279,7 @@ def _declared_by(module: ModuleType) -> tuple[Derivation, ...]:
     section = getattr(module, "section", None)
     if not isinstance(section, Section):
         return ()
+    provenance.name(vars(module))
     return (Derivation(module.__name__, section, Path(str(module.__file__)).resolve()),)
 
 

@@ -31,12 +31,10 @@ from algebroproj_sym.exporting.terms import (
     inlined,
     integer,
     name,
-    names,
     negative,
     number,
     product,
     quotient,
-    total,
 )
 from algebroproj_sym.exporting.theorems import (
     Goal,
@@ -85,7 +83,7 @@ def about(statement: Statement, form: str, made: Object) -> Proved:
     printed, derived = statement.written(form), statement.written("derived")
     given = _hypotheses(statement, printed, derived)
     entries = [entry for row in made.rows for entry in row]
-    given = replace(given, variables=tuple(sorted({*given.variables, *names(entries)})))
+    given = replace(given, variables=tuple(sorted({*given.variables, *made.variables})))
     field = splitting(given).field
     expected = inlined(derived.entries, derived.definitions)
     if len(entries) != len(expected) or any(
@@ -199,8 +197,10 @@ def structure(statement: Statement, form: str, certificate: Certificate) -> Prov
     first: dict[str, Term] = {}
     expected = []
     for (sign, mark), entry in zip(marks, derived.entries, strict=True):
-        value = integer(int(mark)) if mark.lstrip("-").isdecimal() else first.setdefault(
-            mark, entry if sign > 0 else negative(entry)
+        value = (
+            integer(int(mark))
+            if mark.lstrip("-").isdecimal()
+            else first.setdefault(mark, entry if sign > 0 else negative(entry))
         )
         expected.append(value if sign > 0 else negative(value))
     width = statement.form("derived").shape[1]
@@ -291,7 +291,10 @@ def _kernel(statement: Statement, certificate: Certificate) -> Proved:
     rows = [[Goal(dot(row, vector), integer(0)) for vector in vectors] for row in matrix]
     given = with_divisors(given, [goal.left for row in rows for goal in row])
     shown = f"times\n {matrix_of(matrix)}\n {matrix_of(vectors)}"
-    return {"kernel": universal_of_matrix(given, rows, shown), "independent": _independent(statement, certificate, vectors)}
+    return {
+        "kernel": universal_of_matrix(given, rows, shown),
+        "independent": _independent(statement, certificate, vectors),
+    }
 
 
 def _independent(statement: Statement, certificate: Certificate, vectors: Sequence[Sequence[Term]]) -> tuple[str, str]:

@@ -1,4 +1,4 @@
-"""Compiling: Coq's kernel and its checker accept the exported files, and what they assume is compared with what may be."""
+"""Compiling: coqc and coqchk accept the exported files, and what these assume is compared with what may be."""
 
 from __future__ import annotations
 
@@ -138,7 +138,9 @@ def _run(program: str, folder: Path, name: str, *arguments: str) -> tuple[Compil
     ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, encoding="utf-8", check=False)
     seconds = time.perf_counter() - start
     failure = _shortened(ended.stderr) or f"{program} ended with status {ended.returncode}"
-    return Compiled(name, seconds, (), failure if ended.returncode else ""), ended.stdout
+    return Compiled(name, seconds, (), failure if ended.returncode else ""), ended.stdout + ended.stderr * (
+        program == "coqchk"
+    )
 
 
 def _shortened(message: str, limit: int = 2000) -> str:
@@ -188,7 +190,8 @@ def unexpected(output: str) -> str:
 
     Examples
     --------
-    >>> said = "* Theory: Set is predicative\n* Axioms:\n    {}\n* Constants/Inductives relying on type-in-type: <none>\n"
+    >>> said = "* Theory: Set is predicative\n* Axioms:\n    {}\n"
+    >>> said += "* Constants/Inductives relying on type-in-type: <none>\n"
     >>> said += "* Constants/Inductives relying on unsafe (co)fixpoints: <none>\n"
     >>> said += "* Inductives whose positivity is assumed: <none>\n"
     >>> unexpected(said.format("Coq.Logic.Classical_Prop.classic")), unexpected(said.format("Algebroproj.a.evil"))

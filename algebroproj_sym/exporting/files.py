@@ -10,7 +10,7 @@ from importlib.resources import files as resources
 from multiprocessing import get_context
 from typing import Any
 
-from algebroproj_sym.exporting.claims import theorems
+from algebroproj_sym.exporting.claims import Proved, theorems
 from algebroproj_sym.exporting.gallina import LEMMAS
 from algebroproj_sym.exporting.objects import Definition, Object
 from algebroproj_sym.exporting.refusal import NotExportable, Silent
@@ -26,6 +26,7 @@ CHECKING = ("-silent", "-o", "-bytecode-compiler", "yes")
 """What coqchk is asked for: a list of axioms, and to compute as fast as coqc."""
 
 ABOUT = ("paper", "number", "section", "title", "kind", "verdict")
+NO_STEPS = "no steps are written for claims of this kind"
 LONGEST_NAME = 200
 HEADER = f"""From Coq Require Import Reals QArith List.
 From {LIBRARY} Require Import Formulas Linear.
@@ -89,14 +90,20 @@ def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
 
     Examples
     --------
+    >>> from algebroproj_sym.replaying import declaration_digest
     >>> record = {
     ...     "paper": "demo", "number": "1.1", "section": "1", "title": "a square", "kind": "identity",
-    ...     "verdict": "proved", "printed": "(x**2 - 1)/(x - 1)", "derived": "x + 1", "corrected": None, "where": {},
-    ...     "hypotheses": ["x - 1"], "certificate": {"method": "normal form", "denominators": ["x - 1"]}}
+    ...     "expected": "proved", "printed": "(x**2 - 1)/(x - 1)", "derived": "x + 1", "corrected": None, "where": {},
+    ...     "setting": {}, "instead": None, "note": "", "quote": None, "verdict": "proved", "hypotheses": ["x - 1"],
+    ...     "counterexample": None, "certificate": {"method": "normal form", "denominators": ["x - 1"]},
+    ...     "engine": "flint"}
+    >>> record["declaration"] = declaration_digest(record)
     >>> print(exported(record).theorems[0].statement)
     forall x : R,
     x - 1 <> 0 ->
     (x ^ 2 - 1) / (x - 1) = x + 1
+    >>> exported({**record, "derived": "x + 2"}).reason
+    'the evidence does not replay: the digest is not that of the declaration'
     """
     replayed = replay_claim(record)
     if replayed.status == "replayed":
@@ -107,14 +114,14 @@ def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
 def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     """Return the theorems of a claim whose evidence was replayed."""
     definitions: tuple[Definition, ...] = ()
-    why = made if isinstance(made, str) else ""
+    missing = made if isinstance(made, str) else ""
+    found: Proved = {}
     try:
-        found = None
         if isinstance(made, Object) and record["kind"] == "identity":
             try:
                 found, definitions = theorems(record, made), made.definitions
-            except (NotExportable, RecursionError) as reason:
-                why = str(reason)
+            except (NotExportable, RecursionError) as error:
+                missing = str(error) or "the expressions are too large"
         found = found or theorems(record)
     except NotExportable as why:
         return _exported(record, reason=str(why), refused=not isinstance(why, Silent))
@@ -128,11 +135,12 @@ def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
         return _exported(record, reason="paper, section and number are too long for names of files", refused=True)
     named = {shown: stem if shown == "holds" else f"{stem}_{word(shown)}" for shown in found}
     proved = tuple(Theorem(named[shown], *found[shown]) for shown in found)
-    return _exported(record, theorems=proved, definitions=definitions, why=why)
+    return _exported(record, theorems=proved, definitions=definitions, why=missing)
 
 
 def _exported(record: Mapping[str, Any], **found: Any) -> Exported:
-    return Exported(*(str(record.get(key)) for key in ABOUT), **found)
+    paper, number, section, title, kind, verdict = (str(record.get(key)) for key in ABOUT)
+    return Exported(paper, number, section, title, kind, verdict, **found)
 
 
 def export(
@@ -233,7 +241,9 @@ def _reason(claim: Exported) -> str:
 
 
 def _convention(claim: Exported) -> str:
-    about = f"{claim.paper}:{claim.number}  {claim.trivial} of {claim.equations}: {claim.why}: {claim.title}"
+    about = (
+        f"{claim.paper}:{claim.number}  {claim.trivial} of {claim.equations}: {claim.why or NO_STEPS}: {claim.title}"
+    )
     return f"{plain(about)}\n"
 
 

@@ -24,20 +24,16 @@ Splits: TypeAlias = Mapping[Term, Split]
 LEMMAS = ("Formulas.v", "Linear.v")
 """The files that every exported file requires."""
 
-KEYWORDS = frozenset(
-    """
-    Axiom CoFixpoint Definition Fixpoint Hypothesis IF Inductive Lemma Parameter Prop Record SProp Section Set Theorem
-    Type Variable _ as at by cofix constr do else end exists exists2 fix for forall fun if in lazymatch let ltac
-    match multimatch return then using where with
-    """.split()
-)
-LIBRARY_NAMES = frozenset(
-    """
-    I IZR N0 None Npos O PX Pc Pinj Q Q2R Qmake R Rabs Rinv Rplus S Some Z Z0 Zneg Zpos bool conj cons eq_refl eq_sym
-    ex_intro false inl inr left limit1_in list mod nat nil not or and pair proj1 proj2 right true tt xH xI xO
-    """.split()
-)
-"""What the exported files use of Coq's standard library."""
+_KEYWORDS = """
+Axiom CoFixpoint Definition Fixpoint Hypothesis IF Inductive Lemma Parameter Prop Record SProp Section Set Theorem Type
+Variable _ as at by cofix constr do else end exists exists2 fix for forall fun if in lazymatch let ltac match
+multimatch return then using where with
+"""
+_LIBRARY = """
+I IZR N0 None Npos O PX Pc Pinj Q Q2R Qmake R Rabs Rinv Rplus S Some Z Z0 Zneg Zpos and app bool concat conj cons
+eq_refl eq_sym ex_intro false inl inr left length limit1_in list map mod nat nil not or pair proj1 proj2 right seq true
+tt xH xI xO
+"""
 
 _DEFINED = re.compile(
     r"^\s*(?:(?:Definition|Fixpoint|Inductive|Lemma|Theorem)\s+(\w+)|\|\s+([A-Z]\w*) [(:])", re.MULTILINE
@@ -48,9 +44,8 @@ _DEFINED = re.compile(
 def reserved() -> frozenset[str]:
     """Return the names that mean something in an exported file: no variable may be called so."""
     lemmas = [resources("algebroproj_sym.exporting").joinpath(name).read_text("utf-8") for name in LEMMAS]
-    return KEYWORDS | LIBRARY_NAMES | {
-        found for text in lemmas for pair in _DEFINED.findall(text) for found in pair if found
-    }
+    defined = {found for text in lemmas for pair in _DEFINED.findall(text) for found in pair if found}
+    return frozenset([*_KEYWORDS.split(), *_LIBRARY.split(), *defined])
 
 
 LONG = 10**15

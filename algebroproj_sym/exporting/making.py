@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
-
-import sympy
 
 from algebroproj_sym.declaring import Claim, located
 from algebroproj_sym.exporting.objects import Object, Workshop
 from algebroproj_sym.exporting.refusal import NotExportable
-from algebroproj_sym.expressions.provenance import Made, Record, recording
+from algebroproj_sym.expressions.provenance import Made, recording
 
-CONVENTION = "the derivation writes it down as it is printed"
+CONVENTION = "the derivation introduces it in this form"
+NUMBERS = "it is made of numbers that the derivation computes"
 
 
 def made_by_derivations(
@@ -24,13 +22,13 @@ def made_by_derivations(
     """
     with recording() as record:
         found = located(selectors)
-    names = _names([derivation.module for derivation, _ in found], record)
     workshops: dict[str, Workshop] = {}
     objects = {}
-    for derivation, claim in found:
+    for _, claim in found:
         if claim.kind == "identity":
             key = claim.paper, claim.number
-            workshop = workshops.setdefault(f"{claim.paper}:{claim.section}", Workshop(names))
+            section = f"{claim.paper}:{claim.section}"
+            workshop = workshops.setdefault(section, Workshop(record.names))
             objects[key] = _object(workshop, record.claims.get(key))
     return tuple(claim for _, claim in found), objects
 
@@ -39,19 +37,6 @@ def _object(workshop: Workshop, made: Made | None) -> Object | str:
     if made is None:
         return "its making was not noted"
     try:
-        return workshop.object(made) or CONVENTION
+        return workshop.object(made) or (CONVENTION if made.value.free_symbols else NUMBERS)
     except (NotExportable, RecursionError, KeyError, ValueError, TypeError, IndexError, AttributeError) as why:
         return str(why) or type(why).__name__
-
-
-def _names(modules: Sequence[str], record: Record) -> dict[Made, str]:
-    """Return what derivation modules call their objects."""
-    found: dict[Made, str] = {}
-    for module in dict.fromkeys(modules):
-        for called, value in vars(sys.modules[module]).items() if module in sys.modules else ():
-            made = getattr(value, "__dict__", {}).get("made") if isinstance(value, sympy.MatrixBase) else None
-            if made is None and isinstance(value, sympy.Expr) and value.args:
-                made = record.scalars.get(value)
-            if isinstance(made, Made) and not called.startswith("_"):
-                found.setdefault(made, called)
-    return found

@@ -81,6 +81,7 @@ class Object:
     definitions: tuple[Definition, ...]
     text: str
     rows: Rows
+    variables: frozenset[str]
     scalar: bool
 
 
@@ -97,7 +98,6 @@ class Workshop:
         self.called = called
         self.pieces: dict[Made, Piece] = {}
         self.defined: dict[Made, Definition] = {}
-        self.needs: dict[Made, list[Made]] = {}
         self.taken: set[str] = set()
 
     def object(self, made: Made) -> Object | None:
@@ -107,7 +107,9 @@ class Workshop:
             return None
         order: dict[Made, None] = {}
         self._collect(made, order, set())
-        return Object(tuple(self.defined[step] for step in order), piece.text, piece.rows, piece.scalar)
+        return Object(
+            tuple(self.defined[step] for step in order), piece.text, piece.rows, piece.variables, piece.scalar
+        )
 
     def _collect(self, made: Made, order: dict[Made, None], met: set[Made]) -> None:
         if made in met:
@@ -128,7 +130,7 @@ class Workshop:
         return self.pieces[made]
 
     def _named(self, made: Made, piece: Piece, wanted: str = "") -> Piece:
-        called = f"the_{identifier(wanted or self.called[made])}"
+        called = identifier(f"the_{wanted or self.called[made]}")
         while called in self.taken:
             called += "'"
         self.taken.add(called)
@@ -177,7 +179,7 @@ class Workshop:
             raise NotExportable("a matrix has no entries")
         parts = [self.piece(operand) for operand in operands]
         rows = [parts[start : start + width] for start in range(0, len(parts), width)]
-        text = listed([listed([part.text.removeprefix("(").removesuffix(")") if _bare(part) else part.text for part in row]) for row in rows])
+        text = listed([listed([part.text.removeprefix("(").removesuffix(")") for part in row]) for row in rows])
         return Piece(
             text,
             tuple(tuple(part.rows[0][0] for part in row) for row in rows),
@@ -235,7 +237,9 @@ class Workshop:
         height, width = len(piece.rows), len(piece.rows[0])
         if not isinstance(key, tuple):
             key = divmod(range(height * width)[int(key)], width)
-        rows, columns = ([*range(count)[k]] if isinstance(k, slice) else k for k, count in zip(key, (height, width), strict=True))
+        rows, columns = (
+            [*range(count)[k]] if isinstance(k, slice) else k for k, count in zip(key, (height, width), strict=True)
+        )
         if not isinstance(rows, list) and not isinstance(columns, list):
             i, j = range(height)[int(rows)], range(width)[int(columns)]
             entry = piece.rows[i][j]
@@ -247,10 +251,6 @@ class Workshop:
         chosen = tuple(tuple(piece.rows[i][j] for j in columns) for i in rows)
         places = " ".join(f"{listed([*map(str, part)])}%nat" for part in (rows, columns))
         return Piece(f"(part {piece.text} {places})", chosen, piece.variables, scalar=False, made=piece.made)
-
-
-def _bare(piece: Piece) -> bool:
-    return piece.scalar
 
 
 def _operands(made: Made) -> list[Made]:
@@ -374,9 +374,9 @@ def _times(a: Piece, b: Piece) -> Piece:
     if a.scalar or b.scalar:
         k, m = (a, b) if a.scalar else (b, a)
         return _called("scaled", lambda u, v: tuple(tuple(product([u[0][0], x]) for x in row) for row in v))(k, m)
-    return _called(
-        "product", lambda u, v: tuple(tuple(dot(row, column) for column in _transposed(v)) for row in u)
-    )(a, b)
+    return _called("product", lambda u, v: tuple(tuple(dot(row, column) for column in _transposed(v)) for row in u))(
+        a, b
+    )
 
 
 def _columns(*parts: Piece) -> Piece:

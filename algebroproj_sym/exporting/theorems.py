@@ -204,7 +204,7 @@ def universal_of_matrix(
     named = [*(marks or {}).values()]
     given = needed(given, [*goals, *(Goal(value, value) for value in named)])
     stated, introduced = premises(given)
-    right = [[goal.right for goal in row] for row in rows] if not pattern else pattern
+    right = pattern or [[goal.right for goal in row] for row in rows]
     shown = formula(right[0][0]) if scalar else matrix_of(right)
     left = left or matrix_of([[goal.left for goal in row] for row in rows])
     chosen = f"exists {spelled([*(marks or {})])} : R,\n" if marks else ""

@@ -129,8 +129,8 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
 def _substituted(matrix: Matrix, arguments: tuple[Any, ...], result: Any) -> Any:
     if not is_recording():
         return result
-    pairs = arguments if len(arguments) == 2 else arguments[0]
-    pairs = [pairs] if len(arguments) == 2 else [*pairs.items()] if hasattr(pairs, "items") else [*pairs]
+    (given, *more) = arguments
+    pairs = [(given, *more)] if more else [*given.items()] if hasattr(given, "items") else [*given]
     if not all(isinstance(old, sympy.Symbol) for old, _ in pairs):
         return result
     return noted("substituted", (matrix, tuple((old.name, made_of(new)) for old, new in pairs)), result)

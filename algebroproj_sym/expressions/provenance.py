@@ -6,10 +6,10 @@ its provenance; a scalar, of which SymPy keeps one copy, is found by its value, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy
 
@@ -35,13 +35,27 @@ class Made:
 
 @dataclass
 class Record:
-    """What was noted: how the derived forms of claims were made, by paper and number, and how scalars were."""
+    """What was noted.
+
+    Attributes
+    ----------
+    claims : dict of (paper, number) to Made
+        How the derived forms of claims were made.
+    scalars : dict of Expr to Made
+        How scalars were made, the last time.
+    atoms : list of Made
+        Results since the last claim that are a number or a symbol, which say nothing by their value.
+    names : dict of Made to str
+        What modules call their objects.
+    """
 
     claims: dict[tuple[str, str], Made] = field(default_factory=dict)
     scalars: dict[Any, Made] = field(default_factory=dict)
-    number: Made | None = None
+    atoms: list[Made] = field(default_factory=list)
+    names: dict[Made, str] = field(default_factory=dict)
 
 
+Result = TypeVar("Result")
 _records: list[Record] = []
 
 
@@ -69,20 +83,19 @@ def is_recording() -> bool:
     return bool(_records)
 
 
-def noted(operation: str, operands: tuple[Any, ...], result: Any) -> Any:
-    """Return the result of an operation, after noting how it was made; plain data among the operands stay as they are."""
+def noted(operation: str, operands: tuple[Any, ...], result: Result) -> Result:
+    """Return the result of an operation, after noting how it was made; plain data among operands stay as they are."""
     if not _records or not isinstance(result, sympy.Expr | sympy.MatrixBase):
         return result
     made = Made(operation, tuple(map(_operand, operands)), result)
     if isinstance(result, sympy.MatrixBase):
-        if not hasattr(result, "__dict__"):
-            return result
-        result = result._new(result.rows, result.cols, list(result.flat()))
-        result.__dict__["made"] = made
-    elif result.is_Rational:
-        _records[-1].number = made
+        if hasattr(result, "__dict__"):
+            result = result._new(result.rows, result.cols, list(result.flat()))
+            result.__dict__["made"] = made
     elif result.args:
         _records[-1].scalars[result] = made
+    else:
+        _records[-1].atoms.append(made)
     return result
 
 
@@ -122,6 +135,31 @@ def declare(key: tuple[str, str], derived: Any) -> None:
     """Note how the derived form of a claim was made."""
     if _records and isinstance(derived, sympy.Expr | sympy.MatrixBase):
         record = _records[-1]
-        is_last = record.number is not None and record.number.value == derived
-        record.claims[key] = record.number if record.number is not None and is_last else made_of(derived)
-        record.number = None
+        record.claims[key] = _with_atoms(made_of(derived), record.atoms)
+        record.atoms.clear()
+
+
+def name(objects: Mapping[str, Any]) -> None:
+    """Note what a module calls its objects."""
+    for called, value in objects.items() if _records else ():
+        made = None
+        if isinstance(value, sympy.MatrixBase):
+            made = getattr(value, "__dict__", {}).get("made")
+        elif isinstance(value, sympy.Expr) and value.args:
+            made = _records[-1].scalars.get(value)
+        if made is not None and not called.startswith("_"):
+            _records[-1].names.setdefault(made, called)
+
+
+def _with_atoms(made: Made, atoms: list[Made]) -> Made:
+    """Return how a value was made whose numbers and symbols, in order, are the last ones that operations gave."""
+    parts = [made] if made.operation == "scalar" else [*made.operands[1:]] if made.operation == "entries" else []
+    places = [place for place, part in enumerate(parts) if not part.value.args]
+    for results in (atoms, [atom for atom in atoms if atom.operation != "part"]):
+        last = results[len(results) - len(places) :] if len(results) >= len(places) else []
+        if places and [atom.value for atom in last] == [parts[place].value for place in places]:
+            found = dict(enumerate(parts)) | dict(zip(places, last, strict=True))
+            if made.operation == "scalar":
+                return found[0]
+            return Made("entries", (made.operands[0], *found.values()), made.value)
+    return made

@@ -5,9 +5,11 @@ import os
 import re
 import subprocess
 import sys
+from base64 import b64decode
 from decimal import Decimal
 from fractions import Fraction
 from html.parser import HTMLParser
+from io import BytesIO
 from pathlib import Path
 from posixpath import dirname, join, normpath
 from xml.etree import ElementTree
@@ -15,10 +17,11 @@ from xml.etree import ElementTree
 import pytest
 import sympy
 from click.testing import CliRunner
+from fontTools.ttLib import TTFont
 
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
-from algebroproj_sym.declaring import Derivation, derivations, judge, publication, select
+from algebroproj_sym.declaring import Derivation, derivations, judge, kernels, publication, select
 from algebroproj_sym.declaring.bibliography import bibtex
 from algebroproj_sym.declaring.latex import NOTHING, latex
 from algebroproj_sym.declaring.names import latex_name, plain_name
@@ -26,6 +29,7 @@ from algebroproj_sym.expressions import Matrix, entries, evaluate, over, symbols
 from algebroproj_sym.reporting.site import OccupiedError, catalogue, render_site, replace
 from algebroproj_sym.reporting.site.addresses import claim_page, slug
 from algebroproj_sym.reporting.site.differences import difference
+from algebroproj_sym.reporting.site.function_pages import formulas_of
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.search import search_index
 
@@ -162,9 +166,46 @@ def test_every_link_and_anchor_resolves(files):
 
 
 def test_nothing_is_loaded_from_elsewhere(files):
+    elsewhere = r"(?:src|href|action)=\"(?:[a-z]+:|//)|url\((?!data:)|@import|fetch\(|https?://"
     for name, text in files.items():
         if name.endswith((".html", ".css", ".js")):
-            assert not re.search(r"(?:src|href|action)=\"(?:[a-z]+:|//)|url\(|@import|fetch\(|https?://", text), name
+            assert not re.search(elsewhere, text), name
+
+
+def require_no_markup(text, name):
+    for formula in re.findall(r"<math.*?</math>", text):
+        shown = "".join(ElementTree.fromstring(formula).itertext())
+        assert not {*shown} & {*"<>&\\"}, (name, shown)
+
+
+def test_no_formula_shows_markup_as_text(files):
+    for name, text in files.items():
+        if name.endswith(".html"):
+            require_no_markup(text, name)
+
+
+def test_no_formula_of_any_function_shows_markup_as_text():
+    found = kernels()
+    assert len(found) > 70
+    for kernel in found:
+        require_no_markup("".join(formulas_of(kernel)), kernel.qualified_name)
+
+
+def test_the_font_of_the_formulas_is_in_the_site_with_its_licence_and_has_what_the_pages_show(files):
+    font = TTFont(BytesIO(b64decode(re.search(r"url\(data:font/woff2;base64,([^)]*)\)", files["style.css"]).group(1))))
+    assert "MATH" in font
+    assert "SIL OPEN FONT LICENSE" in files["font-licence.txt"]
+    for name, text in files.items():
+        for formula in re.findall(r"<math.*?</math>", text) if name.endswith(".html") else ():
+            for element in ElementTree.fromstring(formula).iter():
+                assert {*map(drawn, (element.text or "").strip())} <= font.getBestCmap().keys(), (name, element.text)
+
+
+def drawn(letter):
+    """Return the code of a letter: an identifier of one letter is drawn in italics."""
+    if letter.isascii() and letter.isalpha() and letter != "h":
+        return 0x1D434 + ord(letter) - (65 if letter < "a" else 71)
+    return ord(letter)
 
 
 def test_pages_can_be_read_by_everyone(files):
@@ -194,7 +235,7 @@ def test_formulas_are_well_formed(files):
     assert count > 20
 
 
-TAGS = {"math", "mrow", "mi", "mn", "mo", "mfrac", "msup", "msub", "msubsup", "mtable", "mtr", "mtd"}
+TAGS = {"math", "mtext", "mrow", "mi", "mn", "mo", "mfrac", "msup", "msub", "msubsup", "mtable", "mtr", "mtd"}
 
 
 def value(element, point):

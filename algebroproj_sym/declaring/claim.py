@@ -14,6 +14,7 @@ from typing import Any, Literal, TypeAlias, TypedDict, cast, get_args
 
 import sympy
 
+from algebroproj_sym.declaring.source import Source
 from algebroproj_sym.expressions import (
     Expression,
     divided,
@@ -115,6 +116,8 @@ class Claim:
         For a false statement: the number of the claim that says what is true.
     note : str
         Which readings were considered, and what else a reader should know.
+    source : Source or None
+        The call that declares it, if it is known in this process: only what is shown depends on it.
     """
 
     paper: str
@@ -137,6 +140,7 @@ class Claim:
     unrounded: Expression | None = None
     instead: str = ""
     note: str = ""
+    source: Source | None = field(default=None, compare=False, repr=False)
 
     def _repr_markdown_(self) -> str:
         from algebroproj_sym.declaring.display import markdown

@@ -91,15 +91,21 @@ def shown(form: Any) -> str:
 def _arranged(node: Any) -> Any:
     if not node.args:
         return node
-    if isinstance(node, sympy.Add):
-        parts = node.as_ordered_terms()
-    else:
-        parts = node.as_ordered_factors() if isinstance(node, sympy.Mul) else node.args
-    return _with_parts(node, map(_arranged, parts))
+    if isinstance(node, sympy.Mul):
+        return _product(map(_arranged, node.as_ordered_factors()))
+    return _with_parts(node, map(_arranged, node.as_ordered_terms() if isinstance(node, sympy.Add) else node.args))
 
 
 def _with_parts(node: Any, parts: Iterable[Any]) -> Any:
     return over(*parts) if isinstance(node, over) else node.func(*parts, evaluate=False)
+
+
+def _product(parts: Iterable[Any]) -> Any:
+    """Return a product of the factors of some products, with their numbers as one before them."""
+    factors = [factor for part in parts for factor in _factors(part)]
+    number = sympy.Mul(*(factor for factor in factors if factor.is_Number))
+    others = [factor for factor in factors if not factor.is_Number]
+    return sympy.Mul(*([] if number == 1 and others else [number]), *others, evaluate=False)
 
 
 @lru_cache(maxsize=REMEMBERED)
@@ -107,7 +113,11 @@ def _as_quotient(node: Any) -> Any:
     if not node.args:
         return node
     parts = list(map(_as_quotient, node.args))
-    return _quotient(*parts) if isinstance(node, over) else node.func(*parts, evaluate=False)
+    if isinstance(node, over):
+        return _quotient(*parts)
+    if isinstance(node, sympy.Mul):
+        return _product(parts)
+    return _with_parts(node, parts)
 
 
 def _entries_as_written(node: ast.expr, source: Source, count: int) -> list[ast.expr] | None:
@@ -212,6 +222,8 @@ def _factors(form: Any) -> tuple[Any, ...]:
 
 
 def _quotient(above: Any, below: Any) -> Any:
+    if below == 1:
+        return above
     numerators = [] if above == 1 else _factors(above)
     return sympy.Mul(*numerators, *map(_inverted, _factors(below)), evaluate=False)
 

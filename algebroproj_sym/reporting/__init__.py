@@ -2,14 +2,13 @@
 
 from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
 from algebroproj_sym.reporting.audits import audit_counts, audit_lines, audit_record, audit_table, audited_share
+from algebroproj_sym.reporting.explaining import explanation, failure_text, form_lines
 from algebroproj_sym.reporting.forms import derived_form, remember
 from algebroproj_sym.reporting.ledger import claim_record, ledger, ledger_of, summary, write_json, write_text
 from algebroproj_sym.reporting.notebooks import Notebook, NotebookError, run_notebook
 from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
     claims_table,
-    explanation,
-    failure_text,
     operations_table,
     summary_text,
     verification_table,
@@ -32,6 +31,7 @@ __all__ = [
     "explanation",
     "failure_text",
     "findings",
+    "form_lines",
     "ledger",
     "ledger_of",
     "operations_table",

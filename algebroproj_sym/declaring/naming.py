@@ -1,0 +1,193 @@
+"""Long forms by the names of what they are made of: ``A_v * M * inverse(A_X) * X``, where A_v is ..., as papers write."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.declaring.arranging import Part
+from algebroproj_sym.declaring.claim import Claim
+from algebroproj_sym.declaring.names import latex_name, parts
+from algebroproj_sym.declaring.names import letter as letter_of
+from algebroproj_sym.declaring.source import Source
+from algebroproj_sym.expressions import size
+
+LONGEST = 300
+"""Characters of the longest text that still reads as a formula of names."""
+MOST = 6
+"""How many names are explained."""
+SHORT = 30
+"""Symbols and numbers of the largest value that is shown itself."""
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a name in a form stands for.
+
+    Attributes
+    ----------
+    name : str
+        As it is in the module.
+    value : Expression
+        What it stands for.
+    written : ast.expr or None
+        What the module assigns to it, where that is shorter than the value.
+    """
+
+    name: str
+    value: Any
+    written: ast.expr | None
+
+
+@dataclass(frozen=True)
+class Named:
+    """A form by the names of what it is made of, and what these names stand for."""
+
+    written: ast.expr
+    meanings: tuple[Meaning, ...]
+    source: Source
+
+    @property
+    def text(self) -> str:
+        """The form as the module writes it."""
+        return ast.unparse(self.written)
+
+
+def in_names(claim: Claim, part: Part) -> Named | None:
+    """Return a form by the names of what it is made of; None if its declaration has no names for it."""
+    source = claim.source
+    written = source.argument(part) if source else None
+    if source is None or written is None:
+        return None
+    seen = set()
+    while isinstance(written, ast.Name) and written.id not in seen:
+        seen.add(written.id)
+        written = source.assigned(written.id) or written
+    if not _is_readable(written) or not any(isinstance(node, ast.Call | ast.Name) for node in ast.walk(written)):
+        return None
+    return None if isinstance(written, ast.Name) else Named(written, _meanings(written, source), source)
+
+
+def _is_readable(written: ast.expr) -> bool:
+    text = ast.unparse(written)
+    return len(text) <= LONGEST and not {*text} & {*"{}\\"} and "lambda" not in text
+
+
+def _explained(written: ast.expr, names: Mapping[str, Any]) -> list[str]:
+    """Return the names of what is made of symbols, and of numbers, in the order in which they are written."""
+    found = [node for node in ast.walk(written) if isinstance(node, ast.Name)]
+    own = {node.id for node in found if isinstance(node.ctx, ast.Store)}
+    found.sort(key=lambda node: (node.lineno, node.col_offset))
+    return [name for name in dict.fromkeys(node.id for node in found) if name not in own and _has_meaning(names.get(name))]
+
+
+def _has_meaning(value: Any) -> bool:
+    compound = isinstance(value, sympy.Expr) and not isinstance(value, sympy.Symbol)
+    return compound or isinstance(value, sympy.MatrixBase | int)
+
+
+def _meanings(written: ast.expr, source: Source) -> tuple[Meaning, ...]:
+    waiting, found = _explained(written, source.names), dict[str, Meaning]()
+    while waiting and len(found) < MOST:
+        name = waiting.pop(0)
+        value = sympy.sympify(source.names[name])
+        assigned = None if size(value, SHORT) <= SHORT else source.assigned(name)
+        if assigned is not None and not _is_readable(assigned):
+            assigned = None
+        found[name] = Meaning(name, value, assigned)
+        if assigned is not None:
+            waiting += [other for other in _explained(assigned, source.names) if other not in {*found, *waiting}]
+    return tuple(found.values())
+
+
+def named_latex(written: ast.expr, names: Mapping[str, Any]) -> str:
+    r"""Return what a module writes as LaTeX; what is no formula stays as it is written.
+
+    Examples
+    --------
+    >>> written = ast.parse("A_v * inverse(M) * (x - y0).T", mode="eval").body
+    >>> print(named_latex(written, {"A_v": sympy.eye(2), "M": sympy.eye(2)}))
+    \mathbf{A}_{v} \mathbf{M}^{-1} \left(x - y_{0}\right)^{T}
+    """
+    return _Latex(names).written(written)
+
+
+def latex_of_name(name: str, named: Named) -> str:
+    """Return a name in a form as LaTeX."""
+    return named_latex(ast.Name(name), named.source.names)
+
+
+class _Latex:
+    """LaTeX of what is written in Python."""
+
+    def __init__(self, names: Mapping[str, Any]) -> None:
+        self.names = names
+
+    def written(self, node: ast.expr) -> str:
+        match node:
+            case ast.Name(id=name):
+                return self._name(name)
+            case ast.Constant(value=int() as number):
+                return str(number)
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return f"-{self._within(operand, ast.Add, ast.Sub)}"
+            case ast.BinOp(left=left, op=ast.Add(), right=right):
+                return f"{self.written(left)} + {self.written(right)}"
+            case ast.BinOp(left=left, op=ast.Sub(), right=right):
+                return f"{self.written(left)} - {self._within(right, ast.Add, ast.Sub)}"
+            case ast.BinOp(left=left, op=ast.Mult(), right=right):
+                return f"{self._within(left, ast.Add, ast.Sub)} {self._within(right, ast.Add, ast.Sub)}"
+            case ast.BinOp(left=left, op=ast.Div(), right=right):
+                return rf"\frac{{{self.written(left)}}}{{{self.written(right)}}}"
+            case ast.BinOp(left=left, op=ast.Pow(), right=right):
+                return f"{self._power(left)}^{{{self.written(right)}}}"
+            case ast.Attribute(value=value, attr="T"):
+                return f"{self._power(value)}^{{T}}"
+            case ast.Call(func=ast.Name(id=function), args=arguments, keywords=[]):
+                return self._call(function, arguments, node)
+        return self._verbatim(node)
+
+    def _call(self, function: str, arguments: list[ast.expr], node: ast.expr) -> str:
+        if any(isinstance(argument, ast.Starred) for argument in arguments):
+            return self._verbatim(node)
+        match function, arguments:
+            case "inverse", [matrix]:
+                return f"{self._power(matrix)}^{{-1}}"
+            case "determinant", [matrix]:
+                return rf"\det {self._power(matrix)}"
+            case "over", [above, below]:
+                return rf"\frac{{{self.written(above)}}}{{{self.written(below)}}}"
+            case "dot" | "cross", [first, second]:
+                sign = r"\cdot" if function == "dot" else r"\times"
+                return rf"\left({self._power(first)} {sign} {self._power(second)}\right)"
+            case "columns" | "vector" | "rows", _:
+                separator = " & " if function == "columns" else r" \\ "
+                content = separator.join(map(self.written, arguments))
+                return rf"\left[\begin{{matrix}} {content} \end{{matrix}}\right]"
+        listed = ", ".join(map(self.written, arguments))
+        return rf"\text{{{function}}}\left({listed}\right)"
+
+    def _within(self, node: ast.expr, *looser: type[ast.operator]) -> str:
+        loose = isinstance(node, ast.UnaryOp) or (isinstance(node, ast.BinOp) and isinstance(node.op, looser))
+        return rf"\left({self.written(node)}\right)" if loose else self.written(node)
+
+    def _power(self, node: ast.expr) -> str:
+        compound = isinstance(node, ast.BinOp | ast.UnaryOp)
+        content = rf"\left({self.written(node)}\right)" if compound else self.written(node)
+        return content if compound else f"{{{content}}}"
+
+    def _name(self, name: str) -> str:
+        letter, _, index = name.partition("_")
+        base = parts(letter).base
+        if len(base) > 1 and letter_of(base) == base:
+            return rf"\text{{{name}}}"
+        plain = rf"{latex_name(letter)}_{{\text{{{index.replace('_', ' ')}}}}}" if "_" in index else latex_name(name)
+        is_matrix = len(base) == 1 and isinstance(self.names.get(name), sympy.MatrixBase)
+        return plain.replace(base, rf"\mathbf{{{base}}}", 1) if is_matrix else plain
+
+    def _verbatim(self, node: ast.expr) -> str:
+        return rf"\text{{{ast.unparse(node)}}}"

@@ -1,0 +1,193 @@
+"""Everything about a claim as lines of text; what is long is folded, with its size and its beginning."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+import sympy
+from rich.text import Text
+
+from algebroproj_sym.declaring import (
+    Claim,
+    Judgement,
+    Named,
+    Part,
+    Quote,
+    arranged,
+    as_declared,
+    differing_entries,
+    evidence_lines,
+    folded,
+    in_derived_terms,
+    in_names,
+    shown,
+    statement_text,
+)
+from algebroproj_sym.declaring.arranging import LONG
+from algebroproj_sym.expressions import evaluate, shape, size
+from algebroproj_sym.proving import reduced
+from algebroproj_sym.reporting.forms import derived_form
+from algebroproj_sym.reporting.tables import verdict_text
+
+LABEL = 12
+"""Width of the column of labels."""
+ROW = 68
+"""Width of what stands beside them, on a terminal of 80 columns."""
+LONGEST_FORM = 6 * ROW
+LONGEST_MEANING = 2 * ROW
+LONGEST_QUOTE = 5 * ROW
+MOST_ENTRIES = 6
+MOST_MEANINGS = 8
+FULL = "What is shortened here is shown in full with --full."
+
+Line = tuple[str, str]
+
+
+def explanation(
+    judgement: Judgement, module: str, functions: Sequence[str], quote: Quote | None = None, *, full: bool = False
+) -> Text:
+    """Return everything about one claim: at most 60 lines on a terminal of 80 columns, unless it is to be in `full`."""
+    claim = judgement.claim
+    text = Text(f"{claim.paper} ({claim.number})  {claim.title}\n", style="bold")
+    text.append(f"{'verdict':<{LABEL}}", style="not bold").append_text(verdict_text(judgement.verdict))
+    declared = "" if judgement.as_declared else f", declared {claim.expected}"
+    text.append(f"{declared}, a claim of kind {claim.kind}\n", style="not bold")
+    about = list(_about(judgement, full=full))
+    lines = [
+        *([("quoted", f"line {quote.line}: {_cut(quote.text, full, LONGEST_QUOTE)}")] if quote else []),
+        *about,
+        *([("note", claim.note)] if claim.note else []),
+        ("derived in", module),
+        *([("functions", ", ".join(functions))] if functions else []),
+        *([("", FULL)] if any("…" in line for _, line in about) else []),
+    ]
+    return text.append(_laid_out(lines), style="not bold")
+
+
+def failure_text(judgement: Judgement) -> str:
+    """Return why a claim is not as declared: both verdicts, both forms, their difference, and where they differ."""
+    claim = judgement.claim
+    verdict = ("verdict", f"{judgement.verdict}, declared {claim.expected}")
+    heading = f"{claim.paper} ({claim.number})  {claim.title}\n"
+    return heading + _laid_out([verdict, *_about(judgement, full=False)]).rstrip("\n")
+
+
+def form_lines(claim: Claim, part: Part, most: int, *, full: bool = False) -> list[str]:
+    """Return a form of a claim, a row of a matrix in each line; a long one by the names of what it is made of.
+
+    Parameters
+    ----------
+    claim : Claim
+        As declared.
+    part : str
+        Which of its forms.
+    most : int
+        How many characters a form may take before it is long.
+    full : bool
+        Whether to show it whatever its length.
+    """
+    form = arranged(derived_form(claim)) if part == "derived" else as_declared(claim, part)
+    rows = _rows(form)
+    if full or sum(map(len, rows)) <= most:
+        return rows
+    named = in_names(claim, part)
+    if named is None:
+        return _folded_rows(rows, most)
+    return [named.text, f"… {_size(form, rows)}", *(f"where {meaning}" for meaning in _meanings(named))]
+
+
+def _about(judgement: Judgement, *, full: bool) -> Iterator[Line]:
+    """Yield what is the same for a claim that is explained and for one that has failed."""
+    claim = judgement.claim
+    seen: set[str] = set()
+    for part in ("printed", "derived", "corrected"):
+        if getattr(claim, part) is not None:
+            lines = [line for line in form_lines(claim, part, LONGEST_FORM, full=full) if line not in seen]
+            yield from _labelled(part, lines)
+            seen |= {line for line in lines if line.startswith("where ")}
+    yield from _labelled("differs", _limited(_differing(claim, full), None if full else MOST_ENTRIES))
+    where = (f"{symbol} = {_cut(shown(arranged(reduced(value))), full)}" for symbol, value in claim.where.items())
+    yield from _labelled("where", _limited(where, None if full else MOST_MEANINGS, len(claim.where)))
+    yield from _labelled("difference", _difference(judgement, full))
+    yield from _labelled("evidence", evidence_lines(judgement, full=full))
+    yield from _labelled("", _values(judgement, full))
+
+
+def _labelled(label: str, lines: Iterable[str]) -> Iterator[Line]:
+    for place, line in enumerate(lines):
+        yield ("" if place else label), line
+
+
+def _laid_out(lines: Iterable[Line]) -> str:
+    return "".join(f"{label:<{LABEL}}{line}\n" for label, line in lines)
+
+
+def _cut(text: str, full: bool, most: int = LONGEST_MEANING) -> str:
+    return text if full else folded(text, most)
+
+
+def _limited(lines: Iterable[str], most: int | None, count: int | None = None) -> list[str]:
+    found = list(lines)
+    if most is None or len(found) <= most:
+        return found
+    return [*found[:most], f"… and {len(found) - most} more"]
+
+
+def _rows(form: Any) -> list[str]:
+    """Return a form as text, a row of a matrix in each line."""
+    if not isinstance(form, sympy.MatrixBase):
+        return [_text(form)]
+    return [f"[{', '.join(map(_text, form.row(i)))}]" for i in range(form.rows)]
+
+
+def _text(form: Any) -> str:
+    is_long = isinstance(form, sympy.Expr) and size(form, LONG) > LONG
+    return statement_text(form) or "" if is_long else shown(form)
+
+
+def _folded_rows(rows: Sequence[str], most: int) -> list[str]:
+    kept = rows[:MOST_ENTRIES]
+    lines = [folded(row, max(most // len(kept), ROW)) for row in kept]
+    return lines if len(rows) == len(kept) else [*lines, f"… and {len(rows) - len(kept)} more rows"]
+
+
+def _size(form: Any, rows: Sequence[str]) -> str:
+    what = f"{form.rows} × {form.cols} matrix" if isinstance(form, sympy.MatrixBase) else "expression"
+    return f"{what} of {sum(map(len, rows)):,} characters"
+
+
+def _meanings(named: Named) -> Iterator[str]:
+    for meaning in named.meanings:
+        written = meaning.written
+        value = ast.unparse(written) if written is not None else ", ".join(_rows(arranged(meaning.value)))
+        yield f"{meaning.name} = {folded(value, LONGEST_MEANING)}"
+
+
+def _differing(claim: Claim, full: bool) -> Iterator[str]:
+    width = shape(claim.derived)[1:] if claim.derived is not None else ()
+    for place, printed, derived in differing_entries(claim):
+        at = f"row {place // (width or (1,))[0] + 1}, column {place % (width or (1,))[0] + 1}"
+        pair = (_cut(shown(arranged(form)), full) for form in (printed, derived))
+        yield f"{at}: printed {next(pair)}, derived {next(pair)}"
+
+
+def _difference(judgement: Judgement, full: bool) -> Iterator[str]:
+    claim = judgement.claim
+    scalar = isinstance(claim.printed, sympy.Expr) and not isinstance(claim.printed, sympy.MatrixBase)
+    if not judgement.counterexample or not claim.kind.startswith("identity") or not scalar:
+        return
+    printed: Any = in_derived_terms(claim.printed, claim.where)
+    yield f"printed - derived = {_cut(shown(arranged(reduced(printed - claim.derived))), full)}"
+
+
+def _values(judgement: Judgement, full: bool) -> Iterator[str]:
+    """Yield what both sides are at the counterexample, where they differ."""
+    claim, point = judgement.claim, judgement.counterexample
+    if not point or not claim.kind.startswith("identity") or claim.printed is None or claim.derived is None:
+        return
+    sides = evaluate(in_derived_terms(claim.printed, claim.where), point), evaluate(claim.derived, point)  # type: ignore[arg-type]
+    different = [pair for pair in zip(*sides, strict=True) if pair[0] != pair[1] or claim.kind == "identity up to scale"]
+    for label, values in zip(("printed", "derived"), zip(*different, strict=True), strict=True):
+        yield f"there {label} = {_cut(', '.join(map(str, values)), full)}"

@@ -11,7 +11,7 @@ import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import derived, judged, judged_where_declared, require_as_declared, say_what_is_wrong
-from algebroproj_sym.cli.terminal import console, progressing, verbosity
+from algebroproj_sym.cli.terminal import console, progressing, show, verbosity
 from algebroproj_sym.declaring import Answer, Judgement, identities, installed_papers, select
 from algebroproj_sym.processes import uncollected
 from algebroproj_sym.proving import outcomes
@@ -54,7 +54,7 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, outpu
     if output == "json":
         click.echo(json.dumps(ledger_of(records, summary(judgements)), indent=1, ensure_ascii=False))
     else:
-        console().print(claims_table(judgements))
+        show(claims_table(judgements))
         console().print(summary_text(judgements))
     if verbosity() == "quiet":
         say_what_is_wrong(judgements)
@@ -84,7 +84,7 @@ def _check_files(files: Sequence[Path], engine: str, jobs: int, output: str, sec
     if output == "json":
         click.echo(json.dumps(answers_record(answers), indent=1, ensure_ascii=False))
     else:
-        console().print(answers_table(answers))
+        show(answers_table(answers))
         console().print(answers_summary(answers))
     if not all(answer.as_declared for answer in answers):
         raise SystemExit(1)

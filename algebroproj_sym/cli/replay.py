@@ -13,7 +13,7 @@ import click
 from rich.table import Table
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.terminal import console, progressing, show
 from algebroproj_sym.replaying import Rejected, Replayed, Status, replay, unsupported
 
 STATUSES: tuple[Status, ...] = get_args(Status)
@@ -50,7 +50,7 @@ def replay_command(path: Path, jobs: int, output: str) -> None:
         for result in results:
             if result.status != "replayed":
                 console().print(f"{result.paper}:{result.number}  {result.status}: {result.reason}", markup=False)
-        console().print(_table(results))
+        show(_table(results))
         counts = Counter(result.status for result in results)
         listed = ", ".join(
             f"{counts[status]} {status}" for status in STATUSES if counts[status] or status != STATUSES[2]

@@ -10,6 +10,7 @@ from typing import Literal, TypeVar
 import click
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
 
 Item = TypeVar("Item")
 Verbosity = Literal["quiet", "normal", "verbose"]
@@ -32,6 +33,13 @@ def console() -> Console:
         soft_wrap=not sys.stdout.isatty(),
         quiet=verbosity() == "quiet",
     )
+
+
+def show(table: Table) -> None:
+    """Write a table; names are never cut: where the terminal is too narrow for them, the lines are longer than it."""
+    out = console()
+    least = out.measure(table).minimum
+    out.print(table, width=max(out.width, least), crop=False)
 
 
 def progressing(items: Iterable[Item], total: int, what: str, *, ticking: bool = True) -> Iterator[Item]:

@@ -1,8 +1,7 @@
 """Forms as they are shown: the terms and factors of their declaration, in its order.
 
-SymPy puts what it is given in an order of its own and multiplies numbers out: ``3*(y - x)`` becomes ``-3*x + 3*y``.  A form
-that is *arranged* is equal to another one, and keeps its parts in the order in which they are to be shown; it is
-written with ``ordered=False``.
+SymPy has an order of its own and multiplies numbers out: ``3*(y - x)`` becomes ``-3*x + 3*y``.  A form that is
+*arranged* is equal to another one, and keeps its parts in the order in which they are to be shown.
 """
 
 from __future__ import annotations
@@ -47,11 +46,13 @@ def as_declared(claim: Claim, part: Part) -> Statement | None:
     if claim.source is None or node is None or (not isinstance(statement, tuple) and size(statement, LONG) > LONG):
         return arranged(statement)
     parts = statement if isinstance(statement, tuple) else entries(statement)
-    nodes = _entries_as_written(node, claim.source, len(parts)) or [None] * len(parts)
-    forms = [_form(node, part, claim.source) for node, part in zip(nodes, parts, strict=True)]
+    nodes = _entries_as_written(node, claim.source, len(parts))
+    forms = (
+        [_form(node, part, claim.source) for node, part in zip(nodes, parts, strict=True)] if nodes else arranged(parts)
+    )
     if isinstance(statement, tuple):
         return tuple(forms)
-    return forms[0] if not shape(statement) else sympy.ImmutableDenseMatrix(*statement.shape, forms)  # type: ignore[union-attr]
+    return forms[0] if not shape(statement) else sympy.ImmutableDenseMatrix(*statement.shape, forms)
 
 
 def arranged(statement: Any) -> Any:
@@ -142,7 +143,7 @@ def _listed(node: ast.expr, names: Mapping[str, Any]) -> list[ast.expr] | None:
         vectors = [_listed(argument, names) for argument in node.args]
         if any(found is None for found in vectors) or len({len(found or ()) for found in vectors}) > 1:
             return None
-        by_row: Iterable[Sequence[Any]] = vectors if function is rows else zip(*vectors, strict=True)  # type: ignore[arg-type, assignment]
+        by_row: Iterable[Sequence[Any]] = vectors if function is rows else zip(*vectors, strict=True)  # type: ignore[assignment]
         return [entry for row in by_row for entry in row]
     if isinstance(function, type) and issubclass(function, sympy.MatrixBase) and isinstance(node.args[0], ast.List):
         rows_written = node.args[0].elts

@@ -163,6 +163,8 @@ def declared(
         If a form is not a rational expression over Q.
     """
     where = f"claim {paper}:{number}"
+    if not isinstance(title, str):
+        raise DeclarationError(f"{where}: expected a title, a text, got {title!r}")
     expected = options.pop("expect", "definition" if kind == "definition" else "proved")
     unrounded = options.pop("unrounded", None)
     claim = Claim(
@@ -236,8 +238,10 @@ def _statement(value: Any, where: str) -> Statement | None:
 
 
 def _require_complete(claim: Claim, where: str) -> None:
-    if not _NUMBER.fullmatch(claim.number):
-        raise DeclarationError(f"{where}: expected a number such as 1.3.8, 1.3/y03 or 1.3.5#mu3, got {claim.number!r}")
+    if not isinstance(claim.number, str) or not _NUMBER.fullmatch(claim.number):
+        raise DeclarationError(
+            f"{where}: expected the text of a number such as 1.3.8, 1.3/y03 or 1.3.5#mu3, got {claim.number!r}"
+        )
     if claim.expected not in VERDICTS or claim.expected == "open":
         raise DeclarationError(f"{where}: expected one of the verdicts {VERDICTS} but open, got {claim.expected!r}")
     if claim.expected in ("misprint", "illegible") and claim.corrected is None:

@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable, Sequence
 from decimal import Decimal
 from itertools import accumulate
-from typing import Any
 
 import sympy
 
@@ -64,7 +63,7 @@ def markdown(judgement: Judgement) -> str:
 def evidence_lines(
     judgement: Judgement, show: Callable[[object], str] | None = None, *, full: bool = False
 ) -> list[str]:
-    """Return what a verdict rests on, a line each: conditions, method, hypotheses, counterexample, what is true instead.
+    """Return what a verdict rests on, a line each: conditions, method, hypotheses, counterexample, replacement.
 
     Parameters
     ----------

@@ -94,7 +94,7 @@ def _marked(content: str, is_marked: bool) -> str:
 
 
 def _signed(expression: Any, marks: Marks) -> tuple[str, str]:
-    """Return a minus sign or nothing, and what follows it; marks of the whole and of the sign are left to the caller."""
+    """Return a minus sign or nothing, and what follows it; only marks inside of it are made."""
     if isinstance(expression, sympy.Rational):
         return ("-" if expression < 0 else ""), _number(abs(expression))
     if isinstance(expression, sympy.Mul):

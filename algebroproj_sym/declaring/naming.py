@@ -1,4 +1,4 @@
-"""Long forms by the names of what they are made of: ``A_v * M * inverse(A_X) * X``, where A_v is ..., as papers write."""
+"""Long forms by the names of what they are made of, as papers write: ``A_v * M * inverse(A_X) * X``."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.declaring.arranging import Part
-from algebroproj_sym.declaring.claim import Claim
+from algebroproj_sym.declaring.claim import Claim, expressions_of
 from algebroproj_sym.declaring.names import latex_name, parts
 from algebroproj_sym.declaring.names import letter as letter_of
 from algebroproj_sym.declaring.source import Source
-from algebroproj_sym.expressions import size
+from algebroproj_sym.expressions import free_symbols, size
 
 LONGEST = 300
 """Characters of the longest text that still reads as a formula of names."""
@@ -69,7 +69,15 @@ def in_names(claim: Claim, part: Part) -> Named | None:
         written = source.assigned(written.id) or written
     if not _is_readable(written) or not any(isinstance(node, ast.Call | ast.Name) for node in ast.walk(written)):
         return None
-    return None if isinstance(written, ast.Name) else Named(written, _meanings(written, source), source)
+    meanings = _meanings(written, source)
+    ambiguous = {meaning.name for meaning in meanings} & _symbols(claim)
+    return None if isinstance(written, ast.Name) or ambiguous else Named(written, meanings, source)
+
+
+def _symbols(claim: Claim) -> set[str]:
+    forms = (claim.printed, claim.derived, claim.corrected, *claim.where.values(), *claim.constraints, *claim.nonzero)
+    found = {symbol for form in forms for expression in expressions_of(form) for symbol in free_symbols(expression)}
+    return {symbol.name for symbol in {*found, *claim.where}}
 
 
 def _is_readable(written: ast.expr) -> bool:
@@ -82,7 +90,9 @@ def _explained(written: ast.expr, names: Mapping[str, Any]) -> list[str]:
     found = [node for node in ast.walk(written) if isinstance(node, ast.Name)]
     own = {node.id for node in found if isinstance(node.ctx, ast.Store)}
     found.sort(key=lambda node: (node.lineno, node.col_offset))
-    return [name for name in dict.fromkeys(node.id for node in found) if name not in own and _has_meaning(names.get(name))]
+    return [
+        name for name in dict.fromkeys(node.id for node in found) if name not in own and _has_meaning(names.get(name))
+    ]
 
 
 def _has_meaning(value: Any) -> bool:
@@ -119,6 +129,13 @@ def named_latex(written: ast.expr, names: Mapping[str, Any]) -> str:
 def latex_of_name(name: str, named: Named) -> str:
     """Return a name in a form as LaTeX."""
     return named_latex(ast.Name(name), named.source.names)
+
+
+def _with_words(letter: str, words: list[str]) -> str:
+    """Return a letter, which may have an index, with words as an index."""
+    content = rf"\text{{{' '.join(words)}}}"
+    head, index, _ = letter.partition("_{")
+    return f"{letter[:-1]} {content}}}" if index else f"{head}_{{{content}}}"
 
 
 class _Latex:
@@ -185,7 +202,7 @@ class _Latex:
         base = parts(letter).base
         if len(base) > 1 and letter_of(base) == base:
             return rf"\text{{{name}}}"
-        plain = rf"{latex_name(letter)}_{{\text{{{index.replace('_', ' ')}}}}}" if "_" in index else latex_name(name)
+        plain = _with_words(latex_name(letter), index.split("_")) if "_" in index else latex_name(name)
         is_matrix = len(base) == 1 and isinstance(self.names.get(name), sympy.MatrixBase)
         return plain.replace(base, rf"\mathbf{{{base}}}", 1) if is_matrix else plain
 

@@ -9,6 +9,7 @@ from algebroproj_sym.reporting.notebooks import Notebook, NotebookError, run_not
 from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
     claims_table,
+    failed_function,
     operations_table,
     summary_text,
     verification_table,
@@ -29,6 +30,7 @@ __all__ = [
     "claims_table",
     "derived_form",
     "explanation",
+    "failed_function",
     "failure_text",
     "findings",
     "form_lines",

@@ -26,7 +26,7 @@ from algebroproj_sym.declaring import (
     statement_text,
 )
 from algebroproj_sym.declaring.arranging import LONG
-from algebroproj_sym.expressions import evaluate, shape, size
+from algebroproj_sym.expressions import evaluate, size
 from algebroproj_sym.proving import reduced
 from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.tables import verdict_text
@@ -35,11 +35,12 @@ LABEL = 12
 """Width of the column of labels."""
 ROW = 68
 """Width of what stands beside them, on a terminal of 80 columns."""
-LONGEST_FORM = 6 * ROW
+LONGEST_FORM = LONGEST_LIST = 6 * ROW
 LONGEST_MEANING = 2 * ROW
 LONGEST_QUOTE = 5 * ROW
-MOST_ENTRIES = 6
-MOST_MEANINGS = 8
+LONGEST_ENTRY = ROW - 20
+"""Characters of what is not shortened: forms and lists, values of names, quotes, entries that differ."""
+MOST_DIFFERING = 4
 FULL = "What is shortened here is shown in full with --full."
 
 Line = tuple[str, str]
@@ -94,7 +95,7 @@ def form_lines(claim: Claim, part: Part, most: int, *, full: bool = False) -> li
         return rows
     named = in_names(claim, part)
     if named is None:
-        return _folded_rows(rows, most)
+        return _shared_out(rows, most)
     return [named.text, f"… {_size(form, rows)}", *(f"where {meaning}" for meaning in _meanings(named))]
 
 
@@ -107,9 +108,9 @@ def _about(judgement: Judgement, *, full: bool) -> Iterator[Line]:
             lines = [line for line in form_lines(claim, part, LONGEST_FORM, full=full) if line not in seen]
             yield from _labelled(part, lines)
             seen |= {line for line in lines if line.startswith("where ")}
-    yield from _labelled("differs", _limited(_differing(claim, full), None if full else MOST_ENTRIES))
-    where = (f"{symbol} = {_cut(shown(arranged(reduced(value))), full)}" for symbol, value in claim.where.items())
-    yield from _labelled("where", _limited(where, None if full else MOST_MEANINGS, len(claim.where)))
+    yield from _labelled("differs", _differing(claim, full))
+    where = [f"{symbol} = {shown(arranged(reduced(value)))}" for symbol, value in claim.where.items()]
+    yield from _labelled("where", where if full else _shared_out(where, LONGEST_LIST))
     yield from _labelled("difference", _difference(judgement, full))
     yield from _labelled("evidence", evidence_lines(judgement, full=full))
     yield from _labelled("", _values(judgement, full))
@@ -128,11 +129,11 @@ def _cut(text: str, full: bool, most: int = LONGEST_MEANING) -> str:
     return text if full else folded(text, most)
 
 
-def _limited(lines: Iterable[str], most: int | None, count: int | None = None) -> list[str]:
-    found = list(lines)
-    if most is None or len(found) <= most:
-        return found
-    return [*found[:most], f"… and {len(found) - most} more"]
+def _shared_out(lines: Sequence[str], most: int) -> list[str]:
+    """Return some lines in so many characters: the first ones, each at least as long as a row."""
+    count = min(len(lines), most // ROW)
+    more = [f"… and {len(lines) - count} more"] if count < len(lines) else []
+    return [*(folded(line, max(most // count, ROW)) for line in lines[:count]), *more]
 
 
 def _rows(form: Any) -> list[str]:
@@ -147,12 +148,6 @@ def _text(form: Any) -> str:
     return statement_text(form) or "" if is_long else shown(form)
 
 
-def _folded_rows(rows: Sequence[str], most: int) -> list[str]:
-    kept = rows[:MOST_ENTRIES]
-    lines = [folded(row, max(most // len(kept), ROW)) for row in kept]
-    return lines if len(rows) == len(kept) else [*lines, f"… and {len(rows) - len(kept)} more rows"]
-
-
 def _size(form: Any, rows: Sequence[str]) -> str:
     what = f"{form.rows} × {form.cols} matrix" if isinstance(form, sympy.MatrixBase) else "expression"
     return f"{what} of {sum(map(len, rows)):,} characters"
@@ -165,12 +160,20 @@ def _meanings(named: Named) -> Iterator[str]:
         yield f"{meaning.name} = {folded(value, LONGEST_MEANING)}"
 
 
-def _differing(claim: Claim, full: bool) -> Iterator[str]:
-    width = shape(claim.derived)[1:] if claim.derived is not None else ()
-    for place, printed, derived in differing_entries(claim):
-        at = f"row {place // (width or (1,))[0] + 1}, column {place % (width or (1,))[0] + 1}"
-        pair = (_cut(shown(arranged(form)), full) for form in (printed, derived))
-        yield f"{at}: printed {next(pair)}, derived {next(pair)}"
+def _differing(claim: Claim, full: bool) -> list[str]:
+    """Return the entries of a matrix that are refuted: as printed, and as corrected if a correction is declared."""
+    places = [place for place, _, _ in differing_entries(claim)]
+    if not places:
+        return []
+    right: Part = "derived" if claim.corrected is None else "corrected"
+    printed, correct = (as_declared(claim, part) for part in ("printed", right))
+    count = len(places) if full else min(len(places), MOST_DIFFERING)
+    lines = []
+    for place in places[:count]:
+        row, column = divmod(place, claim.derived.cols)  # type: ignore[union-attr]
+        pair = [_cut(shown(form[place]), full, LONGEST_ENTRY) for form in (printed, correct)]  # type: ignore[index]
+        lines.append(f"row {row + 1}, column {column + 1}: printed {pair[0]}, {right} {pair[1]}")
+    return lines if count == len(places) else [*lines, f"… and {len(places) - count} more entries"]
 
 
 def _difference(judgement: Judgement, full: bool) -> Iterator[str]:
@@ -187,7 +190,9 @@ def _values(judgement: Judgement, full: bool) -> Iterator[str]:
     claim, point = judgement.claim, judgement.counterexample
     if not point or not claim.kind.startswith("identity") or claim.printed is None or claim.derived is None:
         return
-    sides = evaluate(in_derived_terms(claim.printed, claim.where), point), evaluate(claim.derived, point)  # type: ignore[arg-type]
-    different = [pair for pair in zip(*sides, strict=True) if pair[0] != pair[1] or claim.kind == "identity up to scale"]
+    sides = evaluate(in_derived_terms(claim.printed, claim.where), point), evaluate(claim.derived, point)
+    different = [
+        pair for pair in zip(*sides, strict=True) if pair[0] != pair[1] or claim.kind == "identity up to scale"
+    ]
     for label, values in zip(("printed", "derived"), zip(*different, strict=True), strict=True):
         yield f"there {label} = {_cut(', '.join(map(str, values)), full)}"

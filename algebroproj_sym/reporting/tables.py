@@ -10,7 +10,7 @@ from rich.text import Text
 from algebroproj_sym.declaring import Judgement
 from algebroproj_sym.generating import Lowered, operation_counts
 from algebroproj_sym.reporting.ledger import summary
-from algebroproj_sym.verifying import Verification
+from algebroproj_sym.verifying import BOUND, Verification
 
 COLORS = {
     "proved": "green",
@@ -27,9 +27,31 @@ def verdict_text(verdict: str) -> Text:
     return Text(verdict, style=COLORS[verdict])
 
 
+def as_declared_text(changed: int, what: str) -> str:
+    """Return how many verdicts are not the declared ones.
+
+    Examples
+    --------
+    >>> as_declared_text(0, "verdict"), as_declared_text(1, "verdict")
+    ('all verdicts are as declared', '1 verdict is not as declared')
+    """
+    if not changed:
+        return f"all {what}s are as declared"
+    return f"{changed} {what} is not as declared" if changed == 1 else f"{changed} {what}s are not as declared"
+
+
+def table_of(first: str, *others: str) -> Table:
+    """Return a table without rows, whose first column names things and is never cut."""
+    table = Table(box=None, pad_edge=False)
+    table.add_column(first, no_wrap=True)
+    for heading in others:
+        table.add_column(heading)
+    return table
+
+
 def claims_table(judgements: Sequence[Judgement]) -> Table:
     """Return a row for each claim: number, kind, verdict, what was expected, title."""
-    table = Table("number", "kind", "verdict", "title", box=None, pad_edge=False)
+    table = table_of("number", "kind", "verdict", "title")
     for judgement in judgements:
         verdict = verdict_text(judgement.verdict)
         if not judgement.as_declared:
@@ -42,15 +64,30 @@ def claims_table(judgements: Sequence[Judgement]) -> Table:
 def summary_text(judgements: Sequence[Judgement]) -> Text:
     """Return one line: how many claims, by verdict, and how many are not as declared."""
     counts = [Text(f"{count} {verdict}", style=COLORS[verdict]) for verdict, count in summary(judgements).items()]
-    line = Text(f"{len(judgements)} claims: ").append_text(Text(", ").join(counts))
+    line = Text(f"{len(judgements)} claim{'s' if len(judgements) != 1 else ''}: ").append_text(Text(", ").join(counts))
     changed = sum(not judgement.as_declared for judgement in judgements)
-    line.append(f"; {changed} not as declared", style="bold red" if changed else "dim")
+    line.append("; " + as_declared_text(changed, "verdict"), style="bold red" if changed else "dim")
     return line
+
+
+def failed_function(verification: Verification) -> str:
+    """Return which function is not verified, and why."""
+    overall = verification.accuracy.overall
+    reasons = [
+        *([] if verification.proved else ["its source is not proved to give the derivation"]),
+        *([f"it is finite where {', '.join(map(str, verification.silent))} vanishes"] if verification.silent else []),
+        *(
+            []
+            if verification.accuracy.within_bound
+            else [f"its largest error/(cond u) is {overall.max_ratio:.2f}, expected at most {BOUND:g}"]
+        ),
+    ]
+    return f"{verification.accuracy.function} is not verified: {'; '.join(reasons)}"
 
 
 def operations_table(lowered: Sequence[Lowered]) -> Table:
     """Return a row for each kernel: operations as derived, after SymPy's cse, in our program."""
-    table = Table("function", box=None, pad_edge=False)
+    table = table_of("function")
     for heading in ("derived", "sympy.cse", "program"):
         table.add_column(heading, justify="right")
     for low in lowered:
@@ -61,7 +98,7 @@ def operations_table(lowered: Sequence[Lowered]) -> Table:
 
 def verification_table(verifications: Sequence[Verification]) -> Table:
     """Return a row for each function: sources proved, singular input, errors."""
-    table = Table("function", "source", "singular input", box=None, pad_edge=False)
+    table = table_of("function", "source", "singular input")
     for heading in ("samples", "median ULP", "max ULP", "max error/(cond u)"):
         table.add_column(heading, justify="right")
     for v in verifications:

@@ -69,7 +69,9 @@ def _compared_factors(left: Any, right: Any) -> Pair:
 
 def _aligned(left: Any, right: Any) -> Pair:
     pairs = [difference(a, b) for a, b in zip(left, right, strict=True)]
-    first, second = ({place: pair[side] for place, pair in enumerate(pairs) if pair[side] != NOTHING} for side in (0, 1))
+    first, second = (
+        {place: pair[side] for place, pair in enumerate(pairs) if pair[side] != NOTHING} for side in (0, 1)
+    )
     return Marks(inside=first), Marks(inside=second)
 
 
@@ -86,7 +88,9 @@ def _matched(left: Parts, right: Parts, compared: Callable[[Any, Any], Pair]) ->
         if not _likeness(alone[place], others[other]) and len(alone) + len(others) > 2:
             break
         marks[0][place], marks[1][other] = compared(alone.pop(place), others.pop(other))
-    return _within(left, marks[0] | dict.fromkeys(alone, WHOLE)), _within(right, marks[1] | dict.fromkeys(others, WHOLE))
+    return _within(left, marks[0] | dict.fromkeys(alone, WHOLE)), _within(
+        right, marks[1] | dict.fromkeys(others, WHOLE)
+    )
 
 
 def _within(parts: Parts, marks: Mapping[int, Marks]) -> Marks:
@@ -112,11 +116,15 @@ def _factors(form: Any) -> Parts:
     """Return the factors without the sign."""
     if not isinstance(form, sympy.Mul):
         return {ITSELF: form}
-    return {place: abs(factor) if factor.is_Number else factor for place, factor in enumerate(form.args) if factor != -1}
+    return {
+        place: abs(factor) if factor.is_Number else factor for place, factor in enumerate(form.args) if factor != -1
+    }
 
 
 def _is_negative(form: Any) -> bool:
-    return bool(form.is_Number and form < 0) or (isinstance(form, sympy.Mul) and sum(map(_is_negative, form.args)) % 2 == 1)
+    return bool(form.is_Number and form < 0) or (
+        isinstance(form, sympy.Mul) and sum(map(_is_negative, form.args)) % 2 == 1
+    )
 
 
 def _same(left: Any, right: Any) -> bool:

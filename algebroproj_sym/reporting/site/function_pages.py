@@ -14,6 +14,7 @@ from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
+from algebroproj_sym.reporting.site.comparison import conditions
 from algebroproj_sym.reporting.site.formulas import block, bullet, equation, inline
 from algebroproj_sym.reporting.site.plots import accuracy_plot
 from algebroproj_sym.reporting.site.records import Timing
@@ -74,6 +75,7 @@ def _page(catalogue: Catalogue, function: Function) -> str:
         formulas=formulas_of(kernel),
         singular=[bullet(factor) for factor in low.hypotheses],
         claims=[(number, _claim(catalogue, kernel, number)) for number in kernel.claims],
+        conditions=conditions,
         figures=figures,
         accuracy=_accuracy(figures),
         plot=accuracy_plot(figures.accuracy),

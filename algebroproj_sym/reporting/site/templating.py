@@ -60,7 +60,9 @@ def static(name: str) -> str:
 def style() -> str:
     """Return the style of all pages; the font of the formulas is in it, so that no page loads it from elsewhere."""
     font = b64encode(_shared("fonts", FONT).read_bytes()).decode()
-    return f'@font-face {{ font-family: "{FORMULAS}"; src: url(data:font/woff2;base64,{font}); }}\n' + static("style.css")
+    return f'@font-face {{ font-family: "{FORMULAS}"; src: url(data:font/woff2;base64,{font}); }}\n' + static(
+        "style.css"
+    )
 
 
 def licence() -> str:

@@ -133,6 +133,11 @@ def latex_of_name(name: str, named: Named) -> str:
 
 def _with_words(letter: str, words: list[str]) -> str:
     """Return a letter, which may have an index, with words as an index."""
+    if not words:
+        return letter
+    if words[0] == "star":
+        head, below, index = letter.partition("_")
+        return _with_words(f"{head}^{{*}}{below}{index}", words[1:])
     content = rf"\text{{{' '.join(words)}}}"
     head, index, _ = letter.partition("_{")
     return f"{letter[:-1]} {content}}}" if index else f"{head}_{{{content}}}"
@@ -157,13 +162,16 @@ class _Latex:
             case ast.BinOp(left=left, op=ast.Sub(), right=right):
                 return f"{self.written(left)} - {self._within(right, ast.Add, ast.Sub)}"
             case ast.BinOp(left=left, op=ast.Mult(), right=right):
-                return f"{self._within(left, ast.Add, ast.Sub)} {self._within(right, ast.Add, ast.Sub)}"
+                first = self.written(left) if isinstance(left, ast.UnaryOp) else self._within(left, ast.Add, ast.Sub)
+                return f"{first} {self._within(right, ast.Add, ast.Sub)}"
             case ast.BinOp(left=left, op=ast.Div(), right=right):
                 return rf"\frac{{{self.written(left)}}}{{{self.written(right)}}}"
             case ast.BinOp(left=left, op=ast.Pow(), right=right):
                 return f"{self._power(left)}^{{{self.written(right)}}}"
             case ast.Attribute(value=value, attr="T"):
                 return f"{self._power(value)}^{{T}}"
+            case ast.Subscript(value=value):
+                return rf"{self._power(value)}\text{{{ast.unparse(node)[len(ast.unparse(value)) :]}}}"
             case ast.Call(func=ast.Name(id=function), args=arguments, keywords=[]):
                 return self._call(function, arguments, node)
         return self._verbatim(node)
@@ -193,7 +201,8 @@ class _Latex:
         return rf"\left({self.written(node)}\right)" if loose else self.written(node)
 
     def _power(self, node: ast.expr) -> str:
-        compound = isinstance(node, ast.BinOp | ast.UnaryOp)
+        quotient = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "over"
+        compound = isinstance(node, ast.BinOp | ast.UnaryOp) or quotient
         content = rf"\left({self.written(node)}\right)" if compound else self.written(node)
         return content if compound else f"{{{content}}}"
 
@@ -202,7 +211,9 @@ class _Latex:
         base = parts(letter).base
         if len(base) > 1 and letter_of(base) == base:
             return rf"\text{{{name}}}"
-        plain = _with_words(latex_name(letter), index.split("_")) if "_" in index else latex_name(name)
+        plain = (
+            _with_words(latex_name(letter), index.split("_")) if "_" in index or index == "star" else latex_name(name)
+        )
         is_matrix = len(base) == 1 and isinstance(self.names.get(name), sympy.MatrixBase)
         return plain.replace(base, rf"\mathbf{{{base}}}", 1) if is_matrix else plain
 

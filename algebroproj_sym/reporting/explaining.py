@@ -99,6 +99,50 @@ def form_lines(claim: Claim, part: Part, most: int, *, full: bool = False) -> li
     return [named.text, f"… {_size(form, rows)}", *(f"where {meaning}" for meaning in _meanings(named))]
 
 
+def finding_line(judgement: Judgement) -> str:
+    """Return in a line what is printed and what is right: the first entries that differ, where it is a matrix."""
+    claim = judgement.claim
+    if claim.printed is None:
+        return f"reconstructed as {folded(_text_of(claim, 'corrected'), LONGEST_ENTRY)}"
+    if entries := _differing(claim, full=False):
+        return "; ".join(entries[:2] if len(entries) < 3 else [entries[0], f"… and {_count(claim) - 1} more entries"])
+    if claim.corrected is not None:
+        printed, corrected = apart(_text_of(claim, "printed"), _text_of(claim, "corrected"), LONGEST_ENTRY)
+        return f"printed {printed}, corrected {corrected}"
+    instead = f"; true instead: ({claim.instead})" if claim.instead else ""
+    return f"printed {folded(_text_of(claim, 'printed'), LONGEST_ENTRY)}{instead}"
+
+
+def _text_of(claim: Claim, part: Part) -> str:
+    if claim.kind == "reference":
+        return ".".join(map(str, getattr(claim, part)))
+    return ", ".join(_rows(as_declared(claim, part)))
+
+
+def apart(left: str, right: str, most: int) -> tuple[str, str]:
+    """Return two texts; if one is long, of both only where they begin to differ.
+
+    Examples
+    --------
+    >>> apart("a + b", "a - b", 10)
+    ('a + b', 'a - b')
+    >>> apart("alpha*beta*gamma + delta*epsilon", "alpha*beta*gamma - delta*epsilon", 20)
+    ('…*gamma + delta*epsi… (32 characters)', '…*gamma - delta*epsi… (32 characters)')
+    """
+    if max(len(left), len(right)) <= most:
+        return left, right
+    common = next((place for place, pair in enumerate(zip(left, right, strict=False)) if pair[0] != pair[1]), 0)
+    start = max(0, common - most // 3)
+    cut = [f"{'…' if start else ''}{text[start:][: most - 1]}" for text in (left, right)]
+    ends = ["" if start + most > len(text) else "…" for text in (left, right)]
+    sizes = [f"{end} ({len(text):,} characters)" for end, text in zip(ends, (left, right), strict=True)]
+    return cut[0] + sizes[0], cut[1] + sizes[1]
+
+
+def _count(claim: Claim) -> int:
+    return len(differing_entries(claim))
+
+
 def _about(judgement: Judgement, *, full: bool) -> Iterator[Line]:
     """Yield what is the same for a claim that is explained and for one that has failed."""
     claim = judgement.claim
@@ -171,7 +215,8 @@ def _differing(claim: Claim, full: bool) -> list[str]:
     lines = []
     for place in places[:count]:
         row, column = divmod(place, claim.derived.cols)  # type: ignore[union-attr]
-        pair = [_cut(shown(form[place]), full, LONGEST_ENTRY) for form in (printed, correct)]  # type: ignore[index]
+        whole = [shown(form[place]) for form in (printed, correct)]  # type: ignore[index]
+        pair = whole if full else apart(*whole, LONGEST_ENTRY)
         lines.append(f"row {row + 1}, column {column + 1}: printed {pair[0]}, {right} {pair[1]}")
     return lines if count == len(places) else [*lines, f"… and {len(places) - count} more entries"]
 

@@ -13,15 +13,17 @@ from markupsafe import Markup
 
 from algebroproj_sym.declaring import Claim, Judgement, Part, arranged, as_declared, differing_entries, in_names
 from algebroproj_sym.declaring.latex import NOTHING, WHOLE, Marks, latex
-from algebroproj_sym.expressions import evaluate
+from algebroproj_sym.expressions import evaluate, size
 from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.formulas import (
+    SMALL,
     Form,
     block,
     derived_number,
     described,
     digits_that_differ,
+    in_line,
     inline,
     is_formula,
     named,
@@ -192,12 +194,14 @@ def conditions(judgement: Judgement) -> Markup:
     if not given:
         return Markup()
     more = [Markup("and {} more conditions").format(len(given) - MOST)] if len(given) > MOST else []
-    return Markup('<span class="conditions">wherever {}</span>').format(Markup(", ").join([*given[:MOST], *more]))
+    return Markup('<span class="conditions">{}</span>').format(Markup(", ").join([*given[:MOST], *more]))
 
 
 def _condition(expression: Any, relation: str) -> Markup:
-    shown = inline(expression) or Markup("<span>{}</span>").format(described(expression))
-    return Markup('<span class="line-formula">{} {} 0</span>').format(shown, relation)
+    shown = inline(expression)
+    if shown is None:
+        return Markup("{} {} 0").format(described(expression), relation)
+    return in_line(Markup("{} {} 0").format(shown, relation), focusable=size(expression) > SMALL)
 
 
 def where(claim: Claim) -> list[tuple[Markup, Form]]:

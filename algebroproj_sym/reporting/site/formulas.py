@@ -24,7 +24,6 @@ LARGEST_ENTRY = 90
 LARGEST_INLINE = 24
 LARGEST_FACTOR = 8
 SMALL = 6
-_WHERE = "where"
 LONGEST_TEXT = 5000
 LONGEST_FRACTION = 40
 
@@ -94,10 +93,8 @@ def named(form: Named, whole: Form) -> Form:
     """Return a long form by the names of what it is made of, what these stand for, and all of it to be unfolded."""
     names = form.source.names
     formula = scrolling(math(named_latex(form.written, names), "block"), "formula", focusable=True)
-    lines = Markup("").join(
-        Markup("<p>{}</p>{}").format(_WHERE, _meaning(meaning, latex_of_name(meaning.name, form), names))
-        for meaning in form.meanings
-    )
+    lines = Markup("").join(_meaning(meaning, latex_of_name(meaning.name, form), names) for meaning in form.meanings)
+    lines = Markup("<p>where</p>{}").format(lines) if lines else lines
     folded = Markup("<details><summary>All of it</summary>{}</details>").format(whole.html)
     return Form(formula + lines + folded, whole.complete)
 
@@ -239,6 +236,13 @@ def scrolling(content: Markup, label: str, *, focusable: bool) -> Markup:
     if not focusable:
         return Markup('<div class="formula">{}</div>').format(content)
     return Markup('<div class="formula" tabindex="0" role="group" aria-label="{}">{}</div>').format(label, content)
+
+
+def in_line(content: Markup, *, focusable: bool) -> Markup:
+    """Return a formula within a sentence, which scrolls if it is wider than the page."""
+    if not focusable:
+        return Markup('<span class="nowrap">{}</span>').format(content)
+    return Markup('<span class="line-formula" tabindex="0" role="group" aria-label="formula">{}</span>').format(content)
 
 
 def _shortened(text: str) -> str:

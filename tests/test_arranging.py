@@ -130,7 +130,7 @@ def test_a_long_form_has_the_names_of_the_derivation():
 
 
 def test_names_are_explained_with_what_they_meant(section):
-    A = Matrix([[x, 1], [0, y]])
+    A = Matrix([[x, 1], [0, y]])  # noqa: N806
     claim = section.identity("1.1", "product", printed=inverse(A) * A, derived=inverse(A) * A)
     named = in_names(claim, "printed")
     assert named.text == "inverse(A) * A"
@@ -139,7 +139,7 @@ def test_names_are_explained_with_what_they_meant(section):
 
 
 def test_a_name_that_is_also_a_symbol_explains_nothing(section):
-    D = Matrix([[x, 1], [0, y]])
+    D = Matrix([[x, 1], [0, y]])  # noqa: N806
     claim = section.identity("1.1", "product", printed=D * D, derived=D * D, where={sympy.Symbol("D"): x})
     assert in_names(claim, "printed") is None
 

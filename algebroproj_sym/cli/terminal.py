@@ -9,6 +9,7 @@ from typing import Literal, TypeVar
 
 import click
 from rich.console import Console
+from rich.measure import Measurement
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
@@ -16,6 +17,7 @@ Item = TypeVar("Item")
 Verbosity = Literal["quiet", "normal", "verbose"]
 
 PIPE_WIDTH = 160
+UNLIMITED = 10_000
 
 
 def verbosity() -> Verbosity:
@@ -38,8 +40,9 @@ def console() -> Console:
 def show(table: Table) -> None:
     """Write a table; names are never cut: where the terminal is too narrow for them, the lines are longer than it."""
     out = console()
-    least = out.measure(table).minimum
-    out.print(table, width=max(out.width, least), crop=False)
+    least = Measurement.get(out, out.options.update(max_width=UNLIMITED), table).minimum
+    out.width = max(out.width, least)
+    out.print(table)
 
 
 def progressing(items: Iterable[Item], total: int, what: str, *, ticking: bool = True) -> Iterator[Item]:

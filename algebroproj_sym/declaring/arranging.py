@@ -46,7 +46,8 @@ def as_declared(claim: Claim, part: Part) -> Statement | None:
     if claim.source is None or node is None or (not isinstance(statement, tuple) and size(statement, LONG) > LONG):
         return arranged(statement)
     parts = statement if isinstance(statement, tuple) else entries(statement)
-    nodes = _entries_as_written(node, claim.source, len(parts))
+    is_scalar = not isinstance(statement, tuple | sympy.MatrixBase)
+    nodes = _entries_as_written(node, claim.source, None if is_scalar else len(parts))
     forms = (
         [_form(node, part, claim.source) for node, part in zip(nodes, parts, strict=True)] if nodes else arranged(parts)
     )
@@ -121,13 +122,15 @@ def _as_quotient(node: Any) -> Any:
     return _with_parts(node, parts)
 
 
-def _entries_as_written(node: ast.expr, source: Source, count: int) -> list[ast.expr] | None:
-    """Return where each entry of a matrix, or each factor of a tuple, is written; a scalar is its own entry."""
+def _entries_as_written(node: ast.expr, source: Source, count: int | None) -> list[ast.expr] | None:
+    """Return where each of so many entries of a matrix, or factors of a tuple, is written; a scalar has no count."""
     seen = set()
     while isinstance(node, ast.Name) and node.id not in seen and source.assigned(node.id) is not None:
         seen.add(node.id)
         node = source.assigned(node.id) or node
-    found = [node] if count == 1 else _listed(node, source.names)
+    if count is None:
+        return [node]
+    found = _listed(node, source.names)
     return found if found is not None and len(found) == count else None
 
 

@@ -101,7 +101,9 @@ def test_conditions_stand_beside_every_verdict(section):
     assert condition in explained(claim)
     assert condition in failure_text(judgement)
     assert "claimed wherever this is not zero: q0" in explained(claim)
-    assert r"claimed wherever this is zero: ${q_{0}}^{2} + {q_{1}}^{2} + {q_{2}}^{2} + {q_{3}}^{2} - 1$" in markdown(judgement)
+    assert r"claimed wherever this is zero: ${q_{0}}^{2} + {q_{1}}^{2} + {q_{2}}^{2} + {q_{3}}^{2} - 1$" in markdown(
+        judgement
+    )
 
 
 def test_a_refuted_identity_shows_the_difference_and_both_values_at_the_counterexample(section):

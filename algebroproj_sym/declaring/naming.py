@@ -121,7 +121,7 @@ def named_latex(written: ast.expr, names: Mapping[str, Any]) -> str:
     --------
     >>> written = ast.parse("A_v * inverse(M) * (x - y0).T", mode="eval").body
     >>> print(named_latex(written, {"A_v": sympy.eye(2), "M": sympy.eye(2)}))
-    \mathbf{A}_{v} \mathbf{M}^{-1} \left(x - y_{0}\right)^{T}
+    \mathbf{A}_{v} {\mathbf{M}}^{-1} \left(x - y_{0}\right)^{T}
     """
     return _Latex(names).written(written)
 

@@ -127,7 +127,7 @@ def apart(left: str, right: str, most: int) -> tuple[str, str]:
     >>> apart("a + b", "a - b", 10)
     ('a + b', 'a - b')
     >>> apart("alpha*beta*gamma + delta*epsilon", "alpha*beta*gamma - delta*epsilon", 20)
-    ('…*gamma + delta*epsi… (32 characters)', '…*gamma - delta*epsi… (32 characters)')
+    ('…gamma + delta*epsil… (32 characters)', '…gamma - delta*epsil… (32 characters)')
     """
     if max(len(left), len(right)) <= most:
         return left, right

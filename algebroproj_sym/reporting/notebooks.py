@@ -84,7 +84,7 @@ def _failing(cells: Sequence[Any]) -> tuple[int, Any]:
     """Return the first cell whose output is an error, and its place."""
     return next(
         (place, cell)
-        for place, cell in enumerate(cells, 1)
+        for place, cell in enumerate((cell for cell in cells if cell.source.strip()), 1)
         if any(output.output_type == "error" for output in cell.get("outputs", ()))
     )
 

@@ -72,16 +72,17 @@ def summary_text(judgements: Sequence[Judgement]) -> Text:
 
 def failed_function(verification: Verification) -> str:
     """Return which function is not verified, and why."""
-    overall = verification.accuracy.overall
-    reasons = [
-        *([] if verification.proved else ["its source is not proved to give the derivation"]),
-        *([f"it is finite where {', '.join(map(str, verification.silent))} vanishes"] if verification.silent else []),
-        *(
-            []
-            if verification.accuracy.within_bound
-            else [f"its largest error/(cond u) is {overall.max_ratio:.2f}, expected at most {BOUND:g}"]
-        ),
-    ]
+    reasons = []
+    if not verification.proved:
+        reasons.append("its source is not proved to give the derivation")
+    if verification.silent:
+        reasons.append(f"its result is finite where this is zero: {', '.join(map(str, verification.silent))}")
+    if not verification.accuracy.within_bound:
+        overall = verification.accuracy.overall
+        reasons.append(
+            f"its errors are too large: median {overall.median_ulp:.2f} ULP, largest {overall.max_ulp:.3g} ULP, "
+            f"largest error/(cond u) {overall.max_ratio:.2f} where {BOUND:g} is allowed"
+        )
     return f"{verification.accuracy.function} is not verified: {'; '.join(reasons)}"
 
 

@@ -1,28 +1,11 @@
-"""The extension module of the compiled twin, which is left out where there is no C compiler; see pyproject.toml."""
+"""The extension module, which is compiled where there is a C compiler; see pyproject.toml for all else."""
 
 import sys
+from pathlib import Path
 
-import numpy
-from setuptools import Extension, setup
+from setuptools import setup
 
-# No contraction of operations and no option that changes values: the results are those of the NumPy source, bit by bit.
-# Loops over points are vectorised; to look for the like in thousands of lines without a loop takes a compiler minutes.
-VECTORISED = ["-O2", "-ftree-loop-vectorize", "-fvect-cost-model=dynamic", "-fno-tree-slp-vectorize"]
-# Rows of constants are written as the others are: a call to fill 500 bytes takes longer.
-AS_WRITTEN = ["-ffp-contract=off", "-fno-tree-loop-distribute-patterns"]
-OPTIONS = ["/fp:precise"] if sys.platform == "win32" else ["-std=c99", "-g0", *VECTORISED, *AS_WRITTEN]
-FOLDER = "generated/algebroproj"
-HEADERS = ("_kernels", "_systems", "_moves", "_loops", "_fours", "_plain_kernels", "_plain_loops", "_calls")
+sys.path.insert(0, str(Path(__file__).parent / "generated"))
+from compiling import Build, extension
 
-setup(
-    ext_modules=[
-        Extension(
-            "algebroproj._compiled",
-            [f"{FOLDER}/_compiled.c"],
-            depends=[f"{FOLDER}/{name}.h" for name in HEADERS],
-            include_dirs=[numpy.get_include()],
-            extra_compile_args=OPTIONS,
-            optional=True,
-        )
-    ]
-)
+setup(ext_modules=[extension("generated/algebroproj")], cmdclass={"build_ext": Build})

@@ -25,6 +25,7 @@ from algebroproj_sym.declaring import (
     needed_by,
     numbered_with,
     outline,
+    quotes_of,
 )
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
@@ -61,11 +62,11 @@ def check(
     claims : sequence of Claim
         As selected.
     engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
+        The library for polynomials.
     jobs : int
-        How many processes.
+        The number of processes.
     memory : Memory, optional
-        What earlier runs have proved; without it, everything is proved.
+        The verdicts of earlier runs.  Without it, everything is proved.
 
     Yields
     ------
@@ -95,8 +96,8 @@ class CheckedModule:
     outlines : tuple of Outline
         What must fit the other modules.
     judgements : tuple of Judgement
-        Of its claims, in order.  Those that are as declared come without forms and evidence: to read expressions that
-        another process has sent takes longer than to judge them.
+        The judgements of its claims, in order.  If a verdict is as declared, its forms and evidence are left out: it
+        takes longer to send them between processes than to judge the claim.
     records : tuple of dict
         The entries of the ledger, if they were asked for.
     """
@@ -112,27 +113,27 @@ def check_modules(
 ) -> Iterator[CheckedModule]:
     """Import derivation modules and judge their claims where they are imported, in worker processes.
 
-    Importing is half of the work, and modules need each other.  Where processes fork, this one imports what several
-    modules need, and leaves each module to a fork of itself as soon as that is done; elsewhere, a worker that is free
-    is given the module for which it has least to import.
+    Importing is half of the work, and modules import each other.  On Linux this process imports the modules that
+    several others need.  Then it forks, and each fork judges one module.  On other systems, a free worker gets the
+    module for which it has the least to import.
 
     Parameters
     ----------
     names : sequence of str
         The modules.
     engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
+        The library for polynomials.
     jobs : int
-        How many processes.
+        The number of processes.
     memory : Memory
-        What earlier runs have proved.
+        The verdicts of earlier runs.
     recorded : bool
         Whether to write also the entries of the ledger.
 
     Yields
     ------
     CheckedModule
-        In the order in which they are done.
+        In the order in which they are ready.
     """
     check_one = partial(_check_module, engine=engine, memory=memory, recorded=recorded)
     return forked(check_one, _ready(names), jobs) if can_fork() else dealt(check_one, names, jobs, _nearest(jobs))
@@ -172,12 +173,12 @@ def _nearest(jobs: int) -> Callable[[int, Sequence[str]], str]:
 
 
 def derived_forms(claims: Sequence[Claim], jobs: int = 1) -> Iterator[Expression | None]:
-    """Write what is derived in lowest terms, claim by claim, as ledger and reports show it."""
+    """Write the derived forms in lowest terms, as ledger and reports show them."""
     return mapped(derived_form, claims, jobs)
 
 
 def claims_of(chosen: Sequence[Kernel], sources: Sequence[str] = ()) -> tuple[Claim, ...]:
-    """Return the claims that some kernels rest on.
+    """Return the claims that prove some kernels.
 
     Parameters
     ----------
@@ -194,7 +195,7 @@ def claims_of(chosen: Sequence[Kernel], sources: Sequence[str] = ()) -> tuple[Cl
 def programs(
     judgements: Iterable[Judgement], chosen: Sequence[Kernel], engine: str = "flint", jobs: int = 1
 ) -> Iterator[Lowered]:
-    """Lower kernels, provided that the claims they rest on are decided as declared.
+    """Lower kernels.  The claims that prove them must be decided as declared.
 
     Parameters
     ----------
@@ -203,9 +204,9 @@ def programs(
     chosen : sequence of Kernel
         What to lower.
     engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
+        The library for polynomials.
     jobs : int
-        How many processes.
+        The number of processes.
 
     Raises
     ------
@@ -240,9 +241,9 @@ def verifications(
     size : int
         Samples in each stratum.
     engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
+        The library for polynomials.
     jobs : int
-        How many processes.
+        The number of processes.
     package : str
         The name of the package.
     """
@@ -252,7 +253,7 @@ def verifications(
 def mutated_claims(
     claims: Sequence[Claim], limit: int = 0, engine: str = "flint", jobs: int = 1
 ) -> Iterator[MutatedClaim]:
-    """Change proved claims in single places; at most `limit` changes of each are judged, all if it is 0."""
+    """Change proved claims in single places.  At most `limit` changes of each are judged, or all if it is 0."""
     return mapped(partial(mutate_claim, limit=limit, engine=engine), claims, jobs)
 
 
@@ -264,24 +265,25 @@ def mutated_kernels(
     engine: str = "flint",
     jobs: int = 1,
 ) -> Iterator[MutatedKernel]:
-    """Change the source of generated functions in single places; at most `limit` changes of each are tried."""
+    """Change the source of generated functions in single places.  At most `limit` changes of each are tried."""
     return mapped(partial(_mutate, folder=folder, limit=limit, size=size, engine=engine), lowered, jobs)
 
 
 def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Notebook]:
-    """Run derivations as notebooks, each in processes of its own, which end with this one."""
+    """Run derivations as notebooks, each in a process of its own."""
     return in_processes(run_notebook, derivations, jobs)
 
 
 def _check_module(name: str, engine: str, memory: Memory, recorded: bool) -> CheckedModule:
-    sections = [derivation.section for derivation in derivations_in(name)]
+    found = derivations_in(name)
+    sections, quotes = [derivation.section for derivation in found], quotes_of(found)
     claims = [claim for section in sections for claim in section.claims]
     judgements = [*check(claims, engine, memory=memory)]
     return CheckedModule(
         name,
         tuple(map(outline, sections)),
         tuple(abridged(judgement) if judgement.as_declared else judgement for judgement in judgements),
-        tuple(map(claim_record, judgements)) if recorded else (),
+        tuple(claim_record(judgement, quotes) for judgement in judgements) if recorded else (),
     )
 
 

@@ -27,10 +27,10 @@ GRACE = 1.0
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Collect no cycles for a while.
+    """Switch the garbage collector off for a while.
 
-    Expressions make few of them, and to look for them in vain takes time.  A collection also writes to every object,
-    so that a fork shares no more memory with the process it was made from.
+    Expressions make few cycles, and the search for them takes time.  It also writes to every object, and a fork then no
+    longer shares its memory.
     """
     enabled = gc.isenabled()
     gc.disable()
@@ -42,7 +42,7 @@ def uncollected() -> Iterator[None]:
 
 
 def mapped(function: Callable[[Task], Result], tasks: Sequence[Task], jobs: int) -> Iterator[Result]:
-    """Yield the result of each task, in order; in this process if it is the only one."""
+    """Yield the result of each task, in order.  With one job, this process does the work."""
     if jobs == 1:
         yield from map(function, tasks)
     else:
@@ -62,18 +62,18 @@ def dealt(
     jobs: int,
     choose: Callable[[int, Sequence[Task]], Task],
 ) -> Iterator[Result]:
-    """Yield results as they are done; a worker that is free is given the task that is chosen for it of those left.
+    """Yield results when they are ready.  `choose` gives a free worker its next task.
 
     Parameters
     ----------
     function : callable
-        What is done with a task; it and the tasks are sent to other processes.
+        It takes a task.  The function and the tasks are sent to other processes.
     tasks : sequence
-        What there is to do.
+        The tasks.
     jobs : int
         How many workers.
     choose : callable
-        Takes the place of a worker and the tasks that are left.
+        It takes the number of a worker and the remaining tasks.
     """
     pending, running = list(tasks), dict[Future[Result], int]()
     with _pools(jobs, 1) as pools:
@@ -93,24 +93,23 @@ def dealt(
 
 
 def can_fork() -> bool:
-    """Whether this process may be forked: where that is safe, and while no other thread may hold a lock."""
+    """Whether this process may fork.  It must be safe on this system, and no other thread may hold a lock."""
     return sys.platform == "linux" and threading.active_count() == 1
 
 
 def forked(function: Callable[[Task], Result], tasks: Iterable[Task], jobs: int) -> Iterator[Result]:
-    """Yield results as they are done, each from a fork of this process that is made once its task is there.
+    """Yield results when they are ready, each from a fork of this process.
 
-    A fork has what the iteration over the tasks has made so far, without making it again and without being sent it.
-    While the iteration goes on, this process is one of those that work.
+    The iteration over the tasks may import modules.  A fork has everything that was imported before it was made.
 
     Parameters
     ----------
     function : callable
         What is done with a task.
     tasks : iterable
-        What there is to do.
+        The tasks.
     jobs : int
-        How many processes work at a time, this one among them.
+        The number of processes that work at a time.  This one counts too.
 
     Raises
     ------

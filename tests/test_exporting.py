@@ -4,6 +4,7 @@ import copy
 import json
 import re
 import shutil
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -15,10 +16,11 @@ from hypothesis import strategies as st
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import judge
-from algebroproj_sym.exporting import compiled, compiled_lemmas, export, exported, render
+from algebroproj_sym.exporting import assumptions, checked, compiled, compiled_lemmas, export, exported, render
 from algebroproj_sym.exporting.compiling import ALLOWED, assumed, axioms
-from algebroproj_sym.exporting.files import word
-from algebroproj_sym.exporting.gallina import RESERVED, formula, identifier
+from algebroproj_sym.exporting.files import translated, word
+from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, reserved
+from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.exporting.points import inverse, values
 from algebroproj_sym.exporting.terms import (
     difference,
@@ -34,6 +36,8 @@ from algebroproj_sym.exporting.terms import (
     used,
 )
 from algebroproj_sym.expressions import Matrix, over, vector
+from algebroproj_sym.files import write_texts
+from algebroproj_sym.replaying import declaration_digest
 from algebroproj_sym.reporting import ledger
 
 a, b, t, x, y, z = sympy.symbols("a b t x y z")
@@ -127,6 +131,11 @@ def every_kind():
     return ledger([judge(claim) for claim in section.claims], timed=False)["claims"]
 
 
+def bound(record):
+    """The record with the digest of what it declares now, as a forger would write it."""
+    return {**record, "declaration": declaration_digest(record)}
+
+
 @pytest.fixture(scope="module")
 def records():
     return every_kind()
@@ -136,14 +145,18 @@ def records():
 def library(tmp_path_factory):
     """Return a function that compiles the theorems of records, given as records or as text, beside compiled lemmas."""
     folder = tmp_path_factory.mktemp("coq")
-    (folder / "Formulas.v").write_text(render([])["Formulas.v"], encoding="utf-8")
-    lemmas = compiled_lemmas(folder)
-    assert lemmas.error == ""
+    write_texts(render([]), folder)
+    assert [lemma.error for lemma in compiled_lemmas(folder)] == [""] * len(LEMMAS)
 
-    def verdict(records, text=None):
-        (folder / "demo_1.v").write_text(text or render(export(records))["demo_1.v"], encoding="utf-8")
-        (found,) = compiled(folder, ["demo_1"])
-        return found
+    def verdict(claims, change=lambda text: text):
+        files = render(claims)
+        write_texts({**files, "s_demo_1.v": change(files["s_demo_1.v"])}, folder)
+        (found,) = compiled(folder, ["s_demo_1"])
+        if found.error:
+            return found
+        printed = assumptions(folder)
+        (independent,) = checked(folder, ["s_demo_1"])
+        return replace(printed, error="; ".join(filter(None, (printed.error, independent.error))))
 
     return verdict
 
@@ -190,7 +203,7 @@ def test_words_differ_for_different_numbers():
 
 
 def test_a_name_that_means_something_in_coq_is_written_otherwise():
-    assert all(identifier(text) not in RESERVED for text in ("R", "fun", "I", "x"))
+    assert all(identifier(text) not in reserved() for text in ("R", "fun", "I", "x", "follows", "regular_matrix"))
     assert identifier("x") == "x"
 
 
@@ -236,13 +249,38 @@ def test_a_count_speaks_of_derivatives(records):
 
 def test_an_open_claim_is_no_theorem(records):
     opened = {**record_of(records, "1.1"), "verdict": "open", "certificate": None}
-    assert exported(opened).reason == "an open claim shows nothing"
+    assert translated(opened).reason == "an open claim shows nothing"
+    assert exported(opened).refused
 
 
-def test_a_division_by_what_is_no_hypothesis_is_refused(records):
-    tampered = copy.deepcopy(record_of(records, "1.1"))
-    tampered["certificate"]["denominators"].remove("x + y")
-    assert not exported(tampered).theorems
+@pytest.mark.parametrize(
+    ("hypotheses", "reason"),
+    [
+        ([], "the forms divide by x, x + y, which the hypotheses do not list"),
+        (["x"], "the forms divide by x + y, which the hypotheses do not list"),
+        (["x", "x + y", "y"], "the hypotheses list y, by which no form divides"),
+        (["x", "x*x + x*y"], ""),
+        (["x**2 + x*y"], ""),
+    ],
+)
+def test_hypotheses_are_those_of_the_forms(records, hypotheses, reason):
+    """The exporter's own reader decides, whatever the replay says; only the zero set counts."""
+    found = translated({**record_of(records, "1.1"), "hypotheses": hypotheses})
+    assert found.reason == reason
+    assert bool(found.theorems) != bool(reason)
+
+
+def test_evidence_that_does_not_replay_is_not_exported(records):
+    claim = exported(bound({**record_of(records, "1.1"), "derived": "x + y"}))
+    assert claim.refused
+    assert claim.reason.startswith("the evidence does not replay")
+
+
+def test_every_claim_under_constraints_has_a_witness(records):
+    for record in records:
+        if record["setting"].get("constraints"):
+            shown = {theorem.name.partition("claim_1_")[2] for theorem in exported(record).theorems}
+            assert any("witness" in name or "refuted" in name for name in shown), record["number"]
 
 
 def test_the_files_do_not_depend_on_the_number_of_jobs(records):
@@ -251,20 +289,22 @@ def test_the_files_do_not_depend_on_the_number_of_jobs(records):
 
 def test_the_files_name_each_other(records):
     files = render(export(records))
-    assert list(files) == ["Formulas.v", "demo_1.v", "_CoqProject", "Makefile", "not_exported.txt"]
-    assert files["_CoqProject"].split() == ["-R", ".", "Algebroproj", "Formulas.v", "demo_1.v"]
-    assert "demo_1.vo: Formulas.vo" in files["Makefile"]
+    assert {"Formulas.v", "s_demo_1.v", "assumptions.v", "_CoqProject", "Makefile", "not_exported.txt"} <= {*files}
+    assert files["_CoqProject"].split() == ["-R", ".", "Algebroproj", *(name for name in files if name.endswith(".v"))]
+    assert "s_demo_1.vo: Formulas.vo" in files["Makefile"]
     assert {line.split()[0] for line in files["not_exported.txt"].splitlines()} == {
         f"demo:{n}" for n in WITHOUT_THEOREM
     }
-    theorems = re.findall(r"^Theorem (\S+) :", files["demo_1.v"], flags=re.MULTILINE)
+    theorems = re.findall(r"^Theorem (\S+) :", files["s_demo_1.v"], flags=re.MULTILINE)
     assert theorems
-    assert sorted(theorems) == re.findall(r"let _ := (\S+) in", files["demo_1.v"])
+    assert theorems == re.findall(r"let _ := @Algebroproj.s_demo_1.(\S+) in", files["assumptions.v"])
+    assert "Assumptions" not in files["s_demo_1.v"]
 
 
 def test_nothing_is_admitted(repository):
-    text = (repository / "algebroproj_sym/exporting/Formulas.v").read_text(encoding="utf-8")
-    assert not re.search(r"\b(Admitted|Axiom|Parameter|Conjecture|Abort)\b", text)
+    for lemmas in LEMMAS:
+        text = (repository / "algebroproj_sym/exporting" / lemmas).read_text(encoding="utf-8")
+        assert not re.search(r"\b(Admitted|admit|Axiom|Parameter|Conjecture|Abort|Hypothesis Hfalse)\b", text)
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -281,7 +321,7 @@ def test_only_the_axioms_of_the_real_numbers_are_allowed():
 
 @needs_coq
 def test_the_kernel_accepts_every_kind(records, library):
-    found = library(records)
+    found = library([*export(records)])
     assert found.error == ""
     assert {*found.axioms} == ALLOWED
 
@@ -310,7 +350,7 @@ TAMPERED = [
     ("1.14", "certificate", "kernel", 0, "Matrix([[y], [x]])"),
     ("1.19", "printed", "Matrix([[x/y], [1]])"),
     ("1.20", "certificate", "kernel", 0, "Matrix([[x], [y], [2*z]])"),
-    ("1.20", "divisions", "derived", "entries", 0, "x"),
+    ("1.20", "derived", "Matrix([[x], [(y*t)/(z*t)], [x**2/z**2]])"),
     ("1.20", "certificate", "rows", [0, 2]),
     ("1.21", "certificate", "columns", [0]),
     ("1.22", "printed", "0.15"),
@@ -321,17 +361,205 @@ TAMPERED = [
 @needs_coq
 @pytest.mark.parametrize("change", TAMPERED, ids=lambda change: f"{change[0]}-{change[-1]}")
 def test_the_kernel_rejects_what_is_false(records, library, change):
+    """The exporter has to refuse, or the kernel, where the replay is left out."""
     record = tampered(records, *change)
-    assert not exported(record).theorems or library([record]).error
+    claim = translated(record)
+    assert not claim.theorems or library([claim]).error
 
 
 @needs_coq
 def test_an_assumption_is_found_out(records, library):
-    text = render(export([record_of(records, "1.1")]))["demo_1.v"]
     theorem = re.compile(r"Theorem claim_1_1 .*?Qed\.", flags=re.DOTALL)
-    admitted = theorem.sub("Axiom claim_1_1 : forall x : R, x = 1.", text)
-    assert admitted != text
-    assert library([], admitted).error == "the theorems assume claim_1_1"
+    found = library(
+        [exported(record_of(records, "1.1"))], lambda text: theorem.sub("Axiom claim_1_1 : forall x : R, x = 1.", text)
+    )
+    assert found.error.startswith("the theorems assume ")
+    assert "claim_1_1; coqchk finds the axioms Algebroproj.s_demo_1.claim_1_1" in found.error
+
+
+@needs_coq
+def test_an_axiom_that_no_theorem_uses_is_found_out(records, library):
+    found = library([exported(record_of(records, "1.1"))], lambda text: f"{text}\nAxiom evil : False.\n")
+    assert found.error == "coqchk finds the axioms Algebroproj.s_demo_1.evil"
+
+
+@needs_coq
+def test_what_a_file_of_theorems_prints_is_not_believed(records, library):
+    faked = "Axiom evil : False.\nTheorem claim_1_1 : 1 = 2.\nProof. destruct evil. Qed.\n"
+    faked += "Print Assumptions Rplus_0_l.\n"
+    found = library([exported(record_of(records, "1.1"))], lambda text: text[: text.index("(**")] + faked)
+    assert "evil" in found.error
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# hostile entries
+
+EVIL = "Axiom evil : False."
+PAYLOADS = [
+    f"*) {EVIL} (*",
+    f"**) {EVIL} (**",
+    f'"*) {EVIL} (*"',
+    f"(*)*) {EVIL} (*",
+    f'" {EVIL} "',
+    f"\n{EVIL}\n",
+    f"\r{EVIL}\x00\x1b]0;",
+    f"\u2028{EVIL}\u202e",
+    f"x.\n{EVIL}\nTheorem y : x = x",
+    f"Qed. {EVIL} Theorem z : True. Proof. exact I",
+    f"Admitted.\n{EVIL}",
+    "../../outside",
+    "/etc/passwd",
+    "a.v\nall: evil\n\ttouch evil",
+    "$(touch evil)",
+    "`touch evil`",
+    "-R . Evil",
+    "x' \" ; touch evil #",
+    "\\",
+    "a" * 300,
+    "(*" * 50,
+    "\ud800",
+    "Δ' α\u0301",
+]
+NAMED = ("paper", "number", "section", "title", "kind", "verdict", "expected", "engine", "note", "instead")
+PLACES = [
+    *((key,) for key in NAMED),
+    *((key,) for key in ("printed", "derived", "corrected")),
+    ("where", "a"),
+    ("hypotheses", 0),
+    ("counterexample", "x"),
+    *(("setting", key, 0) for key in ("constraints", "nonzero", "variables")),
+    *(("setting", key) for key in ("variable", "units", "unrounded")),
+    ("certificate", "method"),
+    ("certificate", "multiplier"),
+    ("certificate", "pivot"),
+    *(("certificate", key, 0) for key in ("denominators", "generators", "kernel", "rows", "columns", "divisors")),
+    *(("certificate", "entries", 0, key) for key in ("power", "number")),
+    ("certificate", "entries", 0, "cofactors", 0),
+    ("certificate", "witness", "x"),
+    ("certificate", "point", "x"),
+]
+
+
+def changed(record, path, payload):
+    """The record with a payload in one place, None if it has no such place; names and keys get it as well."""
+    record = copy.deepcopy(record)
+    *inner, last = path
+    place = record
+    try:
+        for key in inner:
+            place = place[key]
+        place[last]
+    except (KeyError, IndexError, TypeError):
+        return None
+    place[last] = payload
+    return record
+
+
+def outside_comments(text):
+    """Coq's text without comments and strings, as Coq reads them: comments nest, and strings within them count."""
+    kept, depth, place, quoted = [], 0, 0, False
+    while place < len(text):
+        pair = text[place : place + 2]
+        if text[place] == '"':
+            quoted = not quoted
+        elif not quoted and pair == "(*":
+            depth, place = depth + 1, place + 1
+        elif not quoted and pair == "*)" and depth:
+            depth, place = depth - 1, place + 1
+        elif not depth and not quoted:
+            kept.append(text[place])
+        place += 1
+    assert (depth, quoted) == (0, False)
+    return "".join(kept)
+
+
+def assert_harmless(files):
+    for called, text in files.items():
+        assert re.fullmatch(r"[A-Za-z0-9_.]{1,210}", called)
+        assert text.isascii() or called == "Formulas.v"
+        if called.endswith(".v"):
+            assert "evil" not in re.sub(r"claim_\w+", "", outside_comments(text))
+    assert "evil" not in re.sub(r"s_\w+", "", files["_CoqProject"] + files["Makefile"])
+    listed = files["not_exported.txt"].splitlines()
+    assert all(line.isprintable() and ":" in line for line in listed)
+
+
+@pytest.mark.parametrize("path", PLACES, ids=lambda path: "-".join(map(str, path)))
+def test_no_field_can_say_anything_else_in_coq(records, path):
+    """Each payload in each field of each claim that has it: replay left out, the exporter alone has to stop it."""
+    tried = 0
+    for record in records:
+        for payload in PAYLOADS:
+            hostile = changed(record, path, payload)
+            if hostile is not None:
+                tried += 1
+                claim = translated(hostile)
+                assert_harmless(render([claim]))
+    assert tried
+
+
+@pytest.mark.parametrize("place", ["where", "witness", "counterexample", "point", "denominator"])
+@pytest.mark.parametrize("payload", PAYLOADS)
+def test_no_key_can_say_anything_else_in_coq(records, place, payload):
+    for record in copy.deepcopy(records):
+        certificate = record["certificate"]
+        found = [
+            record["where"],
+            certificate.get("witness"),
+            record["counterexample"],
+            certificate.get("point"),
+            *(part["denominator"] for part in certificate.get("entries", ()) if "denominator" in part),
+        ]
+        for mapping in filter(None, found):
+            mapping[payload] = mapping.pop(next(iter(mapping)))
+        assert_harmless(render([translated(record)]))
+
+
+@given(st.data())
+def test_hostile_texts_in_many_fields_at_once(records, data):
+    record = copy.deepcopy(data.draw(st.sampled_from(records)))
+    hostile = st.one_of(st.sampled_from(PAYLOADS), st.text(max_size=40), st.text(alphabet='(*)". \nA{}', max_size=12))
+    for path in data.draw(st.lists(st.sampled_from(PLACES), min_size=1, max_size=6)):
+        record = changed(record, path, data.draw(hostile)) or record
+    assert_harmless(render([translated(record)]))
+
+
+@needs_coq
+def test_hostile_titles_and_names_compile(records, library):
+    claims = []
+    for place, payload in enumerate(PAYLOADS):
+        record = {**record_of(records, "1.1"), "title": payload, "verdict": "proved", "number": f"{place}{payload}"}
+        claims.append(translated(record))
+    found = library([claim for claim in claims if claim.theorems])
+    assert found.error == ""
+    assert {*found.axioms} == ALLOWED
+
+
+def test_every_word_of_coq_that_a_file_uses_is_no_name_of_a_variable(records):
+    files = render(export(records))
+    symbols = {symbol for record in records for symbol in re.findall(r"[A-Za-z]\w*", json.dumps(record))}
+    numbered = r"(claim|nonzero|unit|zero|is|held)_\w+"
+    for word_of_coq in re.findall(r"[A-Za-z_][\w']*", outside_comments(files["s_demo_1.v"])):
+        if word_of_coq not in symbols and not re.fullmatch(numbered, word_of_coq):
+            assert word_of_coq in reserved() | COMMANDS, word_of_coq
+
+
+COMMANDS = {
+    *("From", "Coq", "Require", "Import", "Reals", "QArith", "List", "Algebroproj", "Formulas", "Linear"),
+    *("ListNotations", "Open", "Scope", "R_scope", "Theorem", "Proof", "Qed", "intros", "intro", "refine", "all"),
+    *("vm_cast_no_check", "pose", "proof", "assert", "same", "rows", "concat", "x", "F", "ltac", "Z", "pivot", "k"),
+}
+
+
+@needs_coq
+def test_names_that_mean_something_in_coq_can_be_symbols(library):
+    section = Section("demo", "1", "Names")
+    named = ["follows", "R", "eval", "pow", "nat", "regular_matrix", "Rabs", "conj", "list", "x_x27_"]
+    p, q, *others = (sympy.Symbol(text) for text in named)
+    section.identity("1.1", "names", printed=sum(others) + over(p * q, q), derived=sum(others) + p + 0 * q)
+    section.rank("1.2", "rank", printed=1, derived=Matrix([[p, q], [p, q]]), kernel=[vector(q, -p)])
+    found = ledger([judge(claim) for claim in section.claims], timed=False)["claims"]
+    assert library([*export(found)]).error == ""
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -362,3 +590,87 @@ def test_without_coq_compiling_is_refused_before_anything_is_written(tmp_path, m
     assert result.exit_code == 1
     assert "coqc is not installed" in result.output
     assert not (tmp_path / "coq").exists()
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# objects of derivations
+
+MODULE = """
+import sympy
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import (
+    Matrix, adjugate, columns, cross, determinant, dot, homogeneous, inverse, linear_system, over, solve, vector)
+
+a, b, c, d, x, y = sympy.symbols("a b c d x y")
+section = Section("demo", "1", "Objects")
+M = columns(vector(a, b), c * vector(1, 0) - vector(0, d))
+N = M.subs(c, 1)
+Delta = determinant(N)
+M_inverse = inverse(M)
+system, right_side = linear_system([a * x + y - b, x - c * y], [x, y])
+at = solve(system, right_side)
+image = N * homogeneous(vector(x))
+ratio = over(image[0], image[1])
+section.identity("1.1", "entries", printed=Matrix([[a, c], [b, -d]]), derived=M)
+section.identity("1.2", "substituted", printed=Matrix([[a, 1], [b, -d]]), derived=N)
+section.identity("1.3", "determinant", printed=-a * d - b, derived=Delta)
+section.identity("1.4", "inverse", printed=Matrix.eye(2), derived=M * M_inverse)
+section.identity("1.5", "solution", printed=vector(b * c, b) / (a * c + 1), derived=at)
+section.identity("1.6", "entry of a product", printed=(a + x) / (b - d * x), derived=ratio)
+section.identity("1.7", "nothing", printed=vector(0, 0, 0), derived=cross(vector(a, b, c), vector(a, b, c)))
+section.identity("1.8", "zero", printed=0, derived=dot(vector(a, b), vector(-b, a)))
+section.identity("1.9", "adjugate", printed=Matrix([[-d, -c], [-b, a]]), derived=adjugate(M))
+zeros = dot(vector(a, b), vector(-b, a)), dot(M[0, :].T, vector(c, -a))
+section.identity("1.10", "zeros", printed=vector(0, 0), derived=vector(*zeros))
+section.identity("1.11", "convention", printed=vector(x, y), derived=vector(x, y))
+section.identity("1.12", "parts", printed=Matrix([[b, -d], [a, c]]), derived=M[1, :].col_join(M[:1, :]))
+section.identity("1.13", "sides", printed=Matrix([[2 * a, b + c], [b + c, -2 * d]]), derived=(2 * M + 2 * M.T) / 2)
+section.structure("1.14", "pattern", printed=Matrix([[0, a], [-a, 0]]), derived=M - M.T - Matrix([[0, 0], [0, 0]]))
+"""
+
+
+@pytest.fixture(scope="module")
+def objects(tmp_path_factory):
+    path = tmp_path_factory.mktemp("derivations") / "s1_objects.py"
+    path.write_text(MODULE, encoding="utf-8")
+    claims, made = made_by_derivations([str(path)])
+    found = ledger([judge(claim) for claim in claims], timed=False)["claims"]
+    return found, made
+
+
+def test_objects_are_made_as_the_derivation_makes_them(objects):
+    records, made = objects
+    exported_claims = {claim.number: claim for claim in export(records, objects=made)}
+    commands = {d.name: d.text for claim in exported_claims.values() for d in claim.definitions}
+    assert commands["the_N"] == "the_M a b (1) d"
+    assert commands["the_Delta"].startswith("determinant (the_N")
+    assert commands["the_M_inverse"].startswith("inverse (the_M")
+    assert commands["the_image"].startswith("product (the_N")
+    assert "solution" in commands["the_at"]
+    assert {number: claim.trivial for number, claim in exported_claims.items() if claim.trivial} == {"1.11": 2}
+    assert "1.11" in render(exported_claims.values())["conventions.txt"]
+
+
+@needs_coq
+def test_the_kernel_accepts_objects(objects, library):
+    records, made = objects
+    found = library([*export(records, objects=made)])
+    assert found.error == ""
+    assert {*found.axioms} == ALLOWED
+
+
+def test_steps_that_make_another_form_are_noticed(objects):
+    records, made = objects
+    (record,) = [record for record in records if record["number"] == "1.3"]
+    other = made["demo", "1.8"]
+    claim = translated(record, other)
+    assert not claim.definitions
+    assert claim.why == "the steps of the derivation make another form than the ledger has"
+
+
+@needs_coq
+def test_the_kernel_rejects_an_object_that_is_made_otherwise(objects, library):
+    records, made = objects
+    claims = [*export(records, objects=made)]
+    assert library(claims, lambda text: text.replace("determinant (the_N", "- determinant (the_N")).error
+    assert library(claims, lambda text: text.replace("inverse (the_M", "adjugate (the_M")).error

@@ -1,5 +1,7 @@
 """Each kind of claim proves what is true, refutes what is false with a point that anyone can check, and says so."""
 
+import math
+from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
 from fractions import Fraction
 
 import pytest
@@ -113,8 +115,8 @@ def test_proportional_vectors_are_equal_up_to_the_factor_of_the_certificate(engi
     printed = derived.applyfunc(lambda component: over(a * component, b))
     result = judged("up_to_scale", engine, printed, derived)
     assert result.verdict == "proved"
-    scale = sympy.sympify(result.certificate["scale"])
-    assert sympy.cancel(scale * b - a) == 0
+    pivot = result.certificate["pivot"]
+    assert sympy.cancel(printed[pivot].doit() * b - derived[pivot] * a) == 0 != derived[pivot]
 
 
 @given(every_engine, st.lists(st.tuples(polynomials, polynomials), min_size=2, max_size=3))
@@ -333,36 +335,53 @@ def test_a_number_needs_no_engine(engine):
     assert judged("numeric", engine, "0.334", sympy.Rational(1, 3)).verdict == "false"
 
 
-def test_half_a_unit_of_the_last_digit_holds_and_anything_beyond_is_refuted():
-    tiny = Fraction(1, 10**40)
-    for printed in ("0.12", "-0.12", "0.00", "-0.00", "12", "7.0"):
-        half = Fraction(1, 2) / 10 ** len(printed.partition(".")[2])
-        for side in (-1, 1):
-            boundary = Fraction(printed) + side * half
-            assert numeric(printed, boundary) == "proved"
-            assert numeric(printed, boundary - side * tiny) == "proved"
-            assert numeric(printed, boundary + side * tiny) == "false"
+TINY = Fraction(1, 10**40)
 
 
-@given(st.fractions(-100, 100), st.integers(0, 8))
-def test_a_correctly_rounded_number_is_proved_and_its_neighbours_are_not(exact, places):
-    unit = Fraction(1, 10**places)
-    rounded = round(exact / unit)
-    assume(abs(exact / unit - rounded) < Fraction(1, 2))
-
-    def decimal(units):
-        whole, fraction = divmod(abs(units), 10**places)
-        return ("-" if units < 0 else "") + str(whole) + (f".{fraction:0{places}}" if places else "")
-
-    assert numeric(decimal(rounded), exact) == "proved"
-    assert numeric(decimal(rounded + 1), exact) == "false"
-    assert numeric(decimal(rounded - 1), exact) == "false"
+@pytest.mark.parametrize("printed", ["0.12", "-0.12", "12", "-12", "7.0"])
+def test_a_tie_is_rounded_away_from_zero(printed):
+    unit = Fraction(1, 10 ** len(printed.partition(".")[2]))
+    size, sign = abs(Fraction(printed)), -1 if printed.startswith("-") else 1
+    limits = {size - unit / 2: "proved", size - unit / 2 - TINY: "false"}
+    limits |= {size + unit / 2 - TINY: "proved", size + unit / 2: "false", size: "proved"}
+    assert {exact: numeric(printed, sign * exact) for exact in limits} == limits
 
 
-def test_a_negative_zero_is_a_zero():
-    assert numeric("-0.0000000", 0) == "proved"
-    assert numeric("-0.0000000", Fraction(-1, 10**8)) == "proved"
-    assert numeric("-0.0000000", Fraction(-1, 10**7)) == "false"
+@pytest.mark.parametrize("printed", ["0.12", "-0.12", "12", "-12", "7.0"])
+def test_digits_are_cut_off_towards_zero(printed):
+    unit = Fraction(1, 10 ** len(printed.partition(".")[2]))
+    size, sign = abs(Fraction(printed)), -1 if printed.startswith("-") else 1
+    limits = {size: "proved", size - TINY: "false", size + unit - TINY: "proved", size + unit: "false"}
+    assert {exact: numeric(printed, sign * exact, rounding="cut") for exact in limits} == limits
+
+
+@pytest.mark.parametrize(("rounding", "limit"), [("nearest", Fraction(1, 20)), ("cut", Fraction(1, 10))])
+@pytest.mark.parametrize("printed", ["0.0", "-0.0"])
+def test_a_zero_has_no_sign(printed, rounding, limit):
+    for sign in (1, -1):
+        assert numeric(printed, sign * (limit - TINY), rounding=rounding) == "proved"
+        assert numeric(printed, sign * limit, rounding=rounding) == "false"
+    assert numeric(printed, 0, rounding=rounding) == "proved"
+
+
+def decimal(units, places):
+    whole, fraction = divmod(abs(units), 10**places)
+    return ("-" if units < 0 else "") + str(whole) + (f".{fraction:0{places}}" if places else "")
+
+
+@given(st.fractions(-100, 100) | st.decimals(-100, 100, places=3).map(Fraction), st.integers(0, 8))
+def test_exactly_one_number_is_proved_in_each_mode(exact, places):
+    near = range(math.floor(exact * 10**places) - 1, math.floor(exact * 10**places) + 3)
+    for rounding in ("nearest", "cut"):
+        verdicts = [numeric(decimal(units, places), exact, rounding=rounding) for units in near]
+        assert sorted(verdicts) == ["false"] * 3 + ["proved"]
+
+
+@given(st.decimals(-100, 100, places=5), st.integers(0, 5))
+def test_the_modes_are_those_of_the_decimal_module(exact, places):
+    unit = Decimal(1).scaleb(-places)
+    for rounding, mode in (("nearest", ROUND_HALF_UP), ("cut", ROUND_DOWN)):
+        assert numeric(f"{exact.quantize(unit, mode):f}", Fraction(exact), rounding=rounding) == "proved"
 
 
 def test_trailing_zeros_are_digits():
@@ -372,31 +391,23 @@ def test_trailing_zeros_are_digits():
 
 
 def test_an_integer_has_the_unit_one():
-    assert numeric("12", Fraction(25, 2)) == "proved"
-    assert numeric("12", Fraction(126, 10)) == "false"
+    assert numeric("13", Fraction(25, 2)) == "proved"
+    assert numeric("12", Fraction(25, 2)) == "false"
+    assert numeric("12", Fraction(25, 2), rounding="cut") == "proved"
 
 
-def test_a_tolerance_of_one_unit_accepts_a_wrong_last_digit_and_no_more():
-    assert numeric("0.13", Fraction(12, 100)) == "false"
-    assert numeric("0.13", Fraction(12, 100), units=Fraction(1)) == "proved"
-    assert numeric("0.13", Fraction(14, 100), units=Fraction(1)) == "proved"
-    assert numeric("0.13", Fraction(1199, 10000), units=Fraction(1)) == "false"
+def test_the_certificate_has_the_rounded_number_and_nothing_else():
+    derived = sympy.Rational(-2, 3)
+    for rounding, found in (("nearest", "-0.67"), ("cut", "-0.66")):
+        certificate = judged("numeric", "flint", "-0.67", derived, rounding=rounding).certificate
+        assert certificate == {"method": "exact rounding", "rounded": found}
 
 
-def test_unrounded_inputs_explain_a_number_that_rounded_ones_miss():
-    assert numeric("0.13", Fraction(12, 100), unrounded=Fraction(129, 1000)) == "proved"
-    assert numeric("0.13", Fraction(12, 100), unrounded=Fraction(124, 1000)) == "false"
-    assert numeric("0.12", Fraction(12, 100), unrounded=Fraction(5)) == "proved"
-
-
-def test_the_certificate_says_which_inputs_explain_the_number():
-    derived = sympy.Rational(12, 100)
-    direct = judged("numeric", "flint", "0.12", derived, unrounded=Fraction(129, 1000)).certificate
-    explained = judged("numeric", "flint", "0.13", derived, unrounded=Fraction(129, 1000)).certificate
-    assert direct["method"] != explained["method"]
-    assert float(direct["units of the last digit"]) == 0
-    assert float(explained["units of the last digit"]) == pytest.approx(1)
-    assert float(explained["with unrounded inputs"]) == pytest.approx(0.1)
+def test_only_a_printed_number_is_rounded():
+    with pytest.raises(DeclarationError, match=r"rounding: expected one of .* got 'up'"):
+        numeric("0.5", Fraction(1, 2), rounding="up")
+    with pytest.raises(DeclarationError, match="rounding"):
+        judged("identity", "flint", x, x, rounding="cut")
 
 
 # Definition

@@ -7,8 +7,19 @@ from pathlib import Path
 import pytest
 
 STAGES = (
-    *("files", "expressions", "proving", "declaring", "auditing", "remembering", "generating", "verifying", "mutating"),
-    *("study", "reporting", "processes", "pipeline", "replaying", "exporting", "scaffolding", "cli", "plugin"),
+    *(
+        "files",
+        "replaying",
+        "expressions",
+        "proving",
+        "declaring",
+        "auditing",
+        "remembering",
+        "generating",
+        "verifying",
+        "mutating",
+    ),
+    *("study", "reporting", "processes", "pipeline", "exporting", "scaffolding", "cli", "plugin"),
 )
 
 

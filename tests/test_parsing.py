@@ -98,7 +98,7 @@ HOSTILE = {
     "0^-1": (0, "a divisor that is not zero", "0"),
     "((x^1000)^1000)": (1, "a degree of at most 5000 when multiplied out", "up to 1000000"),
     "(a+b+c+d+e+f+g)^100": (0, "at most 300000 terms when multiplied out", None),
-    "((9^999)^999)^999": (None, "coefficients of at most 200000 bits", None),
+    "((9^999)^999)^999": (None, "coefficients of at most 14000 bits", None),
     "[[x, y], [z]]": (0, "rows of one length", "lengths [1, 2]"),
     "[[x]] + 1": (6, "an operator", "'+'"),
     "[x]": (1, "a row in brackets", "'x'"),

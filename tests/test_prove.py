@@ -567,20 +567,13 @@ def test_names_beyond_ascii_are_names(engine):
     assert prove((angle + 1) ** 2, angle**2 + 2 * angle + 1, engine=engine).verdict == "proved"
 
 
-@pytest.mark.parametrize("assumptions", [{"positive": True}, {"zero": True}, {"integer": True}, {"commutative": False}])
-def test_symbols_that_do_not_stand_for_any_number_are_rejected(assumptions):
-    with pytest.raises(NotRationalError, match="n with assumptions"):
-        prove(sympy.Symbol("n", **assumptions), 0)
-
-
 def test_real_symbols_stand_for_any_number():
     assert prove(sympy.Symbol("n", real=True), 0).verdict == "refuted"
 
 
-@pytest.mark.parametrize("value", [0.5, "1/2"])
-def test_a_witness_is_exact(value):
-    with pytest.raises(NotRationalError, match="witness"):
-        prove(x**3, x, constraints=[x**2 - 1], witness={x: value})
+def test_a_witness_is_exact():
+    with pytest.raises(NotRationalError, match=r"witness, x: expected .* got 0\.5"):
+        prove(x**3, x, constraints=[x**2 - 1], witness={x: 0.5})
 
 
 def test_a_witness_at_a_pole_of_a_constraint_is_no_witness():

@@ -5,8 +5,6 @@ import os
 import subprocess
 import sys
 from dataclasses import fields, replace
-from decimal import Decimal
-from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -87,7 +85,8 @@ OTHERS = {
     **dict.fromkeys(("paper", "section", "number", "title", "instead", "note"), "other"),
     **{"kind": "limit", "expected": "false", "printed": over(x**2, 1), "derived": x**2, "corrected": x},
     **{"where": {x: y}, "constraints": (x,), "nonzero": (x,), "witness": {x: 1}, "variable": x, "variables": (x,)},
-    **{"kernel": (vector(x, y),), "units": Fraction(1), "unrounded": Decimal("0.5")},
+    **{"kernel": (vector(x, y),), "rounding": "cut"},
+    **{"assumed": (sympy.Symbol("x", positive=True),)},
 }
 
 

@@ -24,11 +24,13 @@ SLIPS = {
     "4/b#16.left.u2",
     "4/b#14.right.y",
     "4/b#4.right.u2",
-    "4/b#6.right.u2",
-    "4/b#8.right.u2",
-    "4/b#11.right.u2",
+    "4/b#right.R21",
 }
+CUT_OFF = {"4/b#6.right.u2", "4/b#8.right.u2", "4/b#11.right.u2"}
 LATER_SLIPS = {
+    "4/g#2.right.u2",
+    "4/g#12.left.u1",
+    "4/g#15.left.u2",
     "4/i#left.tau2",
     "4/i#left.t22",
     "4/i#right.tau1",
@@ -73,15 +75,15 @@ def test_mpmath_gives_the_same_affine_coordinates():
 @pytest.mark.parametrize(("side", "center"), [("left", "O1"), ("right", "O2")])
 def test_image_coordinates_follow_from_center_and_fourth_image_alone(side, center):
     """No principal distance and no rotation: model, center and the image of G3 determine all other images."""
-    _, table, _, _, rotation = example.PICTURES[side]
+    table, _ = example.PICTURES[side]
     model = dict(zip(NAMES, affine.space_coordinates(MODEL, BASIC), strict=True))
-    fourth = np.array([float(u) for u in example.cells(example.picture(rotation, center), "2")[2:]])
+    fourth = np.array([float(u) for u in example.cells(example.picture(example.FULL_ROTATIONS[side], center), "2")[2:]])
     mu = projection.mu_from_center(model[center], fourth)
     for name, printed in table.items():
         image = projection.project(model[name], mu, fourth)
         for component in range(2):
             number = f"4/b#{name}.{side}.u{component + 1}"
-            assert reproduced(printed[2 + component], image[component]) is (number not in SLIPS), number
+            assert reproduced(printed[2 + component], image[component]) is (number not in SLIPS | CUT_OFF), number
 
 
 @pytest.mark.parametrize("side", ["left", "right"])

@@ -154,7 +154,7 @@ def test_the_kinds_are_invariant_under_affine_maps():
 
 def test_seven_points_that_leave_a_choice_are_refused():
     flat = [(k, k * k, 0) for k in range(7)]
-    with pytest.raises(ValueError, match="every place of a further point is critical"):
+    with pytest.raises(ValueError, match="any further point is critical"):
         critical_quadric(flat, [(0, 0, 1), (1, 0, 1)])
 
 

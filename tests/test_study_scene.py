@@ -52,7 +52,7 @@ def test_another_file_of_the_same_name_is_another_sweep(tmp_path):
     assert study(written(tmp_path), tmp_path / "out").exit_code == 0
     result = study(written(tmp_path, count=9), tmp_path / "out")
     assert result.exit_code == 2
-    assert "holds a sweep with arguments.options.file" in result.stderr
+    assert "in this folder has arguments.options.file" in result.stderr
 
 
 def test_a_critical_scene_is_found(tmp_path):

@@ -1,15 +1,17 @@
 """The generated package alone: a wheel of it installs and runs with NumPy and nothing else."""
 
 import ast
+import importlib
 import os
-import re
 import shutil
 import subprocess
 import sys
+import time
 import tomllib
 import zipfile
 
 import pytest
+from setuptools import Distribution, Extension
 
 from algebroproj_sym.generating import PACKAGE
 
@@ -62,11 +64,54 @@ def test_it_runs_where_there_is_nothing_but_numpy(repository):
     assert done.stdout == "(3, 3) True\n"
 
 
-def test_it_is_compiled_as_the_whole_project_is(repository):
-    texts = [(folder / "setup.py").read_text(encoding="utf-8") for folder in (repository, repository / "generated")]
-    options = [re.findall(r"^(?:VECTORISED|OPTIONS) = .*$", text, re.MULTILINE) for text in texts]
-    assert len(options[0]) == 2
-    assert options[0] == options[1]
+TINY = """
+#include <Python.h>
+static struct PyModuleDef module = {PyModuleDef_HEAD_INIT, "tiny", NULL, -1, NULL};
+PyMODINIT_FUNC PyInit_tiny(void)
+{
+    PyObject *made = PyModule_Create(&module);
+    PyModule_AddIntConstant(made, "number", NUMBER);
+    return made;
+}
+"""
+
+
+@pytest.fixture
+def built(repository, tmp_path, monkeypatch):
+    """Build a module of a few lines as the functions are built, and return how its number came out."""
+    monkeypatch.syspath_prepend(repository / "generated")
+    monkeypatch.chdir(tmp_path)
+    compiling = importlib.import_module("compiling")
+    source = tmp_path / "tiny.c"
+
+    def build(number, age=0.0, editable=True):
+        source.write_text(f"#define NUMBER {number}\n{TINY}", encoding="utf-8")
+        os.utime(source, (time.time() - age,) * 2)
+        module = Extension("tiny", [str(source)], extra_compile_args=compiling.OPTIONS)
+        command = compiling.Build(Distribution({"ext_modules": [module], "script_name": "setup.py"}))
+        folder = tmp_path / f"{number}"
+        command.build_lib, command.build_temp, command.editable_mode = str(folder), str(folder), editable
+        command.ensure_finalized()
+        command.run()
+        program = "import tiny; print(tiny.number)"
+        place = tmp_path if editable else folder
+        done = subprocess.run([sys.executable, "-c", program], cwd=place, capture_output=True, text=True, check=True)
+        return int(done.stdout)
+
+    return build
+
+
+def test_an_editable_installation_compiles_again_what_has_changed_and_nothing_else(built):
+    assert built(1) == 1
+    assert built(2, age=3600.0) == 1
+    assert built(3, age=-60.0) == 3
+    assert built(4, age=3600.0, editable=False) == 4
+
+
+def test_what_cannot_be_built_in_parallel_is_built_in_one_piece(built, monkeypatch):
+    compiling = importlib.import_module("compiling")
+    monkeypatch.setattr(compiling.os, "cpu_count", lambda: "no number")
+    assert built(5) == 5
 
 
 def test_without_a_c_compiler_it_is_built_all_the_same_and_runs_the_numpy_source(repository, tmp_path):

@@ -144,11 +144,11 @@ def _parts(sides: tuple[Side, ...], quote: Quote) -> list[Any]:
     if not quote.equation:
         wrong = [side for side in quote.sides if not -len(sides) <= side < len(sides)]
         if wrong:
-            raise UnreadableError(f"side {wrong[0]} of a formula with {len(sides)} sides")
+            raise UnreadableError(f"the formula has {len(sides)} sides, and no side {wrong[0]}")
         return [sides[side]() for side in quote.sides]
     left, right = sides[0](), sides[-1]()
     if len(sides) < 2 or (shape(left) != shape(right) and right != 0):
-        raise UnreadableError("no equation of two sides of one shape")
+        raise UnreadableError("the formula is no equation whose two sides have one shape")
     difference = left if right == 0 else left - right
     return _coefficients(difference, quote.coefficients) if quote.coefficients else [difference]
 
@@ -160,9 +160,9 @@ def _coefficients(difference: Any, unknowns: tuple[str, ...]) -> list[Any]:
     constant = plain.xreplace(dict.fromkeys(symbols, sympy.Integer(0)))
     by_name = {symbol.name: plain.diff(symbol) for symbol in symbols}
     if any(value.has(*symbols) for value in by_name.values()):
-        raise UnreadableError(f"no equation that is linear in {', '.join(unknowns)}")
+        raise UnreadableError(f"the formula is no equation that is linear in {', '.join(unknowns)}")
     if not {"1", "-1"} & {*unknowns} and prove(constant, 0).verdict != "proved":
-        raise UnreadableError(f"a term without {', '.join(unknowns)}")
+        raise UnreadableError(f"the equation has a term without {', '.join(unknowns)}")
     return [{**by_name, "1": constant, "-1": -constant}[name] for name in unknowns]
 
 

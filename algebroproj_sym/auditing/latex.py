@@ -231,7 +231,7 @@ def _pairs(parts: Sequence[Any]) -> list[tuple[Any, Any]]:
 
 def _plus(left: Any, right: Any) -> Any:
     if shape(left) != shape(right):
-        raise UnreadableError(f"the sum of shapes {shape(left)} and {shape(right)}")
+        raise UnreadableError(f"shapes {shape(left)} and {shape(right)} cannot be added")
     return left + right
 
 
@@ -244,7 +244,7 @@ def _times(left: Any, right: Any) -> Any:
         return product[0] if product.shape == (1, 1) else product
     if left.rows == right.rows:
         return columns(*(left[:, j] for j in range(left.cols)), *(right[:, j] for j in range(right.cols)))
-    raise UnreadableError(f"the product of shapes {left.shape} and {right.shape}")
+    raise UnreadableError(f"shapes {left.shape} and {right.shape} cannot be multiplied")
 
 
 def _dotted(left: Any, right: Any) -> Any:
@@ -254,7 +254,7 @@ def _dotted(left: Any, right: Any) -> Any:
 def _crossed(left: Any, right: Any) -> Any:
     if shape(left) and shape(right) and len(left) == len(right) == 3:
         return cross(vector(*left), vector(*right))
-    raise UnreadableError("a vector product of what are no vectors of space")
+    raise UnreadableError("a cross product needs two vectors with three entries")
 
 
 _SIGNED = {r"\cdot": _dotted, r"\times": _crossed}
@@ -262,7 +262,7 @@ _SIGNED = {r"\cdot": _dotted, r"\times": _crossed}
 
 def _quotient(above: Any, below: Any) -> Any:
     if shape(below) or below == 0:
-        raise UnreadableError(f"a quotient by {below}")
+        raise UnreadableError(f"nothing can be divided by {below}")
     return above.applyfunc(lambda entry: over(entry, below)) if shape(above) else over(above, below)
 
 
@@ -273,7 +273,7 @@ def _raised(base: Any, exponent: str) -> Any:
         return inverse(base)
     if re.fullmatch(r"[0-9]+", exponent) and not shape(base):
         return base ** int(exponent)
-    raise UnreadableError(f"the exponent {exponent} of {base}")
+    raise UnreadableError(f"{base} cannot be raised to the power {exponent}")
 
 
 def _named(symbol: str, names: Names) -> Any:
@@ -285,13 +285,13 @@ def _named(symbol: str, names: Names) -> Any:
     known = names(whole)
     if known is not None or not superscript:
         if known is None:
-            raise UnreadableError(f"the symbol {whole} is in no table")
+            raise UnreadableError(f"no table of symbols has {whole}")
         return known
     for name, exponent in _with_exponent(superscript):
         base = names(function + written(letter, primes, subscript, name))
         if base is not None:
             return _raised(base, exponent)
-    raise UnreadableError(f"the symbol {whole} is in no table")
+    raise UnreadableError(f"no table of symbols has {whole}")
 
 
 def _with_exponent(superscript: str) -> list[tuple[str, str]]:
@@ -303,7 +303,7 @@ def _assembled(rows_of_cells: list[list[Any]]) -> Any:
     """Return the matrix of scalars and blocks; a scalar zero beside a block is a block of zeros."""
     if not any(shape(cell) for row in rows_of_cells for cell in row):
         if len({len(row) for row in rows_of_cells}) > 1:
-            raise UnreadableError("rows of different lengths")
+            raise UnreadableError("the rows of a matrix have different lengths")
         return Matrix(rows_of_cells)
     heights = [max(cell.rows if shape(cell) else 1 for cell in row) for row in rows_of_cells]
     widths = [max(cell.cols if shape(cell) else 1 for cell in column) for column in zip(*rows_of_cells, strict=False)]
@@ -318,5 +318,5 @@ def _block(cell: Any, height: int, width: int) -> Any:
     if not shape(cell) and (cell == 0 or height == width == 1):
         return Matrix(height, width, [cell] * (height * width))
     if not shape(cell) or cell.shape != (height, width):
-        raise UnreadableError(f"a block {cell} where one of shape {(height, width)} fits")
+        raise UnreadableError(f"the block {cell} should have the shape {(height, width)}")
     return cell

@@ -20,34 +20,34 @@ from algebroproj_sym.cli.verify import verify
 
 EPILOG = """
 \b
-Typical commands, in order:
-  algebroproj new mypaper               a folder to start from
-  algebroproj check mypaper             judge its claims
-  algebroproj explain mypaper:1.2       printed, derived, verdict and evidence
-  algebroproj build --derivations mypaper --name myfunctions
-                                        prove, generate, verify, report; to out/
-  algebroproj report mypaper            the same as a static site; to site/
+Typical commands:
+  algebroproj explain okamoto1981:24    show one formula, its verdict and the evidence
   algebroproj check                     judge all installed papers
+  algebroproj new mypaper               write a folder to start from
+  algebroproj check mypaper             judge its claims
+  algebroproj build --derivations mypaper --name myfunctions
+                                        prove, generate and verify; writes out/
+  algebroproj report mypaper            do the same, and write a site to site/
 
 \b
-Completion of commands and options by the Tab key, for bash (zsh and fish likewise):
+To complete commands with the Tab key in bash (zsh and fish are similar):
   eval "$(_ALGEBROPROJ_COMPLETE=bash_source algebroproj)"
 
-Exit status: 0 if everything is as declared, 1 if a claim or a check is not, 2 for wrong usage, 130 after Ctrl-C.
-Colors are left out in a pipe, and where the environment variable NO_COLOR is set.
+Exit status: 0 if everything is as declared. 1 if a claim or a check fails. 2 if the command is wrong. 130 after Ctrl-C.
+There are no colors in a pipe, or if the environment variable NO_COLOR is set.
 """
 
 
 @click.group(cls=Group, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="algebroproj-sym")
-@click.option("-q", "--quiet", "verbosity", flag_value="quiet", help="Say nothing but what is wrong, and JSON.")
-@click.option("-v", "--verbose", "verbosity", flag_value="verbose", help="Say also how long each step takes.")
+@click.option("-q", "--quiet", "verbosity", flag_value="quiet", help="Print only what is wrong, and JSON.")
+@click.option("-v", "--verbose", "verbosity", flag_value="verbose", help="Also print how long each step takes.")
 @click.pass_context
 def main(context: click.Context, verbosity: str | None) -> None:
-    """Judge the formulas of papers, and compile what is proved to NumPy.
+    """Check the printed formulas of papers, and compile the proved ones to NumPy functions.
 
-    A derivation module states what a paper prints and derives the same from the definitions.  Each claim gets a
-    verdict with exact evidence; each kernel becomes a numeric function whose source is proved.
+    A derivation module states what a paper prints, and computes the same from the definitions.  Each such claim is
+    proved or refuted, with exact evidence.  Proved formulas can become NumPy functions, whose source is proved too.
     """
     context.obj = verbosity or "normal"
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -10,7 +9,7 @@ import click
 
 from algebroproj_sym.auditing import audit, stale
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console, progressing, show
+from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show
 from algebroproj_sym.declaring import located
 from algebroproj_sym.reporting import audit_lines, audit_record, audit_table
 
@@ -22,27 +21,27 @@ from algebroproj_sym.reporting import audit_lines, audit_record, audit_table
     type=click.Path(exists=True, file_okay=False, path_type=Path),
     envvar="ALGEBROPROJ_PAPERS",
     metavar="DIR",
-    help="Folder with the papers' files, to look the quotes up in; also ALGEBROPROJ_PAPERS.",
+    help="Folder with the papers' LaTeX files. The default is the variable ALGEBROPROJ_PAPERS.",
 )
 @options.output_format
 def audit_command(selectors: Sequence[str], papers: Path | None, output: str) -> None:
-    """Hold what claims say is printed against the LaTeX that they quote.
+    """Compare what claims say is printed with the LaTeX that they quote.
 
-    A SELECTOR is that of the command check. Each quote is parsed, and must be what the claim says is printed, symbol by
-    symbol; nothing derived is used. With the papers' files, each quote must occur there on its line. Exit status 1 if a
-    quote fails, is missing without a reason, or belongs to no claim.
+    A SELECTOR is the same as for check. Each quote is parsed. The result must be what the claim says is printed, symbol
+    by symbol. With the papers' files, each quote must stand on its line. The exit status is 1 if a quote fails, is
+    missing without a reason, or belongs to no claim.
     """
     chosen = located(selectors)
     findings = list(progressing(audit(chosen, papers), len(chosen), "auditing"))
     left_over = stale(chosen)
     if output == "json":
-        click.echo(json.dumps(audit_record(findings, papers is not None), indent=1, ensure_ascii=False))
+        echo_json(audit_record(findings, papers is not None))
     else:
-        console().print("\n".join(audit_lines(findings)), markup=False, soft_wrap=True)
+        console().print("\n".join(audit_lines(findings)), soft_wrap=True)
         show(audit_table(findings))
         if papers is None:
             console().print("The quotes were not looked up in the papers: no folder was given with --papers DIR.")
     if left_over:
-        click.echo(f"quoted, but no claim: {', '.join(left_over)}", err=True)
+        echo(f"quoted, but no claim: {', '.join(left_over)}", err=True)
     if left_over or any(finding.status == "failed" for finding in findings):
         raise SystemExit(1)

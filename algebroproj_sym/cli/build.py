@@ -19,7 +19,7 @@ from algebroproj_sym.cli.steps import (
     verified,
 )
 from algebroproj_sym.cli.terminal import console, show
-from algebroproj_sym.declaring import drivers, kernels, select
+from algebroproj_sym.declaring import derivations_of, drivers, kernels, quotes_of, select
 from algebroproj_sym.generating import measured_errors, render, write
 from algebroproj_sym.reporting import (
     findings,
@@ -42,15 +42,15 @@ from algebroproj_sym.verifying import verification_record
 @options.jobs
 @options.fresh
 def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int, fresh: bool) -> None:
-    """Prove everything, generate, verify, and write ledger and report.
+    """Prove everything, generate and verify the functions, write ledger and report.
 
-    Writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
+    This writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
     """
     claims, chosen = select(sources), kernels((), sources)
     elsewhere = [claim for claim in pipeline.claims_of(chosen, sources) if claim not in claims]
     judgements = judged(claims, engine, jobs, fresh=fresh)
     derived(claims, jobs)
-    write_json(ledger(judgements, timed=False), out / "ledger.json")
+    write_json(ledger(judgements, quotes_of(derivations_of(sources)), timed=False), out / "ledger.json")
     console().print(summary_text(judgements))
     write_text(findings(judgements), out / "findings.md")
     say_what_is_wrong(judgements)

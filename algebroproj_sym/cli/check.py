@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -10,9 +9,17 @@ from typing import Any
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import derived, judged, judged_where_declared, require_as_declared, say_what_is_wrong
-from algebroproj_sym.cli.terminal import console, progressing, show, verbosity
-from algebroproj_sym.declaring import Answer, Judgement, identities, installed_papers, select
+from algebroproj_sym.cli.steps import judged, judged_where_declared, require_as_declared, say_what_is_wrong
+from algebroproj_sym.cli.terminal import console, echo_json, progressing, show, verbosity
+from algebroproj_sym.declaring import (
+    Answer,
+    Judgement,
+    MalformedFileError,
+    identities,
+    installed_papers,
+    located,
+    quotes_of,
+)
 from algebroproj_sym.processes import uncollected
 from algebroproj_sym.proving import outcomes
 from algebroproj_sym.reporting import (
@@ -37,11 +44,12 @@ from algebroproj_sym.reporting import (
 def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, output: str, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
-    A SELECTOR is a paper key, paper:section or paper:number, or the path of a derivation module or folder, which may
-    be followed by :section or :number as well; without one, every claim of every installed paper is judged.
+    A SELECTOR is a paper (okamoto1981), a section (okamoto1981:2.1), a number (fundamentals1996:1.3.8), or the path of
+    a folder or module, which may also have a :section or :number.  Without a SELECTOR, every claim of every installed
+    paper is judged.
 
-    A SELECTOR may also be a file of identities, NAME.json: a list of objects with lhs, rhs, and optionally
-    constraints, nonzero, name, variables, witness, expected.  Each is decided within the time limit.
+    A SELECTOR may also be a file of identities, NAME.json.  It has a list of objects with lhs and rhs.  An object may
+    also have constraints, nonzero, name, variables, witness and expected.
     """
     files = [Path(selector) for selector in selectors if selector.endswith(".json")]
     if files:
@@ -52,7 +60,7 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, outpu
     with uncollected():
         judgements, records = _judged(selectors, engine, jobs, fresh=fresh, recorded=output == "json")
     if output == "json":
-        click.echo(json.dumps(ledger_of(records, summary(judgements)), indent=1, ensure_ascii=False))
+        echo_json(ledger_of(records, summary(judgements)))
     else:
         show(claims_table(judgements))
         console().print(summary_text(judgements))
@@ -68,21 +76,25 @@ def _judged(
     papers = tuple(dict.fromkeys(selectors or installed_papers()))
     if jobs > 1 and {*papers} <= {*installed_papers()}:
         return judged_where_declared(papers, engine, jobs, fresh=fresh, recorded=recorded)
-    claims = select(selectors)
-    judgements = judged(claims, engine, jobs, fresh=fresh)
-    if not recorded:
-        return judgements, []
-    derived(claims, jobs)
-    return judgements, list(map(claim_record, judgements))
+    found = located(selectors)
+    judgements = judged([claim for _, claim in found], engine, jobs, fresh=fresh)
+    quotes = quotes_of(derivation for derivation, _ in found)
+    return judgements, [claim_record(judgement, quotes) for judgement in judgements] if recorded else []
+
+
+def _readable(answer: Answer) -> Answer:
+    if answer.outcome.unreadable:
+        raise MalformedFileError(f"{answer.identity.place}, {answer.outcome.reason}")
+    return answer
 
 
 def _check_files(files: Sequence[Path], engine: str, jobs: int, output: str, seconds: float) -> None:
     chosen = [identity for file in files for identity in identities(file)]
     decided = outcomes([identity.question for identity in chosen], seconds=seconds, engine=engine, jobs=jobs)
     found = progressing(decided, len(chosen), "deciding")
-    answers = [Answer(identity, outcome) for identity, outcome in zip(chosen, found, strict=True)]
+    answers = [_readable(Answer(identity, outcome)) for identity, outcome in zip(chosen, found, strict=True)]
     if output == "json":
-        click.echo(json.dumps(answers_record(answers), indent=1, ensure_ascii=False))
+        echo_json(answers_record(answers))
     else:
         show(answers_table(answers))
         console().print(answers_summary(answers))

@@ -7,24 +7,23 @@ import click
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import require_as_declared
-from algebroproj_sym.cli.terminal import console
+from algebroproj_sym.cli.terminal import console, echo
 from algebroproj_sym.declaring import markdown, numbered_with, quotations, select, split
 from algebroproj_sym.reporting import explanation
 
 
 @click.command()
 @options.required_selectors
-@options.output_as(
-    "text", "markdown", help="Form of the output; Markdown has its formulas in LaTeX, to be pasted into a review."
-)
+@options.output_as("text", "markdown", help="Format of the output. Markdown has formulas in LaTeX.")
 @click.option("--full", is_flag=True, help="Show long forms and lists as a whole.")
 @options.engine
 def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) -> None:
-    """Show what a claim prints, what is derived, the verdict, the evidence, and the functions that rest on it.
+    """Show one claim: the printed form, the derived form, the verdict and the evidence.
 
-    A SELECTOR is that of the command check: mypaper:1.3.8, or a whole section, module or folder.  A long form is shown
-    by the names of what it is made of, or by its beginning and its size; --full shows all of it.  Exit status 1 if a
-    verdict is not the declared one.
+    SELECTOR names a claim, such as fundamentals1996:1.3.8, or a section, module or folder, as for check.
+
+    A long form is shown by the names of what it is made of, or by its beginning and its size. The option --full shows
+    all of it. The exit status is 1 if a verdict is not the declared one.
     """
     claims = select(selectors)
     found = numbered_with([split(selector)[0] for selector in selectors])
@@ -33,7 +32,7 @@ def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) ->
         judgements.append(judgement)
         claim = judgement.claim
         if output == "markdown":
-            click.echo(f"{markdown(judgement)}\n")
+            echo(f"{markdown(judgement)}\n")
             continue
         kernels = [k for d in found for k in d.section.kernels if k.paper == claim.paper and claim.number in k.claims]
         derivation = next(d for d in found if claim in d.section.claims)

@@ -12,26 +12,32 @@ from rich.table import Table
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import judged
-from algebroproj_sym.cli.terminal import console, progressing, show
-from algebroproj_sym.declaring import select
+from algebroproj_sym.cli.terminal import console, echo, progressing, show
+from algebroproj_sym.declaring import installed_papers
 from algebroproj_sym.exporting import (
+    ASSUMPTIONS,
     UNEXPORTED,
     Compiled,
     Exported,
     NoCompilerError,
+    assumptions,
+    checked,
     compiled,
     compiled_lemmas,
     export,
     render,
     require_compiler,
 )
+from algebroproj_sym.exporting.files import CONVENTIONS, plain
+from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.files import write_texts
+from algebroproj_sym.replaying import Rejected, Replayed, replay
 from algebroproj_sym.reporting import ledger
 
 
 @click.group(name="export")
 def export_group() -> None:
-    """Write the claims in the language of a proof assistant."""
+    """Write the claims as theorems for a proof assistant."""
 
 
 @export_group.command()
@@ -42,34 +48,68 @@ def export_group() -> None:
     "path",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Take the claims of a ledger instead of judging them.",
+    help="Use the claims of this ledger instead of judging them again.",
 )
-@click.option("--compile", "compiling", is_flag=True, help="Compile the files with coqc, and check what they assume.")
+@click.option("--compile", "compiling", is_flag=True, help="Compile the files with coqc, and check them with coqchk.")
 @options.engine
 @options.jobs
 def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: bool, engine: str, jobs: int) -> None:
-    """Write what the claims show as theorems for Coq, a file for each section.
+    """Write the claims as theorems for Coq, one file for each section.
 
-    The files need Coq 8.16 or later and nothing beyond its standard library; "make -j2" in DIR compiles them. What
-    cannot be exported is listed in not_exported.txt, with the reason.
+    The evidence of each claim is replayed first.  The exit status is 1 if it does not replay, or if a claim needs other
+    hypotheses than it lists.  The file not_exported.txt lists the claims that cannot be exported, each with a reason.
 
-    With --compile, coqc compiles them here; exit status 1 if it rejects a file, or if a file assumes more than the
-    axioms of the real numbers of the standard library. SELECTORs are those of check.
+    The files need Coq 8.16 or later and its standard library.  "make -j2 check" in DIR checks them.
+
+    With --compile, coqc compiles the files now, and coqchk checks the result.  The exit status is 1 if one of them
+    rejects a file, or if a theorem uses more axioms than those of the standard real numbers.  SELECTORs are the same as
+    for check.
     """
     if path is not None and selectors:
         raise click.UsageError("expected either SELECTORs or --ledger, got both")
     if compiling:
         _require_compiler()
-    records = _records(path) if path is not None else ledger(judged(select(selectors), engine, jobs))["claims"]
-    claims = list(progressing(export(records, jobs), len(records), "exporting"))
+    if path is None:
+        declared, objects = made_by_derivations(selectors)
+        found, replayed = ledger(judged(declared, engine, jobs)), None
+    else:
+        found = _ledger(path)
+        replayed = _replayed(found, jobs, path)
+        papers = {result.paper for result in replayed} & {*installed_papers()}
+        objects = made_by_derivations(sorted(papers))[1] if papers else {}
+    records = found["claims"]
+    claims = list(progressing(export(records, jobs, replayed, objects), len(records), "exporting"))
     files = render(claims)
     write_texts(files, out)
     _say(claims, out)
+    refused = [claim for claim in claims if claim.refused]
+    for claim in refused:
+        echo(f"{plain(f'{claim.paper}:{claim.number}')} is not exported: {plain(claim.reason)}", err=True)
     if compiling:
-        names = [name.removesuffix(".v") for name in files if name.endswith(".v")][1:]
-        lemmas = compiled_lemmas(out)
-        theorems = [] if lemmas.error else [*progressing(compiled(out, names, jobs), len(names), "compiling")]
-        _require_accepted([lemmas, *theorems])
+        _compile(out, [name.removesuffix(".v") for name in files if name.endswith(".v")], jobs)
+    if refused:
+        raise SystemExit(1)
+
+
+def _replayed(found: dict[str, Any], jobs: int, path: Path) -> list[Replayed]:
+    try:
+        return list(progressing(replay(found, jobs), len(found["claims"]), "replaying"))
+    except Rejected as error:
+        raise click.ClickException(f"{path}: {error}") from error
+
+
+def _compile(folder: Path, files: Sequence[str], jobs: int) -> None:
+    lemmas = compiled_lemmas(folder)
+    theorems = [name for name in files if name != ASSUMPTIONS and name not in {lemma.name for lemma in lemmas}]
+    if any(lemma.error for lemma in lemmas):
+        _require_accepted("coqc", lemmas)
+    built = [*lemmas, *progressing(compiled(folder, theorems, jobs), len(theorems), "compiling")]
+    _require_accepted("coqc", built)
+    assumed = assumptions(folder)
+    _require_accepted("coqc", [assumed])
+    console().print(f"the theorems assume: {', '.join(assumed.axioms) or 'nothing'} (in {assumed.seconds:.1f} s)")
+    names = [result.name for result in built]
+    _require_accepted("coqchk", [*progressing(checked(folder, names, jobs), len(names), "checking")])
 
 
 def _require_compiler() -> None:
@@ -81,14 +121,15 @@ def _require_compiler() -> None:
         ) from error
 
 
-def _records(path: Path) -> list[dict[str, Any]]:
-    """Return the claims of a ledger; a file that is none is wrong usage."""
+def _ledger(path: Path) -> dict[str, Any]:
+    """Return a ledger; a file that is none is wrong usage."""
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
-        records: list[dict[str, Any]] = found["claims"]
-    except (UnicodeDecodeError, json.JSONDecodeError, KeyError, TypeError) as error:
+        found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    except (UnicodeDecodeError, json.JSONDecodeError) as error:
         raise click.UsageError(f"{path}: expected a ledger in JSON ({error})") from error
-    return records
+    if not isinstance(found, dict) or not isinstance(found.get("claims"), list):
+        raise click.UsageError(f"{path}: expected a ledger, an object with a list of claims")
+    return found
 
 
 def _say(claims: Sequence[Exported], out: Path) -> None:
@@ -102,19 +143,22 @@ def _say(claims: Sequence[Exported], out: Path) -> None:
     show(table)
     total = sum(len(claim.theorems) for claim in claims)
     missing = sum(1 for claim in claims if not claim.theorems)
+    trivial = sum(claim.trivial for claim in claims)
+    console().print(
+        f"{sum(claim.equations for claim in claims)} equations, of which {trivial} read a = a, see {out / CONVENTIONS}"
+    )
     console().print(f"written to {out}: {total} theorems; {missing} claims without, see {out / UNEXPORTED}")
 
 
-def _require_accepted(results: Sequence[Compiled]) -> None:
+def _require_accepted(program: str, results: Sequence[Compiled]) -> None:
     rejected = [result for result in results if result.error]
     for result in rejected:
-        click.echo(f"{result.name}.v: {result.error}", err=True)
-    worst = max(results, key=lambda result: result.seconds)
-    found = sorted({axiom for result in results[1:] for axiom in result.axioms})
-    console().print(
-        f"compiled: {len(results) - len(rejected)} of {len(results)} files in "
-        f"{sum(result.seconds for result in results):.1f} s, the slowest {worst.name}.v in {worst.seconds:.1f} s; "
-        f"axioms: {', '.join(found) or 'none'}"
-    )
+        echo(f"{result.name}.v: {result.error}", err=True)
+    if len(results) > 1:
+        worst = max(results, key=lambda result: result.seconds)
+        console().print(
+            f"{program} accepts {len(results) - len(rejected)} of {len(results)} files in "
+            f"{sum(result.seconds for result in results):.1f} s, the slowest {worst.name}.v in {worst.seconds:.1f} s"
+        )
     if rejected:
         raise SystemExit(1)

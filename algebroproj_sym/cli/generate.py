@@ -19,12 +19,16 @@ from algebroproj_sym.reporting import operations_table
 @options.folder("generated", "the package")
 @options.package_name
 @click.option(
-    "--check", "only_check", is_flag=True, help="Write nothing; exit with 1 if the package is not up to date."
+    "--check", "only_check", is_flag=True, help="Write nothing. Exit with 1 if the package is not up to date."
 )
 @options.engine
 @options.jobs
 def generate(sources: tuple[str, ...], out: Path, package: str, only_check: bool, engine: str, jobs: int) -> None:
-    """Lower the kernels and write the package NAME to DIR/NAME."""
+    """Generate the functions, and write them to DIR/NAME.
+
+    A function is written only if the claims behind it are proved.  Its docstring shows the errors in
+    DIR/accuracy.json, if there is such a file.
+    """
     lowered = lowered_kernels(kernels((), sources), sources, engine, jobs)
     try:
         measured = recorded_errors(out / "accuracy.json")

@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from algebroproj_sym.cli.terminal import verbosity
+from algebroproj_sym.cli.terminal import echo, verbosity, visible
 from algebroproj_sym.declaring import BrokenModuleError, DeclarationError, MalformedFileError, UnknownSelectorError
 from algebroproj_sym.expressions import NotRationalError
 from algebroproj_sym.generating import LoweringError
@@ -22,12 +22,12 @@ INTERRUPTED = 130
 NEXT: dict[type[Exception], str] = {
     BrokenModuleError: "Correct the module, and run the command again.",
     DeclarationError: "Correct the declaration, and run the command again.",
-    NotRationalError: "Write the form with plain symbols, exact numbers, + - * /, integer powers and over(a, b).",
-    UndefinedError: "Look for a division by an expression that is identically zero.",
-    UnprovedError: "See why with: algebroproj explain",
+    NotRationalError: "Use plain symbols, exact numbers, + - * /, integer powers and over(a, b).",
+    UndefinedError: "Look for a division by an expression that is always zero.",
+    UnprovedError: "To see why, run: algebroproj explain",
     LoweringError: "Give the kernel a form that equals its derived expression.",
-    NotebookError: "Open the module in Jupyter as a notebook, and run it from top to bottom.",
-    NotShippedError: "Write the package with: algebroproj generate --out DIR; then verify it with --package DIR.",
+    NotebookError: "Open the module as a notebook in Jupyter, and run it from top to bottom.",
+    NotShippedError: "First write the package: algebroproj generate --out DIR. Then verify it with --package DIR.",
 }
 _KNOWN = tuple(NEXT)
 
@@ -45,14 +45,17 @@ class Group(click.Group):
         """Run a command."""
         try:
             return super().invoke(context)
+        except click.ClickException as error:
+            vars(error)["message"] = visible(error.message)
+            raise
         except (MalformedFileError, UnknownSelectorError) as error:
-            raise click.UsageError(str(error)) from error
+            raise click.UsageError(visible(str(error))) from error
         except _KNOWN as error:
             if verbosity() == "verbose":
-                click.echo(traceback.format_exc(), err=True)
-            raise click.ClickException(f"{error}\n{_advice(error)}") from error
+                echo(traceback.format_exc(), err=True)
+            raise click.ClickException(visible(f"{error}\n{_advice(error)}")) from error
         except KeyboardInterrupt:
-            click.echo("Interrupted: every file is either as it was before or complete.", err=True)
+            echo("Interrupted. No file was left half written.", err=True)
             context.exit(INTERRUPTED)
 
 

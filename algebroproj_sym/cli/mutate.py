@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -15,7 +14,7 @@ from rich.table import Table
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels
-from algebroproj_sym.cli.terminal import console, progressing
+from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing
 from algebroproj_sym.declaring import kernels, select
 from algebroproj_sym.mutating import (
     Fate,
@@ -38,15 +37,15 @@ FATES: tuple[Fate, ...] = get_args(Fate)
     default=10,
     show_default=True,
     metavar="N",
-    help="Changes of each claim or function, chosen always in the same way; 0 for all.",
+    help="Changes of each claim or function. 0 means all. The choice is always the same.",
 )
-@click.option("--only", type=click.Choice(("claims", "functions")), help="Change claims alone, or functions alone.")
+@click.option("--only", type=click.Choice(("claims", "functions")), help="Change only claims, or only functions.")
 @click.option(
     "--package",
     "folder",
     type=click.Path(exists=True, file_okay=False, path_type=Path),
     metavar="DIR",
-    help="A folder that contains the package; by default the functions of the installed one are changed.",
+    help="Folder that contains the package. The default is the installed package.",
 )
 @options.samples
 @options.engine
@@ -62,14 +61,15 @@ def mutate(
     jobs: int,
     output: str,
 ) -> None:
-    """Change proved claims, and the generated functions that rest on them, in single places.
+    """Change claims and functions in single places, and test whether the checks notice.
 
-    A changed printed form (a sign, an index, a prime, a factor, a numerator against its denominator, an entry) must be
-    refuted by an exact counterexample, be proved the same statement, or be one of the changes that the file
-    survivors.toml explains one by one. A changed source (an operator, operands, an index, a dropped term, a number)
-    must be noticed by the proof of the source, and by the comparison with 50 digits, or be proved to compute the same
-    real numbers, as it is where words are left out that only change the number of digits. Exit status 1 if a change
-    survives.
+    In the printed form of a proved claim, a sign, an index, a prime, a factor or an entry is changed.  The changed form
+    must be refuted at an exact point, or proved to be the same statement.
+
+    In the source of a function, an operator, an operand, an index, a term or a number is changed.  The proof of the
+    source must notice, and so must the comparison with 50 digits.
+
+    The exit status is 1 if a change survives that the file survivors.toml does not explain.
     """
     chosen = select(selectors)
     claims: list[MutatedClaim] = []
@@ -85,13 +85,13 @@ def mutate(
         changed = pipeline.mutated_kernels(lowered, folder, limit, samples, engine, jobs)
         functions = list(progressing(changed, len(lowered), "changing functions"))
     if output == "json":
-        click.echo(json.dumps(_record(claims, functions), indent=1, ensure_ascii=False))
+        echo_json(_record(claims, functions))
     else:
         _print_claims(claims)
         _print_functions(functions)
     stale = superfluous(claims, explanations())
     for entry in stale:
-        click.echo(f"{entry.claim}  {entry.form}: is explained, but does not survive", err=True)
+        echo(f"{entry.claim}  {entry.form}: is explained, but does not survive", err=True)
     if stale or _survivors(claims) or any(_unnoticed(function) for function in functions):
         raise SystemExit(1)
 
@@ -118,7 +118,7 @@ def _print_claims(claims: Sequence[MutatedClaim]) -> None:
         total = sum(claim.total for claim in group)
         table.add_row(kind, *map(str, (len(group), total, tried, *(counts[fate] for fate in FATES))))
     for claim, fate in _survivors(claims):
-        console().print(f"{claim.paper}:{claim.number}  {fate.change}: {fate.form}: {fate.reason}", markup=False)
+        console().print(f"{claim.paper}:{claim.number}  {fate.change}: {fate.form}: {fate.reason}")
     console().print(table)
     counts = Counter(fate.fate for claim in claims for fate in claim.fates)
     wrong = counts["refuted"] + counts["undefined"] + counts["survived"]
@@ -137,7 +137,7 @@ def _print_functions(functions: Sequence[MutatedKernel]) -> None:
     for function in functions:
         for fate in _unnoticed(function):
             name = function.function
-            console().print(f"{name}  {fate.change}: {fate.line}: not noticed by the numbers", markup=False)
+            console().print(f"{name}  {fate.change}: {fate.line}: not noticed by the numbers")
     console().print(table)
     by_proof, by_numbers, equivalent, worse, same = _counts([fate for each in functions for fate in each.fates])
     console().print(f"{by_proof} changed sources compute something else: {by_numbers} noticed by numbers, all by proof")

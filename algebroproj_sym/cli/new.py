@@ -15,10 +15,10 @@ from algebroproj_sym.scaffolding import InvalidNameError, OccupiedError, create
 @click.argument("name")
 @options.folder(".", "the folder")
 def new(name: str, out: Path) -> None:
-    """Write a derivation folder DIR/NAME to start from.
+    """Write a folder DIR/NAME to start from.
 
-    It has one module with a definition, an identity, a misprint with its correction, and a kernel.  NAME is the paper
-    key and the name of a Python package: lower-case letters, digits and underscores.
+    It has one module with a definition, an identity, a misprint with its correction, and a function.  NAME is the key
+    of the paper and the name of a Python package: use lower-case letters, digits and underscores.
     """
     try:
         written = create(name, out)
@@ -28,7 +28,7 @@ def new(name: str, out: Path) -> None:
         raise click.ClickException(f"{error}\nChoose another name, or another folder with --out DIR.") from error
     folder = written[0].parent
     for path in written:
-        console().print(str(path), markup=False)
+        console().print(str(path))
     console().print("Next:")
-    console().print(f"  algebroproj check {folder}", markup=False)
-    console().print(f"  algebroproj build --derivations {folder} --name {name}_functions", markup=False)
+    console().print(f"  algebroproj check {folder}")
+    console().print(f"  algebroproj build --derivations {folder} --name {name}_functions")

@@ -18,7 +18,7 @@ engine = click.option(
     type=click.Choice(ENGINES),
     default="flint",
     show_default=True,
-    help="Polynomial arithmetic of the proofs.",
+    help="Library for the polynomials of the proofs.",
 )
 jobs = click.option(
     "--jobs", type=click.IntRange(min=1), default=1, show_default=True, metavar="N", help="Number of worker processes."
@@ -30,20 +30,20 @@ required_selectors = click.argument(
 functions = click.argument("functions", nargs=-1, metavar="[FUNCTION]...")
 
 
-def output_as(*forms: str, help: str = "Form of the output.") -> Callable[[Any], Any]:
+def output_as(*forms: str, help: str = "Format of the output.") -> Callable[[Any], Any]:
     """Return the option for the form of the output, the first one by default."""
     return click.option("--format", "output", type=click.Choice(forms), default=forms[0], show_default=True, help=help)
 
 
 output_format = output_as("text", "json")
-fresh = click.option("--fresh", is_flag=True, help="Prove everything, also what has not changed since an earlier run.")
+fresh = click.option("--fresh", is_flag=True, help="Prove everything again, without the cache.")
 seconds = click.option(
     "--seconds",
     type=click.FloatRange(min=0, min_open=True),
     default=10.0,
     show_default=True,
     metavar="S",
-    help="Time limit of each identity of a file.",
+    help="Seconds for each identity of a file.",
 )
 samples = click.option(
     "--samples",
@@ -51,14 +51,14 @@ samples = click.option(
     default=50,
     show_default=True,
     metavar="N",
-    help="Samples in each stratum: ordinary, badly scaled, near each factor.",
+    help="Samples of each kind: ordinary, badly scaled, near each singularity.",
 )
 derivations = click.option(
     "--derivations",
     "sources",
     multiple=True,
     metavar="SOURCE",
-    help="Take this paper, derivation module or folder instead of all installed papers; may be repeated.",
+    help="Use this paper, module or folder instead of all installed papers. May be repeated.",
 )
 
 
@@ -69,7 +69,7 @@ def _identifier(context: click.Context, parameter: click.Parameter, value: str) 
 
 
 package_name = click.option(
-    "--name", "package", default=PACKAGE, show_default=True, callback=_identifier, help="Name of the package."
+    "--name", "package", default=PACKAGE, show_default=True, callback=_identifier, help="Name of the generated package."
 )
 
 

@@ -13,8 +13,10 @@ import click
 from rich.table import Table
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console, progressing, show
-from algebroproj_sym.replaying import Rejected, Replayed, Status, replay, unsupported
+from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show, visible
+from algebroproj_sym.declaring import located, quotes_of
+from algebroproj_sym.replaying import Rejected, Replayed, Status, replay
+from algebroproj_sym.reporting import declaration
 
 STATUSES: tuple[Status, ...] = get_args(Status)
 
@@ -26,37 +28,54 @@ STATUSES: tuple[Status, ...] = get_args(Status)
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     default=Path("out/ledger.json"),
 )
+@click.option("--derivations", "comparing", is_flag=True, help="Compare each entry with its declaration.")
+@click.option(
+    "--source",
+    "sources",
+    multiple=True,
+    metavar="SELECTOR",
+    help="With --derivations: where the claims are declared, instead of all installed papers. May be repeated.",
+)
 @options.jobs
 @options.output_format
-def replay_command(path: Path, jobs: int, output: str) -> None:
-    """Check whether the verdicts of a LEDGER follow from the evidence that it keeps.
+def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: int, output: str) -> None:
+    """Check the verdicts of a LEDGER again, without the prover.
 
-    LEDGER is the file that build writes (out/ledger.json, the default), or the output of check --format json, also for
-    a file of identities. Nothing
-    is proved, searched for or imported from the derivations; the code is none of the prover's. Exit status 1 if a
-    certificate is rejected or cannot be replayed.
+    LEDGER is the file that build writes (the default is out/ledger.json), or the output of check --format json, for
+    claims or for a file of identities.
+
+    Each verdict must follow from the evidence beside it.  Nothing is searched for, and no code of the prover is used.
+    With --derivations, the forms in the ledger are also compared with those in the derivations.  The exit status is 1
+    if an entry is rejected, cannot be replayed, or differs from its declaration.
     """
+    if sources and not comparing:
+        raise click.UsageError("--source: expected it together with --derivations")
     ledger = _read(path)
     try:
         found = replay(ledger, jobs)
-        replayed = list(progressing(found, len(_listed(ledger)), "replaying"))
-        reasons = unsupported(ledger)
-        results = [_supported(result, reasons) for result in replayed]
+        results = list(progressing(found, len(_listed(ledger)), "replaying"))
     except Rejected as error:
         raise click.ClickException(f"{path}: {error}") from error
+    missing: list[str] = []
+    if comparing:
+        results, missing = _compared(results, ledger, _declared(sources))
     if output == "json":
-        click.echo(json.dumps(_record(results), indent=1, ensure_ascii=False))
+        echo_json(_record(results))
     else:
         for result in results:
             if result.status != "replayed":
-                console().print(f"{result.paper}:{result.number}  {result.status}: {result.reason}", markup=False)
+                told = f"{result.paper}:{result.number}  {result.status}: {result.reason}"
+                console().print(visible(told, line=True))
         show(_table(results))
         counts = Counter(result.status for result in results)
         listed = ", ".join(
             f"{counts[status]} {status}" for status in STATUSES if counts[status] or status != STATUSES[2]
         )
         console().print(f"{len(results)} {'claims' if 'claims' in ledger else 'identities'}: {listed}")
-    if any(result.status != "replayed" for result in results):
+        console().print(_said_of_declarations(comparing, missing))
+    if missing:
+        echo(visible(f"missing in the ledger: {', '.join(missing)}", line=True), err=True)
+    if missing or any(result.status != "replayed" for result in results):
         raise SystemExit(1)
 
 
@@ -64,7 +83,7 @@ def _read(path: Path) -> dict[str, Any]:
     """Return a ledger; a file that is none is wrong usage."""
     try:
         ledger = json.loads(path.read_text(encoding="utf-8"))
-    except (UnicodeDecodeError, json.JSONDecodeError) as error:
+    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
         raise click.UsageError(f"{path}: expected a ledger in JSON ({error})") from error
     if not isinstance(ledger, dict) or not isinstance(_listed(ledger), list):
         raise click.UsageError(f"{path}: expected a ledger, an object with a list of claims")
@@ -75,11 +94,40 @@ def _listed(ledger: Mapping[str, Any]) -> Any:
     return ledger.get("claims", ledger.get("identities"))
 
 
-def _supported(result: Replayed, reasons: Mapping[tuple[str, str], str]) -> Replayed:
-    if result.verdict != "false" or result.status != "replayed":
-        return result
-    reason = reasons.get((result.paper, result.number))
-    return result if reason is None else replace(result, status="rejected", reason=reason)
+def _declared(sources: Sequence[str]) -> dict[tuple[str, str], str]:
+    """Return the digests of what derivations declare, by paper and number."""
+    found = located(sources)
+    quotes = quotes_of(derivation for derivation, _ in found)
+    return {
+        (claim.paper, claim.number): declaration(claim, quotes.get((claim.paper, claim.number)))["declaration"]
+        for _, claim in progressing(found, len(found), "reading derivations")
+    }
+
+
+def _compared(
+    results: Sequence[Replayed], ledger: Mapping[str, Any], declared: Mapping[tuple[str, str], str]
+) -> tuple[list[Replayed], list[str]]:
+    """Reject what is declared otherwise, and return the claims that the ledger lacks."""
+    if "claims" not in ledger:
+        raise click.UsageError("--derivations: expected a ledger of claims, got answers to a file of identities")
+    compared = []
+    for result, entry in zip(results, ledger["claims"], strict=True):
+        digest = declared.get((result.paper, result.number))
+        reason = "the derivations declare no such claim" if digest is None else "the derivations declare it otherwise"
+        wrong = result.status == "replayed" and digest != entry["declaration"]
+        compared.append(replace(result, status="rejected", reason=reason) if wrong else result)
+    listed = {(result.paper, result.number) for result in results}
+    return compared, [f"{paper}:{number}" for paper, number in declared if (paper, number) not in listed]
+
+
+def _said_of_declarations(comparing: bool, missing: Sequence[str]) -> str:
+    if not comparing:
+        return "The texts of the ledger were judged; --derivations compares them with the derivations."
+    return (
+        f"The derivations declare {len(missing)} claims that the ledger lacks."
+        if missing
+        else ("The ledger is that of the derivations.")
+    )
 
 
 def _record(results: Sequence[Replayed]) -> dict[str, Any]:
@@ -98,5 +146,5 @@ def _table(results: Sequence[Replayed]) -> Table:
         table.add_column(heading, justify="right")
     counts = Counter((result.kind, result.status) for result in results)
     for kind in dict.fromkeys(sorted(result.kind for result in results)):
-        table.add_row(kind, *(str(counts[kind, status]) for status in STATUSES))
+        table.add_row(visible(kind, line=True), *(str(counts[kind, status]) for status in STATUSES))
     return table

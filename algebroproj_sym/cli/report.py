@@ -51,13 +51,13 @@ from algebroproj_sym.reporting.site import (
     "--checked",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Mark the claims that a proof assistant has accepted: a line each, such as mypaper:1.2.",
+    help="Mark claims that a proof assistant has accepted. FILE has one on each line, such as mypaper:1.2.",
 )
 @click.option(
     "--speed",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Show the times of functions that benchmarks/functions.py wrote.",
+    help="Show how long functions take. benchmarks/functions.py writes FILE.",
 )
 def report(
     selectors: tuple[str, ...],
@@ -70,12 +70,12 @@ def report(
     speed: Path | None,
     fresh: bool,
 ) -> None:
-    """Prove everything, generate, verify, and write a static site to DIR.
+    """Prove everything, generate and verify the functions, write a site to DIR.
 
-    The site has a page for each paper, claim and function, and the errata of each paper; open DIR/index.html.  DIR is
-    replaced as a whole.  With --notebooks each derivation is run from top to bottom, and each claim links to its cell.
+    Open DIR/index.html.  The site has a page for each paper, claim and function, and a list of errata for each paper.
+    An earlier site in DIR is replaced.
 
-    With SELECTORs, as for check, the site has the selected claims, and the functions that rest on them alone.
+    SELECTORs are the same as for check.  Then the site has only these claims and their functions.
     """
     require_modules(SITE_MODULES, "report")
     if notebooks:

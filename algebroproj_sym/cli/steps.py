@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from algebroproj_sym import pipeline
-from algebroproj_sym.cli.terminal import progressing
+from algebroproj_sym.cli.terminal import echo, progressing
 from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, modules_of_papers, require_consistent
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
 from algebroproj_sym.remembering import Memory, cache_folder
@@ -58,7 +58,7 @@ def derived(claims: Sequence[Claim], jobs: int) -> None:
 def require_kernels(chosen: Sequence[Kernel]) -> None:
     """Refuse to write a package without functions."""
     if not chosen:
-        raise click.ClickException("no kernels are declared.\nDeclare a function with section.kernel(...) in a module.")
+        raise click.ClickException("no functions are declared.\nDeclare one with section.kernel(...) in a module.")
 
 
 def lowered_kernels(chosen: Sequence[Kernel], sources: Sequence[str], engine: str, jobs: int) -> list[Lowered]:
@@ -113,7 +113,7 @@ def say_what_is_wrong(judgements: Sequence[Judgement]) -> None:
     """Say, on standard error, why claims are not as declared."""
     wrong = [judgement for judgement in judgements if not judgement.as_declared]
     if wrong:
-        click.echo("\n\n".join(map(failure_text, wrong)), err=True)
+        echo("\n\n".join(map(failure_text, wrong)), err=True)
 
 
 def require_as_declared(
@@ -132,10 +132,10 @@ def require_as_declared(
     """
     failed = [v for v in verifications if not v.passed]
     if failed:
-        click.echo("\n".join(map(failed_function, failed)), err=True)
+        echo("\n".join(map(failed_function, failed)), err=True)
         if not all(v.accuracy.within_bound for v in failed):
-            click.echo(ADVICE, err=True)
+            echo(ADVICE, err=True)
         if details:
-            click.echo(f"All figures are in {details}.", err=True)
+            echo(f"All figures are in {details}.", err=True)
     if failed or not all(judgement.as_declared for judgement in judgements):
         raise SystemExit(1)

@@ -51,10 +51,10 @@ class Studies(click.Group):
 
 @click.group(name="study", cls=Studies)
 def study_group() -> None:
-    """Run a numerical study: a dataset, figures and a short report.
+    """Run a numerical study, and write a dataset, figures and a short report.
 
-    What is finished is kept: the same command goes on where it was stopped.  The results depend on the options and the
-    seed alone, not on the number of workers.
+    Finished parts are kept.  If a study is stopped, the same command goes on where it was.  The results depend only on
+    the options and the seed, not on the number of workers.
     """
 
 
@@ -81,12 +81,18 @@ def _parameter(option: Option) -> click.Option:
 
 
 def _shared(study: Study) -> list[click.Parameter]:
-    @click.option("--members", type=int, default=study.members, show_default=True, help="How many members.")
-    @click.option("--seed", type=int, default=0, show_default=True, help="Of the random numbers.")
-    @click.option("--chunk", type=int, default=10_000, show_default=True, help="Members at a time; bounds the memory.")
+    @click.option("--members", type=int, default=study.members, show_default=True, help="Number of members.")
+    @click.option("--seed", type=int, default=0, show_default=True, help="Seed of the random numbers.")
+    @click.option(
+        "--chunk",
+        type=int,
+        default=10_000,
+        show_default=True,
+        help="Members at a time. Fewer take less memory.",
+    )
     @options.jobs
-    @click.option("--scheduler", metavar="URL", help="Compute on the dask.distributed cluster at URL, tcp://HOST:PORT.")
-    @options.output_as("netcdf", "zarr", help="Form of the dataset.")
+    @click.option("--scheduler", metavar="URL", help="Compute on the dask cluster at URL, such as tcp://HOST:PORT.")
+    @options.output_as("netcdf", "zarr", help="Format of the dataset.")
     @options.folder(f"study/{study.name}", "dataset, figures and report")
     def shared() -> None:
         """Carry the options that all studies have."""
@@ -125,7 +131,7 @@ def _run(
     text = study.report(dataset) + (f"\nReport and figures take in one member of {step}.\n" if step > 1 else "")
     drawings = figures.save(study.figures(dataset), out / "figures")
     write_texts({"report.txt": text}, out)
-    console().print(text.rstrip("\n"), markup=False)
+    console().print(text.rstrip("\n"))
     names = sorted({path.stem for path in drawings})
     console().print(f"written to {out}: {sweep.result.name}, report.txt, figures ({', '.join(names)})")
 

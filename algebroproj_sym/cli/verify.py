@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels, require_as_declared, verified
-from algebroproj_sym.cli.terminal import console, show
+from algebroproj_sym.cli.terminal import console, echo_json, show
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.reporting import verification_table, write_json
 from algebroproj_sym.verifying import BOUND, verification_record
@@ -23,7 +22,7 @@ from algebroproj_sym.verifying import BOUND, verification_record
     "folder",
     type=click.Path(exists=True, file_okay=False, path_type=Path),
     metavar="DIR",
-    help="A folder that contains the package; by default the installed one is verified.",
+    help="Folder that contains the package. The default is the installed package.",
 )
 @options.package_name
 @options.samples
@@ -33,7 +32,7 @@ from algebroproj_sym.verifying import BOUND, verification_record
     "--out",
     type=click.Path(file_okay=False, path_type=Path),
     metavar="DIR",
-    help="Also write the figures to DIR/accuracy.json.",
+    help="Also write the errors to DIR/accuracy.json.",
 )
 @options.output_format
 def verify(
@@ -47,12 +46,12 @@ def verify(
     out: Path | None,
     output: str,
 ) -> None:
-    """Verify the generated functions.
+    """Prove the source of generated functions, and measure their errors.
 
-    A FUNCTION is a module such as projection, or a name such as projection.project; without one, all are verified.
+    A FUNCTION is a module such as projection, or a name such as projection.project.  Without one, all are verified.
 
-    Its source is executed on rational functions and proved; its values are compared with 50 digits of the derivation
-    on stratified samples; on the zeros of each factor that must not vanish it must not stay finite.
+    Three things are checked.  The source is run on rational functions, and must give the derivation.  The values are
+    compared with 50 digits of the derivation.  On singular input the result must not be finite.
     """
     lowered = lowered_kernels(kernels(functions, sources), sources, engine, jobs)
     verifications = verified(lowered, folder, samples, engine, jobs, package)
@@ -60,7 +59,7 @@ def verify(
     if out is not None:
         write_json(record, out / "accuracy.json")
     if output == "json":
-        click.echo(json.dumps(record, indent=1))
+        echo_json(record)
     else:
         show(verification_table(verifications))
         passed = sum(verification.passed for verification in verifications)

@@ -2,29 +2,32 @@
 
 from __future__ import annotations
 
-import builtins
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from decimal import Decimal, InvalidOperation
+from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from fractions import Fraction
-from functools import cache
-from keyword import iskeyword
-from typing import Any, Literal, TypeAlias, TypedDict, cast, get_args
+from typing import Any, Literal, TypeAlias, TypedDict, get_args
 
 import sympy
 
 from algebroproj_sym.declaring.source import Source
 from algebroproj_sym.expressions import (
+    ROUNDINGS,
     Expression,
-    divided,
+    Rounding,
+    SymbolError,
+    TooLargeError,
+    assumed,
+    assumption,
     free_symbols,
+    is_plain,
     rational,
     remembered,
+    require_bounded,
     shape,
     symbols_of,
     text,
-    written,
 )
 
 Kind = Literal[
@@ -46,9 +49,16 @@ VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
 
 _ENTRYWISE = ("identity", "identity up to scale", "identity under constraints", "structure", "limit")
-_READ_OTHERWISE = {*dir(sympy), *dir(builtins)}
-"""Names that SymPy may read as something else than a symbol."""
+_ASSUMING = ("identity", "identity up to scale", "identity under constraints")
+"""Kinds whose every point is one that the prover has looked at."""
 
+_RESTRICTED = (*_ASSUMING, "vanishing")
+"""Kinds that use what is not zero."""
+
+ROOM = 100
+"""How many times as large as a text the form of a claim may be."""
+
+_DECIMAL = re.compile(r"-?[0-9]+(\.[0-9]+)?")
 _NUMBER = re.compile(r"(table:)?\d+[a-z]?(\.\d+)*(/[^\s/#]+)*(#[^\s/#]+)?")
 
 
@@ -64,12 +74,11 @@ class Options(TypedDict, total=False):
     where: Mapping[sympy.Symbol, Any]
     constraints: Sequence[sympy.Expr]
     nonzero: Sequence[sympy.Expr]
-    witness: Mapping[sympy.Symbol, Fraction | int]
+    witness: Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str]
     variable: sympy.Symbol
     variables: Sequence[sympy.Symbol]
     kernel: Sequence[Any]
-    units: Fraction
-    unrounded: Any
+    rounding: Rounding
     instead: str
     note: str
 
@@ -98,7 +107,7 @@ class Claim:
         What symbols of the printed form stand for in the terms of the derived one.
     constraints, nonzero : tuple of sympy.Expr
         What is zero, and what is not, wherever the statement is made.
-    witness : mapping of Symbol to rational number, or None
+    witness : mapping of Symbol, or name, to rational number, or None
         A point that satisfies the constraints.
     variable : sympy.Symbol or None
         For a limit: what goes to zero.
@@ -107,15 +116,15 @@ class Claim:
     kernel : tuple of matrix
         For a rank: vectors that the derived matrix takes to zero.  For a count: directions, in the variables, along
         which the derived functions do not change.
-    units : Fraction
-        For a printed number: how far it may be from the derived one, in units of its last digit.
-    unrounded : Expression or None
-        For a printed number that depends on rounded ones: the number derived from inputs that agree with the printed
-        inputs to their last digits.  It explains a printed number that the printed inputs miss.
+    rounding : {"nearest", "cut"}
+        For a printed number: whether the derived one is rounded to the nearest number with as many decimals, or its
+        further digits are cut off, see `algebroproj_sym.expressions.rounded`.
     instead : str
         For a false statement: the number of the claim that says what is true.
     note : str
         Which readings were considered, and what else a reader should know.
+    assumed : tuple of sympy.Symbol
+        The symbols as they were given, of which SymPy assumes more than that they are real; the forms have plain ones.
     source : Source or None
         The call that declares it, if it is known in this process: only what is shown depends on it.
     """
@@ -132,14 +141,14 @@ class Claim:
     where: Mapping[sympy.Symbol, sympy.Expr] = field(default_factory=dict)
     constraints: tuple[sympy.Expr, ...] = ()
     nonzero: tuple[sympy.Expr, ...] = ()
-    witness: Mapping[sympy.Symbol, Fraction | int] | None = None
+    witness: Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str] | None = None
     variable: sympy.Symbol | None = None
     variables: tuple[sympy.Symbol, ...] = ()
     kernel: tuple[Expression, ...] = ()
-    units: Fraction = Fraction(1, 2)
-    unrounded: Expression | None = None
+    rounding: Rounding = "nearest"
     instead: str = ""
     note: str = ""
+    assumed: tuple[sympy.Symbol, ...] = ()
     source: Source | None = field(default=None, compare=False, repr=False)
 
     def _repr_markdown_(self) -> str:
@@ -163,30 +172,84 @@ def declared(
         If a form is not a rational expression over Q.
     """
     where = f"claim {paper}:{number}"
-    if not isinstance(title, str):
-        raise DeclarationError(f"{where}: expected a title, a text, got {title!r}")
     expected = options.pop("expect", "definition" if kind == "definition" else "proved")
-    unrounded = options.pop("unrounded", None)
+    symbols: set[sympy.Symbol] = set()
+
+    def read(value: Any, name: str) -> Any:
+        return _read(value, f"{where}, {name}", symbols)
+
     claim = Claim(
         paper=paper,
         section=section,
         number=number,
         title=title,
         kind=kind,
-        printed=_statement(printed, f"{where}, printed"),
-        derived=None if derived is None else rational(derived, f"{where}, derived"),
-        corrected=_statement(options.pop("corrected", None), f"{where}, corrected"),
+        printed=read(printed, "printed"),
+        derived=read(derived, "derived"),
+        corrected=read(options.pop("corrected", None), "corrected"),
         expected=expected,
-        where={s: rational(value, f"{where}, where") for s, value in options.pop("where", {}).items()},
-        constraints=tuple(rational(value, f"{where}, constraints") for value in options.pop("constraints", ())),
-        nonzero=tuple(rational(value, f"{where}, nonzero") for value in options.pop("nonzero", ())),
+        where={s: read(value, "where") for s, value in options.pop("where", {}).items()},
+        constraints=tuple(read(value, "constraints") for value in _sequence(options, "constraints", where)),
+        nonzero=tuple(read(value, "nonzero") for value in _sequence(options, "nonzero", where)),
         variables=tuple(options.pop("variables", ())),
-        kernel=tuple(rational(vector, f"{where}, kernel") for vector in options.pop("kernel", ())),
-        unrounded=None if unrounded is None else rational(unrounded, f"{where}, unrounded"),
+        kernel=tuple(read(vector, "kernel") for vector in options.pop("kernel", ())),
         **options,
     )
+    claim = _with_plain_symbols(claim, symbols, where)
     _require_complete(claim, where)
     return claim
+
+
+def _read(value: Any, where: str, symbols: set[sympy.Symbol]) -> Any:
+    """Return a form that is rational and not too large, and add its symbols to a set."""
+    if value is None or isinstance(value, Decimal):
+        return value
+    if isinstance(value, tuple):
+        return tuple(_read(factor, where, symbols) for factor in value)
+    try:
+        require_bounded(value, where, ROOM)
+    except TooLargeError as error:
+        raise DeclarationError(str(error)) from error
+    expression = rational(value, where, assuming=True)
+    symbols |= free_symbols(expression)
+    return expression
+
+
+def _sequence(options: dict[str, Any], name: str, where: str) -> Sequence[Any]:
+    given = options.pop(name, ())
+    if isinstance(given, str) or not isinstance(given, Sequence):
+        raise DeclarationError(f"{where}, {name}: expected a sequence of expressions, got {type(given).__name__}")
+    return given
+
+
+def _with_plain_symbols(claim: Claim, symbols: set[sympy.Symbol], where: str) -> Claim:
+    """Put plain symbols for those with assumptions; where conditions count, what is not zero becomes one of them."""
+    others = {*claim.where, *claim.variables, *([] if claim.variable is None else [claim.variable])}
+    try:
+        plain = assumed(symbols.union(symbol for symbol in others if isinstance(symbol, sympy.Symbol)), where)
+    except SymbolError as error:
+        raise DeclarationError(str(error)) from error
+    given = tuple(symbol for symbol in plain if not is_plain(symbol))
+    if given and claim.kind not in _ASSUMING:
+        raise DeclarationError(
+            f"{where}: expected plain or real symbols for {claim.kind}, whose evidence does not look at assumptions; "
+            f"got {'; '.join(map(assumption, given))}"
+        )
+    if all(symbol == kept for symbol, kept in plain.items()):
+        return claim
+    forms = {name: _replaced(getattr(claim, name), plain) for name in ("printed", "derived", "corrected")}
+    lists = {name: _replaced(getattr(claim, name), plain) for name in ("constraints", "nonzero", "variables", "kernel")}
+    implied = [plain[symbol] for symbol in given if symbol.is_zero is False]
+    lists["nonzero"] += tuple(unit for unit in implied if unit not in lists["nonzero"])
+    values = {plain.get(symbol, symbol): _replaced(value, plain) for symbol, value in claim.where.items()}
+    variable = _replaced(claim.variable, plain)
+    return replace(claim, **forms, **lists, where=values, variable=variable, assumed=given)
+
+
+def _replaced(form: Any, plain: Mapping[sympy.Symbol, sympy.Symbol]) -> Any:
+    if isinstance(form, tuple):
+        return tuple(_replaced(part, plain) for part in form)
+    return form.xreplace(plain) if isinstance(form, sympy.Expr | sympy.MatrixBase) else form
 
 
 def decimal(value: Any, where: str) -> Decimal:
@@ -195,20 +258,16 @@ def decimal(value: Any, where: str) -> Decimal:
     Raises
     ------
     DeclarationError
-        If the value is not the text of a finite decimal number (a float has lost the printed digits).
+        If the value is not the text of digits with a decimal point (a float has lost the printed digits).
 
     Examples
     --------
     >>> decimal("-0.0000000", "printed").as_tuple().exponent
     -7
     """
-    try:
-        number = Decimal(value) if isinstance(value, str) else None
-    except InvalidOperation:
-        number = None
-    if number is None or not number.is_finite():
-        raise DeclarationError(f"{where}: expected the text of a decimal number, got {value!r}")
-    return number
+    if not isinstance(value, str) or not _DECIMAL.fullmatch(value):
+        raise DeclarationError(f"{where}: expected the text of a decimal number such as -0.50, got {value!r}")
+    return Decimal(value)
 
 
 def reference(value: Any, where: str) -> sympy.ImmutableDenseMatrix:
@@ -229,19 +288,15 @@ def reference(value: Any, where: str) -> sympy.ImmutableDenseMatrix:
     return sympy.ImmutableDenseMatrix([[int(part) for part in value.split(".")]])
 
 
-def _statement(value: Any, where: str) -> Statement | None:
-    if value is None or isinstance(value, Decimal):
-        return value
-    if isinstance(value, tuple):
-        return tuple(cast(sympy.Expr, rational(factor, where)) for factor in value)
-    return rational(value, where)
-
-
 def _require_complete(claim: Claim, where: str) -> None:
     if not isinstance(claim.number, str) or not _NUMBER.fullmatch(claim.number):
         raise DeclarationError(
             f"{where}: expected the text of a number such as 1.3.8, 1.3/y03 or 1.3.5#mu3, got {claim.number!r}"
         )
+    for name in ("paper", "section", "number", "title"):
+        given = getattr(claim, name)
+        if not isinstance(given, str) or not given.isprintable():
+            raise DeclarationError(f"{where}, {name}: expected text on one line, got {given!r}")
     if claim.expected not in VERDICTS or claim.expected == "open":
         raise DeclarationError(f"{where}: expected one of the verdicts {VERDICTS} but open, got {claim.expected!r}")
     if claim.expected in ("misprint", "illegible") and claim.corrected is None:
@@ -259,25 +314,25 @@ def _require_complete(claim: Claim, where: str) -> None:
             raise DeclarationError(
                 f"{where}: expected two sides of one shape, got {_shape(form)} and {_shape(claim.derived)}"
             )
-    numbers = [form for form in (claim.derived, claim.unrounded) if form is not None and claim.kind == "numeric"]
-    if any(shape(form) or symbols_of([form]) for form in numbers):
-        raise DeclarationError(f"{where}: expected derived numbers, got {', '.join(map(str, numbers))}")
-    _require_parsable(claim, where)
+    if claim.kind == "numeric" and claim.derived is not None and (shape(claim.derived) or symbols_of([claim.derived])):
+        raise DeclarationError(f"{where}, derived: expected a number, got {claim.derived}")
+    if claim.rounding not in (ROUNDINGS if claim.kind == "numeric" else ("nearest",)):
+        raise DeclarationError(f"{where}, rounding: expected one of {ROUNDINGS} for a number, got {claim.rounding!r}")
+    if claim.nonzero and claim.kind not in _RESTRICTED:
+        raise DeclarationError(f"{where}: expected nonzero for an identity or vanishing, got it for {claim.kind}")
+    _require_witness(claim, where)
 
 
-def _require_parsable(claim: Claim, where: str) -> None:
-    forms = (
-        claim.printed,
-        claim.derived,
-        claim.corrected,
-        claim.constraints,
-        claim.nonzero,
-        tuple(claim.where.values()),
-    )
-    symbols = {symbol for form in forms for expression in expressions_of(form) for symbol in free_symbols(expression)}
-    for symbol in sorted(symbols, key=str):
-        if sympy.Symbol(symbol.name) != symbol or _parsed(symbol.name) != symbol:
-            raise DeclarationError(f"{where}: SymPy does not read the name {symbol.name!r} back as a plain symbol")
+def _require_witness(claim: Claim, where: str) -> None:
+    if claim.witness is None:
+        return
+    if not isinstance(claim.witness, Mapping):
+        raise DeclarationError(f"{where}, witness: expected a mapping, got {type(claim.witness).__name__}")
+    forms = (claim.printed, claim.derived, claim.corrected, claim.constraints, claim.nonzero, (*claim.where.values(),))
+    known = {s.name for form in forms for expression in expressions_of(form) for s in free_symbols(expression)}
+    unknown = [key for key in claim.witness if isinstance(key, str) and key not in known]
+    if unknown:
+        raise DeclarationError(f"{where}, witness: expected values for symbols that occur, got one for {unknown[0]!r}")
 
 
 def expressions_of(form: Statement | None) -> tuple[Expression, ...]:
@@ -289,16 +344,6 @@ def expressions_of(form: Statement | None) -> tuple[Expression, ...]:
 
 def _shape(form: Statement | None) -> tuple[int, ...] | None:
     return shape(form) if isinstance(form, sympy.Expr | sympy.MatrixBase) else None
-
-
-@cache
-def _parsed(name: str) -> Any:
-    if name.isascii() and name.isidentifier() and not iskeyword(name) and name not in _READ_OTHERWISE:
-        return sympy.Symbol(name)
-    try:
-        return sympy.sympify(name)
-    except (sympy.SympifyError, SyntaxError, TypeError, AttributeError):
-        return None
 
 
 def in_derived_terms(statement: Statement, where: Mapping[sympy.Symbol, sympy.Expr]) -> Statement:
@@ -321,7 +366,11 @@ def in_derived_terms(statement: Statement, where: Mapping[sympy.Symbol, sympy.Ex
 
 
 def statement_text(statement: Statement | None) -> str | None:
-    """Return a printed, derived or corrected form as text that SymPy parses back, None for None.
+    """Return a printed, derived or corrected form as text, None for None.
+
+    SymPy parses it back with the symbols as local names, ``sympify(text, locals={name: Symbol(name)})``, since it has
+    meanings of its own for E, beta and others; `algebroproj_sym.expressions.parse` reads every name as a symbol, also
+    what Python does not take for one: lambda and other keywords, and primes.
 
     Examples
     --------
@@ -331,5 +380,5 @@ def statement_text(statement: Statement | None) -> str | None:
     if statement is None:
         return None
     if isinstance(statement, tuple):
-        return written(sympy.Tuple(*map(divided, statement)))
+        return f"({', '.join(map(text, statement))}{',' if len(statement) == 1 else ''})"
     return f"{statement:f}" if isinstance(statement, Decimal) else text(statement)

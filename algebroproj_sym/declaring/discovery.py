@@ -21,7 +21,9 @@ from algebroproj_sym.declaring.dependencies import derivation_names
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.importing import import_at, is_package, modules_in
 from algebroproj_sym.declaring.kernel import Kernel
+from algebroproj_sym.declaring.quotes import Quote, quotations
 from algebroproj_sym.declaring.section import Section
+from algebroproj_sym.expressions import provenance
 
 PAPERS = "algebroproj_derivations"
 
@@ -146,7 +148,7 @@ def numbered_with(sources: Sequence[str] = ()) -> tuple[Derivation, ...]:
 
 
 def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
-    """Return the claims that some selectors name, in the order of the papers; all claims without a selector.
+    """Return the claims that selectors name, in the order of the papers.  Without a selector, return all claims.
 
     Parameters
     ----------
@@ -158,7 +160,7 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
     UnknownSelectorError
         If a selector names nothing.
     DeclarationError
-        If modules that are not numbered together declare the same number of the same paper.
+        If two modules declare the same number of the same paper.
     """
     return tuple(claim for _, claim in located(selectors))
 
@@ -168,6 +170,16 @@ def located(selectors: Sequence[str] = ()) -> tuple[tuple[Derivation, Claim], ..
     chosen = [found for selector in selectors or installed_papers() for found in _located(selector)]
     derivations_of([split(selector)[0] for selector in selectors])
     return tuple({(claim.paper, claim.number): (source, claim) for source, claim in chosen}.values())
+
+
+def quotes_of(derivations: Iterable[Derivation]) -> dict[tuple[str, str], Quote]:
+    """Return what the papers print about the claims of some derivations, by paper and number."""
+    return {
+        (claim.paper, claim.number): quote
+        for derivation in derivations
+        for claim in derivation.section.claims
+        if (quote := quotations(derivation.path.parent).quotes.get(claim.number)) is not None
+    }
 
 
 def split(selector: str) -> tuple[str, str]:
@@ -283,6 +295,7 @@ def _declared_by(module: ModuleType) -> tuple[Derivation, ...]:
     section = getattr(module, "section", None)
     if not isinstance(section, Section):
         return ()
+    provenance.name(vars(module))
     return (Derivation(module.__name__, section, Path(str(module.__file__)).resolve()),)
 
 

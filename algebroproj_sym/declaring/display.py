@@ -14,7 +14,7 @@ from algebroproj_sym.declaring.claim import Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement
 from algebroproj_sym.declaring.latex import latex
 from algebroproj_sym.declaring.naming import Meaning, Named, in_names, latex_of_name, named_latex
-from algebroproj_sym.expressions import Expression, size
+from algebroproj_sym.expressions import Expression, assumption, decimals, evaluate, leading, size
 from algebroproj_sym.proving import reduced
 
 LONGEST = 400
@@ -80,7 +80,8 @@ def evidence_lines(
     lines = [*conditions(claim, show, most)]
     if judgement.certificate:
         method = judgement.certificate["method"]
-        lines.append(f"undecided: {judgement.certificate['reason']}" if method == "none" else f"by {method}")
+        about = f": {_rounding(judgement)}" if method == "exact rounding" else ""
+        lines.append(f"undecided: {judgement.certificate['reason']}" if method == "none" else f"by {method}{about}")
     if judgement.hypotheses:
         lines.append(f"holds wherever {_are('not zero', judgement.hypotheses, show, most)}")
     if judgement.counterexample:
@@ -91,10 +92,19 @@ def evidence_lines(
     return lines
 
 
+def _rounding(judgement: Judgement) -> str:
+    """Return the one exact number of a printed one, with more digits, and what its rounding gives."""
+    claim, given = judgement.claim, (judgement.certificate or {})["rounded"]
+    assert claim.derived is not None
+    exact = leading(evaluate(claim.derived, {})[0], decimals(Decimal(given)) + 3)
+    return f"{exact}, {'cut off' if claim.rounding == 'cut' else 'to the nearest'} {given}"
+
+
 def conditions(claim: Claim, show: Callable[[object], str], most: int | None = None) -> list[str]:
     """Return under which conditions a claim is made, a line each; without them its formula may be false."""
     given = (("zero", claim.constraints), ("not zero", claim.nonzero))
-    return [f"claimed wherever {_are(what, factors, show, most)}" for what, factors in given if factors]
+    lines = [f"claimed wherever {_are(what, factors, show, most)}" for what, factors in given if factors]
+    return [*lines, f"assumed: {'; '.join(map(assumption, claim.assumed))}"] if claim.assumed else lines
 
 
 def folded(text: str, most: int) -> str:

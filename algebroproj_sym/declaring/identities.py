@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import difflib
 import json
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from algebroproj_sym.expressions import ParseError, parse, parse_zero, shape
 from algebroproj_sym.proving.worker import Outcome, Question
 
 EXPECTED = ("proved", "refuted", "open")
@@ -29,7 +28,9 @@ class Identity:
     Attributes
     ----------
     file : Path
-        Where it stands.
+        The file.
+    place : str
+        Where it stands: file, item and name.
     name : str
         Its name, or its place in the file.
     question : Question
@@ -39,6 +40,7 @@ class Identity:
     """
 
     file: Path
+    place: str
     name: str
     question: Question
     expected: str | None
@@ -73,18 +75,22 @@ def identities(path: Path) -> tuple[Identity, ...]:
     Raises
     ------
     MalformedFileError
-        Naming file, item and key.
+        Naming file, item and key.  Mathematics is read later, by the workers that decide it.
     """
     try:
         if path.stat().st_size > MAX_BYTES:
-            raise MalformedFileError(f"{path}: expected at most {MAX_BYTES} bytes, got {path.stat().st_size}")
-        items = json.loads(path.read_text(encoding="utf-8"))
+            raise MalformedFileError(f"expected at most {MAX_BYTES} bytes, got {path.stat().st_size}")
+        items = json.loads(path.read_text(encoding="utf-8"), object_pairs_hook=_object, parse_constant=_no_number)
+    except MalformedFileError as error:
+        raise MalformedFileError(f"{path}: {error}") from error
     except OSError as error:
         raise MalformedFileError(f"{path}: expected a readable file, got {error.strerror}") from error
-    except (json.JSONDecodeError, UnicodeDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         raise MalformedFileError(f"{path}: expected JSON, got {error}") from error
     if not isinstance(items, list):
         raise MalformedFileError(f"{path}: expected a list of objects, got {_kind(items)}")
+    if not items:
+        raise MalformedFileError(f"{path}: expected at least one object, got an empty list")
     return tuple(_identity(path, place, item) for place, item in enumerate(items))
 
 
@@ -93,9 +99,9 @@ def _identity(path: Path, place: int, item: Any) -> Identity:
     if not isinstance(item, dict):
         raise MalformedFileError(f"{where}: expected an object, got {_kind(item)}")
     name = item.get("name", f"{path.stem}[{place}]")
-    if not isinstance(name, str):
-        raise MalformedFileError(f"{where}, key 'name': expected text, got {_kind(name)}")
-    where = f"{where} ({name})"
+    if not _text(where, "name", name).isprintable():
+        raise MalformedFileError(f"{where}, key 'name': expected text on one line, got {name!r:.80}")
+    where = f"{where} ({name[:80]})"
     for key in item:
         near = [] if key in KEYS else difflib.get_close_matches(key, KEYS, n=1, cutoff=0.8)
         if near:
@@ -105,7 +111,9 @@ def _identity(path: Path, place: int, item: Any) -> Identity:
             raise MalformedFileError(f"{where}, key {key!r}: expected text, got nothing")
     expected = item.get("expected")
     if expected is not None and expected not in EXPECTED:
-        raise MalformedFileError(f"{where}, key 'expected': expected one of {', '.join(EXPECTED)}, got {expected!r}")
+        raise MalformedFileError(
+            f"{where}, key 'expected': expected one of {', '.join(EXPECTED)}, got {expected!r:.80}"
+        )
     variables = _texts(where, "variables", item["variables"]) if "variables" in item else None
     question = Question(
         _text(where, "lhs", item["lhs"]),
@@ -113,28 +121,28 @@ def _identity(path: Path, place: int, item: Any) -> Identity:
         _texts(where, "constraints", item.get("constraints", [])),
         _texts(where, "nonzero", item.get("nonzero", [])),
         _witness(where, item["witness"]) if "witness" in item else None,
+        variables,
     )
-    _require_readable(where, question, variables)
-    return Identity(path, name, question, expected)
+    return Identity(path, where, name, question, expected)
 
 
-def _require_readable(where: str, question: Question, variables: tuple[str, ...] | None) -> None:
-    try:
-        sides = [parse(getattr(question, key), f"key {key!r}", variables) for key in ("lhs", "rhs")]
-        for place, text in enumerate(question.constraints):
-            parse_zero(text, f"key 'constraints', entry {place}", variables)
-        for place, text in enumerate(question.nonzero):
-            parse_zero(text, f"key 'nonzero', entry {place}", variables)
-    except ParseError as error:
-        raise MalformedFileError(f"{where}, {error}") from error
-    if shape(sides[0]) != shape(sides[1]):
-        shapes = f"{shape(sides[0])} and {shape(sides[1])}"
-        raise MalformedFileError(f"{where}, key 'rhs': expected the shape of 'lhs', got {shapes}")
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    keys = Counter(key for key, _ in pairs)
+    twice = [key for key, count in keys.items() if count > 1]
+    if twice:
+        raise MalformedFileError(f"expected each key of an object once, got {twice[0]!r:.80} twice")
+    return dict(pairs)
+
+
+def _no_number(text: str) -> Any:
+    raise MalformedFileError(f"expected JSON, got {text}")
 
 
 def _text(where: str, key: str, value: Any) -> str:
     if not isinstance(value, str):
         raise MalformedFileError(f"{where}, key {key!r}: expected text, got {_kind(value)}")
+    if any("\ud800" <= letter <= "\udfff" for letter in value):
+        raise MalformedFileError(f"{where}, key {key!r}: expected text, got half a surrogate pair")
     return value
 
 
@@ -147,14 +155,7 @@ def _texts(where: str, key: str, value: Any) -> tuple[str, ...]:
 def _witness(where: str, value: Any) -> Mapping[str, str]:
     if not isinstance(value, dict):
         raise MalformedFileError(f"{where}, key 'witness': expected an object, got {_kind(value)}")
-    for name, number in value.items():
-        try:
-            Fraction(_text(where, f"witness', entry '{name}", number))
-        except (ValueError, ZeroDivisionError):
-            raise MalformedFileError(
-                f"{where}, key 'witness', entry {name!r}: expected a rational number as text, got {number!r}"
-            ) from None
-    return value
+    return {name: _text(where, f"witness', entry '{name}", number) for name, number in value.items()}
 
 
 def _kind(value: Any) -> str:

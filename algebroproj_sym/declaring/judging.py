@@ -10,10 +10,10 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim, Verdict, expressions_of, in_derived_terms
+from algebroproj_sym.declaring.claim import Claim, Statement, Verdict, expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
-from algebroproj_sym.expressions import free_symbols, symbols_of
-from algebroproj_sym.proving import Proof
+from algebroproj_sym.expressions import free_symbols, symbols_of, values_of
+from algebroproj_sym.proving import Proof, UndefinedError
 
 
 @dataclass(frozen=True)
@@ -27,13 +27,13 @@ class Judgement:
     verdict : str
         One of the six verdicts.
     hypotheses : tuple of sympy.Expr
-        The factors of all denominators met.
+        The factors of all denominators.
     certificate : mapping or None
-        The evidence for the printed form, or for the corrected one where the printed form is refuted.
+        The evidence for the printed form, or for the corrected form if the printed form is refuted.
     counterexample : mapping of Symbol to Fraction, or None
-        Where the printed form fails.
+        A point where the printed form fails.
     engine : str
-        The polynomial arithmetic that was used.
+        The library for polynomials that was used.
     seconds : float
         The time it took.
     """
@@ -60,7 +60,7 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
     claim : Claim
         As declared by a derivation.
     engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
+        The library for polynomials.
 
     Returns
     -------
@@ -76,22 +76,28 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
     'misprint'
     """
     start = time.perf_counter()
-    compare = KINDS[claim.kind]
-    printed = None if claim.printed is None else compare(claim, in_derived_terms(claim.printed, claim.where), engine)
-    corrected = (
-        None if claim.corrected is None else compare(claim, in_derived_terms(claim.corrected, claim.where), engine)
-    )
+    printed, corrected = _compared(claim, claim.printed, engine), _compared(claim, claim.corrected, engine)
     verdict = _verdict(claim, printed, corrected)
     evidence = _evidence(verdict, printed, corrected)
     return Judgement(
         claim=claim,
         verdict=verdict,
         hypotheses=evidence.hypotheses,
-        certificate=evidence.certificate,
-        counterexample=None if printed is None else _completed(claim, printed.counterexample),
+        certificate=_with_whole_witness(claim, verdict, evidence.certificate),
+        counterexample=None if printed is None else _completed(claim, claim.printed, printed.counterexample),
         engine=engine,
         seconds=time.perf_counter() - start,
     )
+
+
+def _compared(claim: Claim, form: Statement | None, engine: str) -> Proof | None:
+    if form is None:
+        return None
+    try:
+        return KINDS[claim.kind](claim, in_derived_terms(form, claim.where), engine)
+    except ZeroDivisionError:
+        where = f"claim {claim.paper}:{claim.number}"
+        raise UndefinedError(f"{where}: expected denominators that are not identically zero") from None
 
 
 def abridged(judgement: Judgement) -> Judgement:
@@ -112,14 +118,28 @@ def abridged(judgement: Judgement) -> Judgement:
     return replace(judgement, claim=named, hypotheses=(), certificate=None, counterexample=None)
 
 
-def _completed(claim: Claim, point: Mapping[sympy.Symbol, Fraction] | None) -> Mapping[sympy.Symbol, Fraction] | None:
+def _with_whole_witness(
+    claim: Claim, verdict: Verdict, certificate: Mapping[str, Any] | None
+) -> Mapping[str, Any] | None:
+    if certificate is None or "witness" not in certificate:
+        return certificate
+    form = claim.corrected if verdict in ("misprint", "illegible") else claim.printed
+    witness = {sympy.Symbol(name): value for name, value in certificate["witness"].items()}
+    completed = _completed(claim, form, witness) or {}
+    return {**certificate, "witness": {symbol.name: str(value) for symbol, value in completed.items()}}
+
+
+def _completed(
+    claim: Claim, form: Statement | None, point: Mapping[sympy.Symbol, Any] | None
+) -> Mapping[sympy.Symbol, Any] | None:
     """Give a value also to symbols that cancel when the meanings of others are put in, wherever a point has values."""
-    shown = {symbol for form in expressions_of(claim.printed) for symbol in free_symbols(form)}
+    shown = {symbol for part in expressions_of(form) for symbol in free_symbols(part)}
     meanings = [value for symbol, value in claim.where.items() if symbol in shown]
     needed = shown.difference(claim.where).union(*map(free_symbols, meanings))
     if not point or needed <= point.keys():
         return point
-    completed = dict.fromkeys(needed, Fraction(1)) | {**point}
+    values = {symbol.name: values_of(symbol)[0] for symbol in claim.assumed}
+    completed = {symbol: values.get(symbol.name, Fraction(1)) for symbol in needed} | {**point}
     return {symbol: completed[symbol] for symbol in symbols_of(completed)}
 
 

@@ -67,7 +67,7 @@ class Kernel:
     paper, section : str
         Where it is derived.
     module, name : str
-        Where the generated function stands: ``algebroproj.<module>.<name>``.
+        The place of the generated function: ``algebroproj.<module>.<name>``.
     summary : str
         The first line of its docstring.
     arguments : tuple of Argument
@@ -75,7 +75,7 @@ class Kernel:
     results : tuple of Result
         What it returns: several results as a tuple, in this order.
     stages : tuple of Stage
-        Values on the way that are no rational functions of the arguments.
+        Intermediate values that are not rational functions of the arguments, such as angles.
     where : tuple of (Symbol, Expr)
         Abbreviations, such as ``y00 = 1 - y01 - y02 - y03``.
     claims : tuple of str
@@ -85,10 +85,10 @@ class Kernel:
     describe : mapping of str to str
         What each argument is, with its unit.
     alternatives : tuple of Kernel
-        The same kernel with other forms and abbreviations, of which the generator may choose.
+        The same kernel with other forms.  The generator may choose one of them.
     normwise : bool
-        Whether errors are measured against the largest entry of an argument or result, as for points in one unit that
-        make up a linear system, instead of entry by entry.
+        Whether errors are relative to the largest entry of an argument or result.  Otherwise they are relative to each
+        entry.
     """
 
     paper: str

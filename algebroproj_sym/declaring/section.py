@@ -11,6 +11,7 @@ from algebroproj_sym.declaring.jacobian import jacobian_parts
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, declared_kernel
 from algebroproj_sym.declaring.notebook import show_in_notebook
 from algebroproj_sym.declaring.source import calling
+from algebroproj_sym.expressions import provenance
 
 
 class Section:
@@ -76,7 +77,7 @@ class Section:
         return self._declare("limit", number, title, printed, derived, **options)
 
     def numeric(self, number: str, title: str, *, printed: str, derived: Any, **options: Unpack[Options]) -> Claim:
-        """Declare that a printed decimal number is the derived rational number, rounded to its last digit."""
+        """Declare that a printed decimal number is the derived rational number, rounded as `rounding` says."""
         where = f"claim {self.paper}:{number}"
         if "corrected" in options:
             options["corrected"] = decimal(options["corrected"], f"{where}, corrected")
@@ -117,6 +118,7 @@ class Section:
         if any(claim.number == number for claim in self.claims):
             raise DeclarationError(f"claim {self.paper}:{number}: expected a number of its own, it is declared twice")
         source = calling(depth=2)
+        provenance.declare((self.paper, number), derived)
         claim = declared(self.paper, self.number, number, title, kind, printed, derived, source=source, **options)
         self.claims.append(claim)
         return claim

@@ -40,8 +40,8 @@ Inductive literal : Type :=
 | Nonzero (a : expr)
 | Equal (a b : expr)
 | Unequal (a b : expr)
-| Near (a b tolerance : expr)
-| Far (a b tolerance : expr)
+| Less (a b : expr)
+| AtMost (a b : expr)
 | Regular (rows : list (list expr)) (inverse : list (list Q)).
 
 (** Matrices are lists of rows; a second factor is a list of columns. *)
@@ -60,8 +60,8 @@ Definition says (env : list R) (l : literal) : Prop :=
   | Nonzero a => eval env a <> 0
   | Equal a b => eval env a = eval env b
   | Unequal a b => eval env a <> eval env b
-  | Near a b t => Rabs (eval env a - eval env b) <= eval env t
-  | Far a b t => eval env t < Rabs (eval env a - eval env b)
+  | Less a b => eval env a < eval env b
+  | AtMost a b => eval env a <= eval env b
   | Regular rows _ => regular_matrix (map (map (eval env)) rows)
   end.
 
@@ -540,8 +540,6 @@ Fixpoint numbers (env : list Q) (definitions : list expr) : option (list Q) :=
   | d :: rest => match number env d with Some q => numbers (env ++ [q]) rest | None => None end
   end.
 
-Definition within (p q : Q) : bool := Qle_bool p q && Qle_bool (- p) q.
-
 Fixpoint qdot (u v : list Q) : Q :=
   match u, v with a :: u, b :: v => qadd (qmul a b) (qdot u v) | _, _ => 0%Q end.
 Definition qtimes (rows columns : list (list Q)) : list (list Q) := map (fun row => map (qdot row) columns) rows.
@@ -558,8 +556,8 @@ Definition holds (env : list Q) (l : literal) : bool :=
   | Nonzero a => compare a (Int 0) (fun p q => negb (Qeq_bool p q))
   | Equal a b => compare a b Qeq_bool
   | Unequal a b => compare a b (fun p q => negb (Qeq_bool p q))
-  | Near a b t => compare a b (fun p q => compare t t (fun r _ => within (p - q) r))
-  | Far a b t => compare a b (fun p q => compare t t (fun r _ => negb (within (p - q) r)))
+  | Less a b => compare a b (fun p q => negb (Qle_bool q p))
+  | AtMost a b => compare a b Qle_bool
   | Regular rows inverse =>
       match traverse (traverse (number env)) rows with
       | Some m => Nat.eqb (length inverse) (length rows) && qsame (qtimes m inverse) (qunit (length rows))
@@ -612,13 +610,6 @@ Proof.
     + simpl in H. injection H as <-. replace k with (length values) by lia.
       rewrite D1. now apply number_sound with values.
     + destruct j; discriminate.
-Qed.
-
-Lemma within_sound p q : within p q = true <-> Rabs (Q2R p) <= Q2R q.
-Proof.
-  unfold within. rewrite Bool.andb_true_iff, !Qle_bool_iff. split.
-  - intros [H1 H2]. apply Qle_Rle in H1, H2. rewrite Q2R_opp in H2. apply Rabs_le. lra.
-  - intro H. split; apply Rle_Qle; rewrite ?Q2R_opp; revert H; unfold Rabs; destruct (Rcase_abs _); lra.
 Qed.
 
 Lemma each_map {A B} (f : A -> A -> bool) (g : A -> B) : (forall a b, f a b = true -> g a = g b) ->
@@ -677,17 +668,15 @@ Proof.
     exists p q, eval env a = Q2R p /\ eval env b = Q2R q /\ f p q = true) as C.
   { intros a b f H. destruct (number values a) as [p|] eqn:Ea; [|discriminate].
     destruct (number values b) as [q|] eqn:Eb; [|discriminate]. exists p, q. auto. }
-  destruct l as [a|a|a b|a b|a b t|a b t|rows inverse]; unfold holds, says; intro H.
+  destruct l as [a|a|a b|a b|a b|a b|rows inverse]; unfold holds, says; intro H.
   - apply C in H as (p & q & -> & E & H). simpl in E. rewrite E. now apply Qeq_eqR, Qeq_bool_iff.
   - apply C in H as (p & q & -> & E & H). simpl in E. rewrite E. intro D. apply Bool.negb_true_iff, Qeq_bool_neq in H.
     now apply H, eqR_Qeq.
   - apply C in H as (p & q & -> & -> & H). now apply Qeq_eqR, Qeq_bool_iff.
   - apply C in H as (p & q & -> & -> & H). intro D. apply Bool.negb_true_iff, Qeq_bool_neq in H. now apply H, eqR_Qeq.
-  - apply C in H as (p & q & -> & -> & H). apply C in H as (r & _ & -> & _ & H). rewrite <- Q2R_minus.
-    now apply within_sound.
-  - apply C in H as (p & q & -> & -> & H). apply C in H as (r & _ & -> & _ & H). rewrite <- Q2R_minus.
-    apply Bool.negb_true_iff in H.
-    apply Rnot_le_lt. intro D. apply within_sound in D. congruence.
+  - apply C in H as (p & q & -> & -> & H). apply Bool.negb_true_iff in H.
+    apply Rnot_le_lt. intro D. apply Rle_Qle, Qle_bool_iff in D. congruence.
+  - apply C in H as (p & q & -> & -> & H). now apply Qle_Rle, Qle_bool_iff.
   - destruct (traverse _ rows) as [m|] eqn:E; [|discriminate]. apply andb_prop in H as [L H].
     destruct (traverse_matrix _ _ _ _ F E) as [-> N]. apply Nat.eqb_eq in L.
     exists (map (map Q2R) inverse). rewrite !map_length, N. split; [assumption|].

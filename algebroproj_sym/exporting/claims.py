@@ -9,18 +9,24 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from math import prod
 from typing import Any, TypeAlias
 
 from algebroproj_sym.exporting import points
-from algebroproj_sym.exporting.counts import Functions, independent_at, unchanged_along
-from algebroproj_sym.exporting.divisions import evaluated, vector
+from algebroproj_sym.exporting.counts import Functions, gradients, independent_at, unchanged_along
 from algebroproj_sym.exporting.gallina import formula, listed
-from algebroproj_sym.exporting.limits import limits
+from algebroproj_sym.exporting.limits import denominators, limits
+from algebroproj_sym.exporting.objects import Object, dot
 from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero, inverse
-from algebroproj_sym.exporting.refusal import NotExportable
+from algebroproj_sym.exporting.rational_functions import hypotheses, ratio, vector
+from algebroproj_sym.exporting.reading import decimal, formula_of, natural, symbol
+from algebroproj_sym.exporting.reading import form as read
+from algebroproj_sym.exporting.refusal import NotExportable, Silent
+from algebroproj_sym.exporting.statement import Point, Statement
 from algebroproj_sym.exporting.terms import (
     Term,
     Written,
+    difference,
     free,
     inlined,
     integer,
@@ -28,72 +34,119 @@ from algebroproj_sym.exporting.terms import (
     negative,
     number,
     product,
-    term,
-    total,
-    written,
+    quotient,
 )
-from algebroproj_sym.exporting.theorems import Goal, Hypotheses, equations, splitting, universal, with_divisors
+from algebroproj_sym.exporting.theorems import (
+    Goal,
+    Hypotheses,
+    equations,
+    matrix_of,
+    splitting,
+    universal,
+    universal_of_matrix,
+    with_divisors,
+)
 from algebroproj_sym.exporting.vanishing import both_ways
-from algebroproj_sym.replaying.evaluation import at_point, derivatives, evaluate
-from algebroproj_sym.replaying.statement import Point, Statement
-from algebroproj_sym.replaying.text import decimal, parse
-from algebroproj_sym.replaying.text import number as rational_number
 
 Certificate: TypeAlias = Mapping[str, Any]
 Proved: TypeAlias = dict[str, tuple[str, str]]
 """Statement and proof, by what the theorem shows."""
 
 
-def read(text: str) -> Term:
-    """Return an expression of a certificate."""
-    return term(parse(text).entries[0])
-
-
-def _hypotheses(statement: Statement, divisors: Sequence[str], *forms: Written) -> Hypotheses:
+def _hypotheses(statement: Statement, *forms: Written) -> Hypotheses:
+    """Return the hypotheses, after comparing them with what the forms divide by."""
     definitions = {called: value for form in forms for called, value in form.definitions.items()}
-    return Hypotheses(tuple(sorted(statement.symbols)), tuple(map(read, divisors)), definitions)
+    variables = tuple(sorted(statement.symbols))
+    entries = inlined([entry for form in forms for entry in form.entries], definitions)
+    divisors = hypotheses(variables, statement.hypotheses, [*entries, *_side_conditions(statement)])
+    return Hypotheses(variables, divisors, definitions)
+
+
+def _side_conditions(statement: Statement) -> tuple[Term, ...]:
+    return (*statement.listed("nonzero"), *statement.listed("constraints"))
 
 
 def _constrained(statement: Statement, given: Hypotheses, more: Sequence[Term] = ()) -> Hypotheses:
-    units = (*_setting(statement, "nonzero"), *more)
-    return replace(given, units=units, constraints=_setting(statement, "constraints"))
-
-
-def _setting(statement: Statement, entry: str) -> tuple[Term, ...]:
-    return tuple(term(form.entries[0]) for form in statement.listed(entry))
+    units = (*statement.listed("nonzero"), *more)
+    return replace(given, units=units, constraints=statement.listed("constraints"))
 
 
 def identity(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show equations between rational functions."""
-    left, right = written(statement, form), written(statement, "derived")
-    given = _hypotheses(statement, certificate["denominators"], left, right)
+    left, right = statement.written(form), statement.written("derived")
+    given = _hypotheses(statement, left, right)
     return {"holds": universal(given, [Goal(a, b) for a, b in zip(left.entries, right.entries, strict=True)])}
+
+
+def about(statement: Statement, form: str, made: Object) -> Proved:
+    """Show that an object which the derivation makes step by step is what is printed."""
+    printed, derived = statement.written(form), statement.written("derived")
+    given = _hypotheses(statement, printed, derived)
+    entries = [entry for row in made.rows for entry in row]
+    given = replace(given, variables=tuple(sorted({*given.variables, *made.variables})))
+    field = splitting(given).field
+    expected = inlined(derived.entries, derived.definitions)
+    if len(entries) != len(expected) or any(
+        field.value(difference(a, b)).numerator for a, b in zip(entries, expected, strict=True)
+    ):
+        raise NotExportable("the steps of the derivation make another form than the ledger has")
+    goals = [Goal(a, b) for a, b in zip(entries, printed.entries, strict=True)]
+    width = len(made.rows[0])
+    rows = [goals[start : start + width] for start in range(0, len(goals), width)]
+    return {"holds": universal_of_matrix(given, rows, made.text, scalar=made.scalar)}
 
 
 def constrained(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show equations that follow from constraints, by their cofactors; and a point that satisfies all hypotheses."""
-    left, right = written(statement, form), written(statement, "derived")
-    given = _constrained(statement, _hypotheses(statement, certificate["denominators"], left, right))
-    pairs = zip(left.entries, right.entries, strict=True)
-    goals = [
-        _member(given, a, b, part, len(given.units)) for (a, b), part in zip(pairs, certificate["entries"], strict=True)
-    ]
+    left, right = statement.written(form), statement.written("derived")
+    given = _constrained(statement, _hypotheses(statement, left, right))
+    goals = _members(given, [*zip(left.entries, right.entries, strict=True)], certificate, len(given.units))
     return {"holds": universal(given, goals), "witness": _witness(given, statement.point(certificate["witness"]))}
 
 
-def _member(given: Hypotheses, left: Term, right: Term, part: Certificate, units: int) -> Goal:
-    """Return the goal that an entry follows from the constraints; so many units enter the multiplier."""
-    split = splitting(given)
+def _members(given: Hypotheses, pairs: Sequence[tuple[Term, Term]], certificate: Certificate, units: int) -> list[Goal]:
+    """Return the goals that entries follow from the constraints; so many units enter the multiplier.
+
+    The certificate's polynomials are compared with what the exporter finds but for a rational factor.
+    """
+    field = splitting(given).field
+    numerators = [field.numerator(constraint) for constraint in given.constraints]
+    generators = [field.polynomial(formula_of(text)) for text in certificate["generators"]]
+    ratios = [ratio(*pair) for pair in zip(generators, numerators, strict=True)]
     exponents = dict.fromkeys(range(len(given.divisors)), 1)
+    product_of_units = field.powers(exponents)
     for place, unit in enumerate(given.units[:units]):
-        for factor, exponent in evaluated(unit, split.field, split.known, {}).exponents.items():
+        product_of_units = product_of_units * field.numerator(unit)[0]
+        for factor, exponent in field.value(unit).exponents.items():
             exponents[factor] += max(exponent, 0)
         exponents[len(given.divisors) + place] = 1
-    raised = {place: exponent * part["power"] for place, exponent in exponents.items()}
+    units_as_they_are = Fraction(prod(field.value(unit).denominator for unit in given.units[:units]))
+    multiplier = field.polynomial(formula_of(certificate["multiplier"]))
+    scale = ratio(multiplier, (product_of_units, int(units_as_they_are)))
     texts = [formula(divisor) for divisor in given.divisors]
-    for text, exponent in part["denominator"].items():
-        raised[texts.index(formula(read(text)))] += exponent
-    return Goal(left, right, 1, vector(raised), tuple(map(read, part["cofactors"])))
+    goals = []
+    for (left, right), part in zip(pairs, certificate["entries"], strict=True):
+        count = natural(part["power"])
+        raised = {place: exponent * count for place, exponent in exponents.items()}
+        for text, exponent in part["denominator"].items():
+            raised[texts.index(formula(formula_of(text)))] += natural(exponent)
+        over = natural(part["number"]) * scale**count
+        cofactors = [
+            product([number(r / over), formula_of(text)]) if r != over else formula_of(text)
+            for r, text in zip(ratios, part["cofactors"], strict=True)
+        ]
+        goals.append(Goal(left, right, 1, vector(raised), tuple(cofactors)))
+    return goals
+
+
+def _common_point(given: Hypotheses, listed_points: Sequence[Point]) -> Point:
+    """Return the point of two, or of both together, where all hypotheses hold."""
+    witness, other = listed_points
+    for point in (witness, witness | other, other):
+        nonzero = points.values(point, given.definitions, [*given.divisors, *given.units])
+        if nonzero and all(nonzero):
+            return point
+    raise NotExportable("neither point of the certificate satisfies all hypotheses")
 
 
 def _witness(given: Hypotheses, point: Point) -> tuple[str, str]:
@@ -104,21 +157,21 @@ def _witness(given: Hypotheses, point: Point) -> tuple[str, str]:
 
 def projective(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show that entries are proportional where the entry at the pivot is not zero."""
-    left, right = written(statement, form), written(statement, "derived")
-    given = _hypotheses(statement, certificate["denominators"], left, right)
-    pivot = certificate["pivot"]
+    left, right = statement.written(form), statement.written("derived")
+    given = _hypotheses(statement, left, right)
+    pivot = natural(certificate["pivot"])
     taken = {*given.variables, *given.definitions}
     p, d = (name(free(text, taken)) for text in ("pivot", "pivot'"))
     definitions = {**given.definitions, str(p.value): left.entries[pivot], str(d.value): right.entries[pivot]}
     given = replace(given, definitions=definitions)
     pairs = [*zip(left.entries, right.entries, strict=True)]
     crossed = [(product([a, d]), product([b, p])) for a, b in pairs]
-    if "constraints" in certificate or "entries" in certificate:
+    proved: Proved = {}
+    if "constraints" in statement.setting:
         given = _constrained(statement, given, [d, p])
-        goals = [
-            _member(given, a, b, part, len(given.units) - 1)
-            for (a, b), part in zip(crossed, certificate["entries"], strict=True)
-        ]
+        goals = _members(given, crossed, certificate, len(given.units) - 1)
+        listed_points = [statement.point(certificate[key]) for key in ("witness", "nonzero at")]
+        proved["witness"] = _witness(given, _common_point(given, listed_points))
     else:
         given = replace(given, units=(d, p))
         goals = [Goal(a, b) for a, b in crossed]
@@ -126,7 +179,7 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Pro
     scaled = equations([Goal(a, product([k, b])) for a, b in pairs])
     listed_pairs = listed([f"({formula(a)}, {formula(b)})" for a, b in pairs])
     lemma = f"proportional {formula(p)} {formula(d)} {listed_pairs}"
-    return {
+    return proved | {
         "holds": universal(
             given,
             goals,
@@ -137,37 +190,51 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Pro
 
 
 def structure(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show zeros, equal and opposite entries of a matrix."""
-    derived = written(statement, "derived")
-    given = _hypotheses(statement, certificate["denominators"], derived)
+    """Show zeros, equal and opposite entries of a matrix: it has the pattern, for some values of the marks."""
+    derived = statement.written("derived")
+    given = _hypotheses(statement, derived)
+    marks = _marks(statement, form)
     first: dict[str, Term] = {}
-    goals = []
-    for (sign, mark), entry in zip(_marks(statement, form), derived.entries, strict=True):
-        signed = entry if sign > 0 else negative(entry)
-        if mark.lstrip("-").isdecimal():
-            goals.append(Goal(signed, integer(int(mark))))
-        elif first.setdefault(mark, signed) is not signed:
-            goals.append(Goal(first[mark], signed))
-    proved = {"holds": universal(given, goals)} if goals else {}
+    expected = []
+    for (sign, mark), entry in zip(marks, derived.entries, strict=True):
+        value = (
+            integer(int(mark))
+            if mark.lstrip("-").isdecimal()
+            else first.setdefault(mark, entry if sign > 0 else negative(entry))
+        )
+        expected.append(value if sign > 0 else negative(value))
+    width = statement.form("derived").shape[1]
+    goals = [Goal(a, b) for a, b in zip(derived.entries, expected, strict=True)]
+    rows = [goals[start : start + width] for start in range(0, len(goals), width)]
+    variables = tuple(v for v in given.variables if v not in first)
+    given = replace(given, variables=variables)
+    bound = {mark: name(mark) for mark in first}
+    pattern = [
+        (lambda value: value if sign > 0 else negative(value))(bound[mark] if mark in bound else integer(int(mark)))
+        for sign, mark in marks
+    ]
+    shown = [pattern[start : start + width] for start in range(0, len(pattern), width)]
+    holds = universal_of_matrix(given, rows, pattern=shown, marks=first)
     point = _point_where(statement, given, [*first.values()])
     literals = [
         *divisors_nonzero([*first.values()], given.definitions),
         *(Literal("Nonzero", (t,)) for t in first.values()),
     ]
-    return proved | ({"marked": points.at_point(point, given.definitions, literals)} if first else {})
+    marked = {"marked": points.at_point(point, given.definitions, literals)} if first else {}
+    return {"holds": holds} | marked
 
 
 def _marks(statement: Statement, form: str) -> list[tuple[int, str]]:
     """Return the sign and the mark of each entry of a pattern."""
-    signed = [
-        (node.kind == "-", node.children[0] if node.kind == "-" else node) for node in statement.form(form).entries
-    ]
+    signed = [(node.kind == "-", node.parts[0] if node.kind == "-" else node) for node in statement.form(form).entries]
+    if any(node.parts for _, node in signed):
+        raise NotExportable("a pattern is of names and integers")
     return [(-1 if minus else 1, str(node.value)) for minus, node in signed]
 
 
 def _point_where(statement: Statement, given: Hypotheses, terms: Sequence[Term]) -> Point:
     """Return a point with small coordinates where terms are defined and not zero."""
-    variables = sorted(statement.symbols)
+    variables = given.variables
     for shift in range(200):
         point = {v: Fraction((place + 2) * (place + shift + 1) % (97 + shift) + 2) for place, v in enumerate(variables)}
         values = points.values(point, given.definitions, terms)
@@ -178,10 +245,10 @@ def _point_where(statement: Statement, given: Hypotheses, terms: Sequence[Term])
 
 def vanishing(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show that an expression is zero exactly where a product is."""
-    derived, printed = written(statement, "derived"), written(statement, form)
-    given = _hypotheses(statement, statement.record["hypotheses"], derived, printed)
-    given = replace(given, units=_setting(statement, "nonzero"))
-    return {"holds": both_ways(given, derived.entries[0], printed.entries, certificate)}
+    derived, printed = statement.written("derived"), statement.written(form)
+    given = _hypotheses(statement, derived, printed)
+    given = replace(given, units=statement.listed("nonzero"))
+    return {"holds": both_ways(given, derived.entries[0], printed.entries)}
 
 
 def rank(statement: Statement, form: str, certificate: Certificate) -> Proved:
@@ -195,42 +262,45 @@ def _rows(statement: Statement, entries: Sequence[Any]) -> list[Sequence[Any]]:
 
 
 def _minor(statement: Statement, certificate: Certificate, exact: Any) -> tuple[str, str]:
-    derived, point = written(statement, "derived"), statement.point(exact)
+    derived, point = statement.written("derived"), statement.point(exact)
     rows, columns = certificate["rows"], certificate["columns"]
-    values = _rows(statement, evaluate(statement.form("derived"), at_point(point)))
     matrix = _rows(statement, derived.entries)
-    minor = tuple(tuple(matrix[i][j] for j in columns) for i in rows)
-    literal = Regular(minor, inverse([[values[i][j] for j in columns] for i in rows]))
+    minor = tuple(tuple(matrix[natural(i)][natural(j)] for j in columns) for i in rows)
+    literal = _regular(point, derived.definitions, minor)
     chosen = [entry for row in minor for entry in row]
     return points.at_point(point, derived.definitions, [*divisors_nonzero(chosen, derived.definitions), literal])
+
+
+def _regular(point: Point, definitions: Mapping[str, Term], rows: Sequence[Sequence[Term]]) -> Regular:
+    """Return that a matrix of formulas is regular at a point."""
+    values = points.values(point, definitions, [entry for row in rows for entry in row])
+    if values is None:
+        raise NotExportable("a divisor is zero at the point")
+    count = len(rows)
+    matrix = [values[start : start + count] for start in range(0, len(values), count or 1)]
+    return Regular(tuple(map(tuple, rows)), inverse(matrix))
 
 
 def _kernel(statement: Statement, certificate: Certificate) -> Proved:
     if not certificate.get("kernel"):
         return {}
-    derived = written(statement, "derived")
-    vectors = [tuple(map(term, parse(text).entries)) for text in certificate["kernel"]]
-    given = _hypotheses(statement, statement.record["hypotheses"], derived)
-    goals = [Goal(_dot(row, vector), integer(0)) for row in _rows(statement, derived.entries) for vector in vectors]
-    given = with_divisors(given, [goal.left for goal in goals])
-    return {"kernel": universal(given, goals), "independent": _independent(statement, certificate, vectors)}
-
-
-def _dot(row: Sequence[Term], vector: Sequence[Term]) -> Term:
-    nonzero = [(a, b) for a, b in zip(row, vector, strict=True) if not {_plain(a), _plain(b)} & {0}]
-    return total([b if _plain(a) == 1 else a if _plain(b) == 1 else product([a, b]) for a, b in nonzero])
-
-
-def _plain(term: Term) -> int | None:
-    return int(term.value) if term.kind == "int" else None
+    derived = statement.written("derived")
+    vectors = [read(text).entries for text in certificate["kernel"]]
+    given = Hypotheses(tuple(sorted(statement.symbols)), (), derived.definitions)
+    matrix = _rows(statement, derived.entries)
+    rows = [[Goal(dot(row, vector), integer(0)) for vector in vectors] for row in matrix]
+    given = with_divisors(given, [goal.left for row in rows for goal in row])
+    shown = f"times\n {matrix_of(matrix)}\n {matrix_of(vectors)}"
+    return {
+        "kernel": universal_of_matrix(given, rows, shown),
+        "independent": _independent(statement, certificate, vectors),
+    }
 
 
 def _independent(statement: Statement, certificate: Certificate, vectors: Sequence[Sequence[Term]]) -> tuple[str, str]:
     point = statement.point(certificate["kernel at"])
-    columns = [evaluate(parse(text), at_point(point)) for text in certificate["kernel"]]
-    rows = certificate["kernel rows"]
-    minor = tuple(tuple(vector[i] for vector in vectors) for i in rows)
-    literal = Regular(minor, inverse([[column[i] for column in columns] for i in rows]))
+    minor = tuple(tuple(vector[natural(i)] for vector in vectors) for i in certificate["kernel rows"])
+    literal = _regular(point, {}, minor)
     return points.at_point(point, {}, [*divisors_nonzero([t for row in minor for t in row], {}), literal])
 
 
@@ -240,71 +310,85 @@ def count(statement: Statement, form: str, certificate: Certificate) -> Proved:
 
 
 def _functions(statement: Statement) -> Functions:
-    derived = written(statement, "derived")
+    derived = statement.written("derived")
     return Functions(tuple(sorted(statement.symbols)), derived.definitions, derived.entries)
 
 
 def _derivatives(statement: Statement, certificate: Certificate, exact: Any) -> tuple[str, str]:
     point, functions = statement.point(exact), _functions(statement)
-    variables = [statement.setting["variables"][column] for column in certificate["columns"]]
-    units = {name: [Fraction(name == other) for other in variables] for name in variables}
-    matrix = derivatives(statement.form("derived"), at_point(point), units, len(variables))
+    variables = [symbol(statement.setting["variables"][natural(column)]) for column in certificate["columns"]]
     places = [functions.variables.index(variable) for variable in variables]
-    rows = certificate["rows"]
-    return independent_at(functions.chosen(rows), point, places, [matrix[row] for row in rows])
+    chosen = functions.chosen([natural(row) for row in certificate["rows"]])
+    return independent_at(chosen, point, places, gradients(chosen, point, variables))
 
 
 def _unchanged(statement: Statement, certificate: Certificate) -> Proved:
     if not certificate.get("kernel"):
         return {}
-    functions, variables = _functions(statement), statement.setting["variables"]
-    vectors = [tuple(map(term, parse(text).entries)) for text in certificate["kernel"]]
+    functions, variables = _functions(statement), [*map(symbol, statement.setting["variables"])]
+    vectors = [read(text).entries for text in certificate["kernel"]]
     components = [dict(zip(variables, vector, strict=True)) for vector in vectors]
     directions = [[part.get(symbol, integer(0)) for symbol in functions.variables] for part in components]
-    divisors = [*map(read, statement.record["hypotheses"])]
-    found = {"kernel": unchanged_along(functions, divisors, directions)}
+    found = {"kernel": unchanged_along(functions, directions)}
     return found | {"independent": _independent(statement, certificate, vectors)}
 
 
 def limit(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show that expressions have limits."""
-    printed, derived = written(statement, form), written(statement, "derived")
-    variable = statement.setting["variable"]
-    given = _hypotheses(statement, statement.record["hypotheses"], printed)
+    printed, derived = statement.written(form), statement.written("derived")
+    variable = symbol(statement.setting["variable"])
+    entries = inlined(derived.entries, derived.definitions)
+    at_zero = Written(
+        tuple(
+            quotient(integer(1), below) for below in denominators(tuple(sorted(statement.symbols)), entries, variable)
+        ),
+        {},
+    )
+    given = _hypotheses(statement, printed, at_zero)
     given = replace(given, variables=tuple(v for v in given.variables if v != variable))
-    divisors = [*map(read, certificate["divisors"])]
-    return {"holds": limits(given, variable, divisors, inlined(derived.entries, derived.definitions), printed.entries)}
+    divisors = [*map(formula_of, certificate["divisors"])]
+    return {"holds": limits(given, variable, divisors, entries, printed.entries)}
 
 
 def numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show that a number is within the tolerance of the exact one, or of the one from unrounded input."""
-    exact = written(statement, "derived")
-    if certificate["method"] == "rounding of inputs":
-        exact = Written((read(statement.setting["unrounded"]),), {})
-    return {"holds": points.at_point({}, exact.definitions, _compared(statement, form, exact, "Near"))}
-
-
-def _compared(statement: Statement, form: str, exact: Written, kind: str) -> list[Literal]:
-    printed, digit = decimal(statement.record[form])
-    tolerance = rational_number(statement.setting["units"]) * digit
-    sides = (number(printed), exact.entries[0], number(tolerance))
-    return [*divisors_nonzero(exact.entries, exact.definitions), Literal(kind, sides)]
+    """Show that the exact number lies in the interval of those that are rounded to the printed one, or cut off."""
+    exact = statement.written("derived")
+    return {"holds": _compared(exact, _limits(statement, form, exact.entries[0]))}
 
 
 def not_numeric(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show that a number is farther from the exact one, and from the one from unrounded input, than the tolerance."""
-    found = {}
-    forms = {"refuted": written(statement, "derived")}
-    if "unrounded" in statement.setting:
-        forms["refuted from unrounded input"] = Written((read(statement.setting["unrounded"]),), {})
-    for shown, exact in forms.items():
-        found[shown] = points.at_point({}, exact.definitions, _compared(statement, form, exact, "Far"))
-    return found
+    """Show that the exact number lies beyond one of the limits of this interval."""
+    exact = statement.written("derived")
+    lower, upper = _limits(statement, form, exact.entries[0])
+    found = points.values({}, exact.definitions, exact.entries)
+    if found is None:
+        raise NotExportable("the exact number is not defined")
+    missed = lower if found[0] < decimal(statement.record[form])[0] else upper
+    beyond = Literal("AtMost" if missed.kind == "Less" else "Less", missed.terms[::-1])
+    return {"refuted": _compared(exact, [beyond])}
+
+
+def _limits(statement: Statement, form: str, exact: Term) -> tuple[Literal, Literal]:
+    """Return what holds of the exact number if it is rounded, or cut off, to the printed one: a limit on each side."""
+    printed, digit = decimal(statement.record[form])
+    rounding = statement.setting.get("rounding")
+    if rounding not in ("nearest", "cut"):
+        raise NotExportable(f"the rounding {rounding!r}")
+    nearer = abs(printed) - (digit / 2 if rounding == "nearest" else 0)
+    farther = nearer + digit
+    above = Literal("AtMost", (number(nearer), exact)) if printed > 0 else Literal("Less", (number(-farther), exact))
+    below = Literal("AtMost", (exact, number(-nearer))) if printed < 0 else Literal("Less", (exact, number(farther)))
+    return above, below
+
+
+def _compared(exact: Written, literals: Sequence[Literal]) -> tuple[str, str]:
+    divisors = divisors_nonzero(exact.entries, exact.definitions)
+    return points.at_point({}, exact.definitions, [*divisors, *literals])
 
 
 def differing(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show a point where two sides are defined, the hypotheses hold, and the sides differ."""
-    left, right = written(statement, form), written(statement, "derived")
+    left, right = statement.written(form), statement.written("derived")
     place = next(i for i, (a, b) in enumerate(zip(certificate["left"], certificate["right"], strict=True)) if a != b)
     return _refuted(statement, [left, right], [Literal("Unequal", (left.entries[place], right.entries[place]))])
 
@@ -313,8 +397,8 @@ def _refuted(statement: Statement, forms: Sequence[Written], literals: Sequence[
     point = statement.point(statement.record["counterexample"])
     definitions = {called: value for form in forms for called, value in form.definitions.items()}
     entries = [entry for form in forms for entry in form.entries]
-    given = [Literal("Zero", (constraint,)) for constraint in _setting(statement, "constraints")]
-    given += [Literal("Nonzero", (unit,)) for unit in _setting(statement, "nonzero")]
+    given = [Literal("Zero", (constraint,)) for constraint in statement.listed("constraints")]
+    given += [Literal("Nonzero", (unit,)) for unit in statement.listed("nonzero")]
     return {
         "refuted": points.at_point(point, definitions, [*divisors_nonzero(entries, definitions), *given, *literals])
     }
@@ -322,8 +406,8 @@ def _refuted(statement: Statement, forms: Sequence[Written], literals: Sequence[
 
 def not_projective(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show a point where two sides are not proportional."""
-    left, right = written(statement, form), written(statement, "derived")
-    pivot = certificate["pivot"]
+    left, right = statement.written(form), statement.written("derived")
+    pivot = natural(certificate["pivot"])
     p, d = left.entries[pivot], right.entries[pivot]
     place = next(i for i, (a, b) in enumerate(zip(certificate["left"], certificate["right"], strict=True)) if a != b)
     crossed = (product([left.entries[place], d]), product([right.entries[place], p]))
@@ -332,7 +416,7 @@ def not_projective(statement: Statement, form: str, certificate: Certificate) ->
 
 def not_structure(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show a point where a matrix does not follow the pattern."""
-    derived = written(statement, "derived")
+    derived = statement.written("derived")
     first: dict[str, Term] = {}
     expected = []
     for (sign, mark), entry in zip(_marks(statement, form), derived.entries, strict=True):
@@ -345,7 +429,7 @@ def not_structure(statement: Statement, form: str, certificate: Certificate) -> 
 
 def not_vanishing(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show a point where one side is zero and the other is not."""
-    printed, derived = written(statement, form), written(statement, "derived")
+    printed, derived = statement.written(form), statement.written("derived")
     sides = (derived.entries[0], product(printed.entries))
     zero = certificate["derived"] == "0"
     literals = [Literal("Zero" if zero else "Nonzero", sides[:1]), Literal("Nonzero" if zero else "Zero", sides[1:])]
@@ -394,13 +478,15 @@ REASONS: Mapping[str, str] = {
 }
 
 
-def theorems(record: Mapping[str, Any]) -> Proved:
+def theorems(record: Mapping[str, Any], made: Object | None = None) -> Proved:
     """Return statements and proofs of what a claim shows, by what they show.
 
     Parameters
     ----------
     record : mapping
         A claim of the ledger.
+    made : Object, optional
+        How its derivation makes the derived form of an identity.
 
     Raises
     ------
@@ -409,18 +495,20 @@ def theorems(record: Mapping[str, Any]) -> Proved:
     """
     kind, verdict, certificate = record["kind"], record["verdict"], record["certificate"]
     if kind in REASONS:
-        raise NotExportable(REASONS[kind])
+        raise Silent(REASONS[kind])
     if verdict == "open" or certificate is None:
         raise NotExportable("an open claim shows nothing")
     statement = Statement(record)
     found = Proved()
-    if verdict != "false":
+    if verdict != "false" and made is not None:
+        found |= about(statement, "printed" if verdict == "proved" else "corrected", made)
+    elif verdict != "false":
         found |= _translated(PROOFS, kind)(statement, "printed" if verdict == "proved" else "corrected", certificate)
     if verdict in ("misprint", "false"):
         refutation = certificate["refutation"] if verdict == "misprint" else certificate
         found |= _translated(REFUTATIONS, kind)(statement, "printed", refutation)
     if not found:
-        raise NotExportable("the matrix has too few rows or columns, which can be seen without a theorem")
+        raise Silent("the matrix has too few rows or columns, which can be seen without a theorem")
     return found
 
 

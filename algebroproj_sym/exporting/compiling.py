@@ -1,4 +1,4 @@
-"""Compiling: Coq's kernel checks the exported files, and what they assume is compared with what is allowed."""
+"""Compiling: coqc and coqchk accept the exported files, and what these assume is compared with what may be."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ import re
 import shutil
 import subprocess
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from algebroproj_sym.exporting.files import FORMULAS, LIBRARY
+from algebroproj_sym.exporting.files import ASSUMPTIONS, CHECKING, LIBRARY, lemmas
 
 ALLOWED = frozenset(
     {
@@ -21,11 +21,20 @@ ALLOWED = frozenset(
 )
 """The axioms of the real numbers of Coq's standard library, on which theorems may rest."""
 
+LOADED = re.compile(
+    r"Coq\.(Reals\.Rdefinitions\.(RbaseSymbolsImpl|RinvImpl)|ssr\.ssrunder\.Under_rel)\.\w+"
+    r"|Coq\.(Reals|Logic)\.ClassicalDedekindReals\.(sig_forall_dec|sig_not_dec)"
+    r"|Coq\.Logic\.(FunctionalExtensionality\.functional_extensionality_dep|Classical_Prop\.classic)"
+)
+"""What coqchk lists of the standard library when the real numbers are loaded, whether a theorem rests on it or not:
+axioms, and constants whose definitions a module hides."""
+
 CLOSED = "Closed under the global context"
+_SOUND = ("relying on type-in-type", "relying on unsafe (co)fixpoints", "whose positivity is assumed")
 
 
 class NoCompilerError(Exception):
-    """There is no coqc."""
+    """There is no coqc, or no coqchk."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +48,7 @@ class Compiled:
     seconds : float
         How long it took.
     axioms : tuple of str
-        What the theorems assume.
+        What it says that is assumed, if it was asked.
     error : str
         Why the file is rejected; empty if it is accepted.
     """
@@ -50,21 +59,32 @@ class Compiled:
     error: str = ""
 
 
-def require_compiler() -> str:
-    """Return the path of coqc."""
-    path = shutil.which("coqc")
+def require_compiler() -> None:
+    """Raise an error unless coqc and coqchk are there.
+
+    Raises
+    ------
+    NoCompilerError
+        If one of them is missing.
+    """
+    for program in ("coqc", "coqchk"):
+        _path(program)
+
+
+def _path(program: str) -> str:
+    path = shutil.which(program)
     if path is None:
-        raise NoCompilerError("coqc is not installed")
+        raise NoCompilerError(f"{program} is not installed")
     return path
 
 
-def compiled_lemmas(folder: Path) -> Compiled:
+def compiled_lemmas(folder: Path) -> list[Compiled]:
     """Compile the lemmas that all files of theorems need."""
-    return _run(require_compiler(), folder, FORMULAS)
+    return [_compiled(folder, name) for name in lemmas()]
 
 
 def compiled(folder: Path, names: Sequence[str], jobs: int = 1) -> Iterator[Compiled]:
-    """Compile files of theorems after the lemmas, and compare what they assume with what is allowed.
+    """Compile files of theorems after the lemmas.
 
     Parameters
     ----------
@@ -80,24 +100,47 @@ def compiled(folder: Path, names: Sequence[str], jobs: int = 1) -> Iterator[Comp
     Compiled
         For each file in order.
     """
-    coqc = require_compiler()
+    yield from _each(_compiled, folder, names, jobs)
+
+
+def checked(folder: Path, names: Sequence[str], jobs: int = 1) -> Iterator[Compiled]:
+    """Have compiled files checked by coqchk, and compare the axioms that it lists with those that may be there."""
+    yield from _each(_checked, folder, names, jobs)
+
+
+def assumptions(folder: Path) -> Compiled:
+    """Compile the file that prints what the theorems assume, and compare it with what is allowed."""
+    found, output = _run("coqc", folder, ASSUMPTIONS, "-q", f"{ASSUMPTIONS}.v")
+    if found.error:
+        return found
+    return replace(found, axioms=axioms(output), error=assumed(axioms(output)))
+
+
+def _each(judge: Callable[[Path, str], Compiled], folder: Path, names: Sequence[str], jobs: int) -> Iterator[Compiled]:
     with ThreadPoolExecutor(jobs) as pool:
-        yield from pool.map(lambda name: _judged(coqc, folder, name), names)
+        yield from pool.map(lambda name: judge(folder, name), names)
 
 
-def _judged(coqc: str, folder: Path, name: str) -> Compiled:
-    found = _run(coqc, folder, name)
-    return found if found.error else Compiled(name, found.seconds, found.axioms, assumed(found.axioms))
+def _compiled(folder: Path, name: str) -> Compiled:
+    return _run("coqc", folder, name, "-q", f"{name}.v")[0]
 
 
-def _run(coqc: str, folder: Path, name: str) -> Compiled:
+def _checked(folder: Path, name: str) -> Compiled:
+    found, output = _run("coqchk", folder, name, *CHECKING, "-norec", f"{LIBRARY}.{name}")
+    return found if found.error else replace(found, axioms=loaded(output), error=unexpected(output))
+
+
+def _run(program: str, folder: Path, name: str, *arguments: str) -> tuple[Compiled, str]:
     start = time.perf_counter()
-    command = [coqc, "-q", "-R", ".", LIBRARY, f"{name}.v"]
+    command = [_path(program), *arguments[:-1], "-R", ".", LIBRARY, arguments[-1]]
+    if program == "coqchk":
+        command = [_path(program), "-R", ".", LIBRARY, *arguments]
     ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, encoding="utf-8", check=False)
     seconds = time.perf_counter() - start
-    if ended.returncode:
-        return Compiled(name, seconds, (), _shortened(ended.stderr) or f"coqc ended with status {ended.returncode}")
-    return Compiled(name, seconds, axioms(ended.stdout))
+    failure = _shortened(ended.stderr) or f"{program} ended with status {ended.returncode}"
+    return Compiled(name, seconds, (), failure if ended.returncode else ""), ended.stdout + ended.stderr * (
+        program == "coqchk"
+    )
 
 
 def _shortened(message: str, limit: int = 2000) -> str:
@@ -134,3 +177,33 @@ def assumed(found: Sequence[str]) -> str:
         return "Coq does not say what the theorems assume"
     others = sorted({*found} - ALLOWED)
     return f"the theorems assume {', '.join(others)}" if others else ""
+
+
+def loaded(output: str) -> tuple[str, ...]:
+    """Return the axioms that coqchk lists."""
+    _, _, after = output.partition("* Axioms:")
+    return tuple(after.partition("\n*")[0].replace("<none>", "").split())
+
+
+def unexpected(output: str) -> str:
+    r"""Return what is wrong with the summary of coqchk; nothing if all is as it should be.
+
+    Examples
+    --------
+    >>> said = "* Theory: Set is predicative\n* Axioms:\n    {}\n"
+    >>> said += "* Constants/Inductives relying on type-in-type: <none>\n"
+    >>> said += "* Constants/Inductives relying on unsafe (co)fixpoints: <none>\n"
+    >>> said += "* Inductives whose positivity is assumed: <none>\n"
+    >>> unexpected(said.format("Coq.Logic.Classical_Prop.classic")), unexpected(said.format("Algebroproj.a.evil"))
+    ('', 'coqchk finds the axioms Algebroproj.a.evil')
+    >>> unexpected("")
+    'coqchk does not say what the files rest on'
+    """
+    if "* Axioms:" not in output or "Set is predicative" not in output:
+        return "coqchk does not say what the files rest on"
+    others = [axiom for axiom in loaded(output) if not LOADED.fullmatch(axiom)]
+    if others:
+        return f"coqchk finds the axioms {', '.join(others)}"
+    if not all(f"{text}: <none>" in output for text in _SOUND):
+        return "coqchk finds definitions that are not checked"
+    return ""

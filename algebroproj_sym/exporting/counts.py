@@ -12,6 +12,7 @@ from fractions import Fraction
 
 from algebroproj_sym.exporting.gallina import conjoined, formula, identifier, listed, rational, tree
 from algebroproj_sym.exporting.points import Point, inverse
+from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import Definitions, Term, free, used
 from algebroproj_sym.exporting.theorems import CHECKED, Hypotheses, premises, spelled, splitting, with_divisors
 
@@ -65,6 +66,49 @@ class Functions:
         return f"intro {self.called}.\npose proof (is_program {program}\n {cast}) as same."
 
 
+def gradients(functions: Functions, point: Point, variables: Sequence[str]) -> list[list[Fraction]]:
+    """Return, for each function, the values of its derivatives by some variables at a point.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.exporting.terms import name, quotient
+    >>> functions = Functions(("x", "y"), {}, (quotient(name("x"), name("y")),))
+    >>> gradients(functions, {"x": Fraction(3), "y": Fraction(2)}, ["x", "y"])
+    [[Fraction(1, 2), Fraction(-3, 4)]]
+    """
+    still = [Fraction(0)] * len(variables)
+    known = {v: (value, [Fraction(v == other) for other in variables]) for v, value in point.items()}
+
+    def dual(term: Term) -> tuple[Fraction, list[Fraction]]:
+        if term.kind == "int":
+            return Fraction(term.value), still
+        if term.kind == "name":
+            return known[str(term.value)]
+        (value, along), *others = map(dual, term.parts)
+        if term.kind == "-":
+            return -value, [-a for a in along]
+        if term.kind == "^":
+            slope = int(term.value) * value ** (int(term.value) - 1) if term.value else Fraction(0)
+            return value ** int(term.value), [slope * a for a in along]
+        for other, across in others:
+            if term.kind == "+":
+                value, along = value + other, [a + b for a, b in zip(along, across, strict=True)]
+            elif term.kind == "*":
+                along = [a * other + value * b for a, b in zip(along, across, strict=True)]
+                value *= other
+            else:
+                value /= other
+                along = [(a - value * b) / other for a, b in zip(along, across, strict=True)]
+        return value, along
+
+    try:
+        for called, definition in functions.definitions.items():
+            known[called] = dual(definition)
+        return [dual(entry)[1] for entry in functions.entries]
+    except ZeroDivisionError:
+        raise NotExportable("a divisor is zero at the point") from None
+
+
 def _formulas(terms: Sequence[Term]) -> str:
     return listed([formula(term) for term in terms])
 
@@ -109,20 +153,16 @@ def independent_at(
     return statement, "\n".join(proof)
 
 
-def unchanged_along(
-    functions: Functions, divisors: Sequence[Term], directions: Sequence[Sequence[Term]]
-) -> tuple[str, str]:
+def unchanged_along(functions: Functions, directions: Sequence[Sequence[Term]]) -> tuple[str, str]:
     """Return statement and proof that functions have no derivatives along directions.
 
     Parameters
     ----------
     functions : Functions
-    divisors : sequence of Term
-        What does not vanish.
     directions : sequence of sequence of Term
         For each direction as many components as there are variables.
     """
-    given = Hypotheses(functions.variables, tuple(divisors), Definitions(functions.definitions))
+    given = Hypotheses(functions.variables, (), Definitions(functions.definitions))
     given = with_divisors(given, [*functions.entries, *(part for direction in directions for part in direction)])
     split = splitting(given)
     definitions, results = split.trees([*given.definitions.values()]), split.trees(functions.entries)

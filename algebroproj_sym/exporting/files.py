@@ -5,23 +5,31 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from importlib.resources import files as resources
 from multiprocessing import get_context
 from typing import Any
 
-from algebroproj_sym.exporting.claims import theorems
-from algebroproj_sym.exporting.refusal import NotExportable
+from algebroproj_sym.exporting.claims import Proved, theorems
+from algebroproj_sym.exporting.gallina import LEMMAS
+from algebroproj_sym.exporting.objects import Definition, Object
+from algebroproj_sym.exporting.refusal import NotExportable, Silent
 from algebroproj_sym.exporting.terms import free
 from algebroproj_sym.exporting.theorems import Theorem
-from algebroproj_sym.replaying import NotReplayable, Rejected
+from algebroproj_sym.replaying import Replayed, replay_claim
 
-FORMULAS = "Formulas"
+ASSUMPTIONS = "assumptions"
 LIBRARY = "Algebroproj"
 UNEXPORTED = "not_exported.txt"
+CONVENTIONS = "conventions.txt"
+CHECKING = ("-silent", "-o", "-bytecode-compiler", "yes")
+"""What coqchk is asked for: a list of axioms, and to compute as fast as coqc."""
+
 ABOUT = ("paper", "number", "section", "title", "kind", "verdict")
+NO_STEPS = "no steps are written for claims of this kind"
+LONGEST_NAME = 200
 HEADER = f"""From Coq Require Import Reals QArith List.
-From {LIBRARY} Require Import {FORMULAS}.
+From {LIBRARY} Require Import Formulas Linear.
 Import ListNotations.
 Open Scope R_scope.
 """
@@ -39,6 +47,12 @@ class Exported:
         What it shows.
     reason : str
         Why there is no theorem; empty if there is one.
+    refused : bool
+        Whether the evidence does not replay, or does not show what the ledger says.
+    definitions : tuple of Definition
+        The objects that the theorems are about.
+    why : str
+        Why there are no such objects, if it is known.
     """
 
     paper: str
@@ -49,41 +63,92 @@ class Exported:
     verdict: str
     theorems: tuple[Theorem, ...] = ()
     reason: str = ""
+    refused: bool = False
+    definitions: tuple[Definition, ...] = ()
+    why: str = ""
+
+    @property
+    def equations(self) -> int:
+        """How many equations the theorems state, entry by entry."""
+        return sum(theorem.equations for theorem in self.theorems)
+
+    @property
+    def trivial(self) -> int:
+        """How many of these read a = a."""
+        return sum(theorem.trivial for theorem in self.theorems)
 
 
-def exported(record: Mapping[str, Any]) -> Exported:
+def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     """Return the theorems of a claim.
 
     Parameters
     ----------
     record : mapping
         A claim of the ledger.
+    made : Object or str
+        How its derivation makes the derived form, or why that is not known.
 
     Examples
     --------
+    >>> from algebroproj_sym.replaying import declaration_digest
     >>> record = {
     ...     "paper": "demo", "number": "1.1", "section": "1", "title": "a square", "kind": "identity",
-    ...     "verdict": "proved", "printed": "(x**2 - 1)/(x - 1)", "derived": "x + 1", "corrected": None, "where": {},
-    ...     "hypotheses": ["x - 1"], "certificate": {"method": "normal form", "denominators": ["x - 1"]}}
+    ...     "expected": "proved", "printed": "(x**2 - 1)/(x - 1)", "derived": "x + 1", "corrected": None, "where": {},
+    ...     "setting": {}, "instead": None, "note": "", "quote": None, "verdict": "proved", "hypotheses": ["x - 1"],
+    ...     "counterexample": None, "certificate": {"method": "normal form", "denominators": ["x - 1"]},
+    ...     "engine": "flint"}
+    >>> record["declaration"] = declaration_digest(record)
     >>> print(exported(record).theorems[0].statement)
     forall x : R,
     x - 1 <> 0 ->
     (x ^ 2 - 1) / (x - 1) = x + 1
+    >>> exported({**record, "derived": "x + 2"}).reason
+    'the evidence does not replay: the digest is not that of the declaration'
     """
-    paper, number, section, title, kind, verdict = (str(record[key]) for key in ABOUT)
-    claim = Exported(paper, number, section, title, kind, verdict)
+    replayed = replay_claim(record)
+    if replayed.status == "replayed":
+        return translated(record, made)
+    return _exported(record, reason=f"the evidence does not replay: {replayed.reason}", refused=True)
+
+
+def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
+    """Return the theorems of a claim whose evidence was replayed."""
+    definitions: tuple[Definition, ...] = ()
+    missing = made if isinstance(made, str) else ""
+    found: Proved = {}
     try:
-        found = theorems(record)
-    except (NotExportable, NotReplayable, Rejected) as why:
-        return replace(claim, reason=str(why))
+        if isinstance(made, Object) and record["kind"] == "identity":
+            try:
+                found, definitions = theorems(record, made), made.definitions
+            except (NotExportable, RecursionError) as error:
+                missing = str(error) or "the expressions are too large"
+        found = found or theorems(record)
+    except NotExportable as why:
+        return _exported(record, reason=str(why), refused=not isinstance(why, Silent))
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
+        reason = f"the entry is not well-formed ({type(error).__name__}: {error})"
+        return _exported(record, reason=reason, refused=True)
     except (RecursionError, OverflowError):
-        return replace(claim, reason="the expressions are too large")
-    stem = f"claim_{word(claim.number)}"
+        return _exported(record, reason="the expressions are too large", refused=True)
+    stem = f"claim_{word(str(record['number']))}"
+    if len(stem) + len(_file_name(str(record["paper"]), str(record["section"]))) > LONGEST_NAME:
+        return _exported(record, reason="paper, section and number are too long for names of files", refused=True)
     named = {shown: stem if shown == "holds" else f"{stem}_{word(shown)}" for shown in found}
-    return replace(claim, theorems=tuple(Theorem(named[shown], *found[shown]) for shown in found))
+    proved = tuple(Theorem(named[shown], *found[shown]) for shown in found)
+    return _exported(record, theorems=proved, definitions=definitions, why=missing)
 
 
-def export(records: Sequence[Mapping[str, Any]], jobs: int = 1) -> Iterator[Exported]:
+def _exported(record: Mapping[str, Any], **found: Any) -> Exported:
+    paper, number, section, title, kind, verdict = (str(record.get(key)) for key in ABOUT)
+    return Exported(paper, number, section, title, kind, verdict, **found)
+
+
+def export(
+    records: Sequence[Mapping[str, Any]],
+    jobs: int = 1,
+    replayed: Sequence[Replayed] | None = None,
+    objects: Mapping[tuple[str, str], Object | str] | None = None,
+) -> Iterator[Exported]:
     """Yield the theorems of claims, in order.
 
     Parameters
@@ -92,12 +157,26 @@ def export(records: Sequence[Mapping[str, Any]], jobs: int = 1) -> Iterator[Expo
         Claims of the ledger.
     jobs : int
         How many processes.
+    replayed : sequence of Replayed, optional
+        What the replay of a whole ledger says of them; without it each claim is replayed by itself.
+    objects : mapping of (paper, number) to Object or str, optional
+        How the derivations make what they derive, or why that is not known.
     """
+    said = [None] * len(records) if replayed is None else replayed
+    made = [(objects or {}).get((str(r.get("paper")), str(r.get("number"))), "") for r in records]
     if jobs == 1:
-        yield from map(exported, records)
+        yield from map(_judged, records, said, made)
         return
     with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        yield from pool.map(exported, records, chunksize=8)
+        yield from pool.map(_judged, records, said, made, chunksize=8)
+
+
+def _judged(record: Mapping[str, Any], replayed: Replayed | None, made: Object | str) -> Exported:
+    if replayed is None:
+        return exported(record, made)
+    if replayed.status == "replayed":
+        return translated(record, made)
+    return _exported(record, reason=f"the evidence does not replay: {replayed.reason}", refused=True)
 
 
 def word(text: str) -> str:
@@ -105,10 +184,14 @@ def word(text: str) -> str:
 
     Examples
     --------
-    >>> word("1.3/e'1#mu")
-    "1_3_x2f_e'1_x23_mu"
+    >>> word("1.3/e'1#mu"), word("1_3")
+    ('1_3_x2f_e_x27_1_x23_mu', '1_x5f_3')
     """
-    return re.sub(r"[^A-Za-z0-9_']", lambda found: _spelled(found.group()), text)
+    return re.sub(r"[^A-Za-z0-9]", lambda found: _spelled(found.group()), text)
+
+
+def _file_name(paper: str, section: str) -> str:
+    return f"s_{word(paper)}_{word(section)}"
 
 
 def _spelled(character: str) -> str:
@@ -125,53 +208,106 @@ def render(claims: Iterable[Exported]) -> dict[str, str]:
     Returns
     -------
     dict of str to str
-        `Formulas.v`, a file of theorems for each section, `_CoqProject`, `Makefile` and `not_exported.txt`.
+        The lemmas, a file of theorems for each section, `assumptions.v`, `_CoqProject`, `Makefile`, and the lists
+        `not_exported.txt` and `conventions.txt`.
     """
+    claims = [*claims]
     sections: dict[str, list[Exported]] = {}
-    missing = []
     for claim in claims:
-        if claim.reason:
-            missing.append(f"{claim.paper}:{claim.number}  {claim.kind}, {claim.verdict}: {claim.reason}\n")
-        elif claim.theorems:
-            sections.setdefault(f"{word(claim.paper)}_{word(claim.section)}", []).append(claim)
-    names = [FORMULAS, *sections]
+        if claim.theorems:
+            sections.setdefault(_file_name(claim.paper, claim.section), []).append(claim)
+    texts = {section: _section(found) for section, found in sections.items()}
+    names = [*lemmas(), *texts]
     return {
-        f"{FORMULAS}.v": resources("algebroproj_sym.exporting").joinpath(f"{FORMULAS}.v").read_text(encoding="utf-8"),
-        **{f"{section}.v": _section(found) for section, found in sections.items()},
-        "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in names)]),
-        "Makefile": _makefile(names),
-        UNEXPORTED: "".join(missing),
+        **{f"{name}.v": text for name, text in lemmas().items()},
+        **{f"{section}.v": text for section, (text, _) in texts.items()},
+        f"{ASSUMPTIONS}.v": _assumptions({section: called for section, (_, called) in texts.items()}),
+        "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*names, ASSUMPTIONS))]),
+        "Makefile": _makefile([*texts]),
+        UNEXPORTED: "".join(_reason(claim) for claim in claims if claim.reason),
+        CONVENTIONS: "".join(_convention(claim) for claim in claims if claim.trivial),
     }
 
 
-def _section(claims: Sequence[Exported]) -> str:
-    taken: set[str] = set()
-    parts = [HEADER]
-    for claim in claims:
-        parts.append(f"(** {_comment(f'{claim.paper}:{claim.number}')}, {claim.verdict}: {_comment(claim.title)} *)\n")
-        for theorem in claim.theorems:
-            called = free(theorem.name, taken)
-            taken.add(called)
-            parts.append(f"Theorem {called} :\n{theorem.statement}.\nProof.\n{theorem.proof}\nQed.\n")
-    mentioned = "".join(f"  let _ := {called} in\n" for called in sorted(taken))
-    parts.append(
-        f"(** Everything above, for one list of axioms. *)\nDefinition all_theorems : True :=\n{mentioned}  I.\n"
+def lemmas() -> dict[str, str]:
+    """Return the texts of the files that all theorems need, by name."""
+    folder = resources("algebroproj_sym.exporting")
+    return {name.removesuffix(".v"): folder.joinpath(name).read_text(encoding="utf-8") for name in LEMMAS}
+
+
+def _reason(claim: Exported) -> str:
+    about = f"{claim.paper}:{claim.number}  {claim.kind}, {claim.verdict}: {claim.reason}"
+    return f"{plain(about)}\n"
+
+
+def _convention(claim: Exported) -> str:
+    about = (
+        f"{claim.paper}:{claim.number}  {claim.trivial} of {claim.equations}: {claim.why or NO_STEPS}: {claim.title}"
     )
-    return "\n".join([*parts, "Print Assumptions all_theorems.\n"])
+    return f"{plain(about)}\n"
 
 
-def _comment(text: str) -> str:
-    """Return a text that neither opens nor ends a comment or a string."""
-    return text.replace('"', "''").replace("(*", "( *").replace("*)", "* )")
+def _section(claims: Sequence[Exported]) -> tuple[str, list[str]]:
+    """Return the file of a section, and the names of its theorems."""
+    called: list[str] = []
+    parts = [HEADER]
+    defined = dict.fromkeys(definition for claim in claims for definition in claim.definitions)
+    for claim in claims:
+        for definition in claim.definitions:
+            if definition in defined:
+                del defined[definition]
+                parts.append(f"{definition.command}\n")
+        about = f"{claim.paper}:{claim.number}, {claim.verdict}: {claim.title}"
+        parts.append(f"(** {comment(about)} *)\n")
+        for theorem in claim.theorems:
+            called.append(free(theorem.name, called))
+            parts.append(f"Theorem {called[-1]} :\n{theorem.statement}.\nProof.\n{theorem.proof}\nQed.\n")
+    return "\n".join(parts), called
 
 
-def _makefile(names: Sequence[str]) -> str:
+def _assumptions(theorems: Mapping[str, Sequence[str]]) -> str:
+    """Return a file that requires all others, mentions all theorems, and prints what they assume."""
+    required = "".join(f"From {LIBRARY} Require {section}.\n" for section in theorems)
+    mentioned = "".join(
+        f"  let _ := @{LIBRARY}.{section}.{name} in\n" for section, called in theorems.items() for name in called
+    )
+    return f"{required}\nDefinition all_theorems : True :=\n{mentioned}  I.\n\nPrint Assumptions all_theorems.\n"
+
+
+def comment(text: str) -> str:
+    """Return a text that neither opens nor ends a comment or a string.
+
+    Examples
+    --------
+    >>> comment('*) Axiom evil : False. (* "P*"')
+    "{*}) Axiom evil : False. ({*} ''P{*}''"
+    """
+    return plain(text).replace('"', "''").replace("*", "{*}")
+
+
+def plain(text: str) -> str:
+    r"""Return a text in one line of printable ASCII; other characters are spelled.
+
+    Examples
+    --------
+    >>> plain("Δ\n")
+    '\\u0394\\n'
+    """
+    return "".join(c if c.isascii() and c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
+def _makefile(sections: Sequence[str]) -> str:
+    names = [*lemmas(), *sections, ASSUMPTIONS]
     targets = " ".join(f"{name}.vo" for name in names)
-    others = " ".join(f"{name}.vo" for name in names[1:])
+    theorems = " ".join(f"{name}.vo" for name in sections)
     rules = [
         f"all: {targets}\n",
-        f"{others}: {FORMULAS}.vo\n" if others else "",
+        f"{theorems}: {' '.join(f'{name}.vo' for name in lemmas())}\n" if sections else "",
+        f"{ASSUMPTIONS}.vo: {theorems}\n",
         f"%.vo: %.v\n\tcoqc -q -R . {LIBRARY} $<\n",
+        f"check: all\n\tcoqchk {' '.join(CHECKING)} -R . {LIBRARY} "
+        + " ".join(f"-norec {LIBRARY}.{name}" for name in names)
+        + "\n",
     ]
     cleaning = "clean:\n\trm -f *.vo *.vok *.vos *.glob .*.aux\n"
-    return "\n".join([*filter(None, rules), cleaning, ".PHONY: all clean\n"])
+    return "\n".join([*filter(None, rules), cleaning, ".PHONY: all check clean\n"])

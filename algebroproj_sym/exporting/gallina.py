@@ -2,112 +2,52 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import cache
+from importlib.resources import files as resources
+from typing import NamedTuple, TypeAlias
 
-from algebroproj_sym.exporting.divisions import Splits
 from algebroproj_sym.exporting.terms import Term
 
-RESERVED = frozenset(
-    [
-        "Add",
-        "All",
-        "Atmost",
-        "Definition",
-        "Div",
-        "Eq",
-        "Equal",
-        "Equation",
-        "Far",
-        "Goal",
-        "Gt",
-        "I",
-        "IF",
-        "IZR",
-        "Int",
-        "Lt",
-        "Mul",
-        "N0",
-        "Near",
-        "None",
-        "Nonzero",
-        "Npos",
-        "O",
-        "Opp",
-        "PX",
-        "Pc",
-        "Pinj",
-        "Pow",
-        "Prop",
-        "Q",
-        "Q2R",
-        "Qmake",
-        "R",
-        "Regular",
-        "S",
-        "SProp",
-        "Set",
-        "Some",
-        "Sub",
-        "Type",
-        "Unequal",
-        "Var",
-        "Z",
-        "Z0",
-        "Zero",
-        "Zneg",
-        "Zpos",
-        "_",
-        "as",
-        "at",
-        "by",
-        "cofix",
-        "computed",
-        "conj",
-        "cons",
-        "else",
-        "end",
-        "eq_refl",
-        "ex_intro",
-        "exists",
-        "exists2",
-        "false",
-        "fix",
-        "follows",
-        "for",
-        "forall",
-        "fun",
-        "if",
-        "in",
-        "inl",
-        "inr",
-        "left",
-        "let",
-        "match",
-        "mod",
-        "moved",
-        "nil",
-        "pair",
-        "program",
-        "proportional",
-        "regular_at",
-        "regular_derivatives",
-        "return",
-        "right",
-        "same",
-        "stationary",
-        "stationary_by",
-        "then",
-        "true",
-        "tt",
-        "using",
-        "where",
-        "with",
-        "xH",
-        "xI",
-        "xO",
-    ]
+
+class Split(NamedTuple):
+    """The numerator of a divisor: a rational number times natural powers of the listed divisors."""
+
+    content: Fraction
+    exponents: tuple[int, ...]
+
+
+Splits: TypeAlias = Mapping[Term, Split]
+
+LEMMAS = ("Formulas.v", "Linear.v")
+"""The files that every exported file requires."""
+
+_KEYWORDS = """
+Axiom CoFixpoint Definition Fixpoint Hypothesis IF Inductive Lemma Parameter Prop Record SProp Section Set Theorem Type
+Variable _ as at by cofix constr do else end exists exists2 fix for forall fun if in lazymatch let ltac match
+multimatch return then using where with
+"""
+_LIBRARY = """
+I IZR N0 None Npos O PX Pc Pinj Q Q2R Qmake R Rabs Rinv Rplus S Some Z Z0 Zneg Zpos and app bool concat conj cons
+eq_refl eq_sym ex_intro false inl inr left length limit1_in list map mod nat nil not or pair proj1 proj2 right seq true
+tt xH xI xO
+"""
+
+_DEFINED = re.compile(
+    r"^\s*(?:(?:Definition|Fixpoint|Inductive|Lemma|Theorem)\s+(\w+)|\|\s+([A-Z]\w*) [(:])", re.MULTILINE
 )
+
+
+@cache
+def reserved() -> frozenset[str]:
+    """Return the names that mean something in an exported file: no variable may be called so."""
+    lemmas = [resources("algebroproj_sym.exporting").joinpath(name).read_text("utf-8") for name in LEMMAS]
+    defined = {found for text in lemmas for pair in _DEFINED.findall(text) for found in pair if found}
+    return frozenset([*_KEYWORDS.split(), *_LIBRARY.split(), *defined])
+
+
 LONG = 10**15
 _SUM, _PRODUCT, _SIGN, _POWER, _ATOM = range(5)
 
@@ -156,14 +96,15 @@ def _signed(term: Term) -> str:
 
 
 def identifier(name: str) -> str:
-    """Return a name that means nothing else in Coq.
+    """Return a name that Coq reads as a variable, and that means nothing else; different names stay different.
 
     Examples
     --------
-    >>> identifier("x"), identifier("R")
-    ('x', "R''")
+    >>> identifier("x"), identifier("R"), identifier("α"), identifier("x_x27_")
+    ('x', "R''", '_x3b1_', 'x_x5f_x27_')
     """
-    return f"{name}''" if name in RESERVED else name
+    spelled = re.sub(r"_(?=x[0-9a-f]+_)|[^A-Za-z0-9_']", lambda found: f"_x{ord(found.group()):x}_", name)
+    return f"{spelled}''" if spelled in reserved() else spelled
 
 
 def tree(term: Term, places: Mapping[str, int], splits: Splits) -> str:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from algebroproj_sym.exporting.divisions import evaluated, expanded
 from algebroproj_sym.exporting.gallina import conjoined, formula, identifier, listed
+from algebroproj_sym.exporting.rational_functions import Field, expanded
 from algebroproj_sym.exporting.refusal import NotExportable
-from algebroproj_sym.exporting.terms import Definitions, Term, integer, product, quotient
+from algebroproj_sym.exporting.terms import Definitions, Term, integer, product, quotient, substituted
 from algebroproj_sym.exporting.theorems import (
     CHECKED,
     Goal,
@@ -19,8 +19,6 @@ from algebroproj_sym.exporting.theorems import (
     spelled,
     splitting,
 )
-from algebroproj_sym.replaying.field import Element
-from algebroproj_sym.replaying.polynomial import Polynomial, variables
 
 
 def limits(
@@ -66,7 +64,7 @@ def _proof(
     domain: str,
 ) -> str:
     split = splitting(near)
-    above, below = _quotient(evaluated(expression, split.field, split.known, split.splits), variable)
+    above, below = _quotient(split.field, expression, variable)
     t = identifier(variable)
     held = _parts("held", 1 + sum(1 for divisor in near.divisors if formula(divisor) != t))
     others = iter(held[1:])
@@ -97,23 +95,23 @@ def _parts(proof: str, count: int) -> list[str]:
     return [f"(proj1 {proof})", *_parts(f"(proj2 {proof})", count - 1)]
 
 
-def _quotient(value: Element, variable: str) -> tuple[Term, Term]:
+def denominators(variables: tuple[str, ...], expressions: Sequence[Term], variable: str) -> list[Term]:
+    """Return what limits of expressions divide by: their denominators where the variable is zero."""
+    field = Field(variables)
+    below = [_quotient(field, expression, variable)[1] for expression in expressions]
+    return substituted(below, {variable: integer(0)})
+
+
+def _quotient(field: Field, expression: Term, variable: str) -> tuple[Term, Term]:
     """Return numerator and denominator without common powers of a variable."""
-    places = value.field.places
-    place = places[variable]
-    above = value.numerator * value.field.powers({i: e for i, e in value.exponents.items() if e > 0})
-    below = value.field.powers({i: -e for i, e in value.exponents.items() if e < 0}).scaled(value.denominator)
+    value = field.value(expression)
+    above = value.numerator * field.powers({i: e for i, e in value.exponents.items() if e > 0})
+    below = field.powers({i: -e for i, e in value.exponents.items() if e < 0}) * value.denominator
     if not above:
         return integer(0), integer(1)
-    common = min(below.parts(place))
-    if min(above.parts(place)) < common:
+    place = field.variables.index(variable)
+    common = min(int(monomial[place]) for monomial in below.monoms())
+    if min(int(monomial[place]) for monomial in above.monoms()) < common:
         raise NotExportable("an entry has no limit")
-    return expanded(_lowered(above, place, common), places), expanded(_lowered(below, place, common), places)
-
-
-def _lowered(polynomial: Polynomial, place: int, count: int) -> Polynomial:
-    """Return a polynomial divided by a power of a variable."""
-    shift = variables(place + 1)[place] ** count
-    found = polynomial.quotient(shift)
-    assert found is not None
-    return found
+    shift = field.known[variable].numerator ** common
+    return expanded(above / shift, field.variables), expanded(below / shift, field.variables)

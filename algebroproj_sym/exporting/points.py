@@ -17,7 +17,7 @@ Point = Mapping[str, Fraction]
 
 @dataclass(frozen=True)
 class Literal:
-    """What is said of formulas at a point: ``Zero``, ``Nonzero``, ``Equal``, ``Unequal``, ``Near`` or ``Far``."""
+    """What is said of formulas at a point: ``Zero``, ``Nonzero``, ``Equal``, ``Unequal``, ``Less`` or ``AtMost``."""
 
     kind: str
     terms: tuple[Term, ...]
@@ -36,8 +36,8 @@ _SAID = {
     "Nonzero": "{} <> 0",
     "Equal": "{} = {}",
     "Unequal": "{} <> {}",
-    "Near": "Rabs ({} - {}) <= {}",
-    "Far": "{2} < Rabs ({0} - {1})",
+    "Less": "{} < {}",
+    "AtMost": "{} <= {}",
 }
 
 
@@ -53,8 +53,6 @@ def said(literal: Literal | Regular) -> str:
     if isinstance(literal, Regular):
         return f"regular_matrix {listed([listed([formula(term) for term in row]) for row in literal.rows])}"
     texts = [formula(term) for term in literal.terms]
-    if literal.kind in ("Near", "Far"):
-        texts[1] = formula(literal.terms[1], within=1)
     return _SAID[literal.kind].format(*texts)
 
 
@@ -127,13 +125,13 @@ def inverse(matrix: Sequence[Sequence[Fraction]]) -> tuple[tuple[Fraction, ...],
 
 
 def values(point: Point, definitions: Mapping[str, Term], terms: Sequence[Term]) -> list[Fraction] | None:
-    """Return the values of terms at a point, None if a divisor is zero there."""
+    """Return the values of terms at a point, None if a divisor is zero there, or a name has no value."""
     known = dict(point)
     try:
         for called, definition in definitions.items():
             known[called] = _value(definition, known)
         return [_value(term, known) for term in terms]
-    except ZeroDivisionError:
+    except (ZeroDivisionError, KeyError):
         return None
 
 

@@ -5,3 +5,7 @@ from __future__ import annotations
 
 class NotExportable(ValueError):  # noqa: N818 - a finding, not a malfunction
     """A claim has no theorem, for a reason."""
+
+
+class Silent(NotExportable):
+    """A claim states nothing that a theorem could say."""

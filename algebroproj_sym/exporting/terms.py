@@ -1,13 +1,12 @@
-"""Formulas as terms: what a record of the ledger states, with names for the steps and for what symbols stand for."""
+"""Formulas as terms: each is made once, so that what occurs twice in a text is one object."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-
-from algebroproj_sym.replaying.statement import Statement
-from algebroproj_sym.replaying.text import Form, Node
+from functools import lru_cache
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,9 +28,14 @@ class Term:
     value: int | str = 0
 
 
+@lru_cache(maxsize=1 << 18)
+def _made(kind: str, parts: tuple[Term, ...], value: int | str) -> Term:
+    return Term(kind, parts, value)
+
+
 def integer(value: int) -> Term:
     """Return an integer."""
-    return Term("int", (), value) if value >= 0 else negative(Term("int", (), -value))
+    return _made("int", (), value) if value >= 0 else negative(_made("int", (), -value))
 
 
 def number(value: Fraction) -> Term:
@@ -41,35 +45,41 @@ def number(value: Fraction) -> Term:
 
 
 def name(text: str) -> Term:
-    """Return a name."""
-    return Term("name", (), text)
+    """Return a name.
+
+    Examples
+    --------
+    >>> name("x") is name("x")
+    True
+    """
+    return _made("name", (), text)
 
 
 def negative(term: Term) -> Term:
     """Return minus a term."""
-    return Term("-", (term,))
+    return _made("-", (term,), 0)
 
 
 def total(terms: Sequence[Term]) -> Term:
     """Return the sum of terms."""
-    return terms[0] if len(terms) == 1 else Term("+", tuple(terms)) if terms else integer(0)
+    return terms[0] if len(terms) == 1 else _made("+", tuple(terms), 0) if terms else integer(0)
 
 
 def product(terms: Sequence[Term]) -> Term:
     """Return the product of terms."""
-    return terms[0] if len(terms) == 1 else Term("*", tuple(terms)) if terms else integer(1)
+    return terms[0] if len(terms) == 1 else _made("*", tuple(terms), 0) if terms else integer(1)
 
 
 def quotient(above: Term, below: Term) -> Term:
     """Return the quotient of two terms."""
-    return Term("/", (above, below))
+    return _made("/", (above, below), 0)
 
 
 def power(base: Term, exponent: int) -> Term:
     """Return a power; one with a negative exponent is a quotient."""
     if exponent < 0:
         return quotient(integer(1), power(base, -exponent))
-    return base if exponent == 1 else Term("^", (base,), exponent)
+    return base if exponent == 1 else _made("^", (base,), exponent)
 
 
 def difference(left: Term, right: Term) -> Term:
@@ -77,13 +87,20 @@ def difference(left: Term, right: Term) -> Term:
     return total([left, negative(right)])
 
 
+def remade(term: Term, parts: Sequence[Term]) -> Term:
+    """Return a term with other parts."""
+    return _made(term.kind, tuple(parts), term.value)
+
+
 def walk(terms: Iterable[Term]) -> Iterator[Term]:
-    """Yield all subterms, a term before its parts."""
-    waiting = [*terms][::-1]
+    """Yield all subterms once, a term before its parts."""
+    waiting, met = [*terms][::-1], set[Term]()
     while waiting:
         term = waiting.pop()
-        yield term
-        waiting += reversed(term.parts)
+        if term not in met:
+            met.add(term)
+            yield term
+            waiting += reversed(term.parts)
 
 
 def names(terms: Iterable[Term]) -> dict[str, None]:
@@ -92,8 +109,33 @@ def names(terms: Iterable[Term]) -> dict[str, None]:
 
 
 def size(terms: Iterable[Term]) -> int:
-    """Return the number of subterms."""
-    return sum(1 for _ in walk(terms))
+    """Return the number of subterms, those that occur twice counted twice.
+
+    Examples
+    --------
+    >>> size([difference(name("x"), name("x"))])
+    4
+    """
+    found: dict[Term, int] = {}
+    roots = [*terms]
+    for term in _parts_first(roots):
+        found[term] = 1 + sum(found[part] for part in term.parts)
+    return sum(found[root] for root in roots)
+
+
+def _parts_first(roots: Sequence[Term]) -> list[Term]:
+    """Return all subterms once, the parts of a term before it."""
+    waiting = [(root, False) for root in reversed(roots)]
+    met, order = set[Term](), []
+    while waiting:
+        term, ready = waiting.pop()
+        if ready:
+            order.append(term)
+        elif term not in met:
+            met.add(term)
+            waiting.append((term, True))
+            waiting += [(part, False) for part in reversed(term.parts)]
+    return order
 
 
 Definitions = dict[str, Term]
@@ -107,33 +149,34 @@ class Written:
     definitions: Definitions
 
 
-def written(statement: Statement, form: str) -> Written:
-    """Return a form of a statement; in the derived one symbols stand for themselves.
+def written(entries: Sequence[Term], prefix: str, taken: Iterable[str]) -> Written:
+    """Return terms with names for what occurs more than once in them and is no single letter or number.
 
     Examples
     --------
-    >>> record = {"kind": "identity", "printed": "D/x", "derived": "y", "where": {"D": "x*y"}}
-    >>> written(Statement(record), "printed").definitions.keys()
-    dict_keys(['D'])
+    >>> x = difference(name("x"), name("y"))
+    >>> found = written([quotient(x, x), product([x, name("y")])], "s", [])
+    >>> list(found.definitions), found.definitions["s0"] is x
+    (['s0'], True)
     """
-    taken = statement.symbols | statement.where.keys()
-    if form == "derived":
-        return _written(statement.form(form), {}, "s", taken)
-    standing, definitions = _standing(statement, statement.form(form).symbols())
-    found = _written(statement.form(form), standing, "t", taken)
-    return Written(found.entries, definitions | found.definitions)
-
-
-def _standing(statement: Statement, used: set[str]) -> tuple[dict[str, str], Definitions]:
-    """Return how the symbols that stand for something are called, and what they are."""
-    standing: dict[str, str] = {}
+    order = _parts_first(entries)
+    uses = Counter(part for term in order for part in term.parts) + Counter(entries)
+    known: dict[Term, Term] = {}
     definitions: Definitions = {}
-    for symbol, form in statement.where.items():
-        if symbol in used:
-            found = _written(form, {}, f"{symbol}_", statement.symbols | statement.where.keys())
-            standing[symbol] = free(symbol, statement.symbols)
-            definitions |= {**found.definitions, standing[symbol]: found.entries[0]}
-    return standing, definitions
+    for term in order:
+        short = known[term] = remade(term, [known[part] for part in term.parts])
+        if uses[term] > 1 and term.parts and not _is_short(term):
+            called = free(f"{prefix}{len(definitions)}", taken)
+            definitions[called] = short
+            known[term] = name(called)
+    return Written(tuple(known[entry] for entry in entries), definitions)
+
+
+def _is_short(term: Term) -> bool:
+    """Whether a term is a power, or the negative, of a number or a name, or a quotient of numbers."""
+    return not any(part.parts for part in term.parts) and (
+        term.kind in "-^" or all(part.kind == "int" for part in term.parts)
+    )
 
 
 def free(wanted: str, taken: Iterable[str]) -> str:
@@ -141,48 +184,6 @@ def free(wanted: str, taken: Iterable[str]) -> str:
     while wanted in taken:
         wanted += "'"
     return wanted
-
-
-def _written(form: Form, standing: Mapping[str, str], prefix: str, taken: Iterable[str]) -> Written:
-    steps: list[Term] = []
-    definitions: Definitions = {}
-    for place, step in enumerate(form.steps):
-        called = free(f"{prefix}{place}", taken)
-        definitions[called] = term(step, standing, steps)
-        steps.append(name(called))
-    return Written(tuple(term(entry, standing, steps) for entry in form.entries), definitions)
-
-
-def term(node: Node, standing: Mapping[str, str] | None = None, steps: Sequence[Term] = ()) -> Term:
-    """Return a node of the ledger's text as a term.
-
-    Examples
-    --------
-    >>> from algebroproj_sym.replaying.text import parse
-    >>> term(parse("x - y**(-2)").entries[0]).kind
-    '+'
-    """
-    if node.kind == "number":
-        return number(node.value)
-    if node.kind == "symbol":
-        return name((standing or {}).get(node.value, node.value))
-    if node.kind == "step":
-        step: Term = steps[node.value]
-        return step
-    parts = [term(child, standing, steps) for child in node.children]
-    if node.kind == "^":
-        return power(parts[0], node.value)
-    return _signed_product(parts) if node.kind == "*" else Term(node.kind, tuple(parts))
-
-
-def _signed_product(parts: Sequence[Term]) -> Term:
-    """Return a product whose sign, if it is one of its first factor, is written in front of it."""
-    first = parts[0]
-    if first.kind != "-":
-        return product([*(first.parts if first.kind == "*" else [first]), *parts[1:]])
-    inner = first.parts[0]
-    factors = [*(inner.parts if inner.kind == "*" else [inner]), *parts[1:]]
-    return negative(product(factors[1:] if (inner.kind, inner.value) == ("int", 1) else factors))
 
 
 def used(definitions: Mapping[str, Term], terms: Iterable[Term]) -> Definitions:
@@ -205,11 +206,16 @@ def inlined(terms: Sequence[Term], definitions: Mapping[str, Term]) -> list[Term
     """
     known = Definitions()
     for called, value in definitions.items():
-        known[called] = _substituted(value, known)
-    return [_substituted(term, known) for term in terms]
+        (known[called],) = substituted([value], known)
+    return substituted(terms, known)
 
 
-def _substituted(term: Term, known: Mapping[str, Term]) -> Term:
-    if term.kind == "name":
-        return known.get(str(term.value), term)
-    return Term(term.kind, tuple(_substituted(part, known) for part in term.parts), term.value)
+def substituted(terms: Sequence[Term], values: Mapping[str, Term]) -> list[Term]:
+    """Return terms with other terms for names, all at once."""
+    found: dict[Term, Term] = {}
+    for term in _parts_first(terms):
+        if term.kind == "name":
+            found[term] = values.get(str(term.value), term)
+        else:
+            found[term] = remade(term, [found[part] for part in term.parts])
+    return [found[term] for term in terms]

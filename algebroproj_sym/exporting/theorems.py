@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
-from algebroproj_sym.exporting.divisions import Splits, evaluated, expanded, field_over
 from algebroproj_sym.exporting.gallina import conjoined, exponent_list, formula, identifier, listed, tree
+from algebroproj_sym.exporting.rational_functions import Field
+from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import Term, free, used
-from algebroproj_sym.replaying.field import Element, Field
 
 CHECKED = "all: vm_cast_no_check (@eq_refl bool true)."
 
@@ -21,6 +22,21 @@ class Theorem:
     name: str
     statement: str
     proof: str
+
+    @property
+    def _sides(self) -> list[tuple[str, str]]:
+        return re.findall(r"^([^\n]+) = ([^\n]+?)(?: /\\)?$", self.statement, re.MULTILINE)
+
+    @property
+    def equations(self) -> int:
+        """How many equations it states; one between matrices counts as often as there are entries."""
+        _, matrix, entries = self.statement.rpartition(" =\n[[")
+        return entries.count(";") + 1 if matrix else len(self._sides)
+
+    @property
+    def trivial(self) -> int:
+        """How many of these read a = a."""
+        return sum(left == right for left, right in self._sides)
 
 
 @dataclass(frozen=True)
@@ -73,17 +89,17 @@ class Hypotheses:
 
 @dataclass(frozen=True)
 class Splitting:
-    """Where names stand in the environment, how divisors split, and the field and values that tell it."""
+    """Where names stand in the environment, and the field that tells how divisors split."""
 
     places: Mapping[str, int]
-    splits: Splits
     field: Field
-    known: Mapping[str, Element]
 
     def tree(self, term: Term) -> str:
-        """Return a term as a tree, after its divisors were split."""
-        evaluated(term, self.field, self.known, self.splits)
-        return tree(term, self.places, self.splits)
+        """Return a term as a tree, after its divisors were split; each must be listed."""
+        self.field.value(term)
+        if len(self.field.divisors) > len(self.field.listed):
+            raise NotExportable("a division meets a factor that is no hypothesis")
+        return tree(term, self.places, self.field.splits)
 
     def trees(self, terms: Sequence[Term]) -> str:
         """Return a list of trees."""
@@ -92,25 +108,23 @@ class Splitting:
 
 def splitting(given: Hypotheses) -> Splitting:
     """Return how divisors split under hypotheses."""
-    field = field_over(given.variables, given.divisors)
-    known = {variable: field.symbol(variable) for variable in given.variables}
-    splits: Splits = {}
-    for called, value in given.definitions.items():
-        known[called] = evaluated(value, field, known, splits)
     places = {called: place for place, called in enumerate((*given.variables, *given.definitions))}
-    return Splitting(places, splits, field, known)
+    return Splitting(places, _field(given))
+
+
+def _field(given: Hypotheses) -> Field:
+    field = Field(given.variables, given.divisors)
+    for called, value in given.definitions.items():
+        field.define(called, value)
+    return field
 
 
 def with_divisors(given: Hypotheses, terms: Sequence[Term]) -> Hypotheses:
     """Return the hypotheses, and that nothing else vanishes that terms divide by."""
-    field = field_over(given.variables, given.divisors)
-    known = {variable: field.symbol(variable) for variable in given.variables}
-    for called, value in used(given.definitions, terms).items():
-        known[called] = evaluated(value, field, known)
+    field = _field(replace(given, definitions=used(given.definitions, terms)))
     for term in terms:
-        evaluated(term, field, known)
-    others = [expanded(factor, field.places) for factor in field.factors[field.listed :]]
-    return replace(given, divisors=(*given.divisors, *others))
+        field.value(term)
+    return replace(given, divisors=(*given.divisors, *field.met()))
 
 
 def needed(given: Hypotheses, goals: Sequence[Goal]) -> Hypotheses:
@@ -156,6 +170,65 @@ def universal(
     return statement, f"intros {' '.join(introduced.order)}.\nrefine ({proof}).\n{CHECKED}"
 
 
+def matrix_of(rows: Sequence[Sequence[Term]]) -> str:
+    """Return a matrix of formulas."""
+    return listed([listed([formula(entry) for entry in row]) for row in rows])
+
+
+def universal_of_matrix(
+    given: Hypotheses,
+    rows: Sequence[Sequence[Goal]],
+    left: str = "",
+    *,
+    scalar: bool = False,
+    pattern: Sequence[Sequence[Term]] = (),
+    marks: Mapping[str, Term] | None = None,
+) -> tuple[str, str]:
+    """Return statement and proof that matrices are equal.
+
+    Parameters
+    ----------
+    given : Hypotheses
+    rows : sequence of sequence of Goal
+        The equations between entries; the left sides are what Coq computes of `left`.
+    left : str
+        The left side, if it is not the matrix of the left sides.
+    scalar : bool
+        Whether the only entry is meant.
+    pattern : sequence of sequence of Term
+        The right side, if it is not the matrix of the right sides.
+    marks : mapping of str to Term
+        Names that occur in the pattern, and values for which it holds.
+    """
+    goals = [goal for row in rows for goal in row]
+    named = [*(marks or {}).values()]
+    given = needed(given, [*goals, *(Goal(value, value) for value in named)])
+    stated, introduced = premises(given)
+    right = pattern or [[goal.right for goal in row] for row in rows]
+    shown = formula(right[0][0]) if scalar else matrix_of(right)
+    left = left or matrix_of([[goal.left for goal in row] for row in rows])
+    chosen = f"exists {spelled([*(marks or {})])} : R,\n" if marks else ""
+    lines = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
+    statement = "\n".join([*lines, *stated, f"{chosen}{left} =\n{shown}"])
+    split = splitting(given)
+    listed_rows = listed([listed([_goal(goal, split) for goal in row], ";\n  ") for row in rows], ";\n ")
+    environment = f"({_environment(given)})"
+    tactics = [f"intros {' '.join(introduced.order)}."] if introduced.order else []
+    tactics += [f"exists {', '.join(f'({formula(value)})' for value in named)}."] if named else []
+    tactics += [
+        f"pose (rows := {listed_rows}).",
+        f"assert (all (map (concludes {environment}) (concat rows))) as same.",
+        f"{{ refine ({_following(given, split, 'concat rows', introduced)}).\n{CHECKED} }}",
+        "vm_cast_no_check same." if scalar else f"vm_cast_no_check (same_matrix {environment} rows same).",
+    ]
+    return statement, "\n".join(tactics)
+
+
+def _environment(given: Hypotheses) -> str:
+    variables, definitions = (listed([identifier(n) for n in part]) for part in (given.variables, given.definitions))
+    return f"{variables} ++ {definitions}"
+
+
 def premises(given: Hypotheses) -> tuple[list[str], Introduced]:
     """Return the lines of the premises, and the names that a proof introduces."""
     taken = {*given.variables, *given.definitions}
@@ -184,13 +257,16 @@ def premises_of_definitions(definitions: Mapping[str, Term], taken: set[str]) ->
 def consequence(given: Hypotheses, goals: Sequence[Goal], introduced: Introduced) -> str:
     """Return the application of the lemma that goals follow."""
     split = splitting(given)
-    certificates = listed([_goal(goal, split) for goal in goals], ";\n  ")
+    return _following(given, split, listed([_goal(goal, split) for goal in goals], ";\n  "), introduced)
+
+
+def _following(given: Hypotheses, split: Splitting, certificates: str, introduced: Introduced) -> str:
     variables, definitions = (listed([identifier(n) for n in part]) for part in (given.variables, given.definitions))
     return (
         f"follows {variables} {definitions}\n {split.trees(given.divisors)}\n"
         f" {split.trees([*given.definitions.values()])}\n"
         f" {split.trees(given.units)}\n {split.trees(given.constraints)}\n"
-        f" {certificates}\n _ {conjoined(introduced.divisors)} {conjoined(introduced.definitions)}"
+        f" ({certificates})\n _ {conjoined(introduced.divisors)} {conjoined(introduced.definitions)}"
         f" {conjoined(introduced.units)} {conjoined(introduced.constraints)}"
     )
 

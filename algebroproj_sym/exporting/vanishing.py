@@ -2,33 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import reduce
-from typing import Any
 
-from algebroproj_sym.exporting.divisions import evaluated, expanded, vector
 from algebroproj_sym.exporting.gallina import formula
+from algebroproj_sym.exporting.rational_functions import (
+    Exponents,
+    Field,
+    exact_quotient,
+    expanded,
+    upright,
+    vector,
+)
 from algebroproj_sym.exporting.refusal import NotExportable
-from algebroproj_sym.exporting.terms import Term, integer, number, power, product, term
+from algebroproj_sym.exporting.terms import Term, integer, number, power, product
 from algebroproj_sym.exporting.theorems import (
     CHECKED,
     Goal,
     Hypotheses,
-    Splitting,
     consequence,
     needed,
     premises,
     spelled,
     splitting,
 )
-from algebroproj_sym.replaying.field import Element
-from algebroproj_sym.replaying.polynomial import Polynomial
-from algebroproj_sym.replaying.text import number as rational_number
-from algebroproj_sym.replaying.text import parse
-
-Powers = dict[str, int]
 
 
 @dataclass(frozen=True)
@@ -36,22 +34,18 @@ class Factored:
     """A value as a rational number times powers of irreducible factors and of the listed divisors."""
 
     content: Fraction
-    factors: Powers
-    divisors: Mapping[int, int]
-    value: Element
+    factors: dict[Term, int]
+    divisors: Exponents
 
 
-def both_ways(
-    given: Hypotheses, derived: Term, printed: Sequence[Term], certificate: Mapping[str, Any]
-) -> tuple[str, str]:
+def both_ways(given: Hypotheses, derived: Term, printed: Sequence[Term]) -> tuple[str, str]:
     """Return statement and proof that an expression and a product are zero at the same places."""
     meant = product([*printed])
     given = needed(given, [Goal(derived, meant)])
-    split = splitting(given)
-    left = _derived(split, given, derived, certificate)
-    right = _printed(split, printed, certificate)
-    forth = replace(_divided(split, given, right, left), left=meant, right=integer(0))
-    back = replace(_divided(split, given, left, right), left=derived, right=integer(0))
+    field = splitting(given).field
+    left, right = _factored(field, derived), _factored(field, meant)
+    forth = replace(_divided(field, given, right, left), left=meant, right=integer(0))
+    back = replace(_divided(field, given, left, right), left=derived, right=integer(0))
     lines, introduced = premises(given)
     steps = [
         consequence(replace(given, constraints=(assumed,)), [goal], replace(introduced, constraints=("zero",)))
@@ -70,75 +64,49 @@ def both_ways(
     return statement, f"{proof}{CHECKED}"
 
 
-def _derived(split: Splitting, given: Hypotheses, derived: Term, certificate: Mapping[str, Any]) -> Factored:
-    texts = [formula(divisor) for divisor in given.divisors]
-    below = {texts.index(formula(_read(text))): -count for text, count in certificate["denominator"]}
-    value = evaluated(derived, split.field, split.known, split.splits)
-    return Factored(rational_number(certificate["content"]), dict(map(tuple, certificate["factors"])), below, value)
+def _factored(field: Field, term: Term) -> Factored:
+    value = field.value(term)
+    if not value.numerator:
+        raise NotExportable("an expression is zero everywhere")
+    content, powers = field.numerator(term)[0].factor()
+    factors: dict[Term, int] = {}
+    for factor, exponent in powers:
+        found = upright(factor)
+        factors[expanded(found, field.variables)] = int(exponent)
+        content *= (-1 if found != factor else 1) ** int(exponent)
+    below = {i: n for i, n in value.exponents.items() if n < 0}
+    return Factored(Fraction(int(content), value.denominator), factors, below)
 
 
-def _printed(split: Splitting, printed: Sequence[Term], certificate: Mapping[str, Any]) -> Factored:
-    content, factors = Fraction(1), Powers()
-    values = [evaluated(factor, split.field, split.known, split.splits) for factor in printed]
-    divisors: dict[int, int] = {}
-    for value, powers in zip(values, certificate["printed"], strict=True):
-        listed = {place: exponent for place, exponent in value.exponents.items() if exponent < 0}
-        divisors = {place: divisors.get(place, 0) + listed.get(place, 0) for place in divisors.keys() | listed.keys()}
-        above = _cleared(value)
-        multiplied = reduce(Polynomial.__mul__, [_polynomial(split, text) ** count for text, count in powers])
-        content *= Fraction(above.content(), multiplied.content() * value.denominator)
-        for text, count in powers:
-            factors[text] = factors.get(text, 0) + count
-    return Factored(content, factors, divisors, reduce(Element.__mul__, values))
-
-
-def _cleared(value: Element) -> Polynomial:
-    return value.numerator * value.field.powers(
-        {i: exponent for i, exponent in value.exponents.items() if exponent > 0}
-    )
-
-
-def _polynomial(split: Splitting, text: str) -> Polynomial:
-    return evaluated(_read(text), split.field, split.known, {}).polynomial()
-
-
-def _read(text: str) -> Term:
-    return term(parse(text).entries[0])
-
-
-def _divided(split: Splitting, given: Hypotheses, above: Factored, below: Factored) -> Goal:
+def _divided(field: Field, given: Hypotheses, above: Factored, below: Factored) -> Goal:
     """Return why one value is zero where the other is: a power of it is a multiple, but for divisors and units."""
     places = len(given.divisors)
     count = max([1, *(-(-n // above.factors[f]) for f, n in below.factors.items() if f in above.factors)])
     exponents = {place: -count * exponent for place, exponent in above.divisors.items()}
-    for place, exponent in below.divisors.items():
-        exponents[place] = exponents.get(place, 0) + exponent
-    for place, exponent in below.value.exponents.items():
-        exponents[place] = exponents.get(place, 0) - min(exponent, 0)
     content = above.content**count / below.content
     factors = [
-        power(_read(f), count * n - below.factors.get(f, 0))
+        power(f, count * n - below.factors.get(f, 0))
         for f, n in above.factors.items()
         if count * n > below.factors.get(f, 0)
     ]
     for f, n in below.factors.items():
         if f not in above.factors:
-            place, rest, scale = _excluded(split, given, _polynomial(split, f))
+            place, rest, scale = _excluded(field, given, f)
             exponents[place] = exponents.get(place, 0) + n
             content *= scale**n
             factors += [] if place < places else [power(rest, n)]
     return Goal(integer(0), integer(0), count, vector(exponents), (product([number(content), *factors]),))
 
 
-def _excluded(split: Splitting, given: Hypotheses, factor: Polynomial) -> tuple[int, Term, Fraction]:
+def _excluded(field: Field, given: Hypotheses, excluded: Term) -> tuple[int, Term, Fraction]:
     """Return the divisor or unit that a factor divides, by its place, the other factor, and a rational factor."""
-    listed = split.field.factors[: split.field.listed]
-    for place, divisor in enumerate(listed):
-        if factor in (divisor, -divisor):
+    factor = field.polynomial(excluded)
+    for place, divisor in enumerate(field.divisors):
+        if factor == upright(divisor):
             return place, integer(1), Fraction(1 if factor == divisor else -1)
-    for place, unit in enumerate(given.units, start=len(listed)):
-        value = evaluated(unit, split.field, split.known, {})
-        rest = value.numerator.quotient(factor)
+    for place, unit in enumerate(given.units, start=len(field.divisors)):
+        value = field.value(unit)
+        rest = exact_quotient(value.numerator, factor)
         if rest is not None:
-            return place, expanded(rest, split.field.places), Fraction(1, value.denominator)
+            return place, expanded(rest, field.variables), Fraction(1, value.denominator)
     raise NotExportable("a factor is excluded by no single divisor or hypothesis")

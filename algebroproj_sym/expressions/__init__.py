@@ -1,5 +1,6 @@
 """Rational expressions: what they are, how they are built without losing a divisor, how they are evaluated."""
 
+from algebroproj_sym.expressions.bounds import TooLargeError, require_bounded
 from algebroproj_sym.expressions.differentiation import diff
 from algebroproj_sym.expressions.dual import derivatives, jacobian
 from algebroproj_sym.expressions.evaluation import Neighbourhood, evaluate
@@ -30,22 +31,32 @@ from algebroproj_sym.expressions.linear import (
     solve,
     vector,
 )
-from algebroproj_sym.expressions.parsing import ParseError, parse, parse_zero
+from algebroproj_sym.expressions.parsing import ParseError, names_in, parse, parse_zero
 from algebroproj_sym.expressions.quotient import over, remembered
+from algebroproj_sym.expressions.rounding import ROUNDINGS, Rounding, decimals, leading, rounded
 from algebroproj_sym.expressions.size import size
 from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
+from algebroproj_sym.expressions.symbols import SymbolError, admits, assumed, assumption, is_plain, values_of
 from algebroproj_sym.expressions.writing import written
 
 __all__ = [
+    "ROUNDINGS",
     "Expression",
     "Matrix",
     "Neighbourhood",
     "NotRationalError",
     "ParseError",
+    "Rounding",
     "Scalar",
+    "SymbolError",
+    "TooLargeError",
     "adjugate",
+    "admits",
+    "assumed",
+    "assumption",
     "columns",
     "cross",
+    "decimals",
     "derivatives",
     "determinant",
     "diff",
@@ -57,21 +68,27 @@ __all__ = [
     "homogeneous",
     "in_steps",
     "inverse",
+    "is_plain",
     "jacobian",
     "keeps_divisions",
+    "leading",
     "linear_system",
     "minors_of",
+    "names_in",
     "over",
     "parse",
     "parse_zero",
     "rational",
     "remembered",
+    "require_bounded",
+    "rounded",
     "rows",
     "shape",
     "size",
     "solve",
     "symbols_of",
     "text",
+    "values_of",
     "vector",
     "written",
 ]

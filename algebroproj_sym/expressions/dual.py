@@ -64,7 +64,7 @@ class Gradient:
 def jacobian(
     expression: Expression, point: Mapping[sympy.Symbol, Fraction], variables: Sequence[sympy.Symbol]
 ) -> list[list[Fraction]]:
-    """Return the derivatives of the entries of an expression by some variables, at a rational point.
+    """Differentiate the entries of an expression, at a rational point.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def jacobian(
     point : mapping of Symbol to Fraction
         A value for every symbol of the expression and every variable.
     variables : sequence of Symbol
-        In which symbols to differentiate; the others are constants.
+        The symbols to differentiate by.  The others are constants.
 
     Returns
     -------
@@ -114,7 +114,7 @@ def derivatives(
     point : mapping of Symbol to field element
         A value for every symbol of the expression and every variable.
     variables : sequence of Symbol
-        In which symbols to differentiate; the others are constants.
+        The symbols to differentiate by.  The others are constants.
     direction : sequence of field element
         The component of the direction for each variable.
     lift : callable

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
-from itertools import islice, pairwise
+from itertools import pairwise
 from typing import Any, TypeAlias
 
 import sympy
 
+from algebroproj_sym.expressions.bounds import TooLargeError
 from algebroproj_sym.expressions.quotient import over
+from algebroproj_sym.expressions.symbols import is_plain
 from algebroproj_sym.expressions.writing import written
 
 Scalar: TypeAlias = sympy.Expr
@@ -18,16 +20,18 @@ Expression: TypeAlias = "sympy.Expr | sympy.ImmutableDenseMatrix"
 
 
 LONG = 300
+MOST_PARTS = 500_000
 REMEMBERED = 1 << 18
 
-_ANY_REAL = sympy.Symbol("x", real=True).assumptions0.items()
+_KNOWN: dict[bool, set[Any]] = {False: set(), True: set()}
+"""Parts of rational expressions, without and with assumptions, that were looked at before."""
 
 
 class NotRationalError(TypeError):
     """An expression is not a rational expression over Q."""
 
 
-def rational(value: Any, argument: str) -> Expression:
+def rational(value: Any, argument: str, *, assuming: bool = False) -> Expression:
     """Return `value` as a SymPy expression or immutable matrix, if it is rational over Q.
 
     Parameters
@@ -35,7 +39,9 @@ def rational(value: Any, argument: str) -> Expression:
     value : sympy.Expr, sympy matrix, int or fractions.Fraction
         Built from symbols, rational numbers, ``+ - * /``, integer powers and `over`.
     argument : str
-        What to call the value in an error message.
+        The name of the value in error messages.
+    assuming : bool
+        Whether symbols may have assumptions beyond that they are real.
 
     Returns
     -------
@@ -44,7 +50,7 @@ def rational(value: Any, argument: str) -> Expression:
     Raises
     ------
     NotRationalError
-        If a float, another kind of number, another function, or a symbol occurs that does not stand for any number.
+        If the value contains a float, another kind of number, another function, or a symbol that is no plain number.
 
     Examples
     --------
@@ -58,7 +64,7 @@ def rational(value: Any, argument: str) -> Expression:
     if isinstance(value, sympy.MatrixBase):
         matrix = sympy.ImmutableDenseMatrix(value)
         for entry in matrix.flat():
-            _require_rational(entry, argument)
+            _require_rational(entry, argument, assuming)
         return matrix
     if isinstance(value, Fraction):
         return sympy.Rational(value.numerator, value.denominator)
@@ -67,33 +73,45 @@ def rational(value: Any, argument: str) -> Expression:
     if not isinstance(value, sympy.Expr):
         given = f"{value!r} ({type(value).__name__})"
         raise NotRationalError(f"{argument}: expected a SymPy expression, a matrix or an exact number, got {given}")
-    _require_rational(value, argument)
+    _require_rational(value, argument, assuming)
     return value
 
 
-def _require_rational(whole: Any, argument: str) -> None:
-    offender = _offender(whole)
-    if offender is None:
-        return
-    if isinstance(offender, sympy.Symbol):
-        raise NotRationalError(
-            f"{argument}: expected symbols for any number, got {offender} with assumptions in {whole}"
-        )
-    raise NotRationalError(f"{argument}: expected a rational expression over Q, got {offender} in {whole}")
+def _require_rational(whole: Any, argument: str, assuming: bool) -> None:
+    """Look at each part once, also over many expressions that share it."""
+    known, seen, waiting = _KNOWN[assuming], set[Any](), [whole]
+    while waiting:
+        node = waiting.pop()
+        if (type(node), node) not in known and (type(node), node) not in seen:
+            _require_allowed(node, whole, argument, assuming)
+            seen.add((type(node), node))
+            waiting += node.args[:1] if isinstance(node, sympy.Pow) else node.args
+    known |= seen
 
 
-@lru_cache(maxsize=None, typed=True)
-def _offender(node: Any) -> Any:
-    """Return a part of an expression that does not belong into a rational expression, or None."""
+def _require_allowed(node: Any, whole: Any, argument: str, assuming: bool) -> None:
     if isinstance(node, sympy.Symbol):
-        return None if node.assumptions0.items() <= _ANY_REAL else node
-    if isinstance(node, sympy.Rational):
-        return node if node in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo) else None
-    power = isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Integer)
-    if not power and not isinstance(node, sympy.Add | sympy.Mul | over):
-        return node
-    children = node.args[:1] if power else node.args
-    return next((found for found in map(_offender, children) if found is not None), None)
+        if not node.is_commutative or (not assuming and not is_plain(node)):
+            raise NotRationalError(
+                f"{argument}: expected symbols for any number, got {node} with assumptions in {_shown(whole)}"
+            )
+    elif isinstance(node, sympy.Rational):
+        if node in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
+            raise NotRationalError(f"{argument}: expected a rational expression over Q, got {node} in {_shown(whole)}")
+    elif not isinstance(node, sympy.Add | sympy.Mul | over) and not (
+        isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Integer)
+    ):
+        raise NotRationalError(
+            f"{argument}: expected a rational expression over Q, got {_shown(node)} in {_shown(whole)}"
+        )
+
+
+def _shown(node: Any) -> str:
+    return "a long expression" if _is_long([node]) else str(node)
+
+
+def _is_long(roots: Iterable[Any]) -> bool:
+    return sum(map(_parts, roots)) > LONG
 
 
 def entries(expression: Expression) -> tuple[Scalar, ...]:
@@ -161,17 +179,28 @@ def _divided(node: Any) -> Any:
 
 
 def text(expression: Expression) -> str:
-    """Return the expression as text that SymPy parses back.
+    """Return the expression as text that shows every division that was made, and that SymPy parses.
 
     The terms of a long one keep the order they are stored in: sorting them takes longer than any proof.
+
+    Raises
+    ------
+    TooLargeError
+        If the expression, with every shared part written out, has too many parts.
 
     Examples
     --------
     >>> x = sympy.Symbol("x")
-    >>> text(over(x, 2))
-    'x/2'
+    >>> text(over(x, x) + over(1, 2))
+    '1/2 + x/x'
     """
-    result = divided(expression)
-    nodes = (node for entry in entries(result) for node in sympy.preorder_traversal(entry))
-    is_long = next(islice(nodes, LONG, None), None) is not None
-    return written(result, ordered=not is_long)
+    count = sum(map(_parts, entries(expression)))
+    if count > MOST_PARTS:
+        raise TooLargeError(f"expected a form of at most {MOST_PARTS} parts, got {count:.3g}")
+    return written(expression, ordered=not _is_long(entries(expression)), fractions=True)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _parts(node: Any) -> int:
+    """Return how many parts an expression has, one that is shared as often as it is used."""
+    return 1 + sum(map(_parts, node.args))

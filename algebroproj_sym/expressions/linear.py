@@ -11,6 +11,7 @@ import sympy
 
 from algebroproj_sym.expressions.differentiation import diff
 from algebroproj_sym.expressions.grammar import REMEMBERED, Scalar, free_symbols
+from algebroproj_sym.expressions.provenance import is_recording, made_of, noted
 from algebroproj_sym.expressions.quotient import over
 
 Places: TypeAlias = tuple[int, ...]
@@ -41,7 +42,7 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
 
     def __iter__(self) -> Iterator[Scalar]:
         """Yield the entries row by row."""
-        return iter(self.args[2].args)
+        return iter(self.flat()) if not is_recording() else iter([self[place] for place in range(len(self))])
 
     def flat(self) -> list[Scalar]:
         """Return the entries row by row."""
@@ -51,6 +52,67 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
         """Return the rows."""
         entries = self.flat()
         return [entries[i * self.cols : (i + 1) * self.cols] for i in range(self.rows)]
+
+    def __getitem__(self, key: Any) -> Any:
+        """Return an entry or a part."""
+        found = super().__getitem__(key)
+        if isinstance(found, list) and is_recording():
+            return [self[place] for place in range(len(self))[key]]
+        return noted("part", (self, key), found)
+
+    def __add__(self, other: Any) -> Any:
+        """Return the sum."""
+        return noted("plus", (self, other), super().__add__(other))
+
+    def __sub__(self, other: Any) -> Any:
+        """Return the difference."""
+        return noted("minus", (self, other), super().__sub__(other))
+
+    def __neg__(self) -> Any:
+        """Return the negative."""
+        return noted("negated", (self,), super().__neg__())
+
+    def __mul__(self, other: Any) -> Any:
+        """Return the product with a matrix or a scalar."""
+        return noted("times", (self, other), super().__mul__(other))
+
+    def __rmul__(self, other: Any) -> Any:
+        """Return the product with a scalar."""
+        return noted("times", (other, self), super().__rmul__(other))
+
+    def __truediv__(self, other: Any) -> Any:
+        """Return the quotient by a scalar."""
+        return noted("divided", (self, other), super().__truediv__(other))
+
+    def transpose(self) -> Any:
+        """Return the transpose."""
+        return noted("transposed", (self,), super().transpose())
+
+    T = property(transpose)
+
+    def row(self, i: int) -> Any:
+        """Return a row."""
+        return noted("part", (self, (i, slice(None))), super().row(i))
+
+    def col(self, j: int) -> Any:
+        """Return a column."""
+        return noted("part", (self, (slice(None), j)), super().col(j))
+
+    def row_join(self, other: Any) -> Any:
+        """Return both side by side."""
+        return noted("beside", (self, other), super().row_join(other))
+
+    def col_join(self, other: Any) -> Any:
+        """Return one above the other."""
+        return noted("above", (self, other), super().col_join(other))
+
+    def subs(self, *arguments: Any, **options: Any) -> Any:
+        """Substitute."""
+        return _substituted(self, arguments, super().subs(*arguments, **options))
+
+    def xreplace(self, rule: Any) -> Any:
+        """Replace."""
+        return _substituted(self, (rule,), super().xreplace(rule))
 
     def _eval_matrix_mul(self, other: Any) -> Any:
         parts = {*self.flat(), *other.flat()}
@@ -62,6 +124,16 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
             return sympy.Add(*(sympy.Mul(a, right[k][column]) for k, a in row if column in right[k]))
 
         return self._new(self.rows, other.cols, [entry(row, column) for row in left for column in range(other.cols)])
+
+
+def _substituted(matrix: Matrix, arguments: tuple[Any, ...], result: Any) -> Any:
+    if not is_recording():
+        return result
+    (given, *more) = arguments
+    pairs = [(given, *more)] if more else [*given.items()] if hasattr(given, "items") else [*given]
+    if not all(isinstance(old, sympy.Symbol) for old, _ in pairs):
+        return result
+    return noted("substituted", (matrix, tuple((old.name, made_of(new)) for old, new in pairs)), result)
 
 
 @lru_cache(maxsize=REMEMBERED)
@@ -80,7 +152,7 @@ def vector(*components: Scalar | int) -> Matrix:
 
 
 def columns(*vectors: Matrix) -> Matrix:
-    """Return the matrix with the given columns; what has several columns gives them all.
+    """Return the matrix with the given columns.  A matrix gives all its columns.
 
     Examples
     --------
@@ -94,7 +166,7 @@ def columns(*vectors: Matrix) -> Matrix:
     joined = [
         [entry for row in parts for entry in row] for parts in zip(*(part.tolist() for part in vectors), strict=True)
     ]
-    return Matrix(joined)
+    return noted("columns", vectors, Matrix(joined))
 
 
 def rows(*vectors: Matrix) -> Matrix:
@@ -105,11 +177,11 @@ def rows(*vectors: Matrix) -> Matrix:
 
 def homogeneous(point: Matrix) -> Matrix:
     """Return the quasihomogeneous vector (1, x1, ..., xn) of a point."""
-    return vector(1, *point)
+    return noted("above", (Matrix([[1]]), point), vector(1, *point.flat()))
 
 
 def determinant(matrix: Matrix) -> Scalar:
-    """Return the determinant, expanded by minors row by row, each minor computed once.
+    """Return the determinant.  It is expanded row by row, and each minor is computed once.
 
     Examples
     --------
@@ -118,7 +190,7 @@ def determinant(matrix: Matrix) -> Scalar:
     a*d - b*c
     """
     everything = tuple(range(_size(matrix, "determinant")))
-    return minors_of(matrix)(everything, everything)
+    return noted("determinant", (matrix,), minors_of(matrix)(everything, everything))
 
 
 def minors_of(matrix: Matrix) -> Callable[[Places, Places], Scalar]:
@@ -185,7 +257,7 @@ def adjugate(matrix: Matrix) -> Matrix:
         return tuple(k for k in everything if k != place)
 
     cofactors = [(-1) ** (i + j) * minor(without(i), without(j)) for j in everything for i in everything]
-    return Matrix(size, size, cofactors)
+    return noted("adjugate", (matrix,), Matrix(size, size, cofactors))
 
 
 def inverse(matrix: Matrix) -> Matrix:
@@ -198,7 +270,8 @@ def inverse(matrix: Matrix) -> Matrix:
     Matrix([[over(1, x)]])
     """
     divisor = determinant(matrix)
-    return Matrix(*matrix.shape, [over(entry, divisor) for entry in adjugate(matrix).flat()])
+    result = Matrix(*matrix.shape, [over(entry, divisor) for entry in adjugate(matrix).flat()])
+    return noted("inverse", (matrix,), result)
 
 
 def solve(matrix: Matrix, right_side: Matrix) -> Matrix:
@@ -212,7 +285,8 @@ def solve(matrix: Matrix, right_side: Matrix) -> Matrix:
     def numerator(column: int) -> Scalar:
         return minor(everything, (*everything[:column], size, *everything[column + 1 :]))
 
-    return vector(*(over(numerator(column), divisor) for column in everything))
+    result = vector(*(over(numerator(column), divisor) for column in everything))
+    return noted("solve", (matrix, right_side), result)
 
 
 def linear_system(equations: Sequence[Scalar], unknowns: Sequence[sympy.Symbol]) -> tuple[Matrix, Matrix]:
@@ -238,7 +312,11 @@ def linear_system(equations: Sequence[Scalar], unknowns: Sequence[sympy.Symbol])
     matrix = Matrix(len(equations), len(unknowns), slopes)
     if free_symbols(matrix) & set(unknowns):
         raise ValueError(f"linear_system: expected equations linear in {list(unknowns)}, got {list(equations)}")
-    return matrix, vector(*(-equation.xreplace(origin) for equation in equations))
+    right_side = vector(*(-equation.xreplace(origin) for equation in equations))
+    if is_recording():
+        names, forms = tuple(unknown.name for unknown in unknowns), vector(*equations)
+        return noted("system matrix", (forms, names), matrix), noted("system right side", (forms, names), right_side)
+    return matrix, right_side
 
 
 def cross(a: Matrix, b: Matrix) -> Matrix:
@@ -246,9 +324,9 @@ def cross(a: Matrix, b: Matrix) -> Matrix:
     if len(a) != 3 or len(b) != 3:
         raise ValueError(f"cross: expected two vectors of 3 components, got {len(a)} and {len(b)}")
     (a0, a1, a2), (b0, b1, b2) = a.flat(), b.flat()
-    return vector(a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0)
+    return noted("cross", (a, b), vector(a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0))
 
 
 def dot(a: Matrix, b: Matrix) -> Scalar:
     """Return the scalar product of two vectors."""
-    return sympy.Add(*(_times(p, q) for p, q in zip(a.flat(), b.flat(), strict=True)))
+    return noted("dot", (a, b), sympy.Add(*(_times(p, q) for p, q in zip(a.flat(), b.flat(), strict=True))))

@@ -23,26 +23,33 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 from dataclasses import dataclass
-from math import comb
 
 import sympy
 
+from algebroproj_sym.expressions.bounds import (
+    MAX_CHARACTERS,
+    MAX_DIGITS,
+    MAX_EXPONENT,
+    MAX_NAME_LENGTH,
+    MAX_NAMES,
+    MAX_NESTING,
+    MAX_TOKENS,
+    ONE,
+    VARIABLE,
+    Extent,
+    number,
+    power,
+    product,
+    quotient,
+    total,
+)
 from algebroproj_sym.expressions.grammar import Expression
 from algebroproj_sym.expressions.quotient import over
-
-MAX_CHARACTERS = 200_000
-MAX_TOKENS = 20_000
-MAX_NESTING = 48
-MAX_DIGITS = 1_000
-MAX_NAMES = 400
-MAX_NAME_LENGTH = 100
-MAX_EXPONENT = 1_000
-MAX_DEGREE = 5_000
-MAX_TERMS = 300_000
-MAX_BITS = 200_000
+from algebroproj_sym.expressions.symbols import NAME
 
 _TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(\*\*|[-+*/^()\[\],=]))")
-_NAME = re.compile(r"\s*([^\W\d]\w*'*)")
+_NAME = re.compile(rf"\s*({NAME.pattern})")
+_MATRIX = re.compile(r"\A\s*Matrix\s*\(\s*\[")
 _OPERATOR = "an operator"
 
 
@@ -64,6 +71,17 @@ class ParseError(ValueError):
         self.got = got
 
 
+def names_in(text: str) -> set[str]:
+    """Return the names that occur in a text of the grammar, also those that cancel.
+
+    Examples
+    --------
+    >>> sorted(names_in("Matrix([[x + y - y, z']])"))
+    ['x', 'y', "z'"]
+    """
+    return {*_NAME.findall(_MATRIX.sub("[", text, count=1))}
+
+
 @dataclass(frozen=True)
 class _Token:
     kind: str
@@ -72,49 +90,26 @@ class _Token:
 
 
 @dataclass(frozen=True)
-class _Size:
-    """Bounds on an expanded polynomial: total degree, number of terms, bits of a coefficient."""
-
-    degree: int
-    terms: int
-    bits: int
-
-    def plus(self, other: _Size) -> _Size:
-        return _Size(max(self.degree, other.degree), self.terms + other.terms, max(self.bits, other.bits) + 1)
-
-    def times(self, other: _Size, names: int) -> _Size:
-        degree = self.degree + other.degree
-        bits = self.bits + other.bits + min(self.terms, other.terms).bit_length() - 1
-        return _Size(degree, min(self.terms * other.terms, _dense(degree, names)), bits)
-
-    def power(self, exponent: int, names: int) -> _Size:
-        degree, last = self.degree * exponent, self.terms - 1
-        terms = 1 if last <= 0 else min(_binomial(last + exponent, exponent), _dense(degree, names))
-        return _Size(degree, terms, (self.bits + self.terms.bit_length() - 1) * exponent)
-
-
-@dataclass(frozen=True)
 class _Value:
-    """An expression with bounds on what it becomes when it is multiplied out as one fraction."""
+    """An expression with bounds on what it becomes when it is multiplied out."""
 
     expression: sympy.Expr
-    above: _Size
-    below: _Size
-    divided: bool
+    extent: Extent
 
-
-_ONE = _Size(0, 1, 1)
+    @property
+    def divided(self) -> bool:
+        return self.extent.divided
 
 
 def parse(text: str, argument: str = "text", variables: Collection[str] | None = None) -> Expression:
-    """Return the expression, or the matrix of expressions, that a text stands for.
+    """Read an expression, or a matrix of expressions, from text.
 
     Parameters
     ----------
     text : str
         In the grammar of this module.
     argument : str
-        What to call the text in an error message.
+        The name of the text in error messages.
     variables : collection of str, optional
         The names that may occur; by default any.
 
@@ -334,14 +329,13 @@ class _Parser:
     def _atom(self) -> _Value:
         token = self._next
         if self._take("number"):
-            number = _number(token.text)
-            bits = max(int(number.p).bit_length(), int(number.q).bit_length(), 1)
-            return _Value(number, _Size(0, 1, bits), _ONE, False)
+            read = _number(token.text)
+            return _Value(read, number(read))
         if self._take("name"):
             if self._variables is not None and token.text not in self._variables:
                 declared = ", ".join(sorted(self._variables)) or "no names"
                 raise self._error(token.position, f"one of the variables {declared}", repr(token.text))
-            return _Value(self._symbols[token.text], _Size(1, 1, 1), _ONE, False)
+            return _Value(self._symbols[token.text], Extent(VARIABLE))
         if self._take("("):
             self._enter()
             inside = self._sum()
@@ -366,72 +360,43 @@ class _Parser:
             expression = sympy.Mul(sympy.Integer(-1), value.expression, evaluate=False)
         else:
             expression = -value.expression
-        return _Value(expression, value.above, value.below, value.divided)
+        return _Value(expression, value.extent)
 
     def _added(self, parts: list[_Value], position: int) -> _Value:
-        names, above, below = len(self._symbols), parts[0].above, parts[0].below
-        for part in parts[1:]:
-            if part.below != _ONE or below != _ONE:
-                above = above.times(part.below, names).plus(part.above.times(below, names))
-                below = below.times(part.below, names)
-            else:
-                above = above.plus(part.above)
-        divided = any(part.divided for part in parts)
-        self._check(above, below, divided, position)
-        expression = sympy.Add(*(part.expression for part in parts), evaluate=not divided)
-        return _Value(expression, above, below, divided)
+        extent = total([part.extent for part in parts], len(self._symbols))
+        self._check(extent, position)
+        expression = sympy.Add(*(part.expression for part in parts), evaluate=not extent.divided)
+        return _Value(expression, extent)
 
     def _multiplied(self, parts: list[_Value], position: int) -> _Value:
         if len(parts) == 1:
             return parts[0]
-        if not parts:
-            return _Value(sympy.Integer(1), _ONE, _ONE, False)
-        names, above, below = len(self._symbols), parts[0].above, parts[0].below
-        for part in parts[1:]:
-            above, below = above.times(part.above, names), below.times(part.below, names)
-        divided = any(part.divided for part in parts)
-        self._check(above, below, divided, position)
-        expression = sympy.Mul(*(part.expression for part in parts), evaluate=not divided)
-        return _Value(expression, above, below, divided)
+        extent = product([part.extent for part in parts], len(self._symbols))
+        self._check(extent, position)
+        expression = sympy.Mul(*(part.expression for part in parts), evaluate=not extent.divided)
+        return _Value(expression, extent)
 
     def _quotient(self, top: _Value, bottom: _Value, position: int) -> _Value:
         self._require_nonzero(bottom, position)
-        names = len(self._symbols)
-        above, below = top.above.times(bottom.below, names), top.below.times(bottom.above, names)
-        self._check(above, below, True, position)
+        extent = quotient(top.extent, bottom.extent, len(self._symbols))
+        self._check(extent, position)
         if bottom.expression.is_Rational:
             expression = sympy.Mul(top.expression, 1 / bottom.expression, evaluate=not top.divided)
-            return _Value(expression, above, top.below, top.divided)
-        return _Value(over(top.expression, bottom.expression), above, below, True)
+            return _Value(expression, Extent(extent.above, top.extent.below, top.divided))
+        return _Value(over(top.expression, bottom.expression), extent)
 
     def _raised(self, base: _Value, exponent: int, position: int) -> _Value:
-        names, count = len(self._symbols), abs(exponent)
-        above, below = base.above.power(count, names), base.below.power(count, names)
-        self._check(above, below, base.divided, position)
-        expression = sympy.Pow(base.expression, count, evaluate=not base.divided)
-        power = _Value(expression, above, below, base.divided)
-        return power if exponent >= 0 else self._quotient(_Value(sympy.Integer(1), _ONE, _ONE, False), power, position)
+        extent = power(base.extent, abs(exponent), len(self._symbols))
+        self._check(extent, position)
+        raised = _Value(sympy.Pow(base.expression, abs(exponent), evaluate=not base.divided), extent)
+        return raised if exponent >= 0 else self._quotient(_Value(sympy.Integer(1), Extent(ONE)), raised, position)
 
-    def _check(self, above: _Size, below: _Size, divided: bool, position: int) -> None:
-        degree, bits = max(above.degree, below.degree), max(above.bits, below.bits)
-        if degree > MAX_DEGREE:
-            raise self._error(position, f"a degree of at most {MAX_DEGREE} when multiplied out", f"up to {degree}")
-        if bits > MAX_BITS:
-            raise self._error(position, f"coefficients of at most {MAX_BITS} bits", f"up to {bits}")
-        if not divided and above.terms > MAX_TERMS:
-            raise self._error(position, f"at most {MAX_TERMS} terms when multiplied out", f"up to {above.terms}")
+    def _check(self, extent: Extent, position: int) -> None:
+        excess = extent.excess()
+        if excess is not None:
+            raise self._error(position, *excess)
 
 
 def _number(text: str) -> sympy.Rational:
     whole, _, decimals = text.partition(".")
     return sympy.Rational(int((whole + decimals) or "0"), 10 ** len(decimals))
-
-
-def _binomial(n: int, k: int) -> int:
-    """Return C(n, k), or something beyond every limit without computing it."""
-    smaller = min(k, n - k)
-    return comb(n, smaller) if smaller * n.bit_length() < 4096 else MAX_TERMS + 1
-
-
-def _dense(degree: int, names: int) -> int:
-    return _binomial(degree + names, names)

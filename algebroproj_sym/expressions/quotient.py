@@ -8,9 +8,9 @@ import sympy
 
 
 class over(sympy.Function):  # type: ignore[misc]  # noqa: N801 - reads as mathematics: over(numerator, denominator)
-    """The quotient of two expressions, kept as a node of the expression tree.
+    """The quotient of two expressions, which SymPy does not simplify.
 
-    Derivations divide with `over`, so that the prover meets every divisor, even one that cancels.
+    Derivations divide with `over`.  So the prover sees every divisor, even one that cancels.
 
     Parameters
     ----------

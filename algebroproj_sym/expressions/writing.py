@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import sympy
 from sympy.printing.precedence import PRECEDENCE, precedence
@@ -25,6 +25,13 @@ _SYMPY = {True: StrPrinter(), False: StrPrinter({"order": "none"})}
 Written = tuple[str, int]
 
 
+class _Style(NamedTuple):
+    """Whether terms and factors are put in order, and whether a remembered quotient is written as a fraction."""
+
+    ordered: bool
+    fractions: bool
+
+
 class _OtherError(Exception):
     """Something that is left to SymPy."""
 
@@ -34,11 +41,11 @@ class _Printer(StrPrinter):  # type: ignore[misc]
 
     def _print(self, node: Any, **options: Any) -> str:
         if type(node) in _WRITERS:
-            return _written(node, self.order is None)[0]
+            return _written(node, _Style(self.order is None, fractions=False))[0]
         return str(super()._print(node, **options))
 
 
-def written(expression: Any, *, ordered: bool = True) -> str:
+def written(expression: Any, *, ordered: bool = True, fractions: bool = False) -> str:
     """Return an expression, a matrix or a tuple of expressions as SymPy writes it.
 
     Parameters
@@ -47,66 +54,84 @@ def written(expression: Any, *, ordered: bool = True) -> str:
         What to write.
     ordered : bool
         Whether to put terms and factors in order, as `str` does, or to leave them as they are stored.
+    fractions : bool
+        Whether to write a remembered quotient as a fraction, so that the text shows every division that was made.
 
     Examples
     --------
     >>> x, y = sympy.symbols("x y")
     >>> written((x + y) * y**2 / (2 * x) - 1)
     '-1 + y**2*(x + y)/(2*x)'
+    >>> written(over(x, x) * y, fractions=True)
+    'y*(x/x)'
     """
+    style = _Style(ordered, fractions)
     if type(expression) in _WRITERS:
-        return _written(expression, ordered)[0]
-    if isinstance(expression, sympy.MatrixBase) and ordered and 0 not in expression.shape:
-        rows = (", ".join(_written(entry, True)[0] for entry in expression.row(i)) for i in range(expression.rows))
+        return _written(expression, style)[0]
+    if isinstance(expression, sympy.MatrixBase) and (ordered or fractions) and 0 not in expression.shape:
+        rows = (", ".join(_written(entry, style)[0] for entry in expression.row(i)) for i in range(expression.rows))
         return f"Matrix([{', '.join(f'[{row}]' for row in rows)}])"
     return str(_Printer({} if ordered else {"order": "none"}).doprint(expression))
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _written(node: Any, ordered: bool) -> Written:
+def _written(node: Any, style: _Style) -> Written:
     """Return the text of an expression, and how tightly it binds."""
     write = _WRITERS.get(type(node))
     try:
         if write is not None:
-            return write(node, ordered)
+            return write(node, style)
     except _OtherError:
-        pass
-    return _SYMPY[ordered].doprint(node), precedence(node)
+        if style.fractions:
+            return _as_stored(node, style)
+    return _SYMPY[style.ordered].doprint(node), precedence(node)
 
 
-def _within(node: Any, level: int, ordered: bool) -> str:
-    text, binding = _written(node, ordered)
+def _as_stored(node: Any, style: _Style) -> Written:
+    """Return the text of a sum, product or integer power, part by part."""
+    if type(node) is sympy.Pow:
+        base, exponent = node.args
+        return f"{_within(base, _POWER, style)}**({exponent.p})", _POWER
+    level, sign = (_SUM, " + ") if type(node) is sympy.Add else (_PRODUCT, "*")
+    return sign.join(_within(argument, level, style) for argument in node.args), level
+
+
+def _within(node: Any, level: int, style: _Style) -> str:
+    text, binding = _written(node, style)
     return f"({text})" if binding <= level else text
 
 
-def _symbol(node: Any, ordered: bool) -> Written:
+def _symbol(node: Any, style: _Style) -> Written:
     return node.name, _ATOM
 
 
-def _number(node: Any, ordered: bool) -> Written:
+def _number(node: Any, style: _Style) -> Written:
     if node.q == 1:
         return str(node.p), _SUM if node.p < 0 else _ATOM
     return f"{node.p}/{node.q}", _SUM if node.p < 0 else _PRODUCT
 
 
-def _quotient(node: Any, ordered: bool) -> Written:
-    return f"over({', '.join(_written(argument, ordered)[0] for argument in node.args)})", _FUNCTION
+def _quotient(node: Any, style: _Style) -> Written:
+    if style.fractions:
+        above, below = node.args
+        return f"{_within(above, _SUM, style)}/{_within(below, _PRODUCT, style)}", _PRODUCT
+    return f"over({', '.join(_written(argument, style)[0] for argument in node.args)})", _FUNCTION
 
 
-def _power(node: Any, ordered: bool) -> Written:
+def _power(node: Any, style: _Style) -> Written:
     base, exponent = node.args
     if not exponent.is_Integer:
         raise _OtherError
-    below = _within(base, _POWER, ordered)
+    below = _within(base, _POWER, style)
     if exponent.p == -1:
         return f"1/{below}", _POWER
     return f"{below}**{exponent.p}" if exponent.p >= 0 else f"{below}**({exponent.p})", _POWER
 
 
-def _sum(node: Any, ordered: bool) -> Written:
+def _sum(node: Any, style: _Style) -> Written:
     parts: list[str] = []
-    for term in _ordered_terms(node) if ordered else node.args:
-        text = _written(term, ordered)[0]
+    for term in _ordered_terms(node) if style.ordered else node.args:
+        text = _written(term, style)[0]
         nested = type(term) is sympy.Add
         negative = text[0] == "-" and not nested
         parts += ("-" if negative else "+", f"({text})" if nested else text[negative:])
@@ -114,18 +139,18 @@ def _sum(node: Any, ordered: bool) -> Written:
     return sign + " ".join(parts[1:]), _SUM
 
 
-def _product(node: Any, ordered: bool) -> Written:
+def _product(node: Any, style: _Style) -> Written:
     coefficient, factors = _split(node)
     level = _SUM if coefficient.p < 0 else _PRODUCT
     above = [str(abs(coefficient.p))] if abs(coefficient.p) != 1 else []
     below = [str(coefficient.q)] if coefficient.q != 1 else []
-    for factor in _ordered_factors(factors) if ordered else factors:
+    for factor in _ordered_factors(factors) if style.ordered else factors:
         if type(factor) is not sympy.Pow or factor.exp.p >= 0:
-            above.append(_within(factor, level, ordered))
+            above.append(_within(factor, level, style))
         elif factor.exp.p == -1:
-            below.append(_within(factor.base, level, ordered))
+            below.append(_within(factor.base, level, style))
         else:
-            below.append(f"{_within(factor.base, _POWER, ordered)}**{-factor.exp.p}")
+            below.append(f"{_within(factor.base, _POWER, style)}**{-factor.exp.p}")
     text = ("-" if coefficient.p < 0 else "") + ("*".join(above) or "1")
     if below:
         text += f"/{below[0]}" if len(below) == 1 else f"/({'*'.join(below)})"
@@ -224,7 +249,7 @@ def _powers(term: Any) -> dict[Any, int]:
 
 
 _BASES = (sympy.Symbol, sympy.Add, over)
-_WRITERS: dict[Any, Callable[[Any, bool], Written]] = {
+_WRITERS: dict[Any, Callable[[Any, _Style], Written]] = {
     sympy.Symbol: _symbol,
     over: _quotient,
     sympy.Add: _sum,

@@ -30,11 +30,11 @@ class Plain:
 
         Examples
         --------
-        >>> Plain(0.5, 1e13, 12.0).sentence()
-        'Without compensation (`plain`): 0.5 ULP in the median, 12 ULP at most on ordinary input, 1e+13 ULP on any.'
+        >>> print(Plain(1, 1e13, 8.0).sentence())
+        Without compensation (`plain`): 1 ULP in the median; at most 8 ULP on ordinary input, 1e+13 ULP on all samples.
         """
-        largest = f"{self.max_ulp_of_ordinary:.3g} ULP at most on ordinary input, {self.max_ulp:.3g} ULP on any"
-        return f"Without compensation (`plain`): {self.median_ulp} ULP in the median, {largest}."
+        largest = f"at most {self.max_ulp_of_ordinary:.3g} ULP on ordinary input, {self.max_ulp:.3g} ULP on all samples"
+        return f"Without compensation (`plain`): {self.median_ulp} ULP in the median; {largest}."
 
 
 @dataclass(frozen=True)
@@ -65,11 +65,11 @@ class Measured:
         Examples
         --------
         >>> Measured(100, 0.25, 0.75, 1.5).sentence(False)
-        'Measured error in float64: 0.25 ULP in the median and 0.75 ULP at most (100 samples, near singularities too).'
+        'Measured error in float64: 0.25 ULP in the median, at most 0.75 ULP (100 samples, some near singularities).'
         """
         largest = f"{self.max_ratio} times what rounding the arguments changes" if backward else f"{self.max_ulp} ULP"
-        figures = f"{self.median_ulp} ULP in the median and {largest} at most"
-        return f"Measured error in float64: {figures} ({self.samples} samples, near singularities too)."
+        figures = f"{self.median_ulp} ULP in the median, at most {largest}"
+        return f"Measured error in float64: {figures} ({self.samples} samples, some near singularities)."
 
 
 def measured_errors(record: Mapping[str, Any]) -> dict[str, Measured]:

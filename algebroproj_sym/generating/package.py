@@ -30,6 +30,7 @@ from algebroproj_sym.generating.runtime._compensated import DIGITS
 LONGEST_FACTOR = 240
 LONGEST_LINE = 400
 MOST_LINES = 60
+OPERATIONS = {"+": "addition", "-": "subtraction", "*": "multiplication", "/": "division", "neg": "negation"}
 GENERATED = (".c", ".h", ".py", ".typed")
 LINEAR_BLOCK = 4096
 PACKAGE = "algebroproj"
@@ -214,15 +215,17 @@ def _singularities(low: Lowered) -> str:
     sentences = []
     if low.hypotheses:
         factors = ", ".join(map(_factor, low.hypotheses))
-        sentences.append(f"Not finite, with NumPy's floating-point warning, where one of these vanishes: {factors}.")
-        sentences.append("Their values are given by the function `hypotheses` of this package.")
+        sentences.append(f"The result is not finite, and NumPy warns, where one of these is zero: {factors}.")
+        sentences.append("The function `hypotheses` of this package computes them.")
     if low.kernel.solves_systems:
         sentences.append(
-            "Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and "
-            "it is arbitrarily large."
+            "Where the linear system is singular, the result is not finite. "
+            "If rounding hides the singularity, the result may be finite and very large."
         )
     if not sentences:
-        sentences.append("No input is singular." if low.kernel.stages else "Polynomial: no input is singular.")
+        sentences.append(
+            "No input is singular." if low.kernel.stages else "The formula is a polynomial: no input is singular."
+        )
     return fill(
         " ".join(sentences), width=112, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False
     )
@@ -243,16 +246,24 @@ def _name(factor: Scalar) -> str:
 
 def _operations(low: Lowered) -> str:
     counts = low.plain.operations()
-    listed = ", ".join(f"{counts[kind]} {kind}" for kind in ("+", "-", "*", "/", "neg", *PRIMITIVES) if counts[kind])
+    listed = ", ".join(
+        _counted(counts[kind], kind) for kind in ("+", "-", "*", "/", "neg", *PRIMITIVES) if counts[kind]
+    )
     before = operation_counts(low).derived
-    text = f"Operations: {counts.total()} ({listed or 'none'}); the derived expression as written takes {before}."
+    text = f"Operations: {counts.total()} ({listed or 'none'}).\n    The derived expression takes {before} as written."
     if low.program == low.plain:
         return text
     single = expanded(low.program).operations()
-    errors = f", {single['product_error']} of them errors of products" if single["product_error"] else ""
-    compensated = f"In compensated arithmetic, where sums may cancel: {single.total()}{errors}."
-    forms = f"\n    The cheapest of {low.forms} equal programs that err little." if low.forms > 1 else ""
-    return f"{text}\n    {compensated}{forms}"
+    errors = f" ({single['product_error']} of them compute errors of products)" if single["product_error"] else ""
+    text += f"\n    With compensation of sums that may cancel: {single.total()}{errors}."
+    if low.forms > 1:
+        text += f"\n    This is the cheapest accurate one of {low.forms} programs that are proved equal."
+    return text
+
+
+def _counted(number: int, kind: str) -> str:
+    name = OPERATIONS.get(kind, kind)
+    return f"{number} {name}{'s' if number > 1 and kind in OPERATIONS else ''}"
 
 
 def _measured(low: Lowered, measured: Measured | None) -> str:

@@ -27,7 +27,8 @@ def mutants(claim: Claim) -> list[Mutant]:
     """Return all single changes of the printed form of a claim, in a fixed order, each form once.
 
     A sign, an index, a prime, an integer, a factor, an exponent, a numerator against its denominator; of a matrix also
-    the exchange of neighbours and an entry that is missing; of a decimal number the last digit and the sign.
+    the exchange of neighbours and an entry that is missing; of a decimal number each digit to each other one, the last
+    digit with a carry, and the sign.
 
     Examples
     --------
@@ -68,11 +69,27 @@ def _changes(claim: Claim, printed: Any) -> Iterator[tuple[str, Any]]:
 
 def _of_decimal(printed: Decimal) -> Iterator[tuple[str, Decimal]]:
     _, digits, exponent = printed.as_tuple()
+    for change, changed in changed_digits(f"{printed:f}"):
+        yield change, Decimal(changed)
     unit = Decimal((0, (1,), int(exponent)))
     yield "last digit, one more", printed + unit
     yield "last digit, one less", printed - unit
     if any(digits):
         yield "sign", printed.copy_negate()
+
+
+def changed_digits(text: str) -> Iterator[tuple[str, str]]:
+    """Yield a number with each of its digits changed to each other digit.
+
+    Examples
+    --------
+    >>> [changed for _, changed in changed_digits("-0.1")][8:11]
+    ['-9.1', '-0.0', '-0.2']
+    """
+    places = [place for place, character in enumerate(text) if character.isdigit()]
+    for count, place in enumerate(places, start=1):
+        for new in "0123456789".replace(text[place], ""):
+            yield f"digit {count}: {new}", f"{text[:place]}{new}{text[place + 1 :]}"
 
 
 def _of_pattern(printed: Any) -> Iterator[tuple[str, Any]]:

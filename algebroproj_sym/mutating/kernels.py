@@ -97,7 +97,7 @@ def mutate_kernel(
     known = truths(lowered, samples)
     unchanged = recompiled(function)
     if not general.is_met_by(unchanged) or not is_within_bound(lowered, unchanged, samples, known):
-        raise ValueError(f"{kernel.qualified_name}: expected the unchanged source to be proved and accurate, it is not")
+        raise ValueError(f"{kernel.qualified_name}: the source fails already before it is changed")
 
     before, digits = results_of(lowered, unchanged, samples), digits_of(function)
 

@@ -3,7 +3,7 @@
 from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.points import Point, points_on, rational_points, rational_zeros, seed_of
 from algebroproj_sym.proving.prove import Decision, Proof, UndefinedError, prove
-from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
+from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField, numerators_over_one
 from algebroproj_sym.proving.reduction import reduced
 from algebroproj_sym.proving.worker import Outcome, Question, outcomes
 
@@ -17,6 +17,7 @@ __all__ = [
     "RationalFunction",
     "RationalFunctionField",
     "UndefinedError",
+    "numerators_over_one",
     "outcomes",
     "points_on",
     "prove",

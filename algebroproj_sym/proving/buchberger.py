@@ -11,9 +11,11 @@ from __future__ import annotations
 
 import sys
 from array import array
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from heapq import heapify, heappop, heappush
 from typing import Any
+
+import flint
 
 Powers = tuple[int, ...]
 
@@ -73,6 +75,11 @@ class GroebnerBasis:
             self._next_pair()
 
     @property
+    def context(self) -> Any:
+        """The ring of the generators."""
+        return self._context
+
+    @property
     def is_unit(self) -> bool:
         """Whether the ideal is the whole ring."""
         return any(not any(powers) for powers in self._leading)
@@ -80,6 +87,58 @@ class GroebnerBasis:
     def remainder(self, polynomial: Any) -> Any:
         """Return what is left of a polynomial after division by the basis: zero if it lies in the ideal."""
         return self._reduced(polynomial, {})[0]
+
+    def normal_form(self, polynomial: Any) -> Any:
+        """Return the polynomial without a monomial that is leading in the ideal, equal modulo the ideal."""
+        total = self._context.constant(0)
+        while (polynomial := self.remainder(polynomial)) != 0:
+            leading = self._monomial(tuple(map(int, polynomial.monomial(0)))) * polynomial.leading_coefficient()
+            total, polynomial = total + leading, polynomial - leading
+        return total
+
+    def powers(self, polynomial: Any, most: int) -> Iterator[Any]:
+        """Yield the powers of a polynomial modulo the ideal, the highest last."""
+        power = self._context.constant(1)
+        for k in range(most + 1):
+            yield power
+            if k < most:
+                power = self.normal_form(power * polynomial)
+
+    def relation(self, polynomials: Iterable[Any]) -> list[Any] | None:
+        """Return numbers, not all zero, with which polynomials add up to an element of the ideal: the first that exist.
+
+        Examples
+        --------
+        >>> import flint
+        >>> context = flint.fmpq_mpoly_ctx.get(("x",), flint.Ordering.degrevlex)
+        >>> (x,) = context.gens()
+        >>> GroebnerBasis([x**2 - 2]).relation([x**0, x, x**2, x**3])
+        [-2, 0, 1]
+        """
+        rows: list[tuple[dict[Powers, Any], list[Any]]] = []
+        for place, polynomial in enumerate(polynomials):
+            rest = {tuple(map(int, powers)): value for powers, value in self.normal_form(polynomial).to_dict().items()}
+            numbers = [flint.fmpq(int(k == place)) for k in range(place + 1)]
+            for row, combination in rows:
+                factor = rest.get(max(row), 0)
+                if factor:
+                    rest = {p: rest.get(p, 0) - factor * row.get(p, 0) for p in {*rest, *row}}
+                    rest = {p: value for p, value in rest.items() if value}
+                    numbers = [n - factor * c for n, c in zip(numbers, combination + [0] * place, strict=False)]
+            if not rest:
+                return numbers
+            scale = 1 / rest[max(rest)]
+            rows.append(({p: value * scale for p, value in rest.items()}, [n * scale for n in numbers]))
+        return None
+
+    def free(self) -> set[int]:
+        """Return a maximal set of variables that occur and of which no power product is a leading monomial."""
+        return self.independent() & {*self.occurring()}
+
+    def occurring(self) -> list[int]:
+        """Return the places of the variables that occur in the generators."""
+        degrees = [polynomial.degrees() for polynomial in self._generators if polynomial != 0]
+        return [place for place, column in enumerate(zip(*degrees, strict=True)) if any(column)]
 
     def cofactors(self, polynomial: Any) -> list[Any] | None:
         """Return the cofactors of a polynomial with respect to the generators, None if it is not in the ideal."""

@@ -2,7 +2,8 @@
 
 A system that is affine in a variable, or two equations in two variables, are solved where slope or determinant do not
 vanish; where they do, they are a further constraint.  Within a case every step is an identity of its own, over what the
-steps before it have shown, so that nothing is multiplied out over the constraints themselves.
+steps before it have shown, so that nothing is multiplied out over the constraints themselves.  A zero that is a sum of
+squares, or the opposite of one, makes way for what is squared.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from typing import Any, Literal
 from algebroproj_sym.proving.buchberger import EffortExceededError
 from algebroproj_sym.proving.combination import System
 from algebroproj_sym.proving.elimination import MAX_LENGTH, Solved, affine, content_of, substituted
+from algebroproj_sym.proving.squares import LONGEST, Squares, definite_multiple, sum_of_squares
 from algebroproj_sym.proving.varieties import real_points, value_at
 
 MOST_CASES = 60
@@ -46,6 +48,15 @@ class Step:
 
 
 @dataclass(frozen=True)
+class SquaresStep:
+    """``multiplier * sum(a_j * s_j**2) == sum`` with positive numbers a_j: over the reals, every s_j is zero."""
+
+    squares: Squares
+    multiplier: Any
+    cofactors: Cofactors
+
+
+@dataclass(frozen=True)
 class End:
     """``goal**exponent * multiplier == sum``; with exponent 0 the case is empty."""
 
@@ -59,11 +70,13 @@ class Case:
     """What is assumed, what follows, and how the goal is reached: at an end, or in two further cases."""
 
     assumed: tuple[Literal["zero", "not zero"], Any] | None
-    steps: Sequence[Step]
+    steps: Sequence[Step | SquaresStep]
     rest: End | tuple[Case, Case]
 
 
-def case_distinction(goal: Any, zeros: Sequence[Any], units: Sequence[Any], seed: int) -> Case | None:
+def case_distinction(
+    goal: Any, zeros: Sequence[Any], units: Sequence[Any], seed: int, *, real: bool = False
+) -> Case | None:
     """Return how a goal follows from what is zero and what is not, by cases; None if that is not found.
 
     Parameters
@@ -74,6 +87,8 @@ def case_distinction(goal: Any, zeros: Sequence[Any], units: Sequence[Any], seed
         What vanishes and what does not; the last variable of the ring occurs in none.
     seed : int
         For points that tell which factors of a goal vanish.
+    real : bool
+        Whether zeros may be taken apart that are sums of squares.
 
     Examples
     --------
@@ -86,7 +101,7 @@ def case_distinction(goal: Any, zeros: Sequence[Any], units: Sequence[Any], seed
     """
     budget = count()
     try:
-        return _Branch([*zeros], [*range(len(zeros))], [*units], [*units], goal, DEEPEST, budget, seed).case(None)
+        return _Branch([*zeros], [*range(len(zeros))], [*units], [*units], goal, DEEPEST, budget, seed, real).case(None)
     except EffortExceededError:
         return None
 
@@ -101,6 +116,14 @@ def follows(case: Case, goal: Any, zeros: Sequence[Any], units: Sequence[Any], i
         return sum((into(part) * into(known[place]) for place, part in cofactors.items()), into(goal) * 0)
 
     for step in case.steps:
+        if isinstance(step, SquaresStep):
+            total = sum((into(root) * into(root) * into(goal**0 * a) for a, root in step.squares), into(goal) * 0)
+            if not _is_product(step.multiplier, nonzero) or min(a for a, _ in step.squares) <= 0:
+                return False
+            if into(step.multiplier) * total - combined(step.cofactors) != 0:
+                return False
+            known += [root for _, root in step.squares]
+            continue
         left = {"zero": step.polynomial, "not zero": goal**0, "goal": goal}[step.shows]
         right = combined(step.cofactors)
         if step.shows != "zero":
@@ -157,7 +180,8 @@ class _Branch:
     depth: int
     budget: Iterator[int]
     seed: int
-    steps: list[Step] = field(default_factory=list)
+    real: bool
+    steps: list[Step | SquaresStep] = field(default_factory=list)
     is_empty: End | None = None
 
     def case(self, assumed: tuple[Literal["zero", "not zero"], Any] | None) -> Case | None:
@@ -166,6 +190,8 @@ class _Branch:
         while self.is_empty is None and self.goal != 0 and self._advance():
             pass
         rest = self._end() or self._distinguished() or self._combination()
+        if rest is None and self.real and self._add_definite():
+            return self.case(assumed)
         return None if rest is None else Case(assumed, tuple(self.steps), rest)
 
     @property
@@ -173,15 +199,16 @@ class _Branch:
         return self.goal.context().constant(1)
 
     def _advance(self) -> bool:
-        return self._strip() or self._take_out() or self._solve_pair()
+        return self._strip() or self._take_out() or self._solve_pair() or (self.real and self._add_squares())
 
     # -- steps
 
     def _add_zero(self, polynomial: Any, multiplier: Any, cofactors: Cofactors) -> None:
         _require_short(polynomial)
+        content = content_of(polynomial)
         self.live.append(len(self.zeros))
-        self.zeros.append(polynomial)
-        self.steps.append(Step("zero", polynomial, multiplier, cofactors))
+        self.zeros.append(polynomial / content)
+        self.steps.append(Step("zero", polynomial / content, multiplier * content, cofactors))
 
     def _strip(self) -> bool:
         """Drop zeros and multiples, divide by what does not vanish, and notice what cannot be zero."""
@@ -196,8 +223,7 @@ class _Branch:
                 return True
             if removed != 1:
                 self.live.remove(place)
-                scale = content_of(rest)
-                self._add_zero(rest / scale, removed * scale, {place: self._one})
+                self._add_zero(rest, removed, {place: self._one})
                 return True
         return False
 
@@ -272,6 +298,31 @@ class _Branch:
                 return True
         return False
 
+    def _add_squares(self) -> bool:
+        """Put the squares that add up to a zero in its place."""
+        for place in self.live:
+            for sign in (1, -1) if len(self.zeros[place]) <= LONGEST else ():
+                squares = sum_of_squares(sign * self.zeros[place])
+                if squares:
+                    self._replace(place, squares, self._one * sign)
+                    return True
+        return False
+
+    def _add_definite(self) -> bool:
+        """Put the squares that add up to a multiple of a zero in its place."""
+        for place in self.live:
+            found = definite_multiple(self.zeros[place], self.seed)
+            if found is not None:
+                self._replace(place, *found)
+                return True
+        return False
+
+    def _replace(self, place: int, squares: Squares, factor: Any) -> None:
+        self.live.remove(place)
+        self.steps.append(SquaresStep(squares, self._one, {place: factor}))
+        self.live += range(len(self.zeros), len(self.zeros) + len(squares))
+        self.zeros += [root for _, root in squares]
+
     def _affine(self) -> Iterator[tuple[int, int, Any]]:
         """Places and variables in which a zero is affine, with the slope."""
         for place in self.live:
@@ -318,7 +369,7 @@ class _Branch:
 
     def _branch(self) -> _Branch:
         lists = list(self.zeros), list(self.live), list(self.units), list(self.live_units)
-        return _Branch(*lists, self.goal, self.depth - 1, self.budget, self.seed)
+        return _Branch(*lists, self.goal, self.depth - 1, self.budget, self.seed, self.real)
 
     def _choices(self) -> Iterator[_Choice]:
         """Yield what may be distinguished: factors of a zero, then determinants, then slopes, the shortest first."""

@@ -421,6 +421,11 @@ def content_of(polynomial: Any) -> Any:
     return flint.fmpq(above or 1, below)
 
 
+def denominator_of(*polynomials: Any) -> int:
+    """Return the least positive integer that makes all coefficients integers."""
+    return lcm(*(int(value.q) for polynomial in polynomials for value in polynomial.coeffs()))
+
+
 def affine(polynomial: Any, variable: int) -> tuple[Any, Any]:
     """Return slope and rest of a polynomial that is affine in a variable."""
     slope = polynomial.derivative(variable)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy
 
@@ -17,6 +17,7 @@ from algebroproj_sym.proving.varieties import real_points
 
 Point = dict[sympy.Symbol, Fraction]
 
+_ANY: Mapping[sympy.Symbol, Sequence[Fraction]] = {}
 _PLACES = tuple(fmpq(Fraction(place)) for place in range(3))
 
 
@@ -25,30 +26,40 @@ def seed_of(*parts: object) -> int:
     return int.from_bytes(hashlib.sha256("\n".join(map(str, parts)).encode()).digest()[:8], "big")
 
 
-def rational_points(symbols: Sequence[sympy.Symbol], seed: int) -> Iterator[Point]:
-    """Yield random rational points without end: small integers first, then growing fractions."""
+Values: TypeAlias = Mapping[sympy.Symbol, Sequence[Fraction]]
+"""Numbers for symbols that do not stand for any, small ones first."""
+
+
+def rational_points(symbols: Sequence[sympy.Symbol], seed: int, values: Values = _ANY) -> Iterator[Point]:
+    """Yield random rational points without end: small integers first, then growing fractions; given values if any."""
     generator = random.Random(seed)
     attempt = 0
     while True:
-        yield {symbol: _coordinate(generator, attempt) for symbol in symbols}
+        yield {symbol: _coordinate(generator, attempt, values.get(symbol)) for symbol in symbols}
         attempt += 1
 
 
-def _coordinate(generator: random.Random, attempt: int) -> Fraction:
+def _coordinate(generator: random.Random, attempt: int, values: Sequence[Fraction] | None) -> Fraction:
     height = 5 + attempt // 4
+    if values is not None:
+        return generator.choice(values[:height])
     denominator = 1 if attempt < 40 else generator.randint(1, height)
     return Fraction(generator.choice((-1, 1)) * generator.randint(1, height), denominator)
 
 
 def points_on(
-    constraints: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int, tries: int
+    constraints: Sequence[sympy.Expr],
+    symbols: Sequence[sympy.Symbol],
+    seed: int,
+    tries: int,
+    values: Values = _ANY,
 ) -> Iterator[Point]:
-    """Yield rational points on which all the constraints vanish.
+    """Yield rational points on which all the constraints vanish; given values are where the search starts.
 
     Each constraint is solved for a variable in which it is affine once the others have values.  This finds points
     on triangular systems only: that none is found proves nothing.
     """
-    source = rational_points(symbols, seed)
+    source = rational_points(symbols, seed, values)
     generator = random.Random(seed)
     for _ in range(tries):
         point = _onto(constraints, next(source), generator)

@@ -4,25 +4,41 @@ Without constraints the normal form in Q(x1, ..., xn) decides.  With constraints
 ``numerator * s^k = sum c_i g_i``, where s is the product of what does not vanish, together with a witness: a point
 that satisfies constraints and hypotheses, so that neither inconsistent constraints nor a denominator that vanishes
 on them can prove anything.  A refutation is an exact rational point at which both sides are defined and differ.
+What SymPy assumes of symbols is left out of proofs, except that what is not zero does not vanish; a point satisfies it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import chain, islice
+from math import lcm
 from typing import Any, Literal
 
 import sympy
 
-from algebroproj_sym.expressions import Expression, evaluate, rational, shape, symbols_of, text, written
+from algebroproj_sym.expressions import (
+    Expression,
+    admits,
+    assumed,
+    evaluate,
+    free_symbols,
+    is_plain,
+    parse,
+    rational,
+    shape,
+    symbols_of,
+    text,
+    values_of,
+    written,
+)
 from algebroproj_sym.expressions.exact import exact, fmpq
 from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.membership import cofactors
 from algebroproj_sym.proving.points import Point, points_on, rational_points, rational_zeros, seed_of
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
-from algebroproj_sym.proving.thorough import Problem
+from algebroproj_sym.proving.thorough import NO_POINT, Problem
 
 Decision = Literal["proved", "refuted", "open"]
 
@@ -31,6 +47,8 @@ FILTER_POINTS_ON_CONSTRAINTS = 12
 SEARCH_POINTS = 400
 FURTHER_POINTS = 100
 SATURATION = 2
+
+Witness = Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str]
 
 
 class UndefinedError(ValueError):
@@ -53,6 +71,8 @@ class Proof:
         A point at which both sides are defined and differ; a thorough search may give SymPy's real algebraic numbers.
     engine : str
         The polynomial arithmetic that was used.
+    assumptions : tuple of sympy.Symbol
+        Symbols of which SymPy assumes more than that they are real: the statement is made for such numbers alone.
     """
 
     verdict: Decision
@@ -60,6 +80,7 @@ class Proof:
     certificate: Mapping[str, Any] | None
     counterexample: Mapping[sympy.Symbol, Fraction] | None
     engine: str
+    assumptions: tuple[sympy.Symbol, ...] = ()
 
 
 def prove(
@@ -68,9 +89,10 @@ def prove(
     *,
     constraints: Sequence[Any] = (),
     nonzero: Sequence[Any] = (),
-    witness: Mapping[sympy.Symbol, Fraction | int] | None = None,
+    witness: Witness | None = None,
     engine: str = "flint",
     thorough: bool = False,
+    assumptions: Sequence[sympy.Symbol] = (),
 ) -> Proof:
     """Decide whether ``lhs == rhs`` wherever both are defined and the hypotheses hold.
 
@@ -82,18 +104,21 @@ def prove(
         Expressions that are zero.
     nonzero : sequence of sympy.Expr
         Expressions that are not zero.
-    witness : mapping of Symbol to rational number, optional
-        A point that satisfies constraints and hypotheses, where no search would find one.
+    witness : mapping of Symbol, or name, to rational number, optional
+        A point that satisfies constraints and hypotheses, where no search would find one; numbers may also be text.
     engine : {"flint", "sympy"}
         Which polynomial arithmetic to use.
     thorough : bool
         With constraints, search further than bounded cofactors and triangular systems: Groebner bases, powers of the
         claim, real points over an extension of Q.
+    assumptions : sequence of sympy.Symbol
+        Symbols with SymPy's assumptions, for the plain ones of the same names in the expressions.
 
     Returns
     -------
     Proof
-        With constraints the verdict may be ``"open"``; without them it never is for lack of a method.
+        With constraints the verdict may be ``"open"``; without them it never is for lack of a method.  It is open where
+        no point satisfies constraints, hypotheses and assumptions: anything is true there.
 
     Raises
     ------
@@ -101,6 +126,8 @@ def prove(
         If an argument is not a rational expression over Q (floats are not).
     UndefinedError
         If a denominator is identically zero.
+    SymbolError
+        If a symbol cannot be written, stands for no rational number, or is another one of the same name.
     ValueError
         If the shapes differ, the engine is unknown, a constraint is a matrix or the witness violates a constraint.
 
@@ -112,28 +139,79 @@ def prove(
     ('proved', (x - y,))
     >>> prove(x**2, x).counterexample
     {x: Fraction(-1, 1)}
-    >>> prove(x**3, x, constraints=[x**2 - 1]).verdict
-    'open'
-    >>> prove(x**3, x, constraints=[x**2 - 1], witness={x: 1}).verdict
-    'proved'
+    >>> prove(x**3, x, constraints=[x**2 - 1]).certificate["witness"]
+    {'x': '1'}
     >>> prove(x, 1, constraints=[x**2 - 2], thorough=True).counterexample
     {x: -sqrt(2)}
+    >>> prove(x, 0, nonzero=[x - x]).certificate["reason"]
+    'nonzero[0] is zero wherever it is defined: nothing is stated'
     """
     if engine not in ENGINES:
         raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
-    left, right = rational(lhs, "lhs"), rational(rhs, "rhs")
+    left, right = rational(lhs, "lhs", assuming=True), rational(rhs, "rhs", assuming=True)
     if shape(left) != shape(right):
         raise ValueError(f"prove: expected two sides of one shape, got {shape(left)} and {shape(right)}")
     given = tuple(_scalar(expression, "constraints") for expression in constraints)
     units = tuple(_scalar(expression, "nonzero") for expression in nonzero)
-    question = _Question(left, right, given, units, witness, engine)
-    if not given:
+    question = _question(left, right, given, units, witness, engine, assumptions)
+    proof = _decided(question, thorough)
+    return replace(proof, assumptions=tuple(question.assumed.values())) if question.assumed else proof
+
+
+def _question(
+    left: Expression,
+    right: Expression,
+    constraints: Sequence[sympy.Expr],
+    nonzero: Sequence[sympy.Expr],
+    witness: Witness | None,
+    engine: str,
+    assumptions: Sequence[sympy.Symbol],
+) -> _Question:
+    """Put plain symbols for those with assumptions, of which those that are not zero do not vanish."""
+    symbols = {symbol for form in (left, right, *constraints, *nonzero) for symbol in free_symbols(form)}
+    others = [symbol for symbol in assumptions if symbol.name in {symbol.name for symbol in symbols}]
+    named = {symbol.name for symbol in others}
+    plain = assumed([*others, *(s for s in symbols if s.name not in named or not is_plain(s))], "symbols")
+    if any(symbol != kept for symbol, kept in plain.items()):
+        left, right, *rest = (form.xreplace(plain) for form in (left, right, *constraints, *nonzero))
+        constraints, nonzero = rest[: len(constraints)], rest[len(constraints) :]
+    stated = {kept: symbol for symbol, kept in plain.items() if not is_plain(symbol)}
+    implied = [kept for kept, symbol in stated.items() if symbol.is_zero is False and kept not in nonzero]
+    point = None if witness is None else _witness(witness)
+    return _Question(left, right, tuple(constraints), (*nonzero, *implied), point, engine, stated)
+
+
+def _decided(question: _Question, thorough: bool) -> Proof:
+    given = question.given_witnesses() if question.constraints else []
+    reason = _contradiction(question)
+    if reason is not None:
+        return Proof("open", (), {"method": "none", "reason": reason}, None, question.engine)
+    if not question.constraints:
         return _prove_identity(question)
-    return _prove_thoroughly(question) if thorough else _prove_constrained(question)
+    return _prove_thoroughly(question, given) if thorough else _prove_constrained(question)
+
+
+def _contradiction(question: _Question) -> str | None:
+    """Return why a single condition cannot hold at any point, None if none is seen to be of that kind."""
+    if not question.constraints and not question.nonzero:
+        return None
+    field = RationalFunctionField(question.symbols, question.engine)
+    for argument, conditions in {"constraints": question.constraints, "nonzero": question.nonzero}.items():
+        for place, condition in enumerate(conditions):
+            try:
+                numerator = _numerator(field, condition)
+            except ZeroDivisionError:
+                return f"{argument}[{place}] has a denominator that is identically zero: nothing is stated"
+            powers = list(field.ring.terms(numerator))
+            if argument == "nonzero" and not powers:
+                return f"nonzero[{place}] is zero wherever it is defined: nothing is stated"
+            if argument == "constraints" and powers and not any(map(any, powers)):
+                return f"constraints[{place}] is never zero: nothing is stated"
+    return None
 
 
 def _scalar(value: Any, argument: str) -> sympy.Expr:
-    expression = rational(value, argument)
+    expression = rational(value, argument, assuming=True)
     if shape(expression) != ():
         raise ValueError(f"{argument}: expected scalars, got a matrix of shape {shape(expression)}")
     return expression
@@ -145,8 +223,19 @@ class _Question:
     right: Expression
     constraints: tuple[sympy.Expr, ...]
     nonzero: tuple[sympy.Expr, ...]
-    witness: Mapping[sympy.Symbol, Fraction | int] | None
+    witness: Point | None
     engine: str
+    assumed: Mapping[sympy.Symbol, sympy.Symbol]
+    """The symbols with assumptions, by the plain ones."""
+
+    @property
+    def values(self) -> Mapping[sympy.Symbol, Sequence[Fraction]]:
+        """Numbers for the symbols that do not stand for any."""
+        return {plain: values_of(symbol) for plain, symbol in self.assumed.items()}
+
+    def admits(self, point: Mapping[sympy.Symbol, Any]) -> bool:
+        """Whether a point satisfies the assumptions."""
+        return all(admits(symbol, point[plain]) for plain, symbol in self.assumed.items())
 
     @property
     def symbols(self) -> tuple[sympy.Symbol, ...]:
@@ -157,7 +246,9 @@ class _Question:
         return seed_of(text(self.left), text(self.right), *map(written, self.constraints))
 
     def differs_at(self, point: Point) -> bool | None:
-        """Whether the sides differ at a point; None where a side is undefined or a hypothesis fails."""
+        """Whether the sides differ at a point; None where a side is undefined or a hypothesis or assumption fails."""
+        if not self.admits(point):
+            return None
         at = exact(point)
         try:
             if any(evaluate(unit, at, fmpq)[0] == 0 for unit in self.nonzero):
@@ -169,9 +260,13 @@ class _Question:
     def points(self) -> Iterator[Point]:
         """Points of the variety of the constraints, the given witness first."""
         if not self.constraints:
-            return islice(rational_points(self.symbols, self.seed), SEARCH_POINTS)
-        searched = points_on(self.constraints, self.symbols, self.seed, SEARCH_POINTS)
+            return islice(rational_points(self.symbols, self.seed, self.values), SEARCH_POINTS)
+        searched = points_on(self.constraints, self.symbols, self.seed, SEARCH_POINTS, self.values)
         return chain(self._given_witness(), searched)
+
+    def further_points(self) -> Iterator[Point]:
+        """Points of constraints that are not triangular."""
+        return rational_zeros(self.constraints, self.symbols, self.seed, FURTHER_POINTS)
 
     def given_witnesses(self) -> list[Point]:
         """Return the given witness, if there is one and hypotheses hold there."""
@@ -187,15 +282,28 @@ class _Question:
     def fillings(self) -> Iterator[Point]:
         """Points with the coordinates of the given witness, if there is one; the others are random."""
         if self.witness is not None:
-            given = {symbol: _exact(value) for symbol, value in self.witness.items()}
-            for filling in rational_points(self.symbols, self.seed):
-                yield filling | given
+            for filling in rational_points(self.symbols, self.seed, self.values):
+                yield filling | self.witness
 
 
-def _exact(value: Any) -> Fraction:
-    number = rational(value, "witness")
+def _witness(given: Witness) -> Point:
+    if not isinstance(given, Mapping):
+        raise TypeError(f"witness: expected a mapping of symbols to numbers, got {type(given).__name__}")
+    point: Point = {}
+    for key, value in given.items():
+        if not isinstance(key, str | sympy.Symbol):
+            raise TypeError(f"witness: expected symbols or their names as keys, got {key!r}")
+        name = key if isinstance(key, str) else key.name
+        if sympy.Symbol(name) in point:
+            raise ValueError(f"witness: expected one value for {name}, got two")
+        point[sympy.Symbol(name)] = _exact(value, f"witness, {name}")
+    return point
+
+
+def _exact(value: Any, argument: str) -> Fraction:
+    number = parse(value, argument) if isinstance(value, str) else rational(value, argument)
     if not isinstance(number, sympy.Rational):
-        raise ValueError(f"witness: expected exact numbers, got {value!r}")
+        raise ValueError(f"{argument}: expected an exact number, got {value!r}")
     return Fraction(int(number.p), int(number.q))
 
 
@@ -211,11 +319,14 @@ def _is_on(constraints: Sequence[sympy.Expr], point: Point) -> bool:
 
 
 def _prove_identity(question: _Question) -> Proof:
-    suspicious = next(filter(question.differs_at, islice(rational_points(question.symbols, 0), FILTER_POINTS)), None)
+    first = islice(rational_points(question.symbols, 0, question.values), FILTER_POINTS)
+    suspicious = next(filter(question.differs_at, first), None)
     if suspicious is not None:
         return _refuted(question, _first_difference(question, SEARCH_POINTS) or suspicious)
     field, difference = _normal_form(question)
     if all(entry.is_zero for entry in difference):
+        if question.assumed and all(question.differs_at(point) is None for point in question.points()):
+            return _open(question, field, NO_POINT)
         certificate = {"method": "normal form", "denominators": [text(factor) for factor in field.divisors()]}
         return Proof("proved", field.divisors(), certificate, None, question.engine)
     refuting = _first_difference(question, SEARCH_POINTS)
@@ -229,11 +340,14 @@ def _prove_constrained(question: _Question) -> Proof:
     if refuting is not None:
         return _refuted(question, refuting)
     field, difference = _normal_form(question)
-    witness = next((point for point in question.points() if question.differs_at(point) is False), None)
+    points = chain(question.points(), question.further_points())
+    witness = next((point for point in points if question.differs_at(point) is not None), None)
     if witness is None:
-        return _refuted_further(question, field, "no point was found that satisfies constraints and hypotheses")
-    generators = [_numerator(field, constraint) for constraint in question.constraints]
-    multiplier = _nonvanishing(field, question.nonzero)
+        return _refuted_further(question, field, NO_POINT)
+    if question.differs_at(witness):
+        return _refuted(question, witness)
+    generators = [field.primitive(_numerator(field, constraint)) for constraint in question.constraints]
+    multiplier = field.primitive(_nonvanishing(field, question.nonzero))
     evidence = [_membership(field, entry, generators, multiplier) for entry in difference]
     if any(part is None for part in evidence):
         return _refuted_further(question, field, "no cofactors were found")
@@ -248,17 +362,18 @@ def _prove_constrained(question: _Question) -> Proof:
     return Proof("proved", field.divisors(), certificate, None, question.engine)
 
 
-def _prove_thoroughly(question: _Question) -> Proof:
+def _prove_thoroughly(question: _Question, given: Sequence[Point]) -> Proof:
     field, difference = _normal_form(question)
     finding = Problem(
         field=field,
         left=question.left,
         right=question.right,
-        numerators=[entry.numerator for entry in difference],
-        constraints=[_numerator(field, constraint) for constraint in question.constraints],
+        numerators=[field.primitive(entry.numerator) for entry in difference],
+        constraints=[field.primitive(_numerator(field, constraint)) for constraint in question.constraints],
         nonzero=[_numerator(field, unit) for unit in question.nonzero],
         seed=question.seed,
-        given=question.given_witnesses(),
+        given=given,
+        admits=question.admits,
     ).decided()
     hypotheses = () if finding.verdict == "refuted" else field.divisors()
     return Proof(finding.verdict, hypotheses, finding.certificate, finding.point, question.engine)
@@ -267,16 +382,19 @@ def _prove_thoroughly(question: _Question) -> Proof:
 def _membership(
     field: RationalFunctionField, entry: RationalFunction, generators: Sequence[Any], multiplier: Any
 ) -> dict[str, Any] | None:
-    """Return the cofactors of the numerator times a power of the multiplier, and the denominator that was cleared."""
+    """Return cofactors of the numerator times a power of the multiplier and a number, and the denominator cleared."""
     cleared = () if entry.is_zero else entry.denominator
     denominator = {written(field.expression(field.factors[place])): count for place, count in cleared if count}
     for power in range(SATURATION + 1):
         found = cofactors(field.ring, entry.numerator * multiplier**power, generators)
         if found is not None:
+            number = lcm(*(value.denominator for part in found for value in field.ring.terms(part).values()))
+            scaled = [field.expression(part * field.ring.constant(Fraction(number))) for part in found]
             return {
+                "number": number,
                 "power": power,
                 "denominator": dict(sorted(denominator.items())),
-                "cofactors": [text(field.expression(cofactor)) for cofactor in found],
+                "cofactors": [*map(text, scaled)],
             }
     return None
 
@@ -311,9 +429,8 @@ def _first_difference(question: _Question, tries: int) -> Point | None:
 
 def _refuted_further(question: _Question, field: RationalFunctionField, reason: str) -> Proof:
     """Look for a counterexample among more points, and on constraints that are not triangular."""
-    zeros = rational_zeros(question.constraints, question.symbols, question.seed, FURTHER_POINTS)
     fillings = (point for point in islice(question.fillings(), FURTHER_POINTS) if _is_on(question.constraints, point))
-    points = chain(islice(question.points(), SEARCH_POINTS), fillings, zeros)
+    points = chain(islice(question.points(), SEARCH_POINTS), fillings, question.further_points())
     refuting = next(filter(question.differs_at, points), None)
     return _open(question, field, reason) if refuting is None else _refuted(question, refuting)
 
@@ -321,8 +438,8 @@ def _refuted_further(question: _Question, field: RationalFunctionField, reason: 
 def _refuted(question: _Question, point: Point) -> Proof:
     certificate = {
         "method": "counterexample",
-        "left": [str(value) for value in evaluate(question.left, point)],
-        "right": [str(value) for value in evaluate(question.right, point)],
+        "left": [str(fmpq(value)) for value in evaluate(question.left, point)],
+        "right": [str(fmpq(value)) for value in evaluate(question.right, point)],
     }
     used = {symbol: point[symbol] for symbol in question.symbols}
     return Proof("refuted", (), certificate, used, question.engine)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Any
 
 import sympy
@@ -72,10 +72,14 @@ class RationalFunctionField:
         content, factors = self.ring.factor(polynomial)
         normalised = []
         for factor, multiplicity in factors:
-            unit = self.ring.unit(factor)
-            content *= unit**multiplicity
-            normalised.append((factor if unit == 1 else factor * self.ring.constant(1 / unit), multiplicity))
+            content *= self.ring.unit(factor) ** multiplicity
+            normalised.append((self.primitive(factor), multiplicity))
         return content, normalised
+
+    def primitive(self, polynomial: Any) -> Any:
+        """Return a polynomial times the number that makes its coefficients integers without a common factor."""
+        unit = self.ring.unit(polynomial) if polynomial else Fraction(1)
+        return polynomial if unit == 1 else polynomial * self.ring.constant(1 / unit)
 
     def place(self, factor: Any) -> int:
         """Return the place of an irreducible factor in the list of denominators, entering it if it is new."""
@@ -176,6 +180,12 @@ class RationalFunction:
         denominator = tuple(sorted((self.field.place(factor), count) for factor, count in factors))
         numerator = self.field.product(self.denominator) * self.field.ring.constant(1 / content)
         return RationalFunction(self.field, numerator, denominator)
+
+
+def numerators_over_one(values: Sequence[RationalFunction]) -> list[Any]:
+    """Return the numerators of elements over one denominator."""
+    common = reduce(_union, (value.denominator for value in values))
+    return [value._numerator_over(common) for value in values]
 
 
 def _combine(left: Exponents, right: Exponents, join: Any) -> Exponents:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import parse, parse_zero
-from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.expressions import free_symbols, parse, parse_zero, require_bounded
+from algebroproj_sym.proving.prove import Proof, Witness
 from algebroproj_sym.proving.prove import prove as decided
 
 
@@ -19,7 +18,7 @@ def prove(
     *,
     constraints: Sequence[Any] = (),
     nonzero: Sequence[Any] = (),
-    witness: Mapping[sympy.Symbol, Fraction | int] | None = None,
+    witness: Witness | None = None,
     engine: str = "flint",
 ) -> Proof:
     """Decide whether ``lhs == rhs`` wherever both are defined and the hypotheses hold.
@@ -33,8 +32,8 @@ def prove(
         Expressions that are zero; text may also be an equation ``left = right``.
     nonzero : sequence of str or sympy.Expr
         Expressions that are not zero.
-    witness : mapping of Symbol to rational number, optional
-        A point that satisfies constraints and hypotheses, where no search would find one.
+    witness : mapping of Symbol, or name, to rational number, optional
+        A point that satisfies constraints and hypotheses, where no search would find one; numbers may also be text.
     engine : {"flint", "sympy"}
         Which polynomial arithmetic to use.
 
@@ -42,19 +41,25 @@ def prove(
     -------
     Proof
         Verdict ``"proved"`` (over every field of characteristic 0), ``"refuted"`` (at a real point) or ``"open"``.
+        What SymPy assumes of symbols is in `Proof.assumptions`: every point satisfies it.
 
     Raises
     ------
     ParseError
         If a text is not in the grammar.
+    TooLargeError
+        If a SymPy expression is larger than a text may be.
+    SymbolError
+        If a symbol has a name that text cannot have, stands for no rational number, or is another one of the same name.
     TypeError
-        If constraints or nonzero are one text.
+        If constraints or nonzero are not a sequence, or the witness is not a mapping.
     NotRationalError
         If an argument is not a rational expression over Q (floats are not).
     UndefinedError
         If a denominator is identically zero.
     ValueError
-        If the shapes differ, the engine is unknown, a constraint is a matrix or the witness violates a constraint.
+        If the shapes differ, the engine is unknown, a constraint is a matrix, or the witness violates a constraint or
+        has a value for a symbol that does not occur.
 
     Examples
     --------
@@ -69,22 +74,37 @@ def prove(
     {x: -sqrt(2)}
     """
     for argument, given in {"constraints": constraints, "nonzero": nonzero}.items():
-        if isinstance(given, str):
-            raise TypeError(f"{argument}: expected a sequence of expressions, got the text {given!r}")
-    return decided(
-        _read(lhs, "lhs"),
-        _read(rhs, "rhs"),
-        constraints=[_zero(constraint, f"constraints[{i}]") for i, constraint in enumerate(constraints)],
-        nonzero=[_read(unit, f"nonzero[{i}]") for i, unit in enumerate(nonzero)],
-        witness=witness,
-        engine=engine,
-        thorough=True,
-    )
+        if isinstance(given, str) or not isinstance(given, Sequence):
+            raise TypeError(f"{argument}: expected a sequence of expressions, got {_kind(given)}")
+    left, right = _read(lhs, "lhs"), _read(rhs, "rhs")
+    zeros = [_zero(constraint, f"constraints[{i}]") for i, constraint in enumerate(constraints)]
+    units = [_read(unit, f"nonzero[{i}]") for i, unit in enumerate(nonzero)]
+    if isinstance(witness, Mapping):
+        _require_known(witness, (left, right, *zeros, *units))
+    return decided(left, right, constraints=zeros, nonzero=units, witness=witness, engine=engine, thorough=True)
+
+
+def _kind(given: Any) -> str:
+    return f"the text {given!r}" if isinstance(given, str) else f"{type(given).__name__}"
 
 
 def _read(value: Any, argument: str) -> Any:
-    return parse(value, argument) if isinstance(value, str) else value
+    if isinstance(value, str):
+        return parse(value, argument)
+    require_bounded(value, argument)
+    return value
 
 
 def _zero(value: Any, argument: str) -> Any:
-    return parse_zero(value, argument) if isinstance(value, str) else value
+    return parse_zero(value, argument) if isinstance(value, str) else _read(value, argument)
+
+
+def _require_known(witness: Mapping[Any, Any], forms: Sequence[Any]) -> None:
+    symbols = (free_symbols(form) for form in forms if isinstance(form, sympy.Expr | sympy.MatrixBase))
+    names = {symbol.name for found in symbols for symbol in found}
+    for key, value in witness.items():
+        name = getattr(key, "name", key)
+        if isinstance(name, str) and name not in names:
+            known = ", ".join(sorted(names)) or "none"
+            raise ValueError(f"witness: expected values for symbols that occur ({known}), got one for {name!r:.120}")
+        require_bounded(value, f"witness, {name}")

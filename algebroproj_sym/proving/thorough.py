@@ -11,7 +11,7 @@ verdict.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -25,19 +25,22 @@ import sympy
 from algebroproj_sym.expressions import Expression, evaluate
 from algebroproj_sym.expressions.exact import fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField
-from algebroproj_sym.proving.cases import Case, End, Step, case_distinction, follows
+from algebroproj_sym.proving.cases import Case, End, SquaresStep, Step, case_distinction, follows
 from algebroproj_sym.proving.combination import Combination, System
-from algebroproj_sym.proving.elimination import DerivedUnit
+from algebroproj_sym.proving.elimination import DerivedUnit, denominator_of
 from algebroproj_sym.proving.rational_function import RationalFunctionField
-from algebroproj_sym.proving.squares import Positive, Zeros, real_facts
+from algebroproj_sym.proving.squares import Positive, Squares, Zeros, primitive_square, real_facts
 from algebroproj_sym.proving.translation import Frame, does_not_change, frame_of
 from algebroproj_sym.proving.varieties import Value, real_points, value_at
 
 RealPoint = Mapping[sympy.Symbol, Any]
 
+NO_POINT = "no real point was found that satisfies constraints, hypotheses and assumptions: add witness="
+
 FIRST_TRIES = 60
 ENOUGH_POINTS = 12
 MORE_TRIES = 300
+FURTHER_TRIES = 100
 MOST_STEPS = 4
 
 
@@ -84,6 +87,8 @@ class Problem:
         What sums of squares have added to the constraints and to what is not zero, in order.
     given_frame : Frame, optional
         The translations that the facts go with.
+    admits : callable
+        Whether a point is one that the question is about.
     """
 
     field: RationalFunctionField
@@ -96,6 +101,7 @@ class Problem:
     given: Sequence[Mapping[sympy.Symbol, Fraction]] = ()
     facts: Sequence[Positive | Zeros] = ()
     given_frame: Frame | None = None
+    admits: Callable[[RealPoint], bool] = lambda point: True
 
     @cached_property
     def context(self) -> Any:
@@ -148,8 +154,16 @@ class Problem:
         finding = self._decided()
         if finding.verdict != "open" or len(self.facts) >= MOST_STEPS:
             return finding
-        known = [fact for fact in map(self._everywhere, real_facts(self.system)) if self._holds(fact)]
-        return self._knowing(known).decided() if known else finding
+        known = [fact for fact in map(self._everywhere, real_facts(self.system, self.seed)) if self._holds(fact)]
+        return self._knowing(known).decided() if known else self._decided_by_real_cases() or finding
+
+    def _decided_by_real_cases(self) -> Finding | None:
+        """Return a proof by cases in which zeros may be sums of squares."""
+        cases = [self._cases(numerator, real=True) for numerator in self.numerators]
+        found = [case for case in cases if case is not None]
+        places = chain(self._places(FIRST_TRIES), self._places(MORE_TRIES, extension=True))
+        witness = next(places, None) if len(found) == len(cases) else None
+        return None if witness is None else self._proved_by_cases(found, witness[0])
 
     def _decided(self) -> Finding:
         if any(not self.field.ring.terms(polynomial) for polynomial in self.nonzero):
@@ -162,19 +176,20 @@ class Problem:
             if count >= ENOUGH_POINTS:
                 break
         if witness is None and self.system.is_inconsistent:
-            return _open("the constraints and hypotheses contradict each other, which would prove anything")
+            return _open(self._contradiction())
         evidence = [self._evidence(numerator) for numerator in self.numerators]
         if witness is not None and None in evidence and self._distinguished is not None:
             return self._proved_by_cases(self._distinguished, witness)
         if witness is None or None in evidence:
-            for place, differs in self._places(MORE_TRIES, extension=True):
+            further = self._places(FURTHER_TRIES, extension=True, further=True)
+            for place, differs in chain(self._places(MORE_TRIES, extension=True), further):
                 if differs:
                     return self._refuted(place)
                 witness = witness or place
                 if None not in evidence:
                     break
         if witness is None:
-            return _open("no real point was found that satisfies constraints and hypotheses")
+            return _open(NO_POINT)
         found = [part for part in evidence if part is not None]
         if len(found) == len(evidence):
             return self._proved(found, witness)
@@ -182,17 +197,30 @@ class Problem:
             return self._proved_by_cases(self._distinguished, witness)
         return _open("no combination of the constraints was found, and no real point at which the sides differ")
 
+    def _contradiction(self) -> str:
+        """Return what cannot be: constraints that contradict each other, or something that they force to be zero."""
+        zeros = self.system.constraints
+        if System(zeros, [], self.context).is_inconsistent:
+            return "the constraints contradict each other, which would prove anything"
+        for unit, restricted in zip(self.units, self.units_at_origin, strict=True):
+            if System(zeros, [restricted], self.context).is_inconsistent:
+                return f"{self.written(unit)} is zero wherever the constraints hold, and must not be: nothing is stated"
+        return "the constraints and hypotheses contradict each other, which would prove anything"
+
     def written(self, polynomial: Any) -> str:
-        """Return a polynomial of FLINT's ring as text."""
+        """Return a polynomial of FLINT's ring, with integer coefficients, as text."""
         names = [symbol.name for symbol in self.field.symbols]
         terms = []
         for powers, value in polynomial.to_dict().items():
             factors = [
                 name if n == 1 else f"{name}**{n}" for name, n in zip(names, map(int, powers), strict=False) if n
             ]
-            number = [] if value == 1 and factors else [f"({value})" if value.q != 1 else str(value)]
+            number = [] if value == 1 and factors else [str(value)]
             terms.append("*".join(number + factors))
         return " + ".join(terms).replace("+ -", "- ") or "0"
+
+    def _listed(self, polynomials: Sequence[Any], number: int) -> list[str]:
+        return [self.written(polynomial * number) for polynomial in polynomials]
 
     def _into(self, polynomial: Any) -> Any:
         terms = self.field.ring.terms(polynomial)
@@ -212,14 +240,10 @@ class Problem:
         for part in evidence:
             missing = zip(self.known_units, powers, part.powers, strict=True)
             scale = prod((unit ** (most - some) for unit, most, some in missing), start=self._one)
-            entries.append(
-                {
-                    "power": 1 if any(powers) else 0,
-                    "exponent": part.exponent,
-                    "cofactors": [self.written(cofactor * scale) for cofactor in part.cofactors],
-                }
-            )
-        factors = [f"({self.written(unit)})**{n}" for unit, n in zip(self.known_units, powers, strict=True) if n]
+            entries.append((part.exponent, [cofactor * scale for cofactor in part.cofactors]))
+        number = denominator_of(*chain.from_iterable(cofactors for _, cofactors in entries))
+        factors = [str(number)] if number != 1 else []
+        factors += [f"({self.written(unit)})**{n}" for unit, n in zip(self.known_units, powers, strict=True) if n]
         product = prod((unit for unit, n in zip(self.known_units, powers, strict=True) if n), start=self._one)
         derived = self.system.elimination.behind(product)
         if not all(self._follows(found, derived[:place]) for place, found in enumerate(derived)):
@@ -230,7 +254,10 @@ class Problem:
             "method": "sums of squares" if self.facts else usual,
             **self._before(steps),
             "multiplier": "*".join(factors) or "1",
-            "entries": entries,
+            "entries": [
+                {"power": 1 if factors else 0, "exponent": exponent, "cofactors": self._listed(cofactors, number)}
+                for exponent, cofactors in entries
+            ],
         }
         return Finding("proved", certificate | _witnessed(witness))
 
@@ -300,11 +327,12 @@ class Problem:
 
     def _derivation(self, found: DerivedUnit) -> dict[str, Any]:
         product, cofactors, cofactor = found.relation()
+        number = denominator_of(product, *cofactors, cofactor)
         return {
             "not zero": self.written(found.unit),
-            "product": self.written(product),
-            "cofactors": [self.written(part) for part in cofactors],
-            "factor": self.written(cofactor),
+            "product": self.written(product * number),
+            "cofactors": self._listed(cofactors, number),
+            "factor": self.written(cofactor * number),
         }
 
     def _translations(self) -> list[dict[str, Any]]:
@@ -326,13 +354,13 @@ class Problem:
         cases = [case for case in map(self._cases, self.numerators) if case is not None]
         return cases if len(cases) == len(self.numerators) else None
 
-    def _cases(self, numerator: Any) -> Case | None:
+    def _cases(self, numerator: Any, *, real: bool = False) -> Case | None:
         """Return how the claim follows by cases, multiplied out in the engine of the question."""
         if not self._is_translated(numerator):
             return None
         goal = self.frame.restricted(self._into(numerator))
         zeros, units = self.system.constraints, self.units_at_origin
-        found = case_distinction(goal, zeros, units, self.seed)
+        found = case_distinction(goal, zeros, units, self.seed, real=real)
         return found if found is not None and follows(found, goal, zeros, units, self._back) else None
 
     def _proved_by_cases(self, cases: Sequence[Case], witness: _Place) -> Finding:
@@ -350,13 +378,17 @@ class Problem:
             return {**assumed, **steps, "exponent": case.rest.exponent, **self._sum(case.rest)}
         return {**assumed, **steps, "cases": [*map(self._case, case.rest)]}
 
-    def _case_step(self, step: Step) -> dict[str, Any]:
-        factor = {} if step.factor is None else {"factor": self.written(step.factor)}
-        return {step.shows: self.written(step.polynomial), **self._sum(step), **factor}
+    def _case_step(self, step: Step | SquaresStep) -> dict[str, Any]:
+        if isinstance(step, SquaresStep):
+            return {"squares": self._squares(step.squares), **self._sum(step)}
+        return {step.shows: self.written(step.polynomial), **self._sum(step, step.factor)}
 
-    def _sum(self, part: Step | End) -> dict[str, Any]:
-        cofactors = {str(place): self.written(cofactor) for place, cofactor in part.cofactors.items()}
-        return {"multiplier": self.written(part.multiplier), "cofactors": cofactors}
+    def _sum(self, part: Step | SquaresStep | End, factor: Any = None) -> dict[str, Any]:
+        others = {} if factor is None else {"factor": factor}
+        number = denominator_of(part.multiplier, *part.cofactors.values(), *others.values())
+        cofactors = {str(place): self.written(cofactor * number) for place, cofactor in part.cofactors.items()}
+        others = {key: self.written(other * number) for key, other in others.items()}
+        return {"multiplier": self.written(part.multiplier * number), "cofactors": cofactors, **others}
 
     # -- what holds over the reals alone
 
@@ -375,7 +407,10 @@ class Problem:
         """Return a fact about the system at the origin as one about the constraints."""
         squares = [(weight, self.frame.lifted(root)) for weight, root in fact.squares]
         if isinstance(fact, Positive):
-            return Positive(self.frame.lifted(fact.polynomial), squares)
+            polynomial = self.frame.lifted(fact.polynomial)
+            number = denominator_of(polynomial)
+            return Positive(polynomial * number, [primitive_square(weight * number, root) for weight, root in squares])
+        squares = [primitive_square(*square) for square in squares]
         return Zeros(squares, fact.multiplier, fact.cofactors)
 
     def _holds(self, fact: Positive | Zeros) -> bool:
@@ -392,25 +427,31 @@ class Problem:
         return not self.field.ring.terms(rest) and self._is_product_of_units(fact.multiplier)
 
     def _step(self, fact: Positive | Zeros) -> dict[str, Any]:
-        squares = [[str(weight), self.written(root)] for weight, root in fact.squares]
         if isinstance(fact, Positive):
-            return {"not zero": self.written(fact.polynomial), "squares": squares}
-        cofactors = [self.written(cofactor) for cofactor in fact.cofactors]
-        return {"squares": squares, "multiplier": self.written(fact.multiplier), "cofactors": cofactors}
+            return {"not zero": self.written(fact.polynomial), "squares": self._squares(fact.squares)}
+        number = denominator_of(fact.multiplier, *fact.cofactors)
+        multiplier, cofactors = self.written(fact.multiplier * number), self._listed(fact.cofactors, number)
+        return {"squares": self._squares(fact.squares), "multiplier": multiplier, "cofactors": cofactors}
+
+    def _squares(self, squares: Squares) -> list[list[str]]:
+        return [[str(weight), self.written(root)] for weight, root in squares]
 
     # -- points
 
-    def _places(self, tries: int, *, extension: bool = False) -> Iterator[tuple[_Place, bool]]:
+    def _places(self, tries: int, *, extension: bool = False, further: bool = False) -> Iterator[tuple[_Place, bool]]:
         """Yield places where constraints and hypotheses hold, and whether the sides differ there."""
         for given in self.given:
             yield from self._judged(_Place(given, None))
-        for values in real_points(self.system.members, self.context, self.seed, tries, extension=extension):
+        members, kinds = self.system.members, {"extension": extension, "further": further}
+        for values in real_points(members, self.context, self.seed, tries, **kinds):
             whole = self._completed(values)
             if whole is not None:
                 field = whole[0].field if isinstance(whole[0], Algebraic) else None
                 yield from self._judged(_Place(dict(zip(self.field.symbols, whole[:-1], strict=True)), field))
 
     def _judged(self, place: _Place) -> Iterator[tuple[_Place, bool]]:
+        if not self.admits(place.shown()):
+            return
         try:
             yield place, bool(place.values(self.left) != place.values(self.right))
         except ZeroDivisionError:
@@ -429,8 +470,9 @@ class Problem:
 
     def _refuted(self, place: _Place) -> Finding:
         sides = {"left": place.values(self.left), "right": place.values(self.right)}
-        shown = {name: [str(_shown(value)) for value in values] for name, values in sides.items()}
-        return Finding("refuted", {"method": "counterexample"} | shown | place.extension(), place.shown())
+        shown = {name: [*map(_text, values)] for name, values in sides.items()}
+        point = {"point": place.texts()} if place.field else {}
+        return Finding("refuted", {"method": "counterexample"} | shown | point | place.extension(), place.shown())
 
 
 def _powers_in(polynomial: Any, units: Sequence[Any]) -> tuple[list[int], Any]:
@@ -466,13 +508,25 @@ class _Place:
             return {}
         low, high = self.field.interval
         coefficients = [str(c) for c in reversed(self.field.polynomial.coeffs())]
-        values = {symbol.name: [*map(str, reversed(value.polynomial.coeffs()))] for symbol, value in self.point.items()}
-        return {"extension": {"coefficients": coefficients, "root between": [str(low), str(high)], "values": values}}
+        return {"extension": {"coefficients": coefficients, "root between": [str(low), str(high)]}}
+
+    def texts(self) -> dict[str, str]:
+        """Return the coordinates as text, by name."""
+        return {symbol.name: _text(value) for symbol, value in self.point.items()}
 
 
 def _witnessed(witness: _Place) -> dict[str, Any]:
     """Return the last part of a certificate: the point at which everything holds."""
-    return {"witness": {symbol.name: str(value) for symbol, value in witness.shown().items()}} | witness.extension()
+    return {"witness": witness.texts()} | witness.extension()
+
+
+def _text(value: Any) -> str:
+    """Return a number as text; one of an extension as a polynomial in its root r."""
+    if not isinstance(value, Algebraic):
+        return str(value)
+    root = sympy.Symbol("r")
+    terms = (sympy.Rational(int(c.p), int(c.q)) * root**k for k, c in enumerate(value.polynomial.coeffs()))
+    return str(sympy.Add(*terms))
 
 
 def _shown(value: Any) -> Any:

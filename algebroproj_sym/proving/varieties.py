@@ -10,19 +10,26 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, product
 from typing import Any
 
 import flint
 
 from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField, has_real_root, roots_in_field
+from algebroproj_sym.proving.buchberger import EffortExceededError, GroebnerBasis
 
 Value = Fraction | Algebraic
 
 MAX_DEGREE = 24
 MAX_DEGREE_IN_FIELD = 6
 MAX_LENGTH = 3_000
+SCALES = 7
+MAX_DEGREE_TOGETHER = 30
+MAX_DEGREE_OF_ROOT = 9
+TOGETHER_STEPS = 3_000
+MOST_SIMPLE = 800
+_SCALES = (Fraction(1), Fraction(2), Fraction(1, 2))
 _SMALL = [Fraction(n) for n in (1, 2, 3, -1, -2, 4, 5, -3, 7, -4)]
 _PYTHAGOREAN = [Fraction(a, b) for a, b in ((3, 5), (4, 5), (5, 13), (12, 13), (8, 17), (15, 17), (-3, 5), (-4, 5))]
 
@@ -32,7 +39,13 @@ class _DeadEndError(Exception):
 
 
 def real_points(
-    constraints: Sequence[Any], context: Any, seed: int, tries: int, *, extension: bool = False
+    constraints: Sequence[Any],
+    context: Any,
+    seed: int,
+    tries: int,
+    *,
+    extension: bool = False,
+    further: bool = False,
 ) -> Iterator[list[Value]]:
     """Yield points with real coordinates on which the constraints vanish.
 
@@ -48,6 +61,9 @@ def real_points(
         How many starts are made.
     extension : bool
         Whether one irrational root may be taken.
+    further : bool
+        Whether smaller values are tried, and systems with finitely many solutions are solved as a whole; the last
+        variable must occur in no constraint.
 
     Yields
     ------
@@ -68,12 +84,35 @@ def real_points(
     generator = random.Random(seed)
     for attempt in range(tries):
         try:
-            start = _Start(context, generator, attempt, extension)
+            start = _Start(context, generator, attempt, extension, further)
             point = start.completed(list(constraints))
         except (_DeadEndError, ZeroDivisionError):
             continue
         if all(value_at(constraint, point) == 0 for constraint in constraints):
             yield point
+
+
+def simple_points(polynomials: Sequence[Any], context: Any) -> Iterator[list[Value]]:
+    """Yield points on which polynomials vanish, with coordinates 0, 1 and -1 in the variables that occur, or multiples.
+
+    Examples
+    --------
+    >>> context = flint.fmpq_mpoly_ctx.get(("x", "y"), flint.Ordering.degrevlex)
+    >>> x, y = context.gens()
+    >>> [[*map(str, point)] for point in simple_points([x * y - 4], context)]
+    [['2', '2'], ['-2', '-2']]
+    """
+    size = len(context.gens())
+    occurring = [i for i in range(size) if any(p != 0 and p.degrees()[i] for p in polynomials)]
+    if 3 ** len(occurring) > MOST_SIMPLE:
+        return
+    for signs in product((0, 1, -1), repeat=len(occurring)):
+        for scale in _SCALES if any(signs) else _SCALES[:1]:
+            point: list[Value] = [Fraction(0)] * size
+            for place, sign in zip(occurring, signs, strict=True):
+                point[place] = sign * scale
+            if all(value_at(polynomial, point) == 0 for polynomial in polynomials):
+                yield point
 
 
 def value_at(polynomial: Any, point: Sequence[Value]) -> Value:
@@ -97,7 +136,7 @@ def value_at(polynomial: Any, point: Sequence[Value]) -> Value:
 class _Start:
     """One attempt: values for the variables, one after the other."""
 
-    def __init__(self, context: Any, generator: random.Random, attempt: int, extension: bool) -> None:
+    def __init__(self, context: Any, generator: random.Random, attempt: int, extension: bool, further: bool) -> None:
         self._context = context
         self._variables = context.gens()
         self._generator = generator
@@ -106,12 +145,59 @@ class _Start:
         self._known: list[tuple[int, Any]] = []
         self._root: int | None = None
         self._minimal: Any = None
+        self._scale = Fraction(1, 2 ** (attempt // 4 % SCALES)) if further else Fraction(1)
+        self._further = further
+        self._together = further and attempt % 4 == 2
 
     def completed(self, constraints: list[Any]) -> list[Value]:
         dependent = self._dependent(constraints)
+        if self._together:
+            return self._solved_together(constraints, dependent)
         while constraints := [constraint for constraint in constraints if constraint != 0]:
             constraints = self._step(constraints, dependent)
         return self._point()
+
+    def _solved_together(self, constraints: list[Any], dependent: set[int]) -> list[Value]:
+        """Return a point whose dependent coordinates are in the field of one root, that of a sum of them."""
+        for variable in sorted({i for constraint in constraints for i in self._present(constraint)} - dependent):
+            constraints = self._assign(constraints, variable, self._context.constant(fmpq(self._value())))
+        constraints = [constraint for constraint in constraints if constraint != 0]
+        try:
+            while constraints and (free := GroebnerBasis(constraints, TOGETHER_STEPS).free()):
+                value = self._context.constant(fmpq(self._value()))
+                constraints = [c for c in self._assign(constraints, min(free), value) if c != 0]
+            if constraints:
+                self._take_root(constraints)
+        except EffortExceededError:
+            raise _DeadEndError from None
+        return self._point()
+
+    def _take_root(self, constraints: list[Any]) -> None:
+        basis = GroebnerBasis(constraints, TOGETHER_STEPS)
+        if basis.is_unit:
+            raise _DeadEndError
+        variables = [self._variables[i] for i in basis.occurring()]
+        form = sum(variable * self._generator.choice((1, 1, 2, -1, 3)) for variable in variables)
+        relation = basis.relation(basis.powers(form, MAX_DEGREE_TOGETHER + 1))
+        if relation is None:
+            raise _DeadEndError
+        factors = [factor for factor, _ in flint.fmpq_poly(relation).factor()[1]]
+        factors = [factor for factor in factors if factor.degree() <= MAX_DEGREE_OF_ROOT and has_real_root(factor)]
+        if not factors:
+            raise _DeadEndError
+        factor, spare = self._generator.choice(factors), self._variables[-1]
+        powers = list(basis.powers(form, factor.degree() - 1))
+        value = sum(c * power for c, power in zip(factor.coeffs(), basis.powers(form, factor.degree()), strict=True))
+        basis = GroebnerBasis([*constraints, value], TOGETHER_STEPS)
+        self._root = len(self._variables) - 1
+        self._minimal = sum(c * spare**k for k, c in enumerate(factor.coeffs()))
+        self._known.append((self._root, spare))
+        for place in basis.occurring():
+            found = basis.relation([*powers, self._variables[place]])
+            if found is None or not found[-1]:
+                raise _DeadEndError
+            value = sum((-c / found[-1] * spare**k for k, c in enumerate(found[:-1])), self._context.constant(0))
+            self._known.append((place, value))
 
     def _step(self, constraints: list[Any], dependent: set[int]) -> list[Any]:
         if any(constraint.is_constant() or len(constraint) > MAX_LENGTH for constraint in constraints):
@@ -151,8 +237,11 @@ class _Start:
         return [i for i, degree in enumerate(polynomial.degrees()) if degree > 0 and i != self._root]
 
     def _value(self) -> Fraction:
+        return self._scale * self._whole_value()
+
+    def _whole_value(self) -> Fraction:
         kind = self._generator.random()
-        if kind < 0.12 and self._attempt % 2:
+        if kind < 0.12 and (self._attempt % 2 or self._further):
             return Fraction(0)
         if kind < 0.3 and self._attempt % 3 == 2:
             return self._generator.choice(_PYTHAGOREAN)

@@ -1,4 +1,4 @@
-"""Deciding with a time limit: in worker processes that are killed when it is over.
+"""Reading and deciding with a time limit: in worker processes that are killed when it is over.
 
 A question that takes too long is open, and says so; a worker that fails or dies is an error, never a verdict.
 """
@@ -10,7 +10,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass, field
-from fractions import Fraction
 from multiprocessing import get_context
 from time import monotonic
 from typing import Any
@@ -31,6 +30,8 @@ class Question:
         What is zero, and what is not.
     witness : mapping of name to text of a rational number, or None
         A point at which they hold.
+    variables : tuple of str, or None
+        The names that may occur; None for any.
     """
 
     lhs: str
@@ -38,6 +39,7 @@ class Question:
     constraints: tuple[str, ...] = ()
     nonzero: tuple[str, ...] = ()
     witness: Mapping[str, str] | None = None
+    variables: tuple[str, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,8 @@ class Outcome:
         For a refutation.
     certificate : mapping or None
         The evidence.
+    unreadable : bool
+        Whether the error is one of the text: the reason names what cannot be read.
     """
 
     verdict: str
@@ -69,6 +73,7 @@ class Outcome:
     hypotheses: tuple[str, ...] = ()
     counterexample: Mapping[str, str] | None = None
     certificate: Mapping[str, Any] | None = field(default=None, repr=False)
+    unreadable: bool = False
 
 
 def outcomes(
@@ -163,7 +168,7 @@ class _Worker:
 
 
 def _serve(connection: Any, engine: str) -> None:
-    from algebroproj_sym.proving import statements
+    import algebroproj_sym.proving.prove  # noqa: F401 - what takes long to import is no part of the time of a question
 
     with suppress(ImportError, ValueError, OSError):
         import resource
@@ -174,33 +179,71 @@ def _serve(connection: Any, engine: str) -> None:
         while True:
             question = connection.recv()
             try:
-                connection.send(_decided(question, engine, statements.prove))
+                connection.send(_decided(question, engine))
             except Exception as error:  # anything that fails is reported as a failure, never as a verdict
                 connection.send(f"{type(error).__name__}: {str(error)[:500]}")
 
 
-def _decided(question: Question, engine: str, prove: Any) -> Outcome:
-    import sympy
+def _decided(question: Question, engine: str) -> Outcome:
+    from algebroproj_sym.expressions import ParseError
+    from algebroproj_sym.proving.prove import prove
 
     start = monotonic()
-    given = question.witness
-    witness = None if given is None else {sympy.Symbol(name): Fraction(value) for name, value in given.items()}
-    proof = prove(
-        question.lhs,
-        question.rhs,
-        constraints=question.constraints,
-        nonzero=question.nonzero,
-        witness=witness,
-        engine=engine,
-    )
+    try:
+        statement = _read(question)
+    except (ParseError, _UnreadableError) as error:
+        return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
+    proof = prove(**statement, engine=engine, thorough=True)
     certificate = dict(proof.certificate or {})
-    point = proof.counterexample
+    point = certificate.pop("point", proof.counterexample)
+    if "witness" in certificate:
+        certificate["witness"] = _whole(certificate["witness"], question)
     return Outcome(
         proof.verdict,
         str(certificate.get("method", "none")),
         monotonic() - start,
         str(certificate.get("reason", "")),
         tuple(map(str, proof.hypotheses)),
-        None if point is None else {symbol.name: str(value) for symbol, value in point.items()},
+        None if point is None else _whole(point, question),
         certificate,
     )
+
+
+def _whole(point: Mapping[Any, Any], question: Question) -> dict[str, str]:
+    """Return a point as text, with a value also for names that cancel."""
+    from algebroproj_sym.expressions import names_in
+
+    texts = (question.lhs, question.rhs, *question.constraints, *question.nonzero)
+    names = sorted({name for text in texts for name in names_in(text)})
+    return dict.fromkeys(names, "1") | {str(symbol): str(value) for symbol, value in point.items()}
+
+
+class _UnreadableError(ValueError):
+    pass
+
+
+def _read(question: Question) -> dict[str, Any]:
+    """Return the arguments of `prove`."""
+    from algebroproj_sym.expressions import parse, parse_zero, shape, symbols_of
+
+    names = question.variables
+    left, right = (parse(getattr(question, key), f"key {key!r}", names) for key in ("lhs", "rhs"))
+    if shape(left) != shape(right):
+        raise _UnreadableError(f"key 'rhs': expected the shape of 'lhs', got {shape(left)} and {shape(right)}")
+    zeros = [parse_zero(text, f"key 'constraints', entry {i}", names) for i, text in enumerate(question.constraints)]
+    units = [parse(text, f"key 'nonzero', entry {i}", names) for i, text in enumerate(question.nonzero)]
+    for place, unit in enumerate(units):
+        if shape(unit) != ():
+            raise _UnreadableError(f"key 'nonzero', entry {place}: expected a scalar, got a matrix")
+    point = None
+    if question.witness is not None:
+        point = {name: parse(value, f"key 'witness', entry {name!r}") for name, value in question.witness.items()}
+        known = {symbol.name for symbol in symbols_of((left, right, *zeros, *units))}
+        for name, value in point.items():
+            if name not in known:
+                raise _UnreadableError(f"key 'witness': expected names that occur, got {name!r}")
+            if not value.is_Rational:
+                raise _UnreadableError(
+                    f"key 'witness', entry {name!r}: expected a rational number as text, got {value}"
+                )
+    return {"lhs": left, "rhs": right, "constraints": zeros, "nonzero": units, "witness": point}

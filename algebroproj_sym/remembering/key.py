@@ -17,7 +17,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.declaring import Claim
-from algebroproj_sym.expressions import in_steps, shape
+from algebroproj_sym.expressions import assumption, in_steps, is_plain, shape
 
 ROOT = Path(__file__).resolve().parent.parent
 STAGES = ("expressions", "proving", "declaring", "remembering")
@@ -56,6 +56,8 @@ def _data(value: Any) -> Any:
         return value
     if isinstance(value, Decimal | Fraction | int):
         return [type(value).__name__, str(value)]
+    if isinstance(value, sympy.Symbol) and not is_plain(value):
+        return ["assumption", assumption(value)]
     if isinstance(value, sympy.Expr | sympy.MatrixBase):
         return ["expression", shape(value), in_steps(value)]
     if isinstance(value, Mapping):

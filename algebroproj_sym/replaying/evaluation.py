@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
+from operator import add
 from typing import Any, NamedTuple
 
-from algebroproj_sym.replaying.rejection import Rejected
-from algebroproj_sym.replaying.text import Form, Node
+from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
+from algebroproj_sym.replaying.text import Form
+
+MOST_BITS = 10**8
 
 
 class Algebra(NamedTuple):
@@ -57,30 +61,36 @@ def evaluate(form: Form, algebra: Algebra) -> list[Any]:
     Rejected
         If a divisor is zero.
     """
-    steps: list[Any] = []
+    values: list[Any] = []
     try:
-        for step in form.steps:
-            steps.append(_value(step, algebra, steps))
-        return [_value(entry, algebra, steps) for entry in form.entries]
+        for kind, value, operands in form.operations:
+            values.append(_result(kind, value, [values[place] for place in operands], algebra))
     except ZeroDivisionError:
         raise Rejected("a divisor is zero") from None
+    return [values[place] for place in form.entries]
 
 
-def _value(node: Node, algebra: Algebra, steps: Sequence[Any]) -> Any:
-    if node.kind == "number":
-        return algebra.number(node.value)
-    if node.kind == "symbol":
-        return algebra.symbol(node.value)
-    if node.kind == "step":
-        return steps[node.value]
-    first, *others = (_value(child, algebra, steps) for child in node.children)
-    if node.kind == "-":
+def _result(kind: str, value: Any, operands: Sequence[Any], algebra: Algebra) -> Any:
+    if kind == "number":
+        return algebra.number(Fraction(value))
+    if kind == "symbol":
+        return algebra.symbol(value)
+    if kind == "+":
+        return reduce(add, operands)
+    first, *others = operands
+    if kind == "-":
         return -first
-    if node.kind == "^":
-        return first**node.value
-    for other in others:
-        first = first + other if node.kind == "+" else first * other if node.kind == "*" else first / other
-    return first
+    if kind == "^":
+        return _power(first, value)
+    return first * others[0] if kind == "*" else first / others[0]
+
+
+def _power(base: Any, exponent: int) -> Any:
+    if isinstance(base, Fraction):
+        bits = max(base.numerator.bit_length(), base.denominator.bit_length())
+        if bits > 1 and bits * abs(exponent) > MOST_BITS:
+            raise NotReplayable("a power is too large")
+    return base**exponent
 
 
 class Dual:

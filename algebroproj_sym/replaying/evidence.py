@@ -10,21 +10,18 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, TypeAlias, cast
 
-from algebroproj_sym.replaying.evaluation import at_point, derivatives, evaluate
+from algebroproj_sym.replaying.evaluation import Algebra, at_point, derivatives, evaluate
 from algebroproj_sym.replaying.field import Element, Field
-from algebroproj_sym.replaying.polynomial import Polynomial
-from algebroproj_sym.replaying.rejection import Rejected
+from algebroproj_sym.replaying.polynomial import Polynomial, constant
+from algebroproj_sym.replaying.rejection import require
 from algebroproj_sym.replaying.statement import Point, Statement
-from algebroproj_sym.replaying.text import decimal, number, parse
+from algebroproj_sym.replaying.text import decimal, number, parse_polynomial
 
 Certificate: TypeAlias = Mapping[str, Any]
+Sides: TypeAlias = Callable[[Algebra], tuple[list[Any], list[Any]]]
 Check: TypeAlias = Callable[[Statement, str, Certificate], None]
 
-
-def require(holds: bool, reason: str) -> None:
-    """Reject with a reason, unless something holds."""
-    if not holds:
-        raise Rejected(reason)
+MEMBERSHIP = ("method", "denominators", "generators", "multiplier", "entries", "witness")
 
 
 def _method(certificate: Certificate, expected: str) -> None:
@@ -38,81 +35,93 @@ def _keys(certificate: Certificate, *expected: str) -> None:
 
 
 def _exact(field: Field) -> None:
-    """Require that the listed divisors are those that were met, no more and no fewer."""
+    """Require that the listed divisors are those that the text of the forms has, no more and no fewer."""
     require(not field.unlisted, "a division meets a factor that is not listed")
     require(field.used == {*range(field.listed)}, "a listed divisor is met by no division")
 
 
-def _hypotheses(statement: Statement, listed: Any) -> None:
+def _hypotheses(statement: Statement, field: Field, listed: Any) -> None:
+    """Require that the hypotheses are the listed divisors, and that these are those of the forms."""
     require(statement.record["hypotheses"] == listed, "the hypotheses are not the divisors of the certificate")
+    _exact(field)
 
 
-def _difference(statement: Statement, form: str, field: Field) -> list[Element]:
-    left = statement.side(form, statement.algebra(field))
-    right = statement.side("derived", statement.algebra(field))
-    require(len(left) == len(right), "the two sides have not the same shape")
-    return [a - b for a, b in zip(left, right, strict=True)]
+def _sides(statement: Statement, form: str) -> Sides:
+    """Return what gives both sides in an algebra."""
+
+    def sides(algebra: Algebra) -> tuple[list[Any], list[Any]]:
+        left, right = statement.side(form, algebra), statement.side("derived", algebra)
+        require(statement.form(form).shape == statement.form("derived").shape, "the two sides have not the same shape")
+        return left, right
+
+    return sides
+
+
+def _difference(sides: Sides, field: Field) -> list[Element]:
+    return [a - b for a, b in zip(*sides(field.algebra), strict=True)]
 
 
 def identity(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that two sides are equal as rational functions."""
     _method(certificate, "normal form")
     _keys(certificate, "method", "denominators")
-    require("constraints" not in statement.setting, "a normal form decides nothing under constraints")
     field = statement.field(certificate["denominators"])
-    require(all(entry.is_zero for entry in _difference(statement, form, field)), "the two sides differ")
-    _hypotheses(statement, certificate["denominators"])
-    _exact(field)
+    statement.units(field)
+    require(all(entry.is_zero for entry in _difference(_sides(statement, form), field)), "the two sides differ")
+    _hypotheses(statement, field, certificate["denominators"])
 
 
 def constrained(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that the difference of two sides times what does not vanish is a combination of the constraints."""
-    _keys(certificate, "method", "denominators", "generators", "multiplier", "entries", "witness")
+    _keys(certificate, *MEMBERSHIP)
     field = statement.field(certificate["denominators"])
-    _membership(statement, certificate, field, _difference(statement, form, field), [])
-    _exact(field)
+    _membership(statement, certificate, field, _sides(statement, form), [])
 
 
 def _membership(
-    statement: Statement, certificate: Certificate, field: Field, difference: Sequence[Element], units: list[Element]
+    statement: Statement, certificate: Certificate, field: Field, sides: Sides, units: list[Element]
 ) -> None:
+    """Show that two sides are equal where the constraints hold, and that there is such a point."""
     _method(certificate, "ideal membership")
-    _hypotheses(statement, certificate["denominators"])
-    algebra = statement.algebra(field)
-    constraints = [evaluate(form, algebra)[0] for form in statement.listed("constraints")]
-    units = [evaluate(form, algebra)[0] for form in statement.listed("nonzero")] + units
-    generators = [statement.element(text, field) for text in certificate["generators"]]
+    difference = _difference(sides, field)
+    constraints = [evaluate(form, field.algebra)[0] for form in statement.listed("constraints")]
+    units = statement.units(field) + units
+    _hypotheses(statement, field, certificate["denominators"])
+    generators = [field.polynomial(text) for text in certificate["generators"]]
     require(bool(constraints) and len(constraints) == len(generators), "expected a generator for each constraint")
     for constraint, generator in zip(constraints, generators, strict=True):
         require(not generator.is_zero, "a generator is zero")
-        require((_above(constraint) - generator).is_zero, "the generators are not the numerators of the constraints")
-    multiplier = statement.element(certificate["multiplier"], field)
-    product = field.number(Fraction(1))
-    for factor in (*(Element(field, listed, {}, 1) for listed in field.factors[: field.listed]), *map(_above, units)):
+        same = _numerator(constraint) == _primitive(generator.cleared())
+        require(same, "the generators are not the numerators of the constraints")
+    multiplier = field.polynomial(certificate["multiplier"])
+    product = constant(1)
+    for factor in (*field.factors[: field.listed], *map(_numerator, units)):
         product = product * factor
-    require((product - multiplier).is_zero, "the multiplier is not the product of what does not vanish")
-    names = [parse(text) for text in certificate["denominators"]]
+    same = _primitive(product) == _primitive(multiplier.cleared())
+    require(same, "the multiplier is not the product of what does not vanish")
+    divisors = {text: field.polynomial(text) for text in certificate["denominators"]}
     require(len(certificate["entries"]) == len(difference), "the certificate has not as many entries as the statement")
     for entry, part in zip(difference, certificate["entries"], strict=True):
-        require(part.keys() == {"power", "denominator", "cofactors"}, "a part of the certificate is missing")
-        cleared = entry * multiplier ** _natural(part["power"])
-        require(part["denominator"].keys() <= {*certificate["denominators"]}, "an unknown divisor is cleared")
-        for name, text in zip(names, certificate["denominators"], strict=True):
-            cleared = cleared * evaluate(name, algebra)[0] ** _natural(part["denominator"].get(text, 0))
-        cofactors = [statement.element(text, field) for text in part["cofactors"]]
+        require(part.keys() == {"number", "power", "denominator", "cofactors"}, "a part of the certificate is missing")
+        require(_natural(part["number"]) > 0, "expected a positive number")
+        cleared = entry * field.number(Fraction(part["number"])) * multiplier ** _natural(part["power"])
+        require(part["denominator"].keys() <= divisors.keys(), "an unknown divisor is cleared")
+        for text, count in part["denominator"].items():
+            cleared = cleared * divisors[text] ** _natural(count)
+        cofactors = [field.polynomial(text) for text in part["cofactors"]]
         require(len(cofactors) == len(generators), "expected a cofactor for each constraint")
         for cofactor, generator in zip(cofactors, generators, strict=True):
             cleared = cleared - cofactor * generator
         require(cleared.is_zero, "the cofactors do not multiply out to the difference")
         require(not (entry.is_zero and part["denominator"]), "zero has no denominator to be cleared")
-        trivial = entry.is_zero or multiplier.polynomial().is_constant()
+        trivial = entry.is_zero or multiplier.cleared().is_constant()
         require(not (part["power"] and trivial), "zero needs no multiplier, and the power of a constant is none")
     witness = statement.point(certificate["witness"])
     statement.require_allowed(witness)
-    require(
-        evaluate(parse(certificate["multiplier"]), at_point(witness))[0] != 0,
-        "the witness violates a hypothesis",
-    )
+    nonzero = evaluate(parse_polynomial(certificate["multiplier"]), at_point(witness))[0]
+    require(nonzero != 0, "the witness violates a hypothesis")
+    left, right = sides(at_point(witness))
+    require(left == right, "the two sides differ at the witness")
 
 
 def _natural(value: Any) -> int:
@@ -120,13 +129,8 @@ def _natural(value: Any) -> int:
     return int(value)
 
 
-def _above(element: Element) -> Element:
-    """Return what is left when the divisors are dropped."""
-    raised = {place: power for place, power in element.exponents.items() if power > 0}
-    return Element(element.field, element.numerator, raised, element.denominator)
-
-
 def _numerator(element: Element) -> Polynomial:
+    """Return what is left when divisors and numbers are dropped."""
     raised = {place: power for place, power in element.exponents.items() if power > 0}
     return _primitive(element.numerator * element.field.powers(raised))
 
@@ -144,29 +148,30 @@ def _pivot(certificate: Certificate, places: int) -> int:
 
 def projective(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that one side is the other times a factor that is not zero."""
-    field = statement.field(certificate.get("denominators"))
-    algebra = statement.algebra(field)
-    printed, derived = statement.side(form, algebra), statement.side("derived", algebra)
+    field = statement.field(certificate["denominators"])
+    both = _sides(statement, form)
+    printed, derived = both(field.algebra)
     pivot = _pivot(certificate, len(derived))
-    require(len(printed) == len(derived), "the two sides have not the same shape")
-    p, d = printed[pivot], derived[pivot]
-    require(not p.is_zero and not d.is_zero, "the entry at the pivot is zero")
-    require(all(entry.is_zero for entry in derived[:pivot]) or bool(statement.setting), "the pivot is not the first")
-    crossed = [a * d - b * p for a, b in zip(printed, derived, strict=True)]
-    if "constraints" in statement.setting:
-        members = {"method", "denominators", "generators", "multiplier", "entries", "witness"}
-        _keys(certificate, *members, "pivot", "scale", "nonzero at")
-        _membership(statement, certificate, field, crossed, [d])
+    require(not printed[pivot].is_zero and not derived[pivot].is_zero, "the entry at the pivot is zero")
+    constrained = "constraints" in statement.setting
+    require(all(entry.is_zero for entry in derived[:pivot]) or constrained, "the pivot is not the first")
+
+    def crossed(algebra: Algebra) -> tuple[list[Any], list[Any]]:
+        left, right = both(algebra)
+        return [entry * right[pivot] for entry in left], [entry * left[pivot] for entry in right]
+
+    if constrained:
+        _keys(certificate, *MEMBERSHIP, "pivot", "nonzero at")
+        _membership(statement, certificate, field, crossed, [derived[pivot]])
         point = statement.point(certificate["nonzero at"])
         statement.require_allowed(point)
-        require(statement.side(form, at_point(point))[pivot] != 0, "the printed form is zero at the point")
-    else:
-        _method(certificate, "normal form")
-        _keys(certificate, "method", "denominators", "pivot", "scale")
-        _hypotheses(statement, certificate["denominators"])
-        require(all(entry.is_zero for entry in crossed), "the two sides are not proportional")
-    _exact(field)
-    require((p - d * statement.element(certificate["scale"], field)).is_zero, "the scale is not the ratio of the sides")
+        require(both(at_point(point))[0][pivot] != 0, "the printed form is zero at the point")
+        return
+    _method(certificate, "normal form")
+    _keys(certificate, "method", "denominators", "pivot")
+    statement.units(field)
+    require(all(entry.is_zero for entry in _difference(crossed, field)), "the two sides are not proportional")
+    _hypotheses(statement, field, certificate["denominators"])
 
 
 def structure(statement: Statement, form: str, certificate: Certificate) -> None:
@@ -179,7 +184,7 @@ def structure(statement: Statement, form: str, certificate: Certificate) -> None
         pattern.setdefault(mark, []).append(sign * place)
     require(pattern == certificate["pattern"], "the pattern of the certificate is not the printed one")
     field = statement.field(certificate["denominators"])
-    entries = statement.side("derived", statement.algebra(field))
+    entries = statement.side("derived", field.algebra)
     require(len(entries) == len(marks), "the pattern has not the shape of the matrix")
     first: dict[str, Element] = {}
     for (sign, mark), entry in zip(marks, entries, strict=True):
@@ -189,20 +194,19 @@ def structure(statement: Statement, form: str, certificate: Certificate) -> None
             continue
         require(not signed.is_zero, f"an entry marked {mark} is zero")
         require((first.setdefault(mark, signed) - signed).is_zero, f"the entries marked {mark} differ")
-    _hypotheses(statement, certificate["denominators"])
-    _exact(field)
+    _hypotheses(statement, field, certificate["denominators"])
 
 
 def _marks(statement: Statement, form: str) -> list[tuple[int, str]]:
     """Return the sign and the mark of each entry of a pattern."""
     require(not statement.where, "the marks of a pattern stand for nothing but themselves")
-    marks = []
-    for node in statement.form(form).entries:
-        sign = -1 if node.kind == "-" else 1
-        inner = node.children[0] if node.kind == "-" else node
-        integer = inner.kind == "number" and inner.value.denominator == 1
-        require(inner.kind == "symbol" or (integer and sign > 0), "expected symbols with signs and integers")
-        marks.append((sign, str(inner.value)))
+    pattern, marks = statement.form(form), []
+    for place in range(len(pattern.entries)):
+        mark, sign = pattern.entry(place), 1
+        if mark.kind == "-":
+            mark, sign = pattern.operations[mark.operands[0]], -1
+        require(mark.kind in ("symbol", "number"), "expected symbols with signs and integers")
+        marks.append((sign, mark.value) if mark.kind == "symbol" else (1, str(sign * mark.value)))
     return marks
 
 
@@ -215,7 +219,7 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> None
     _keys(certificate, "method", "content", "factors", "denominator", "printed", "excluded")
     divisors = statement.record["hypotheses"]
     field = statement.field(divisors)
-    algebra = statement.algebra(field)
+    algebra = field.algebra
     named: dict[str, Element] = {}
 
     def product(powers: Any) -> Element:
@@ -224,8 +228,8 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> None
         for name, count in powers:
             require(_natural(count) > 0, "expected a number of times")
             if name not in named:
-                named[name] = statement.element(name, field)
-                require(not named[name].polynomial().is_constant(), "a listed factor is a constant")
+                named[name] = field.polynomial(name)
+                require(not named[name].cleared().is_constant(), "a listed factor is a constant")
             total = total * named[name] ** count
         return total
 
@@ -242,10 +246,10 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> None
         require(_numerator(value) == _numerator(product(powers)), "the factors of a printed factor do not multiply out")
     factors = {name for name, _ in certificate["factors"]}
     claimed = {name for powers in certificate["printed"] for name, _ in powers}
-    units = [evaluate(unit, algebra)[0] for unit in statement.listed("nonzero")]
+    units = statement.units(field)
     excluded = []
     for name in sorted(factors):
-        factor = named[name].polynomial()
+        factor = named[name].cleared()
         listed = factor in field.factors[: field.listed] or -factor in field.factors[: field.listed]
         if listed or any(_numerator(value).quotient(_primitive(factor)) is not None for value in units):
             excluded.append(name)
@@ -263,9 +267,9 @@ def rank(statement: Statement, form: str, certificate: Certificate) -> None:
 
 
 def _integer(statement: Statement, form: str) -> int:
-    node = statement.form(form).entries[0]
-    require(node.kind == "number" and node.value.denominator == 1, "expected a whole number")
-    return int(node.value)
+    value = statement.side(form, at_point({}))[0]
+    require(value.denominator == 1, "expected a whole number")
+    return int(value)
 
 
 def _minor(statement: Statement, certificate: Certificate, point: Any) -> int:
@@ -331,29 +335,27 @@ def _bound(statement: Statement, certificate: Certificate, others: set[str]) -> 
     counted = statement.kind == "count"
     width = len(statement.setting["variables"]) if counted else derived.shape[1]
     smaller = min(len(derived.entries) if counted else derived.shape[0], width)
+    require(statement.record["hypotheses"] == [], "what holds for rational functions has no hypotheses")
     field = Field(statement.symbols)
-    field.list([statement.element(text, field) for text in statement.record["hypotheses"]])
     if not certificate.get("kernel"):
-        require(not field.listed, "a listed divisor is met by no division")
         _keys(certificate, "method", "kernel", *others)
         return smaller
     _keys(certificate, "method", "kernel", "kernel at", "kernel rows", "kernel minor", *others)
-    vectors = [evaluate(parse(text), statement.algebra(field)) for text in certificate["kernel"]]
+    vectors = [[*map(field.element, field.polynomials(text))] for text in certificate["kernel"]]
     require(all(len(vector) == width for vector in vectors), "a kernel vector has not as many entries as columns")
     require(all(entry.is_zero for entry in _along(statement, field, vectors)), "a vector is not in the kernel")
     point = statement.point(certificate["kernel at"])
-    columns = [evaluate(parse(text), at_point(point)) for text in certificate["kernel"]]
+    columns = [evaluate(parse_polynomial(text), at_point(point)) for text in certificate["kernel"]]
     at = {**certificate, "kernel columns": [*range(len(columns))]}
     independent = _size(
         [list(row) for row in zip(*columns, strict=True)], at, "kernel rows", "kernel columns", "kernel minor"
     )
-    require(field.used >= {*range(field.listed)}, "a listed divisor is met by no division")
     return width - independent
 
 
 def _along(statement: Statement, field: Field, vectors: Sequence[Sequence[Element]]) -> list[Element]:
     """Return the matrix, or the Jacobian matrix of the functions, times the vectors."""
-    form, algebra = statement.form("derived"), statement.algebra(field)
+    form, algebra = statement.form("derived"), field.algebra
     if statement.kind == "count":
         variables = statement.setting["variables"]
         directions = {name: [vector[i] for vector in vectors] for i, name in enumerate(variables)}
@@ -374,7 +376,7 @@ def limit(statement: Statement, form: str, certificate: Certificate) -> None:
     _method(certificate, "leading coefficients")
     _keys(certificate, "method", "divisors", "leading")
     field, limits = _limits(statement, certificate)
-    printed = statement.side(form, statement.algebra(field))
+    printed = statement.side(form, field.algebra)
     require(len(printed) == len(limits), "the two sides have not the same shape")
     for value, found in zip(printed, limits, strict=True):
         require(found is not None, "an entry has no limit")
@@ -388,7 +390,7 @@ def _divisors_of(statement: Statement, form: str, limits: Sequence[tuple[Element
     """Return the hypotheses that the divisions of the printed form and of the limit meet."""
     hypotheses: list[str] = statement.record["hypotheses"]
     field = statement.field(hypotheses)
-    statement.side(form, statement.algebra(field))
+    statement.side(form, field.algebra)
     for found in limits:
         if found is not None and not found[0].is_zero:
             field.factored(found[1].cleared())
@@ -399,14 +401,14 @@ def _divisors_of(statement: Statement, form: str, limits: Sequence[tuple[Element
 def _limits(statement: Statement, certificate: Certificate) -> tuple[Field, list[tuple[Element, Element] | None]]:
     """Return, for each entry, numerator and denominator of its limit; None for a pole."""
     field = statement.field(certificate["divisors"])
-    values = statement.side("derived", statement.algebra(field))
+    values = statement.side("derived", field.algebra)
     _exact(field)
     require(len(values) == len(certificate["leading"]), "expected leading coefficients for each entry")
     place = field.places[statement.setting["variable"]]
     limits: list[tuple[Element, Element] | None] = []
     for value, (order, above, below) in zip(values, certificate["leading"], strict=True):
         found_order, numerator, denominator = _leading(value, place)
-        given, divisor = statement.element(above, field), statement.element(below, field)
+        given, divisor = field.polynomial(above), field.polynomial(below)
         require(found_order == order, "the lowest power is another one")
         require(not divisor.is_zero, "a leading coefficient below is zero")
         require((numerator * divisor - denominator * given).is_zero, "the leading coefficients are others")
@@ -439,48 +441,34 @@ def _lowest(polynomial: Polynomial, place: int) -> tuple[int, Polynomial]:
 
 
 def numeric(statement: Statement, form: str, certificate: Certificate) -> None:
-    """Show that a printed number is the exact one, rounded."""
-    require(_rounded(statement, form, certificate), "the number is further away than the tolerance")
+    """Show that a printed number is the exact one, rounded as declared."""
+    require(_rounded(statement, form, certificate), "the exact number, rounded, is another one")
 
 
 def numeric_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
-    """Show that a printed number is not the exact one, rounded."""
-    require(not _rounded(statement, form, certificate), "the number lies within the tolerance")
+    """Show that a printed number is not the exact one, rounded as declared."""
+    require(not _rounded(statement, form, certificate), "the number is the exact one, rounded")
 
 
 def _rounded(statement: Statement, form: str, certificate: Certificate) -> bool:
-    units = number(statement.setting.get("units"))
-    inputs = statement.setting.get("unrounded")
-    exact = evaluate(statement.form("derived"), at_point({}))[0]
-    difference = _compared(statement, form, exact, certificate, "difference", "units of the last digit")
-    if abs(difference) <= units or inputs is None:
-        _method(certificate, "exact rounding")
-        _keys(certificate, "method", "difference", "units of the last digit")
-        return abs(difference) <= units
-    _method(certificate, "rounding of inputs")
-    _keys(
-        certificate,
-        "method",
-        "difference",
-        "units of the last digit",
-        "unrounded difference",
-        "with unrounded inputs",
-    )
-    unrounded = evaluate(parse(inputs), at_point({}))[0]
-    return (
-        abs(_compared(statement, form, unrounded, certificate, "unrounded difference", "with unrounded inputs"))
-        <= units
-    )
-
-
-def _compared(
-    statement: Statement, form: str, exact: Fraction, certificate: Certificate, key: str, rounded: str
-) -> Fraction:
+    """Whether the printed number is the one that the certificate gives, after a check that this is the rounded one."""
+    _method(certificate, "exact rounding")
+    _keys(certificate, "method", "rounded")
+    exact = statement.form("derived")
+    require(not exact.shape, "the exact number is a matrix")
     printed, digit = decimal(statement.record[form])
-    difference = (printed - exact) / digit
-    require(number(certificate.get(key)) == difference, "the difference is another one")
-    require(certificate.get(rounded) == f"{float(difference):+.3g}", "the rounded difference is another one")
-    return difference
+    given, last = decimal(certificate["rounded"])
+    require(last == digit, "the rounded number has not as many decimals as the printed one")
+    value = evaluate(exact, at_point({}))[0]
+    require(_rounds_to(value, given, digit, statement.setting.get("rounding")), "the rounded number is another one")
+    return given == printed
+
+
+def _rounds_to(exact: Fraction, given: Fraction, digit: Fraction, rounding: Any) -> bool:
+    """Whether a number lies in the interval of those that are rounded to the given one, or cut off."""
+    require(rounding in ("nearest", "cut"), f"expected the rounding nearest or cut, got {rounding!r}")
+    lower = abs(given) - digit / 2 if rounding == "nearest" else abs(given)
+    return exact * given >= 0 and lower <= abs(exact) < lower + digit
 
 
 def reference(statement: Statement, form: str, certificate: Certificate) -> None:
@@ -506,7 +494,7 @@ def definition(statement: Statement, form: str, certificate: Certificate) -> Non
     values = statement.side(form, at_point(statement.point(certificate["instance"])))
     require(values == list(map(number, certificate["values"])), "the values of the instance are others")
     field = statement.field(statement.record["hypotheses"])
-    statement.side(form, statement.algebra(field))
+    statement.side(form, field.algebra)
     _exact(field)
 
 
@@ -514,8 +502,7 @@ def differing(statement: Statement, form: str, certificate: Certificate) -> None
     """Show that two sides differ at the point."""
     _method(certificate, "counterexample")
     _keys(certificate, "method", "left", "right")
-    algebra = at_point(_counterexample(statement))
-    left, right = statement.side(form, algebra), statement.side("derived", algebra)
+    left, right = _sides(statement, form)(at_point(_counterexample(statement)))
     require(left == list(map(number, certificate["left"])), "the left side has another value at the point")
     require(right == list(map(number, certificate["right"])), "the right side has another value at the point")
     require(left != right, "the two sides do not differ at the point")
@@ -531,10 +518,8 @@ def projective_refuted(statement: Statement, form: str, certificate: Certificate
     """Show that two sides are not proportional at the point."""
     _method(certificate, "counterexample")
     _keys(certificate, "method", "left", "right", "pivot")
-    algebra = at_point(_counterexample(statement))
-    printed, derived = statement.side(form, algebra), statement.side("derived", algebra)
+    printed, derived = _sides(statement, form)(at_point(_counterexample(statement)))
     pivot = _pivot(certificate, len(derived))
-    require(len(derived) == len(printed), "the two sides have not the same shape")
     left = [entry * derived[pivot] for entry in printed]
     right = [entry * printed[pivot] for entry in derived]
     require(derived[pivot] != 0, "the entry at the pivot is zero")
@@ -593,7 +578,7 @@ def limit_refuted(statement: Statement, form: str, certificate: Certificate) -> 
     if certificate.get("method") == "divergence":
         _keys(certificate, "method", "divisors", "leading")
         _, limits = _limits(statement, certificate)
-        _hypotheses(statement, certificate["divisors"])
+        require(statement.record["hypotheses"] == certificate["divisors"], "the hypotheses are not the divisors")
         require(None in limits, "every entry has a limit")
         return
     _method(certificate, "counterexample")
@@ -605,7 +590,7 @@ def limit_refuted(statement: Statement, form: str, certificate: Certificate) -> 
     for found, (_, above, below) in zip(limits, certificate["leading"], strict=True):
         require(found is not None, "an entry has no limit")
         assert found is not None
-        value, divisor = (evaluate(parse(text), at_point(point))[0] for text in (above, below))
+        value, divisor = (evaluate(parse_polynomial(text), at_point(point))[0] for text in (above, below))
         require(divisor != 0, "the limit is not defined at the point")
         right.append(Fraction(0) if found[0].is_zero else value / divisor)
     require(left == list(map(number, certificate["left"])), "the left side has another value at the point")

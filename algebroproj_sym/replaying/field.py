@@ -10,9 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import gcd
+from typing import Any
 
+from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.polynomial import Polynomial, constant, product, variables
-from algebroproj_sym.replaying.rejection import Rejected
+from algebroproj_sym.replaying.rejection import Rejected, require
+from algebroproj_sym.replaying.text import parse_polynomial
 
 
 class Field:
@@ -36,7 +39,7 @@ class Field:
     --------
     >>> field = Field(["x", "y"])
     >>> x, y = field.symbol("x"), field.symbol("y")
-    >>> field.list([x - y])
+    >>> field.enter(field.polynomials("x - y"))
     >>> ((x * x - y * y) / (x - y) - x - y).is_zero, field.used, field.unlisted
     (True, {0}, False)
     """
@@ -45,26 +48,49 @@ class Field:
         ordered = sorted(set(names))
         self.places = {name: place for place, name in enumerate(ordered)}
         self._variables = dict(zip(ordered, variables(len(ordered)), strict=True))
+        self._polynomials = Algebra(self.variable, lambda value: constant(value.numerator))
         self.factors: list[Polynomial] = []
         self.listed = 0
         self.used: set[int] = set()
         self._divided: dict[Polynomial, tuple[int, dict[int, int]]] = {}
 
-    def symbol(self, name: str) -> Element:
-        """Return a symbol as an element."""
+    def variable(self, name: str) -> Polynomial:
+        """Return a symbol as a polynomial."""
         if name not in self._variables:
             raise Rejected(f"the symbol {name} does not occur in the statement")
-        return Element(self, self._variables[name], {}, 1)
+        return self._variables[name]
+
+    def polynomials(self, text: Any) -> list[Polynomial]:
+        """Return the text of a polynomial, or the entries of a matrix of them."""
+        return evaluate(parse_polynomial(text), self._polynomials)
+
+    def polynomial(self, text: Any) -> Element:
+        """Return the text of a polynomial as an element."""
+        form = parse_polynomial(text)
+        require(not form.shape, "expected a scalar in the certificate")
+        return self.element(evaluate(form, self._polynomials)[0])
+
+    def element(self, polynomial: Polynomial) -> Element:
+        """Return a polynomial as an element."""
+        return Element(self, polynomial, {}, 1)
+
+    def symbol(self, name: str) -> Element:
+        """Return a symbol as an element."""
+        return self.element(self.variable(name))
 
     def number(self, value: Fraction) -> Element:
         """Return a rational number as an element."""
         return Element(self, constant(value.numerator), {}, value.denominator)
 
-    def list(self, divisors: Sequence[Element]) -> None:
+    @property
+    def algebra(self) -> Algebra:
+        """The algebra in which symbols and numbers are elements."""
+        return Algebra(self.symbol, self.number)
+
+    def enter(self, divisors: Sequence[Polynomial]) -> None:
         """Enter the listed divisors."""
-        for divisor in divisors:
-            factor = divisor.polynomial()
-            if factor.is_constant() or abs(factor.content()) != 1 or factor in self.factors:
+        for factor in divisors:
+            if factor.is_constant() or abs(factor.content()) != 1 or factor in self.factors or -factor in self.factors:
                 raise Rejected("a listed divisor is a constant, has a numeric factor, or is listed twice")
             self.factors.append(factor)
         self.listed = len(self.factors)

@@ -9,20 +9,25 @@ which something is zero that is not zero in the other.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from algebroproj_sym.replaying.evaluation import Algebra, derivatives, evaluate
-from algebroproj_sym.replaying.evidence import require
+from algebroproj_sym.replaying.evaluation import Algebra, at_point, derivatives, evaluate
 from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import Polynomial, constant
-from algebroproj_sym.replaying.rejection import NotReplayable
-from algebroproj_sym.replaying.residues import Residue, point_in_extension
-from algebroproj_sym.replaying.text import Form, number, parse, parse_statement
+from algebroproj_sym.replaying.rejection import NotReplayable, require
+from algebroproj_sym.replaying.residues import Residue, extension
+from algebroproj_sym.replaying.text import Form, number, parse, parse_polynomial, parse_statement
 
+KEYS = {
+    "file", "name", "lhs", "rhs", "constraints", "nonzero", "verdict", "expected", "method", "reason", "hypotheses",
+    "counterexample", "certificate",
+}  # fmt: skip
+NEEDED = frozenset({"method", "denominators", "claims", "generators", "units", "entries", "witness"})
+OPTIONAL = frozenset({"steps", "translations", "extension"})
 MEMBERSHIPS = ("ideal membership", "radical membership", "sums of squares")
 
 
@@ -41,17 +46,25 @@ def require_identity(record: Mapping[str, Any]) -> None:
     NotReplayable
         If there is no evidence.
     """
+    require(record.keys() - {"seconds"} == KEYS, f"expected the entries {sorted(KEYS)}, got {sorted(record)}")
     verdict, certificate = record["verdict"], record["certificate"]
     require(verdict in ("proved", "refuted", "open", "error"), f"there is no verdict {verdict!r}")
+    require(record["expected"] in (None, verdict), "the verdict is not the expected one")
     if verdict in ("open", "error"):
         raise NotReplayable("what is not decided has no evidence")
+    require(record["method"] == certificate["method"], "the method is not that of the certificate")
+    require(record["reason"] is None, "what is decided needs no reason")
     question = _Question(record)
     if verdict == "refuted":
         _differ(question, certificate)
-    elif certificate["method"] == "normal form":
+        return
+    require(record["counterexample"] is None, "what is proved has no counterexample")
+    if certificate["method"] == "normal form":
+        _keys(certificate, {"method", "denominators"})
         require(not question.constraints, "a normal form decides nothing under constraints")
         field = question.field(certificate["denominators"])
         require(all(entry.is_zero for entry in question.difference(field)), "the two sides differ")
+        question.units(field)
         _hypotheses(question, field, certificate["denominators"])
     else:
         _follow(question, certificate)
@@ -73,53 +86,66 @@ class _Question:
 
     def field(self, divisors: Any) -> Field:
         field = Field(self.symbols)
-        field.list([evaluate(parse(text), Algebra(field.symbol, field.number))[0] for text in divisors])
+        field.enter([field.polynomial(text).cleared() for text in divisors])
         return field
 
+    def units(self, field: Field) -> list[Element]:
+        """Return what does not vanish; what is identically zero is rejected."""
+        found = [evaluate(form, field.algebra)[0] for form in self.nonzero]
+        require(not any(unit.is_zero for unit in found), "a condition that something is not zero never holds")
+        return found
+
     def difference(self, field: Field) -> list[Element]:
-        algebra = Algebra(field.symbol, field.number)
+        algebra = field.algebra
         left, right = evaluate(self.left, algebra), evaluate(self.right, algebra)
         require(self.left.shape == self.right.shape, "the two sides have not the same shape")
         return [a - b for a, b in zip(left, right, strict=True)]
 
-    def sides_at(self, point: Mapping[str, Any], divisors: Sequence[Form] = ()) -> tuple[list[Any], list[Any]]:
+    def sides_at(
+        self, given: Mapping[str, Any], numbers: Algebra, divisors: Sequence[Form] = ()
+    ) -> tuple[list[Any], list[Any]]:
         """Return both sides at a point, at which the hypotheses must hold."""
-        require(point.keys() == self.symbols, "the point has not a value for every symbol, and no other")
-        algebra = _at(point)
-        require(
-            all(_is_zero(evaluate(form, algebra)[0]) for form in self.constraints), "the point violates a constraint"
-        )
+        require(given.keys() == self.symbols, "the point has not a value for every symbol, and no other")
+        point = {name: _number(text, numbers) for name, text in given.items()}
+        algebra = Algebra(point.__getitem__, numbers.number)
+        constraints = (evaluate(form, algebra)[0] for form in self.constraints)
+        require(all(map(_is_zero, constraints)), "the point violates a constraint")
         units = (evaluate(form, algebra)[0] for form in (*self.nonzero, *divisors))
         require(not any(map(_is_zero, units)), "something vanishes at the point that must not")
         return evaluate(self.left, algebra), evaluate(self.right, algebra)
-
-
-def _at(point: Mapping[str, Any]) -> Algebra:
-    """Return the algebra at a point with coordinates that are rational, or all in one extension."""
-    moduli = {value.modulus for value in point.values() if isinstance(value, Residue)}
-    if not moduli:
-        return Algebra(point.__getitem__, Fraction)
-    (modulus,) = moduli
-    return Algebra(point.__getitem__, lambda value: Residue((value,) if value else (), modulus))
 
 
 def _is_zero(value: Any) -> bool:
     return value.is_zero if isinstance(value, Residue) else bool(value == 0)
 
 
-def _point(given: Any, certificate: Mapping[str, Any]) -> dict[str, Any]:
-    if "extension" in certificate:
-        return dict(point_in_extension(certificate["extension"]))
-    return {name: number(value) for name, value in given.items()}
+def _numbers(certificate: Mapping[str, Any]) -> Algebra:
+    """Return the numbers of the points of a certificate: rational, or in an extension with a real root r."""
+    return extension(certificate["extension"]) if "extension" in certificate else at_point({})
+
+
+def _number(text: Any, numbers: Algebra) -> Any:
+    form = parse(text)
+    require(not form.shape, "expected a number")
+    return evaluate(form, numbers)[0]
 
 
 def _differ(question: _Question, certificate: Mapping[str, Any]) -> None:
+    _keys(certificate, {"method", "left", "right"}, {"extension"})
     require(certificate["method"] == "counterexample", "expected the method 'counterexample'")
-    left, right = question.sides_at(_point(question.record["counterexample"], certificate))
-    if "extension" not in certificate:
-        require(left == list(map(number, certificate["left"])), "the left side has another value at the point")
-        require(right == list(map(number, certificate["right"])), "the right side has another value at the point")
-    require(any(not _is_zero(a - b) for a, b in zip(left, right, strict=True)), "the two sides do not differ")
+    require(question.record["hypotheses"] == [], "a counterexample needs no hypotheses")
+    numbers = _numbers(certificate)
+    sides = question.sides_at(question.record["counterexample"], numbers)
+    for name, values in zip(("left", "right"), sides, strict=True):
+        shown = [_number(text, numbers) for text in certificate[name]]
+        same = len(shown) == len(values) and all(_is_zero(a - b) for a, b in zip(shown, values, strict=True))
+        require(same, f"the {name} side has another value at the point")
+    require(any(not _is_zero(a - b) for a, b in zip(*sides, strict=True)), "the two sides do not differ")
+
+
+def _keys(part: Mapping[str, Any], needed: Set[str], possible: Set[str] = frozenset()) -> None:
+    found = part.keys()
+    require(needed <= found <= needed | possible, f"expected the entries {sorted(needed)}, got {sorted(found)}")
 
 
 def _hypotheses(question: _Question, field: Field, divisors: Any) -> None:
@@ -136,16 +162,14 @@ class _Known:
     """What is zero, what is not, and the claim that is left, all at the origin."""
 
     field: Field
-    origin: Algebra
+    moved: frozenset[int]
     zeros: tuple[Element, ...]
     units: tuple[Element, ...]
     claim: Element
 
     def read(self, text: Any) -> Element:
-        form = parse(text)
-        require(not form.shape, "expected a scalar in the certificate")
-        value: Element = evaluate(form, self.origin)[0]
-        return value
+        """Return the text of a polynomial, at the origin."""
+        return _restricted(self.field.polynomial(text), self.moved)
 
     def combined(self, cofactors: Any) -> Element:
         """Return the sum of cofactors, by place or in order, times what is zero."""
@@ -172,41 +196,44 @@ class _Known:
 def _follow(question: _Question, certificate: Mapping[str, Any]) -> None:
     method = certificate["method"]
     require(method in (*MEMBERSHIPS, "case distinction"), f"there is no method {method!r}")
+    by_cases = method == "case distinction"
+    _keys(certificate, NEEDED if by_cases else NEEDED | {"multiplier"}, OPTIONAL)
     require(bool(question.constraints), "there are no constraints")
     field = question.field(certificate["denominators"])
-    algebra = Algebra(field.symbol, field.number)
+    algebra = field.algebra
     claims = _numerators(field, certificate["claims"], question.difference(field))
     constraints = [evaluate(form, algebra)[0] for form in question.constraints]
     generators = _numerators(field, certificate["generators"], constraints)
-    sources = [*field.factors[: field.listed], *(evaluate(form, algebra)[0].numerator for form in question.nonzero)]
+    sources = [*field.factors[: field.listed], *(unit.numerator for unit in question.units(field))]
     _hypotheses(question, field, certificate["denominators"])
     moved = _moved(question, field, certificate)
     units = [_restricted(Element(field, source, {}, 1), moved) for source in sources]
     zero = field.number(Fraction(0))
-    origin = Algebra(lambda name: zero if field.places[name] in moved else field.symbol(name), field.number)
-    known = _Known(field, origin, tuple(_restricted(part, moved) for part in generators), tuple(units), zero)
+    known = _Known(field, moved, tuple(_restricted(part, moved) for part in generators), tuple(units), zero)
     known = _with_units(known, certificate)
     for step in certificate.get("steps", ()):
         known = _after_derivation(known, step) if "product" in step else _after_squares(known, step)
     require(len(certificate["entries"]) == len(claims), "the certificate has not as many entries as the statement")
     for claim, entry in zip(claims, certificate["entries"], strict=True):
         asked = replace(known, claim=_restricted(claim, moved))
-        if method == "case distinction":
+        if by_cases:
+            _keys(entry, _keys_of_case(entry), {"steps"})
             _require_case(asked, entry)
         else:
+            _keys(entry, {"power", "exponent", "cofactors"})
             multiplier = asked.multiplier(certificate["multiplier"]) ** _natural(entry["power"])
             _require_end(asked, multiplier, entry)
-    point = _point(certificate["witness"], certificate)
-    question.sides_at(point, [parse(text) for text in certificate["denominators"]])
+    divisors = [*map(parse_polynomial, certificate["denominators"])]
+    left, right = question.sides_at(certificate["witness"], _numbers(certificate), divisors)
+    require(all(_is_zero(a - b) for a, b in zip(left, right, strict=True)), "the two sides differ at the witness")
 
 
 def _numerators(field: Field, texts: Any, elements: Sequence[Element]) -> list[Element]:
     """Return polynomials that are zero exactly where the elements are, the listed divisors not being zero."""
     require(len(texts) == len(elements), "the certificate has not as many numerators as the statement")
-    found = [evaluate(parse(text), Algebra(field.symbol, field.number))[0] for text in texts]
+    found = [field.polynomial(text) for text in texts]
     for numerator, element in zip(found, elements, strict=True):
         first, second = (_essence(field, part.numerator) for part in (numerator, element))
-        numerator.cleared()
         require(first in (second, -second), "the numerators are not those of the statement")
     return found
 
@@ -241,22 +268,24 @@ def _restricted(element: Element, moved: Iterable[int]) -> Element:
     return Element(element.field, numerator, {}, element.denominator)
 
 
-def _moved(question: _Question, field: Field, certificate: Mapping[str, Any]) -> set[int]:
+def _moved(question: _Question, field: Field, certificate: Mapping[str, Any]) -> frozenset[int]:
     """Return the variables that translations take to zero, after seeing that nothing changes along them."""
     translations = certificate.get("translations", ())
     names = [along["zero"] for along in translations]
     for along in translations:
+        _keys(along, {"zero", "along"})
+        require(along["along"].keys() <= field.places.keys(), "a translation moves what does not occur")
         own = {name: along["along"].get(name, "0") for name in names}
         require(own == {name: str(int(name == along["zero"])) for name in names}, "a translation moves another one")
     texts = (*certificate["claims"], *certificate["generators"], *certificate["denominators"])
     directions: dict[str, list[Element]] = {name: [] for name in field.places}
     for name, components in directions.items():
         components += [field.number(number(along["along"].get(name, "0"))) for along in translations]
-    algebra = Algebra(field.symbol, field.number)
-    for form in (*map(parse, texts), *question.nonzero):
+    algebra = field.algebra
+    for form in (*map(parse_polynomial, texts), *question.nonzero):
         slopes = derivatives(form, algebra, directions, len(names))[0] if names else []
         require(all(slope.is_zero for slope in slopes), "something changes along a translation")
-    return {field.places[name] for name in names}
+    return frozenset(field.places[name] for name in names)
 
 
 def _with_units(known: _Known, certificate: Mapping[str, Any]) -> _Known:
@@ -289,6 +318,7 @@ def _squares(known: _Known, step: Mapping[str, Any]) -> tuple[list[Element], Ele
 
 def _positive(known: _Known, step: Mapping[str, Any]) -> Element:
     """Return a sum of squares that is positive everywhere."""
+    _keys(step, {"squares", "not zero"})
     roots, total = _squares(known, step)
     constants = [root for root in roots if root.cleared().is_constant() and not root.is_zero]
     require((total - known.read(step["not zero"])).is_zero, "the squares do not add up")
@@ -300,6 +330,7 @@ def _after_squares(known: _Known, step: Mapping[str, Any]) -> _Known:
     """Return what is known after a sum of squares was shown to be zero, or to be positive."""
     if "not zero" in step:
         return known.with_unit(_positive(known, step))
+    _keys(step, {"squares", "multiplier", "cofactors"})
     roots, total = _squares(known, step)
     rest = known.multiplier(step["multiplier"]) * total - known.combined(step["cofactors"])
     require(rest.is_zero, "the cofactors do not multiply out to the sum of squares")
@@ -308,20 +339,27 @@ def _after_squares(known: _Known, step: Mapping[str, Any]) -> _Known:
 
 def _after_derivation(known: _Known, step: Mapping[str, Any]) -> _Known:
     """Return what is known after something was shown not to be zero."""
+    _keys(step, {"not zero", "product", "cofactors", "factor"})
     unit = known.read(step["not zero"])
     rest = known.multiplier(step["product"]) - known.combined(step["cofactors"]) - known.read(step["factor"]) * unit
     require(rest.is_zero, "the cofactors do not multiply out to what does not vanish")
     return known.with_unit(unit)
 
 
+def _keys_of_case(case: Mapping[str, Any]) -> Set[str]:
+    return {"cases"} if "cases" in case else {"exponent", "multiplier", "cofactors"}
+
+
 def _require_case(known: _Known, case: Mapping[str, Any]) -> None:
     """Check that the claim vanishes in a case."""
     for step in case.get("steps", ()):
-        known = _after_step(known, step)
+        known = _after_squares(known, step) if "squares" in step else _after_step(known, step)
     if "cases" not in case:
         _require_end(known, known.multiplier(case["multiplier"]), case)
         return
     first, second = case["cases"]
+    for part in (first, second):
+        _keys(part, {"assumed", *_keys_of_case(part)}, {"steps"})
     require(first["assumed"].keys() == {"not zero"} and second["assumed"].keys() == {"zero"}, "a case is missing")
     require(first["assumed"]["not zero"] == second["assumed"]["zero"], "the cases are not complementary")
     distinguished = known.read(second["assumed"]["zero"])
@@ -332,6 +370,7 @@ def _require_case(known: _Known, case: Mapping[str, Any]) -> None:
 def _after_step(known: _Known, step: Mapping[str, Any]) -> _Known:
     """Return what is known after a step of a case."""
     ((shows, text),) = [(key, value) for key, value in step.items() if key in ("zero", "not zero", "goal")]
+    _keys(step, {shows, "multiplier", "cofactors", *(() if shows == "zero" else ("factor",))})
     shown, multiplier, total = known.read(text), known.multiplier(step["multiplier"]), known.combined(step["cofactors"])
     if shows == "zero":
         require((multiplier * shown - total).is_zero, "the cofactors do not multiply out to what is zero")

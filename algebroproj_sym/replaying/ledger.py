@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
@@ -9,13 +10,13 @@ from dataclasses import dataclass
 from multiprocessing import get_context
 from typing import Any, Literal, cast
 
-from algebroproj_sym.replaying.evidence import PROOFS, REFUTATIONS, require
+from algebroproj_sym.replaying.entry import require_entry
+from algebroproj_sym.replaying.evidence import PROOFS, REFUTATIONS
 from algebroproj_sym.replaying.identities import require_identity
-from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
+from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 from algebroproj_sym.replaying.statement import Statement
 
 SCHEMA = 1
-VERDICTS = ("proved", "misprint", "false", "illegible", "definition", "open")
 
 Status = Literal["replayed", "rejected", "not replayable"]
 
@@ -56,13 +57,20 @@ def replay_claim(record: Mapping[str, Any]) -> Replayed:
 
     Examples
     --------
+    >>> from algebroproj_sym.replaying import declaration_digest
     >>> record = {
-    ...     "paper": "demo", "number": "1.1", "kind": "identity", "verdict": "proved", "printed": "(x**2 - 1)/(x - 1)",
-    ...     "derived": "x + 1", "corrected": None, "where": {}, "hypotheses": ["x - 1"], "counterexample": None,
-    ...     "certificate": {"method": "normal form", "denominators": ["x - 1"]}, "instead": None}
+    ...     "paper": "demo", "number": "1.1", "section": "1", "title": "a square", "kind": "identity",
+    ...     "expected": "proved", "printed": "(x**2 - 1)/(x - 1)", "derived": "x + 1", "corrected": None, "where": {},
+    ...     "setting": {}, "instead": None, "note": "", "quote": None, "verdict": "proved", "hypotheses": ["x - 1"],
+    ...     "counterexample": None, "certificate": {"method": "normal form", "denominators": ["x - 1"]},
+    ...     "engine": "flint"}
+    >>> record["declaration"] = declaration_digest(record)
     >>> replay_claim(record).status
     'replayed'
     >>> replay_claim({**record, "derived": "x + 2"}).reason
+    'the digest is not that of the declaration'
+    >>> record["derived"] = "x + 2"
+    >>> replay_claim({**record, "declaration": declaration_digest(record)}).reason
     'the two sides differ'
     """
     paper, number, kind, verdict = (str(record.get(key)) for key in ("paper", "number", "kind", "verdict"))
@@ -86,7 +94,8 @@ def replay_identity(record: Mapping[str, Any]) -> Replayed:
     --------
     >>> record = {
     ...     "file": "demo.json", "name": "square", "lhs": "(a + b)^2", "rhs": "a^2 + b^2", "constraints": [],
-    ...     "nonzero": [], "verdict": "refuted", "hypotheses": [], "counterexample": {"a": "1", "b": "-1"},
+    ...     "nonzero": [], "verdict": "refuted", "expected": None, "method": "counterexample", "reason": None,
+    ...     "hypotheses": [], "counterexample": {"a": "1", "b": "-1"},
     ...     "certificate": {"method": "counterexample", "left": ["0"], "right": ["2"]}}
     >>> replay_identity(record).status
     'replayed'
@@ -111,32 +120,31 @@ def _judged(check: Callable[[Mapping[str, Any]], None], record: Mapping[str, Any
 
 
 def _follow(record: Mapping[str, Any]) -> None:
+    require_entry(record)
     verdict, kind, certificate = record["verdict"], record["kind"], record["certificate"]
-    require(verdict in VERDICTS, f"there is no verdict {verdict!r}")
-    require(kind in PROOFS, f"there is no kind {kind!r}")
     if verdict == "open" or certificate is None:
         raise NotReplayable("an open claim has no evidence" if verdict == "open" else "there is no certificate")
     statement = Statement(record)
-    require(("constraints" in statement.setting) <= kind.startswith("identity"), "constraints of another kind")
     require((kind == "identity under constraints") <= ("constraints" in statement.setting), "no constraints are given")
     require((kind == "identity") <= ("constraints" not in statement.setting), "constraints are given")
     require((kind == "definition") == (verdict == "definition"), "a definition, and nothing else, is a definition")
     require(statement.has("printed") == (verdict != "illegible"), "exactly an illegible formula has no printed form")
+    require(statement.has("derived") == (kind != "definition"), "exactly a definition has no derived form")
+    require(
+        statement.has("corrected") == (verdict in ("misprint", "illegible")), "a corrected form is needless or missing"
+    )
+    require((record["instead"] is None) == (verdict != "false"), "what is true instead is needless or missing")
     require((record["counterexample"] is None) == (verdict not in ("misprint", "false")), "a needless counterexample")
     require(("refutation" in certificate) == (verdict == "misprint"), "a misprint, and nothing else, has a refutation")
-    statement.require_faithful()
     if verdict in ("proved", "definition"):
         PROOFS[kind](statement, "printed", certificate)
         return
     if verdict in ("misprint", "illegible"):
-        require(statement.has("corrected"), "there is no corrected form")
         PROOFS[kind](statement, "corrected", certificate)
     if verdict in ("misprint", "false"):
-        require(verdict == "misprint" or bool(record["instead"]), "what is true instead is not named")
-        require(verdict == "misprint" or not statement.has("corrected"), "a false claim has no corrected form")
         refutation = certificate["refutation"] if verdict == "misprint" else certificate
         if verdict == "false" and refutation.get("method") == "counterexample":
-            require(not record["hypotheses"], "a counterexample needs no hypotheses")
+            require(record["hypotheses"] == [], "a counterexample needs no hypotheses")
         REFUTATIONS[kind](statement, "printed", refutation)
 
 
@@ -158,12 +166,22 @@ def replay(ledger: Mapping[str, Any], jobs: int = 1) -> Iterator[Replayed]:
     Raises
     ------
     Rejected
-        If the ledger as a whole is not what it says: another schema, a claim twice, a summary that is not the count of
-        the verdicts, a false claim whose `instead` is not a claim of the ledger that holds.
+        If the ledger as a whole is not what it says: another schema, no claims, a claim twice, a summary that is not
+        the count of the verdicts, or an unknown entry.
     """
     of_identities = isinstance(ledger, Mapping) and "identities" in ledger
-    records = _identities(ledger) if of_identities else _claims(ledger)
+    records = _listed(ledger, "identities" if of_identities else "claims")
+    unsupported = {} if of_identities else _unsupported(records)
     replay_one = replay_identity if of_identities else replay_claim
+    for record, result in zip(records, _replayed(replay_one, records, jobs), strict=True):
+        reason = unsupported.get((record.get("paper"), record.get("number")), "")
+        wrong = reason and result.status == "replayed"
+        yield dataclasses.replace(result, status="rejected", reason=reason) if wrong else result
+
+
+def _replayed(
+    replay_one: Callable[[Mapping[str, Any]], Replayed], records: Sequence[Mapping[str, Any]], jobs: int
+) -> Iterator[Replayed]:
     if jobs == 1:
         yield from map(replay_one, records)
         return
@@ -171,40 +189,29 @@ def replay(ledger: Mapping[str, Any], jobs: int = 1) -> Iterator[Replayed]:
         yield from pool.map(replay_one, records, chunksize=8)
 
 
-def _identities(answers: Mapping[str, Any]) -> Sequence[Mapping[str, Any]]:
-    identities = answers["identities"]
-    require(answers.get("schema") == SCHEMA, f"expected answers of schema {SCHEMA}")
-    require(isinstance(identities, list), "expected a list of identities")
-    require(all(isinstance(identity, Mapping) for identity in identities), "expected a list of identities")
-    counts = dict(Counter(identity.get("verdict") for identity in identities))
-    require(answers.get("summary") == counts, "the summary is not the count of the verdicts")
-    return cast(Sequence[Mapping[str, Any]], identities)
-
-
-def _claims(ledger: Mapping[str, Any]) -> Sequence[Mapping[str, Any]]:
-    if not isinstance(ledger, Mapping) or ledger.get("schema") != SCHEMA:
-        raise Rejected(f"expected a ledger of schema {SCHEMA}")
-    claims = ledger.get("claims")
-    if not isinstance(claims, list) or not all(isinstance(claim, Mapping) for claim in claims):
-        raise Rejected("expected a list of claims")
-    names = Counter((claim.get("paper"), claim.get("number")) for claim in claims)
+def _listed(ledger: Mapping[str, Any], name: str) -> Sequence[Mapping[str, Any]]:
+    """Return the entries of a ledger that is, as a whole, what it says."""
+    require(isinstance(ledger, Mapping) and ledger.get("schema") == SCHEMA, f"expected a ledger of schema {SCHEMA}")
+    require(ledger.keys() == {"schema", name, "summary"}, f"expected schema, {name} and summary, got {sorted(ledger)}")
+    entries = ledger[name]
+    require(isinstance(entries, list) and bool(entries), f"expected a list of {name} that is not empty")
+    require(all(isinstance(entry, Mapping) for entry in entries), f"expected a list of {name}")
+    counts = dict(Counter(str(entry.get("verdict")) for entry in entries))
+    require(ledger["summary"] == counts, "the summary is not the count of the verdicts")
+    names = Counter((entry.get("paper"), entry.get("number")) for entry in entries)
     twice = sorted(f"{paper}:{number}" for (paper, number), count in names.items() if count > 1)
-    require(not twice, f"claims are listed twice: {', '.join(twice)}")
-    counts = dict(Counter(claim.get("verdict") for claim in claims))
-    require(ledger.get("summary") == counts, "the summary is not the count of the verdicts")
-    return claims
+    require(name == "identities" or not twice, f"claims are listed twice: {', '.join(twice)}")
+    return cast(Sequence[Mapping[str, Any]], entries)
 
 
-def unsupported(ledger: Mapping[str, Any]) -> dict[tuple[str, str], str]:
-    """Return the false claims whose `instead` does not name a claim of the same ledger that holds, with the reason.
-
-    A claim that the ledger lacks, because only a part was checked, is no fault.
-    """
-    claims = ledger.get("claims", ())
-    verdicts = {(claim["paper"], claim["number"]): claim["verdict"] for claim in claims}
+def _unsupported(claims: Sequence[Mapping[str, Any]]) -> dict[tuple[Any, Any], str]:
+    """Return the false claims whose `instead` does not name a claim of the ledger that holds, with the reason."""
+    verdicts = {(claim.get("paper"), claim.get("number")): claim.get("verdict") for claim in claims}
     found = {}
     for claim in claims:
-        verdict = verdicts.get((claim["paper"], claim["instead"] or ""), "proved")
-        if claim["verdict"] == "false" and verdict not in ("proved", "misprint", "illegible"):
-            found[claim["paper"], claim["number"]] = f"what is true instead is {verdict}"
+        verdict = verdicts.get((claim.get("paper"), claim.get("instead")), "no claim of the ledger")
+        if claim.get("verdict") == "false" and verdict not in ("proved", "misprint", "illegible"):
+            found[claim.get("paper"), claim.get("number")] = (
+                f"what is true instead, {claim.get('instead')}, is {verdict}"
+            )
     return found

@@ -1,8 +1,8 @@
-"""Polynomials with integer coefficients: dictionaries from monomials to integers, and nothing else.
+"""Polynomials with integer coefficients.
 
-A monomial is one integer: the exponents side by side, each in a field of `BITS` bits.  The product of monomials is the
-sum of such integers and their order is the lexicographic one, as long as no exponent leaves its field; a bound of the
-exponents travels with every polynomial and is checked in every product.
+A monomial is one integer: the exponents side by side, 64 bits each, of which the highest stays free.  The product of
+two monomials is the sum of such integers, and their order is the lexicographic one.  A sum of two exponents cannot
+reach the next exponent's bits; where it reaches the free bit, the computation ends.
 """
 
 from __future__ import annotations
@@ -14,12 +14,14 @@ from math import gcd
 
 from algebroproj_sym.replaying.rejection import NotReplayable
 
-BITS = 12
-LARGEST = 2 ** (BITS - 1) - 1
+BITS = 64
+MOST_VARIABLES = 1000
+MOST_PRODUCTS = 10**8
+_FREE = sum(1 << (BITS * place + BITS - 1) for place in range(MOST_VARIABLES))
 
 
 class Polynomial:
-    """A polynomial: integer coefficients by monomial, and a bound of the exponents.
+    """A polynomial: integer coefficients by monomial.
 
     Examples
     --------
@@ -29,13 +31,10 @@ class Polynomial:
     (True, True)
     """
 
-    __slots__ = ("degree", "terms")
+    __slots__ = ("terms",)
 
-    def __init__(self, terms: dict[int, int], degree: int) -> None:
-        if degree > LARGEST:
-            raise NotReplayable(f"an exponent may exceed {LARGEST}")
+    def __init__(self, terms: dict[int, int]) -> None:
         self.terms = terms
-        self.degree = degree
 
     def __bool__(self) -> bool:
         return bool(self.terms)
@@ -56,28 +55,28 @@ class Polynomial:
                 terms[monomial] = total
             else:
                 del terms[monomial]
-        return Polynomial(terms, max(self.degree, other.degree))
+        return Polynomial(terms)
 
     def __neg__(self) -> Polynomial:
-        return Polynomial({monomial: -value for monomial, value in self.terms.items()}, self.degree)
+        return Polynomial({monomial: -value for monomial, value in self.terms.items()})
 
     def __sub__(self, other: Polynomial) -> Polynomial:
         return self + -other
 
     def __mul__(self, other: Polynomial) -> Polynomial:
-        degree = self.degree + other.degree
         few, many = sorted((self.terms, other.terms), key=len)
-        if len(few) == 1:
-            ((shift, scale),) = few.items()
-            return Polynomial({monomial + shift: value * scale for monomial, value in many.items()}, degree)
+        if len(few) * len(many) > MOST_PRODUCTS:
+            raise NotReplayable("a product has too many terms")
         terms: dict[int, int] = {}
-        known = terms.get
+        known, reached = terms.get, 0
         pairs = list(many.items())
         for shift, scale in few.items():
             for monomial, value in pairs:
                 place = monomial + shift
+                reached |= place
                 terms[place] = known(place, 0) + value * scale
-        return Polynomial({monomial: value for monomial, value in terms.items() if value}, degree)
+        _require_exact(reached)
+        return Polynomial({monomial: value for monomial, value in terms.items() if value})
 
     def __pow__(self, exponent: int) -> Polynomial:
         result = constant(1)
@@ -91,7 +90,7 @@ class Polynomial:
         """Return the product with an integer."""
         if factor == 0:
             return constant(0)
-        return Polynomial({monomial: value * factor for monomial, value in self.terms.items()}, self.degree)
+        return Polynomial({monomial: value * factor for monomial, value in self.terms.items()})
 
     def content(self) -> int:
         """Return the greatest common divisor of the coefficients, with the sign of the leading one; 0 for zero."""
@@ -102,7 +101,7 @@ class Polynomial:
 
     def divided(self, divisor: int) -> Polynomial:
         """Return the quotient by an integer that divides all coefficients."""
-        return Polynomial({monomial: value // divisor for monomial, value in self.terms.items()}, self.degree)
+        return Polynomial({monomial: value // divisor for monomial, value in self.terms.items()})
 
     def is_constant(self) -> bool:
         """Whether no variable occurs."""
@@ -117,14 +116,14 @@ class Polynomial:
         waiting = [-monomial for monomial in rest]
         heapify(waiting)
         found: dict[int, int] = {}
-        guards = _guards(max(max(self.terms, default=0), lead))
+        free = _FREE & ((1 << (max(max(self.terms, default=0), lead).bit_length() + BITS)) - 1)
         while waiting:
             monomial = -heappop(waiting)
             value = rest.pop(monomial, 0)
             if not value:
                 continue
             share, remainder = divmod(value, leading)
-            if remainder or ((monomial | guards) - lead) & guards != guards:
+            if remainder or ((monomial | free) - lead) & free != free:
                 return None
             shift = monomial - lead
             found[shift] = share
@@ -133,9 +132,10 @@ class Polynomial:
                 if target in rest:
                     rest[target] -= share * coefficient
                 else:
+                    _require_exact(target)
                     rest[target] = -share * coefficient
                     heappush(waiting, -target)
-        return Polynomial(found, self.degree)
+        return Polynomial(found)
 
     def parts(self, place: int) -> dict[int, Polynomial]:
         """Return the coefficients of the powers of one variable, as polynomials in the others."""
@@ -144,22 +144,24 @@ class Polynomial:
         for monomial, value in self.terms.items():
             power = monomial >> (BITS * place) & mask
             found.setdefault(power, {})[monomial - (power << (BITS * place))] = value
-        return {power: Polynomial(terms, self.degree) for power, terms in found.items()}
+        return {power: Polynomial(terms) for power, terms in found.items()}
 
 
-def _guards(monomial: int) -> int:
-    fields = monomial.bit_length() // BITS + 1
-    return sum(1 << (BITS * field + BITS - 1) for field in range(fields))
+def _require_exact(monomials: int) -> None:
+    if monomials & _FREE:
+        raise NotReplayable("an exponent is too large")
 
 
 def constant(value: int) -> Polynomial:
     """Return a constant polynomial."""
-    return Polynomial({0: value} if value else {}, 0)
+    return Polynomial({0: value} if value else {})
 
 
 def variables(count: int) -> list[Polynomial]:
     """Return the variables of a ring."""
-    return [Polynomial({1 << (BITS * place): 1}, 1) for place in range(count)]
+    if count > MOST_VARIABLES:
+        raise NotReplayable(f"there are more than {MOST_VARIABLES} symbols")
+    return [Polynomial({1 << (BITS * place): 1}) for place in range(count)]
 
 
 def product(factors: Iterable[Polynomial]) -> Polynomial:

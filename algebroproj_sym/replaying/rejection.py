@@ -9,3 +9,9 @@ class Rejected(ValueError):  # noqa: N818 - a judgement, not a malfunction
 
 class NotReplayable(ValueError):  # noqa: N818
     """The ledger holds no evidence that could be replayed."""
+
+
+def require(holds: bool, reason: str) -> None:
+    """Reject with a reason, unless something holds."""
+    if not holds:
+        raise Rejected(reason)

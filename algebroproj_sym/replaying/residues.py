@@ -6,12 +6,12 @@ one that is not zero without an inverse is rejected.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from algebroproj_sym.replaying.rejection import Rejected
+from algebroproj_sym.replaying.evaluation import Algebra
+from algebroproj_sym.replaying.rejection import Rejected, require
 from algebroproj_sym.replaying.text import number
 
 Coefficients = tuple[Fraction, ...]
@@ -74,23 +74,30 @@ class Residue:
         return _divided(tuple(value / below[0] for value in second), self.modulus)[1]
 
 
-def point_in_extension(extension: Any) -> dict[str, Residue]:
-    """Return the point that a certificate gives by coefficients, after looking for the root.
+ROOT = "r"
+
+
+def extension(given: Any) -> Algebra:
+    """Return the algebra of an extension, in which the root is called r, after looking for it.
 
     Raises
     ------
     Rejected
         If the polynomial does not change its sign between the bounds.
     """
-    modulus = _trimmed(tuple(map(number, extension["coefficients"])))
-    low, high = map(number, extension["root between"])
-    if len(modulus) < 2 or _value(modulus, low) * _value(modulus, high) >= 0:
-        raise Rejected("the polynomial of the extension has no root where the certificate says")
+    require(given.keys() == {"coefficients", "root between"}, "an extension is a polynomial and bounds of a root")
+    modulus = _trimmed(tuple(map(number, given["coefficients"])))
+    low, high = map(number, given["root between"])
+    real = len(modulus) > 1 and _value(modulus, low) * _value(modulus, high) < 0
+    require(real, "the polynomial of the extension has no root where the certificate says")
     monic = tuple(value / modulus[0] for value in modulus)
-    values: Mapping[str, Sequence[str]] = extension["values"]
-    return {
-        name: Residue(_divided(_trimmed(tuple(map(number, texts))), monic)[1], monic) for name, texts in values.items()
-    }
+    root = Residue(_divided((Fraction(1), Fraction(0)), monic)[1], monic)
+
+    def symbol(name: str) -> Residue:
+        require(name == ROOT, f"expected numbers and the root {ROOT}, got {name}")
+        return root
+
+    return Algebra(symbol, lambda value: Residue((value,) if value else (), monic))
 
 
 def _value(polynomial: Coefficients, place: Fraction) -> Fraction:

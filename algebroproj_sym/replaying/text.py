@@ -1,61 +1,60 @@
-r"""Reading the expressions of a ledger: a restricted grammar, read without evaluating anything.
+r"""Reading the expressions of a ledger: restricted grammars, read without evaluating anything.
 
-::
+Statements are rational expressions; their text shows every division::
 
     sum      = product { ("+" | "-") product }
     product  = factor { ("*" | "/") factor }
     factor   = ("-" | "+") factor | atom [ "**" exponent ]
-    atom     = integer | name | "$" integer | "(" sum ")"
+    atom     = integer | name | "(" sum ")"
     exponent = factor                                                       of numbers alone, an integer
 
-A form is an expression, a matrix ``Matrix([[..., ...], ...])`` or factors ``(..., ...)``.  ``$3`` is the fourth step
-of a form that is written in steps.
+Certificates are polynomials with integer coefficients: there is no ``/``, and an exponent is a natural number.
+
+A form is an expression, a matrix ``Matrix([[..., ...], ...])`` or factors ``(..., ...)``.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from math import gcd
+from typing import Any, NamedTuple
 
-from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
+from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 
-_TOKEN = re.compile(r"\s*(?:(\d+)|([A-Za-z_]\w*)|(\$\d+)|(\*\*|[-+*/(),\[\]]))")
-_DECIMAL = re.compile(r"(?<![\w.])(\d*)\.(\d*)")
-DEPTH = 400
-LARGEST_EXPONENT = 1000
+_TOKEN = re.compile(r"\s*(?:([0-9]+)|([^\W\d]\w*'*)|(\*\*|[-+*/(),\[\]]))")
+_DECIMAL = re.compile(r"(?<![\w.])([0-9]*)\.([0-9]*)")
+_NUMBER = re.compile(r"(-?)(0|[1-9][0-9]*)(?:/([1-9][0-9]*))?")
+DEPTH = 200
+LARGEST_EXPONENT = 10**6
+MOST_DIGITS = 4000
 
 
-@dataclass(frozen=True, eq=False)
-class Node:
-    """A node of an expression: number, symbol, step, or an operation on other nodes."""
+class Operation(NamedTuple):
+    """``number``, ``symbol``, or ``+ - * / ^`` of the results of earlier operations."""
 
     kind: str
-    value: Any = None
-    children: tuple[Node, ...] = ()
+    value: Any
+    operands: tuple[int, ...]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Form:
-    """A scalar, matrix or list of factors: its shape, its entries row by row, and the steps they are written in."""
+    """A scalar, matrix or list of factors: its operations, each once, and the places of its entries among them."""
 
     shape: tuple[int, ...]
-    entries: tuple[Node, ...]
-    steps: tuple[Node, ...] = ()
+    operations: tuple[Operation, ...]
+    entries: tuple[int, ...]
 
     def symbols(self) -> set[str]:
         """Return the names of all symbols."""
-        return {node.value for node in _nodes((*self.steps, *self.entries)) if node.kind == "symbol"}
+        return {operation.value for operation in self.operations if operation.kind == "symbol"}
 
-
-def _nodes(roots: Sequence[Node]) -> Iterator[Node]:
-    waiting = list(roots)
-    while waiting:
-        node = waiting.pop()
-        yield node
-        waiting += node.children
+    def entry(self, place: int) -> Operation:
+        """Return the last operation of an entry."""
+        return self.operations[self.entries[place]]
 
 
 def parse(text: Any) -> Form:
@@ -75,16 +74,22 @@ def parse(text: Any) -> Form:
     ...
     algebroproj_sym.replaying.rejection.Rejected: expected an expression, got "__import__('os')"
     """
-    reader = _Reader(text)
-    if reader.skip("Matrix"):
-        rows = reader.matrix()
-        if len({len(row) for row in rows}) > 1:
-            raise Rejected(f"expected rows of one length, got {text!r}")
-        form = Form((len(rows), len(rows[0]) if rows else 0), tuple(entry for row in rows for entry in row))
-    else:
-        form = Form((), (reader.sum(),))
-    reader.end()
-    return form
+    return _Reader(text).form()
+
+
+def parse_polynomial(text: Any) -> Form:
+    """Read a polynomial with integer coefficients, or a matrix of them.
+
+    Examples
+    --------
+    >>> parse_polynomial("2*x**2 - y").symbols() == {"x", "y"}
+    True
+    >>> parse_polynomial("x/2")
+    Traceback (most recent call last):
+    ...
+    algebroproj_sym.replaying.rejection.Rejected: expected a polynomial with integer coefficients, got "x/2"
+    """
+    return _Reader(text, polynomial=True).form()
 
 
 def parse_statement(text: Any) -> Form:
@@ -94,13 +99,11 @@ def parse_statement(text: Any) -> Form:
 
     Examples
     --------
-    >>> parse_statement("x^2 = 0.5").entries[0].kind, parse_statement("[[x, 1]]").shape
+    >>> parse_statement("x^2 = 0.5").entry(0).kind, parse_statement("[[x, 1]]").shape
     ('+', (1, 2))
     """
     if not isinstance(text, str):
         raise Rejected(f"expected the text of a statement, got {text!r}")
-    if "'" in text:
-        raise NotReplayable("names with primes are not read")
     left, equal, right = _DECIMAL.sub(_exact, text.replace("^", "**")).partition("=")
     whole = f"({left}) - ({right})" if equal else left.strip()
     return parse(f"Matrix({whole})" if whole.startswith("[") else whole)
@@ -108,7 +111,7 @@ def parse_statement(text: Any) -> Form:
 
 def _exact(match: re.Match[str]) -> str:
     whole, part = match.groups()
-    return f"({int(whole + part or '0')}/{10 ** len(part)})"
+    return f"({whole}{part or '0'}/1{'0' * len(part)})" if part else f"({whole or '0'})"
 
 
 def parse_factors(text: Any) -> Form:
@@ -119,42 +122,23 @@ def parse_factors(text: Any) -> Form:
     >>> parse_factors("(x, x + 1)").shape, parse_factors("(x,)").shape
     ((2,), (1,))
     """
-    reader = _Reader(text)
-    factors = reader.sequence("(", ")")
-    reader.end()
-    return Form((len(factors),), tuple(factors))
-
-
-def parse_steps(steps: Any, entries: Any, shape: tuple[int, ...]) -> Form:
-    """Read a form that is written in steps."""
-    if not isinstance(steps, list) or not isinstance(entries, list):
-        raise Rejected("expected lists of steps and entries")
-    form = Form(shape, tuple(map(_expression, entries)), tuple(map(_expression, steps)))
-    for place, step in enumerate((*form.steps, *form.entries)):
-        known = min(place, len(form.steps))
-        if any(node.kind == "step" and node.value >= known for node in _nodes([step])):
-            raise Rejected("a step refers to one that does not come before it")
-    return form
-
-
-def _expression(text: Any) -> Node:
-    reader = _Reader(text)
-    node = reader.sum()
-    reader.end()
-    return node
+    return _Reader(text).factors()
 
 
 def number(text: Any) -> Fraction:
-    """Read a rational number such as -3/4.
+    """Read a rational number in lowest terms, such as -3/4.
 
     Examples
     --------
     >>> number("-3/4")
     Fraction(-3, 4)
     """
-    if not isinstance(text, str) or not re.fullmatch(r"-?\d+(/[1-9]\d*)?", text) or str(Fraction(text)) != text:
-        raise Rejected(f"expected a rational number in lowest terms, got {text!r}")
-    return Fraction(text)
+    match = _NUMBER.fullmatch(text) if isinstance(text, str) else None
+    if match is not None and text != "-0":
+        sign, above, below = match.group(1), _natural(match.group(2)), _natural(match.group(3) or "1")
+        if gcd(above, below) == 1 and match.group(3) != "1":
+            return Fraction(-above if sign else above, below)
+    raise Rejected(f"expected a rational number in lowest terms, got {text!r}")
 
 
 def decimal(text: Any) -> tuple[Fraction, Fraction]:
@@ -165,19 +149,52 @@ def decimal(text: Any) -> tuple[Fraction, Fraction]:
     >>> decimal("-0.50")
     (Fraction(-1, 2), Fraction(1, 100))
     """
-    if not isinstance(text, str) or not re.fullmatch(r"-?\d+(\.\d+)?", text):
+    if not isinstance(text, str) or not re.fullmatch(r"-?[0-9]+(\.[0-9]+)?", text):
         raise Rejected(f"expected a decimal number, got {text!r}")
     return Fraction(text), Fraction(1, 10 ** len(text.partition(".")[2]))
 
 
+def _natural(digits: str) -> int:
+    """Read a natural number of any length."""
+    if len(digits) <= MOST_DIGITS:
+        return int(digits)
+    half = len(digits) // 2
+    shift: int = 10**half
+    return _natural(digits[:-half]) * shift + _natural(digits[-half:])
+
+
 class _Reader:
-    def __init__(self, text: Any) -> None:
+    def __init__(self, text: Any, polynomial: bool = False) -> None:
+        self.expected = "a polynomial with integer coefficients" if polynomial else "an expression"
         if not isinstance(text, str):
-            raise Rejected(f"expected the text of an expression, got {text!r}")
+            raise Rejected(f"expected the text of {self.expected}, got {text!r}")
         self.text = text
+        self.polynomial = polynomial
+        self.operations: list[Operation] = []
+        self.places: dict[Operation, int] = {}
         self.tokens = self._tokens()
         self.place = 0
         self.depth = 0
+
+    def form(self) -> Form:
+        if self.tokens[:3] == ["Matrix", "(", "["]:
+            self.place = 1
+            rows = self.matrix()
+            require(len({len(row) for row in rows}) == 1, f"expected rows of one length, got {self.shown}")
+            shape: tuple[int, ...] = (len(rows), len(rows[0]))
+            entries = [entry for row in rows for entry in row]
+        else:
+            shape, entries = (), [self.sum()]
+        return self.ended(shape, entries)
+
+    def factors(self) -> Form:
+        found = self.sequence("(", ")")
+        return self.ended((len(found),), found)
+
+    def ended(self, shape: tuple[int, ...], entries: Sequence[int]) -> Form:
+        if self.tokens[self.place]:
+            raise self.wrong()
+        return Form(shape, tuple(self.operations), tuple(entries))
 
     def _tokens(self) -> list[str]:
         tokens, start, text = [], 0, self.text.rstrip()
@@ -185,13 +202,24 @@ class _Reader:
             match = _TOKEN.match(text, start)
             if match is None:
                 raise self.wrong()
-            tokens.append(match.group().strip())
+            tokens.append(match[match.lastindex or 0])
             start = match.end()
         return [*tokens, ""]
 
+    @property
+    def shown(self) -> str:
+        return self.text if len(self.text) < 80 else f"{self.text[:77]}..."
+
     def wrong(self) -> Rejected:
-        shown = self.text if len(self.text) < 80 else f"{self.text[:77]}..."
-        return Rejected(f'expected an expression, got "{shown}"')
+        return Rejected(f'expected {self.expected}, got "{self.shown}"')
+
+    def enter(self, kind: str, value: Any, *operands: int) -> int:
+        """Return the place of an operation, which is entered if it is new."""
+        operation = Operation(kind, value, operands)
+        if operation not in self.places:
+            self.places[operation] = len(self.operations)
+            self.operations.append(operation)
+        return self.places[operation]
 
     def skip(self, token: str) -> bool:
         found = self.tokens[self.place] == token
@@ -202,11 +230,7 @@ class _Reader:
         if not self.skip(token):
             raise self.wrong()
 
-    def end(self) -> None:
-        if self.tokens[self.place]:
-            raise self.wrong()
-
-    def matrix(self) -> list[list[Node]]:
+    def matrix(self) -> list[list[int]]:
         self.expect("(")
         self.expect("[")
         rows = [self.sequence("[", "]")]
@@ -216,7 +240,7 @@ class _Reader:
         self.expect(")")
         return rows
 
-    def sequence(self, opening: str, closing: str) -> list[Node]:
+    def sequence(self, opening: str, closing: str) -> list[int]:
         self.expect(opening)
         found = [self.sum()]
         while self.skip(","):
@@ -226,87 +250,69 @@ class _Reader:
         self.expect(closing)
         return found
 
-    def sum(self) -> Node:
+    def sum(self) -> int:
         self.depth += 1
         if self.depth > DEPTH:
-            raise Rejected("the expression is nested too deeply")
+            raise NotReplayable("the expression is nested too deeply")
         terms = [self.product()]
         while self.tokens[self.place] in ("+", "-"):
             minus = self.skip("-") or not self.skip("+")
-            terms.append(_negative(self.product()) if minus else self.product())
+            term = self.product()
+            terms.append(self.enter("-", None, term) if minus else term)
         self.depth -= 1
-        return terms[0] if len(terms) == 1 else Node("+", None, tuple(terms))
+        return terms[0] if len(terms) == 1 else self.enter("+", None, *terms)
 
-    def product(self) -> Node:
+    def product(self) -> int:
         result = self.factor()
         while self.tokens[self.place] in ("*", "/"):
             divided = self.skip("/") or not self.skip("*")
-            right = self.factor()
-            if divided and result.kind == right.kind == "number" and right.value:
-                result = Node("number", result.value / right.value)
-            else:
-                result = Node("/" if divided else "*", None, (result, right))
+            if divided and self.polynomial:
+                raise self.wrong()
+            result = self.enter("/" if divided else "*", None, result, self.factor())
         return result
 
-    def factor(self) -> Node:
-        if self.skip("-"):
-            return _negative(self.factor())
-        if self.skip("+"):
-            return self.factor()
+    def factor(self) -> int:
+        minus = False
+        while self.tokens[self.place] in ("-", "+"):
+            minus ^= self.skip("-") or not self.skip("+")
         atom = self.atom()
-        return Node("^", self.exponent(), (atom,)) if self.skip("**") else atom
+        if self.skip("**"):
+            atom = self.enter("^", self.exponent(), atom)
+        return self.enter("-", None, atom) if minus else atom
 
     def exponent(self) -> int:
-        value = _constant(self.factor())
+        if self.polynomial and not self.tokens[self.place].isdecimal():
+            raise self.wrong()
+        value = self.constant(self.factor())
         if value is None or value.denominator != 1:
             raise self.wrong()
-        return _bounded(int(value))
+        if abs(value) > LARGEST_EXPONENT:
+            raise NotReplayable(f"an exponent exceeds {LARGEST_EXPONENT}")
+        return value.numerator
 
-    def integer(self) -> int:
+    def constant(self, place: int) -> Fraction | None:
+        """Return the value of an exponent, which is written with numbers, signs, sums, products and powers."""
+        kind, value, operands = self.operations[place]
+        parts = [self.constant(operand) for operand in operands]
+        known = [part for part in parts if part is not None]
+        if kind in ("symbol", "/") or len(known) < len(parts):
+            return None
+        if kind == "^":
+            small = abs(known[0]) <= LARGEST_EXPONENT and abs(value) <= 20
+            return known[0] ** value if known[0] and small else None
+        if kind == "number":
+            return Fraction(value)
+        return -known[0] if kind == "-" else sum(known, Fraction(0)) if kind == "+" else known[0] * known[1]
+
+    def atom(self) -> int:
         token = self.tokens[self.place]
-        if not token.isdecimal():
-            raise self.wrong()
         self.place += 1
-        return int(token)
-
-    def atom(self) -> Node:
-        token = self.tokens[self.place]
         if token.isdecimal():
-            return Node("number", Fraction(self.integer()))
-        self.place += 1
+            return self.enter("number", _natural(token))
         if token == "(":
             inner = self.sum()
             self.expect(")")
             return inner
-        if token.startswith("$"):
-            return Node("step", int(token[1:]))
-        if not token.isidentifier():
+        if not token.rstrip("'").isidentifier():
             raise self.wrong()
-        return Node("symbol", token)
-
-
-def _negative(node: Node) -> Node:
-    if node.kind == "number":
-        return Node("number", -node.value)
-    return Node("-", None, (node,))
-
-
-def _bounded(exponent: int) -> int:
-    if abs(exponent) > LARGEST_EXPONENT:
-        raise NotReplayable(f"an exponent exceeds {LARGEST_EXPONENT}")
-    return exponent
-
-
-def _constant(node: Node) -> Fraction | None:
-    """Return the value of an exponent, which is written with numbers, signs, sums, products and powers."""
-    if node.kind == "number":
-        return Fraction(node.value)
-    parts = [_constant(child) for child in node.children]
-    values = [part for part in parts if part is not None]
-    if not parts or len(values) < len(parts) or node.kind == "/":
-        return None
-    if node.kind == "^":
-        return values[0] ** node.value if values[0] else None
-    if node.kind == "-":
-        return -values[0]
-    return sum(values, Fraction(0)) if node.kind == "+" else values[0] * values[1]
+        return self.enter("symbol", token)

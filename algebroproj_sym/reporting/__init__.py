@@ -4,7 +4,15 @@ from algebroproj_sym.reporting.answers import answers_record, answers_summary, a
 from algebroproj_sym.reporting.audits import audit_counts, audit_lines, audit_record, audit_table, audited_share
 from algebroproj_sym.reporting.explaining import explanation, failure_text, form_lines
 from algebroproj_sym.reporting.forms import derived_form, remember
-from algebroproj_sym.reporting.ledger import claim_record, ledger, ledger_of, summary, write_json, write_text
+from algebroproj_sym.reporting.ledger import (
+    claim_record,
+    declaration,
+    ledger,
+    ledger_of,
+    summary,
+    write_json,
+    write_text,
+)
 from algebroproj_sym.reporting.notebooks import Notebook, NotebookError, run_notebook
 from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
@@ -28,6 +36,7 @@ __all__ = [
     "audited_share",
     "claim_record",
     "claims_table",
+    "declaration",
     "derived_form",
     "explanation",
     "failed_function",

@@ -216,7 +216,7 @@ def _differing(claim: Claim, full: bool) -> list[str]:
     for place in places[:count]:
         row, column = divmod(place, claim.derived.cols)  # type: ignore[union-attr]
         whole = [shown(form[place]) for form in (printed, correct)]  # type: ignore[index]
-        pair = whole if full else apart(*whole, LONGEST_ENTRY)
+        pair = whole if full else apart(whole[0], whole[1], LONGEST_ENTRY)
         lines.append(f"row {row + 1}, column {column + 1}: printed {pair[0]}, {right} {pair[1]}")
     return lines if count == len(places) else [*lines, f"… and {len(places) - count} more entries"]
 

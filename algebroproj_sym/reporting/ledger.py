@@ -6,25 +6,27 @@ import json
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
-import sympy
-
-from algebroproj_sym.declaring import VERDICTS, Claim, Judgement, statement_text
-from algebroproj_sym.expressions import Expression, divided, in_steps, keeps_divisions, text
+from algebroproj_sym.declaring import VERDICTS, Claim, Judgement, Quote, statement_text
+from algebroproj_sym.expressions import text
 from algebroproj_sym.files import write_texts
-from algebroproj_sym.reporting.forms import derived_form
+from algebroproj_sym.replaying import declaration_digest
 
 SCHEMA = 1
 
+Quotes: TypeAlias = Mapping[tuple[str, str], Quote]
 
-def ledger(judgements: Sequence[Judgement], *, timed: bool = True) -> dict[str, Any]:
+
+def ledger(judgements: Sequence[Judgement], quotes: Quotes | None = None, *, timed: bool = True) -> dict[str, Any]:
     """Return the ledger of some judgements.
 
     Parameters
     ----------
     judgements : sequence of Judgement
         In the order of the ledger.
+    quotes : mapping of (paper, number) to Quote, optional
+        What the papers print.
     timed : bool
         Whether to keep the seconds; a ledger that is compared byte by byte has none.
 
@@ -33,7 +35,8 @@ def ledger(judgements: Sequence[Judgement], *, timed: bool = True) -> dict[str, 
     dict
         ``{"schema": 1, "claims": [...], "summary": {verdict: count}}``.
     """
-    return ledger_of([claim_record(judgement, timed=timed) for judgement in judgements], summary(judgements))
+    records = [claim_record(judgement, quotes, timed=timed) for judgement in judgements]
+    return ledger_of(records, summary(judgements))
 
 
 def ledger_of(records: Sequence[Mapping[str, Any]], counts: Mapping[str, int]) -> dict[str, Any]:
@@ -47,37 +50,42 @@ def summary(judgements: Sequence[Judgement]) -> dict[str, int]:
     return {verdict: counts[verdict] for verdict in VERDICTS if counts[verdict]}
 
 
-def claim_record(judgement: Judgement, *, timed: bool = True) -> dict[str, Any]:
-    """Return a judgement as plain data; expressions are text that SymPy parses.
-
-    What is needed to replay the certificate stands in ``setting`` (what else the claim declares) and in ``divisions``
-    (forms with divisions that their text no longer shows, in steps, see `algebroproj_sym.expressions.in_steps`).
-    """
+def claim_record(judgement: Judgement, quotes: Quotes | None = None, *, timed: bool = True) -> dict[str, Any]:
+    """Return a judgement as plain data: what is declared, with its digest, and what was found."""
     claim = judgement.claim
     counterexample = judgement.counterexample
-    derived = derived_form(claim)
-    record = {
+    record = declaration(claim, (quotes or {}).get((claim.paper, claim.number))) | {
+        "verdict": judgement.verdict,
+        "hypotheses": [text(factor) for factor in judgement.hypotheses],
+        "counterexample": None if counterexample is None else {s.name: str(v) for s, v in counterexample.items()},
+        "certificate": judgement.certificate,
+        "engine": judgement.engine,
+    }
+    return record | {"seconds": round(judgement.seconds, 4)} if timed else record
+
+
+def declaration(claim: Claim, quote: Quote | None) -> dict[str, Any]:
+    """Return what a claim declares as plain data, with a digest of it.
+
+    Expressions are text that SymPy parses; it shows every division that was made, also one that cancels.
+    """
+    declared = {
         "paper": claim.paper,
         "number": claim.number,
         "section": claim.section,
         "title": claim.title,
         "kind": claim.kind,
-        "verdict": judgement.verdict,
         "expected": claim.expected,
         "printed": statement_text(claim.printed),
-        "derived": statement_text(derived),
+        "derived": statement_text(claim.derived),
         "corrected": statement_text(claim.corrected),
         "where": {symbol.name: statement_text(value) for symbol, value in claim.where.items()},
         "setting": _setting(claim),
-        "divisions": _divisions(claim, derived),
-        "hypotheses": [text(factor) for factor in judgement.hypotheses],
-        "counterexample": None if counterexample is None else {s.name: str(v) for s, v in counterexample.items()},
-        "certificate": judgement.certificate,
         "instead": claim.instead or None,
-        "engine": judgement.engine,
         "note": claim.note,
+        "quote": None if quote is None else {"line": quote.line, "latex": quote.text},
     }
-    return record | {"seconds": round(judgement.seconds, 4)} if timed else record
+    return declared | {"declaration": declaration_digest(declared)}
 
 
 def _setting(claim: Claim) -> dict[str, Any]:
@@ -92,22 +100,8 @@ def _setting(claim: Claim) -> dict[str, Any]:
     if claim.variables:
         setting["variables"] = [variable.name for variable in claim.variables]
     if claim.kind == "numeric":
-        setting["units"] = str(claim.units)
-        if claim.unrounded is not None:
-            setting["unrounded"] = text(claim.unrounded)
+        setting["rounding"] = claim.rounding
     return setting
-
-
-def _divisions(claim: Claim, derived: Expression | None) -> dict[str, Any]:
-    """Return the forms, and the values of symbols, whose text hides a division, in steps."""
-    divisions: dict[str, Any] = {}
-    for name, form in (("printed", claim.printed), ("derived", claim.derived), ("corrected", claim.corrected)):
-        if isinstance(form, sympy.Expr | sympy.MatrixBase):
-            shortened = name == "derived" and derived is not None and divided(form) != divided(derived)
-            if shortened or not keeps_divisions(form):
-                divisions[name] = in_steps(form)
-    where = {symbol.name: in_steps(value) for symbol, value in claim.where.items() if not keeps_divisions(value)}
-    return divisions | ({"where": where} if where else {})
 
 
 def write_json(record: Mapping[str, Any], path: Path) -> None:

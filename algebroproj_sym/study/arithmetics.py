@@ -33,7 +33,7 @@ def _no_rest(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[
 
 @cache
 def float64() -> Arithmetic:
-    """Machine numbers: the generated functions as they are, compiled where they were."""
+    """Machine numbers: the generated functions as they are, compiled if possible."""
     return Arithmetic(
         name="float64",
         digits=16,
@@ -65,7 +65,7 @@ def double_double() -> Arithmetic:
 
 @cache
 def float64_balls() -> Arithmetic:
-    """Machine numbers with a guaranteed bound of their error, by running error analysis."""
+    """Machine numbers with a guaranteed bound of their error."""
     return Arithmetic(
         name="float64 enclosures",
         digits=16,
@@ -99,7 +99,7 @@ def double_double_balls() -> Arithmetic:
 
 @cache
 def mpmath_digits(digits: int) -> Arithmetic:
-    """Floating-point numbers of so many decimal digits (mpmath)."""
+    """Floating-point numbers with this many decimal digits (mpmath)."""
     return Arithmetic(
         name=f"mpmath {digits} digits",
         digits=digits,
@@ -116,7 +116,7 @@ def mpmath_digits(digits: int) -> Arithmetic:
 
 @cache
 def arb(bits: int) -> Arithmetic:
-    """Balls of so many bits (Arb): every result encloses the exact value."""
+    """Balls with this many bits (Arb).  Every result encloses the exact value."""
     return Arithmetic(
         name=f"arb {bits} bits",
         digits=bits * np.log10(2.0),
@@ -134,7 +134,7 @@ def arb(bits: int) -> Arithmetic:
 
 @cache
 def rational() -> Arithmetic:
-    """Exact rational numbers; division by zero is an error, and there are no angles."""
+    """Exact rational numbers.  Division by zero is an error, and there are no angles."""
     return Arithmetic(
         name="rational",
         digits=np.inf,

@@ -32,13 +32,13 @@ class Condition:
     normwise : ndarray, shape (...)
         ``||J||_2 ||x||_2 / ||f||_2``.
     mixed : ndarray, shape (...)
-        ``max_i (|J| |x|)_i / max_i |f_i|``: relative errors of each input entry, the error of the result relative to
-        its largest entry.
+        ``max_i (|J| |x|)_i / max_i |f_i|``.  Input errors are relative to each entry, and the error of the result is
+        relative to its largest entry.
     componentwise : ndarray, shape (...)
         ``max_i (|J| |x|)_i / |f_i|``.
     mean : ndarray, shape (...)
-        ``||J diag(x)||_F / ||f||_2``: the standard deviation of the relative error of the result, in units of that of
-        independent relative errors of the entries of x.
+        ``||J diag(x)||_F / ||f||_2``.  If the entries of x have independent relative errors with a standard deviation
+        of 1, this is the standard deviation of the relative error of the result.
     """
 
     normwise: Array
@@ -62,7 +62,7 @@ def jacobian(function: Callable[..., Any], *arguments: ArrayLike) -> tuple[Array
     value : ndarray, shape (..., m)
         All entries of all results, row by row.
     derivatives : ndarray, shape (..., m, p)
-        A row for each of them, a column for each entry of the arguments.
+        One row for each entry of the results, one column for each entry of the arguments.
 
     Raises
     ------
@@ -132,7 +132,7 @@ def condition_numbers(value: Array, derivatives: Array, x: Array) -> Condition:
     Returns
     -------
     Condition
-        Not a number where the Jacobian is not finite, infinite where the result is zero.
+        NaN where the Jacobian is not finite, infinite where the result is zero.
 
     Examples
     --------
@@ -154,14 +154,14 @@ def condition_numbers(value: Array, derivatives: Array, x: Array) -> Condition:
 
 
 def smallest_singular_values(matrices: ArrayLike, rank: int | None = None) -> tuple[Array, Array]:
-    """Return the smallest singular value of matrices, or the given one, and its ratio to the largest.
+    """Return the smallest singular value of matrices, or another one, and its ratio to the largest.
 
     Parameters
     ----------
     matrices : array_like, shape (..., m, n)
-        Matrices that are not finite have none.
+        The matrices.  The result is NaN for a matrix that is not finite.
     rank : int, optional
-        Which one, counted from 1 for the largest; by default the last.
+        The number of the singular value: 1 is the largest.  The default is the smallest.
 
     Returns
     -------

@@ -40,12 +40,12 @@ class Certified:
     Attributes
     ----------
     values : dict of str to DoubleDouble
-        The results as ``hi + lo``, arrays of shape (n, *core); not a number where there is none.
+        The results as ``hi + lo``, arrays of shape (n, *core).  NaN where there is no result.
     radii : dict of str to ndarray, shape (n, *core)
-        Guaranteed bounds of their distance from the exact values; infinite where there is no value.
+        Guaranteed bounds of the errors.  Infinite where there is no result.
     rung : ndarray, shape (n,)
-        Which of the rungs certified a member; `SINGULAR` where it was proved that the results do not exist, `UNDECIDED`
-        where no rung could tell.
+        The rung that certified a member.  `SINGULAR` if it is proved that there is no result, `UNDECIDED` if no rung
+        could decide.
     rungs : tuple of str
         The names of the rungs.
     """
@@ -72,7 +72,7 @@ def certified(function: Callable[..., Any], *arguments: ArrayLike, accuracy: flo
     function : callable
         A generated function.
     *arguments : array_like, shape (n, *core)
-        One leading dimension each.
+        Each has one leading dimension.
     accuracy : float
         The largest error wanted, relative to the largest entry of a result.
 
@@ -109,7 +109,7 @@ def certified(function: Callable[..., Any], *arguments: ArrayLike, accuracy: flo
 def climb(
     pipeline: Pipeline, count: int, accuracy: float = 1e-12, rungs: Sequence[Arithmetic] = RUNGS, exact: bool = True
 ) -> Certified:
-    """Evaluate a pipeline of generated functions at the members of a batch to a certified accuracy.
+    """Evaluate a chain of generated functions at the members of a batch to a certified accuracy.
 
     Parameters
     ----------
@@ -120,9 +120,9 @@ def climb(
     accuracy : float
         The largest error wanted, relative to the largest entry of each result.
     rungs : sequence of Arithmetic
-        Enclosures, in the order in which they are tried.
+        Arithmetics with enclosures, in the order in which they are tried.
     exact : bool
-        Whether rational numbers are the last rung, which a pipeline with angles does not have.
+        Whether rational numbers are the last rung.  A chain with angles has no rational rung.
 
     Returns
     -------

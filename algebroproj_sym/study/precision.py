@@ -39,7 +39,7 @@ BLOCK = 4096
 
 @dataclass(frozen=True)
 class Arithmetic:
-    """What numbers are, and what the primitive functions of generated programs mean for them.
+    """A kind of number, and what the functions of generated programs do with it.
 
     Attributes
     ----------
@@ -48,13 +48,13 @@ class Arithmetic:
     digits : float
         About how many decimal digits a result has; infinite for rationals.
     parts : int
-        How many arrays make up a batch of numbers.
+        The number of arrays that make up a batch of numbers.
     dtype : dtype
         Of these arrays.
     lift : callable
-        From float64 values, and what they are off at most, to the parts.
+        From float64 values, and bounds of their errors, to the parts.
     join : callable
-        From the parts of a batch to what the body of a function computes with.
+        From the parts of a batch to the numbers that a function computes with.
     split : callable
         Back, from a result to its parts.
     nearest : callable
@@ -63,11 +63,11 @@ class Arithmetic:
         From parts to float64 bounds of the distance of the exact value from the nearest double-double number; None
         where nothing is guaranteed.
     meanings : mapping
-        The primitive functions, by name, that mean something else than for floating-point numbers.
+        The functions, by name, that work differently than for floating-point numbers.
     context : callable
         The context in which numbers have their precision.
     native : bool
-        Whether the function itself is called, which may be compiled.
+        Whether the function itself is called, compiled or not.
     """
 
     name: str
@@ -95,11 +95,11 @@ def lift(arithmetic: Arithmetic, values: ArrayLike, off: ArrayLike = 0.0) -> Num
     Parameters
     ----------
     arithmetic : Arithmetic
-        Where they go.
+        The arithmetic of the result.
     values : array_like
-        Real numbers, taken for exact; any shape.
+        Real numbers, which count as exact, of any shape.
     off : array_like, optional
-        What the exact values are off at most, which broadcasts against them; only enclosures can hold it.
+        Bounds of the errors of the values.  Only enclosures can hold them.
 
     Returns
     -------
@@ -145,7 +145,7 @@ def nearest(arithmetic: Arithmetic, numbers: Numbers) -> DoubleDouble:
 
 
 def radius(arithmetic: Arithmetic, numbers: Numbers) -> NDArray[np.float64]:
-    """Return bounds of the distance of the exact values from `nearest`; infinite where nothing is guaranteed."""
+    """Return bounds of the distance of the exact values from `nearest`.  They are infinite where none is known."""
     if arithmetic.radius is None:
         return np.full(numbers.shape[1:], np.inf)
     with arithmetic.context(), np.errstate(all="ignore"):
@@ -168,7 +168,7 @@ def apply(arithmetic: Arithmetic, function: Function, *numbers: Numbers) -> Any:
     Returns
     -------
     ndarray, shape (parts, ..., *core), or a tuple of them
-        A member of a batch for which the function is not defined is not a number, in its place.
+        NaN for each member of a batch for which the function is not defined.
 
     Raises
     ------

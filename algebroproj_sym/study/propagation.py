@@ -86,7 +86,7 @@ def first_order(jacobian: ArrayLike, covariance: ArrayLike) -> Array:
 
 
 def second_order(jacobian: ArrayLike, hessian: ArrayLike, covariance: ArrayLike) -> Moments:
-    """Return the moments of a result of normal errors, with the terms of second order.
+    """Return the moments of a result, to second order, for normal errors of the input.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def second_order(jacobian: ArrayLike, hessian: ArrayLike, covariance: ArrayLike)
 
 
 def curvature(jacobian: ArrayLike, hessian: ArrayLike, covariance: ArrayLike) -> Array:
-    """Return how large the second-order part of each result is, over the first-order part: standard deviations.
+    """Return the standard deviation of the second-order part of each result, over that of the first-order part.
 
     Examples
     --------
@@ -163,16 +163,16 @@ def principal(covariance: ArrayLike) -> tuple[Array, Array]:
 
 
 def intervals(samples: ArrayLike, level: float = LEVEL, confidence: float = 0.95) -> Interval:
-    """Return the central interval that holds a part of a sample, and how sure its ends are.
+    """Return the central interval that holds a part of a sample, and confidence limits of its ends.
 
     Parameters
     ----------
     samples : array_like, shape (draws, ...)
-        Values that are not finite count as farther out than all others on the side of their sign.
+        Infinite values count as the largest or the smallest ones.
     level : float
-        The part within.
+        The part of the sample inside the interval.
     confidence : float
-        Of the limits, which are order statistics: they hold for any distribution.
+        The confidence of the limits.  They are order statistics and hold for any distribution.
 
     Returns
     -------

@@ -29,7 +29,7 @@ class Input:
     Raises
     ------
     ValueError
-        If the second number is not larger than it must be, or the distribution is another one.
+        If the second number is too small, or the distribution is unknown.
     """
 
     name: str
@@ -96,9 +96,9 @@ def sobol(output: Output, inputs: Sequence[Input], samples: int = 1024, seed: in
     inputs : sequence of Input
         Independent of each other.
     samples : int
-        A power of two; the result is computed at (p + 2) times as many points.
+        A power of two.  The result is computed at (p + 2) times as many points.
     seed : int
-        Of the scrambled sequence and of the resampling.
+        The seed of the scrambled sequence and of the resampling.
 
     Returns
     -------
@@ -135,11 +135,11 @@ def morris(output: Output, inputs: Sequence[Input], trajectories: int = 100, see
     output : callable
         From points, shape (n, p), to a number for each, shape (n,).
     inputs : sequence of Input
-        Of a normal one the range between its quantiles of 1/8 and 7/8 is taken.
+        The inputs.  A normal input ranges between its quantiles of 1/8 and 7/8.
     trajectories : int
         The result is computed at (p + 1) times as many points.
     seed : int
-        Of the trajectories and of the resampling.
+        The seed of the trajectories and of the resampling.
 
     Returns
     -------

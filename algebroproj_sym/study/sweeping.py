@@ -226,8 +226,8 @@ def _require_equal(found: Mapping[str, Any], wanted: Mapping[str, Any], folder: 
     for name in sorted(before.keys() | now.keys()):
         if before.get(name) != now.get(name):
             raise OtherSweepError(
-                f"{folder}: holds a sweep with {name} = {before.get(name)}, and is asked to go on with "
-                f"{now.get(name)}; choose another folder, or remove this one"
+                f"{folder}: the study in this folder has {name} = {before.get(name)}, not "
+                f"{now.get(name)}. Choose another folder, or remove this one"
             )
 
 

@@ -160,7 +160,7 @@ def _settled(
     zeros = exact_zeros()
     if all(agreed or zero for agreed, zero in zip(settled, zeros, strict=True)):
         return tuple(mpmath.mpf(0) if zero else value for value, zero in zip(values, zeros, strict=True)), precision
-    raise NoAgreementError(f"oracle: {DIGITS} digits do not agree at {LAST_PRECISION} digits of precision at {point}")
+    raise NoAgreementError(f"oracle: {LAST_PRECISION} digits do not give {DIGITS} certain ones at {point}")
 
 
 def _agree(value: Any, finer: Any) -> bool:

@@ -6,12 +6,14 @@
 # is a claim of its own, compared with the exact rational number that follows from the given data.
 
 # %%
+from decimal import Decimal
 from fractions import Fraction
+from math import comb, factorial
 
 import sympy
 
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, divided, solve, vector
+from algebroproj_sym.expressions import Matrix, Rounding, columns, decimals, divided, rounded, solve, vector
 
 section = Section("fundamentals1996", "4", "Numerical example")
 
@@ -160,6 +162,10 @@ R_RIGHT = (
     ("-0.05336033", "0.99845306", "0.0156255137"),
     ("0.02827056", "-0.01413104", "0.9995004198"),
 )
+Printed = tuple[tuple[str, str, str], ...]
+MATRICES: dict[str, Printed] = {"left": R_LEFT, "right": R_RIGHT}
+MATRIX_NAMES = {"left": "R'", "right": "R''"}
+PICTURES = {"left": (LEFT, "O1"), "right": (RIGHT, "O2")}
 PRINCIPAL_DISTANCE = sympy.Rational(5, 2)
 
 section.definition(
@@ -170,57 +176,154 @@ section.definition(
 )
 
 # %% [markdown]
-# The matrices are rotations by round angles, $\mathbf R = \mathbf R_z(\kappa) \mathbf R_y(\varphi)
-# \mathbf R_x(\omega)$: 2.6, 1.3, 5.8 gon on the left, -0.9, -1.8, -3.4 gon on the right, if one gon is
-# $3.14159159 / 200$: a constant that is slightly wrong, the same for both pictures.  From these angles the matrices
-# follow with as many digits as one likes.
+# ### Round angles
+#
+# The matrices are rotations $\mathbf R = \mathbf R_z(\kappa) \mathbf R_y(\varphi) \mathbf R_x(\omega)$ with
+# $\tan\omega = r_{32} / r_{33}$, $\sin\varphi = -r_{31}$, $\tan\kappa = r_{21} / r_{11}$.  Their angles are round: to
+# five decimals of a gon they have one digit after the point.  Here one gon is $3.14159159 / 200$.
 
 # %%
-GON = Fraction("3.14159159") / 200
+HALF_TURN = Fraction("3.14159159")
+TRUE_HALF_TURN = Fraction("3.14159265358979323846264338327950288")
+ANGLES = {"left": ("2.6", "1.3", "5.8"), "right": ("-0.9", "-1.8", "-3.4")}
 TERMS = 12
 
 
-def cosine_and_sine(gon: str) -> tuple[sympy.Rational, sympy.Rational]:
-    angle = Fraction(gon) * GON
-    terms = [angle**n / sympy.factorial(n) * (-1) ** (n // 2) for n in range(2 * TERMS)]
+def arctangent(tangent: Fraction) -> Fraction:
+    return sum((-1) ** n * tangent ** (2 * n + 1) / (2 * n + 1) for n in range(TERMS))
+
+
+def arcsine(sine: Fraction) -> Fraction:
+    return sum(comb(2 * n, n) * sine ** (2 * n + 1) / (4**n * (2 * n + 1)) for n in range(TERMS))
+
+
+def angles_of(printed: Printed) -> tuple[Fraction, Fraction, Fraction]:
+    """Return omega, phi and kappa of a rotation matrix, in gon."""
+    (r11, _, _), (r21, _, _), (r31, r32, r33) = ([Fraction(cell) for cell in row] for row in printed)
+    radians = arctangent(r32 / r33), -arcsine(r31), arctangent(r21 / r11)
+    return tuple(angle * 200 / HALF_TURN for angle in radians)
+
+
+for side, printed_matrix in MATRICES.items():
+    for name, angle, derived in zip(("omega", "phi", "kappa"), ANGLES[side], angles_of(printed_matrix), strict=True):
+        section.numeric(
+            f"4/b/beyond/angles#{side}.{name}",
+            f"{name} of {MATRIX_NAMES[side]} as printed, in gon",
+            printed=f"{angle}0000",
+            derived=sympy.Rational(derived.numerator, derived.denominator),
+            note="Not in the paper, which gives no angles.  From the printed matrix; the eight decimals of a matrix "
+            "determine an angle to about 1e-6 gon.",
+        )
+
+# %% [markdown]
+# From the round angles the matrices follow with as many digits as one likes; thirty decimals are kept.  All unrounded
+# numbers of the items b) to i) start from these two matrices: matrices that agree with the printed ones, and pictures
+# that are exactly homologous.
+
+# %%
+DECIMALS = 30
+
+
+def cosine_and_sine(angle: Fraction) -> tuple[Fraction, Fraction]:
+    terms = [angle**n / factorial(n) * (-1) ** (n // 2) for n in range(2 * TERMS)]
     return sum(terms[0::2]), sum(terms[1::2])
 
 
-def rotation(omega: str, phi: str, kappa: str) -> Matrix:
-    (co, so), (cp, sp), (ck, sk) = map(cosine_and_sine, (omega, phi, kappa))
-    about_x = Matrix([[1, 0, 0], [0, co, -so], [0, so, co]])
-    about_y = Matrix([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
-    about_z = Matrix([[ck, -sk, 0], [sk, ck, 0], [0, 0, 1]])
-    return about_z * about_y * about_x
+def rotation(angles: tuple[str, str, str], half_turn: Fraction) -> Matrix:
+    """Return the rotation by omega, phi and kappa, in gon, to thirty decimals."""
+    (co, so), (cp, sp), (ck, sk) = (cosine_and_sine(Fraction(angle) * half_turn / 200) for angle in angles)
+    about_z_and_y = ((ck * cp, -sk, ck * sp), (sk * cp, ck, sk * sp), (-sp, Fraction(0), cp))
+    entries = [entry for a, b, c in about_z_and_y for entry in (a, b * co + c * so, c * co - b * so)]
+    return Matrix(3, 3, [sympy.Rational(f"{rounded(entry, DECIMALS):f}") for entry in entries])
 
 
-PICTURES = {
-    "left": ("R'", LEFT, "O1", R_LEFT, rotation("2.6", "1.3", "5.8")),
-    "right": ("R''", RIGHT, "O2", R_RIGHT, rotation("-0.9", "-1.8", "-3.4")),
-}
+def rotations(half_turn: Fraction) -> dict[str, Matrix]:
+    return {side: rotation(angles, half_turn) for side, angles in ANGLES.items()}
 
-for side, (matrix_name, _, _, printed_matrix, full_matrix) in PICTURES.items():
-    for i in range(3):
-        for j in range(3):
-            section.numeric(
-                f"4/b#{side}.R{i + 1}{j + 1}",
-                f"{matrix_name}, row {i + 1}, column {j + 1}",
-                printed=printed_matrix[i][j],
-                derived=full_matrix[i, j],
-                units=Fraction(1),
-                note="To one unit of the last digit: the elements of R' are cut off, not rounded.",
-            )
+
+FULL_ROTATIONS = rotations(HALF_TURN)
 
 # %% [markdown]
-# The cells.  Derived from the printed matrices, a cell may miss its last digits because the matrices are rounded; the
-# full matrices then give it.  The epipoles, far outside the pictures, are the most sensitive.  What neither gives is a
-# slip.
+# The elements of $\mathbf R'$ are cut off, all nine.  Those of $\mathbf R''$ are rounded, but for one.
+
+# %%
+ROUNDING = {"left": "cut", "right": "nearest"}
+CUT_OFF_ALONE = {
+    ("right", 1, 0): {
+        "expect": "misprint",
+        "corrected": "-0.05336034",
+        "note": "Without rounding -0.05336033547: cut off instead of rounded, alone among the elements of R''; three "
+        "of the others would have another last digit if they were cut off.",
+    }
+}
+ELEMENTS = [(i, j) for i in range(3) for j in range(3)]
+for side, printed_matrix in MATRICES.items():
+    for i, j in ELEMENTS:
+        section.numeric(
+            f"4/b#{side}.R{i + 1}{j + 1}",
+            f"{MATRIX_NAMES[side]}, row {i + 1}, column {j + 1}",
+            printed=printed_matrix[i][j],
+            derived=FULL_ROTATIONS[side][i, j],
+            rounding=ROUNDING[side],
+            **CUT_OFF_ALONE.get((side, i, j), {}),
+        )
+
+# %% [markdown]
+# ### The gon
+#
+# A gon is $\pi / 200$, but $\pi$ does not give the printed matrices.  Of the numbers with eight decimals only
+# $3.14159159$ does; of those with nine decimals it and its neighbours from $3.141591586$ to $3.141591592$.
+
+
+# %%
+def follows(printed: str, exact: sympy.Rational, rounding: Rounding = "nearest") -> bool:
+    """Whether a printed number is the exact one, rounded."""
+    number = Decimal(printed)
+    return rounded(Fraction(int(exact.p), int(exact.q)), decimals(number), rounding) == number
+
+
+def elements_that_follow(half_turn: Fraction, sides: tuple[str, ...] = ("left", "right")) -> int:
+    matrices = {side: rotation(ANGLES[side], half_turn) for side in sides}
+    return sum(follows(MATRICES[s][i][j], matrices[s][i, j], ROUNDING[s]) for s in sides for i, j in ELEMENTS)
+
+
+section.identity(
+    "4/b/beyond/gon#true",
+    "the matrices R' and R'' are rotations by round angles in gon of pi/200: how many of their 18 elements follow",
+    printed=18,
+    derived=sympy.Integer(elements_that_follow(TRUE_HALF_TURN)),
+    expect="false",
+    instead="4/b/beyond/gon",
+    note="Not in the paper, which gives no angles: it is what round angles would mean.  The constant for pi was "
+    "3.14159159; how much rests on it is said in 4/i/beyond/gon.",
+)
+section.identity(
+    "4/b/beyond/gon",
+    "how many of the 18 elements follow with 3.14159158, 3.14159159, 3.14159160 for pi",
+    printed=vector(14, 17, 15),
+    derived=vector(*(elements_that_follow(HALF_TURN + step * Fraction(1, 10**8)) for step in (-1, 0, 1))),
+    note="Not in the paper.  The element that does not follow is r''21, see 4/b#right.R21.",
+)
+NINE_DECIMALS = [Fraction(3141591580 + step, 10**9) for step in range(20)]
+section.identity(
+    "4/b/beyond/gon#nine-decimals",
+    "numbers for pi from 3.141591580 to 3.141591599 with which eight elements of R'' follow: the last two digits",
+    printed=vector(*range(86, 93)),
+    derived=vector(
+        *(80 + step for step, each in enumerate(NINE_DECIMALS) if elements_that_follow(each, ("right",)) == 8)
+    ),
+    note="Not in the paper.  Three elements of R'' have ten decimals.",
+)
+
+# %% [markdown]
+# ### The cells
+#
+# The epipoles, far outside the pictures, are the most sensitive to the rotations.  The last column, $u''_2$, has been
+# cut off: its seven decimals are the first seven of the eight with which item g) prints such numbers.  What does not
+# follow is a slip.
 
 # %%
 SAME_PLACE = "the affine coordinates of the point, which follow from x and y, hold"
-CUT_OFF = (
-    "Cut off instead of rounded: the cell does not depend on the matrices to this digit, and item g) has more digits."
-)
 IMAGE_SLIPS = {
     ("left", "12", 1): ("-0.0953180", f"A doubled digit: {SAME_PLACE}."),
     ("right", "14", 1): ("0.0228074", f"One digit: {SAME_PLACE}."),
@@ -229,10 +332,13 @@ IMAGE_SLIPS = {
         "One digit: x and y of the point hold, and items g) and i) confirm the correction.",
     ),
     ("right", "4", 3): ("0.0000000", "Point 4 is the first unit point, u = (1, 0); items g) and i) print the zero."),
-    ("right", "6", 3): ("0.7763496", CUT_OFF),
-    ("right", "8", 3): ("0.6733497", CUT_OFF),
-    ("right", "11", 3): ("-0.0020833", CUT_OFF),
 }
+COLUMNS = ("x", "y", "u1", "u2")
+EIGHT_DECIMALS = (
+    "The last column of the table: the eighth decimal is missing.  The derived number is the unrounded one with eight "
+    "decimals, of which the last is cut off.  Three cells of the column show it, the points 6, 8 and 11; in all other "
+    "columns the last digit is rounded."
+)
 
 
 def picture(rotation_matrix: Matrix, center: str) -> dict[str, Matrix]:
@@ -246,18 +352,34 @@ def cells(points: dict[str, Matrix], name: str) -> tuple[sympy.Rational, ...]:
     return (*points[name], *affine(points, BASIC[:3], name))
 
 
-for side, (_, table, center, printed_matrix, full_matrix) in PICTURES.items():
-    from_printed = picture(Matrix([[sympy.Rational(cell) for cell in row] for row in printed_matrix]), center)
-    from_full = picture(full_matrix, center)
+def item_b(matrices: dict[str, Matrix]) -> dict[str, sympy.Rational]:
+    """Return the exact numbers of the item, from two rotation matrices."""
+    values = {f"{side}.R{i + 1}{j + 1}": matrices[side][i, j] for side in MATRICES for i, j in ELEMENTS}
+    for side, (table, center) in PICTURES.items():
+        points = picture(matrices[side], center)
+        for name in table:
+            values |= {f"{name}.{side}.{c}": v for c, v in zip(COLUMNS, cells(points, name), strict=True)}
+            last = values[f"{name}.{side}.u2"]
+            if side == "right":
+                values[f"{name}.{side}.u2"] = sympy.Rational(f"{rounded(Fraction(int(last.p), int(last.q)), 8):f}")
+    return values
+
+
+full_values = item_b(FULL_ROTATIONS)
+for side, (table, _) in PICTURES.items():
     for name, printed in table.items():
-        values = zip(printed, cells(from_printed, name), cells(from_full, name), strict=True)
-        for place, (cell, derived, unrounded) in enumerate(values):
+        for place, (column, cell) in enumerate(zip(COLUMNS, printed, strict=True)):
             slip = IMAGE_SLIPS.get((side, name, place))
+            cut = (side, column) == ("right", "u2")
             section.numeric(
-                f"4/b#{name}.{side}.{('x', 'y', 'u1', 'u2')[place]}",
-                f"point {name}, {side} picture, {('x', 'y', 'u1', 'u2')[place]}",
+                f"4/b#{name}.{side}.{column}",
+                f"point {name}, {side} picture, {column}",
                 printed=cell,
-                derived=derived,
-                unrounded=unrounded,
-                **({"expect": "misprint", "corrected": slip[0], "note": slip[1]} if slip else {}),
+                derived=full_values[f"{name}.{side}.{column}"],
+                rounding="cut" if cut else "nearest",
+                **(
+                    {"expect": "misprint", "corrected": slip[0], "note": slip[1]}
+                    if slip
+                    else {"note": EIGHT_DECIMALS if cut else ""}
+                ),
             )

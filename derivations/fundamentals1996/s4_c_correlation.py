@@ -2,9 +2,8 @@
 # # 4 Numerical example, c) to e)
 #
 # Correlation of the two pictures of item b), relative orientation, reconstruction of the model and its transformation
-# to the object.  Every printed number is a claim of its own, compared with two exact numbers: the one that follows from
-# the *printed* numbers of the step before, and the one that the chain gives *without rounding* from the object points
-# and rotations of items a) and b).
+# to the object.  Every printed number is a claim of its own, compared with the one exact number that the chain gives
+# *without rounding* from the object points and rotations of items a) and b).
 
 # %%
 from collections.abc import Iterable, Mapping
@@ -51,10 +50,9 @@ from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import (
     u3_pp,
 )
 from algebroproj_derivations.fundamentals1996.s4_a_coordinates import (
-    AFFINE,
-    AFFINE_SLIPS,
     BASIC,
-    IMAGE_SLIPS,
+    FULL_ROTATIONS,
+    MATRICES,
     PICTURES,
     affine,
     exact,
@@ -150,10 +148,11 @@ PRINTED_M = (
 )
 
 # %% [markdown]
-# What does not follow, neither from the printed numbers nor without rounding, would be a slip.  Items c) to e) have
-# none; for those of the other items `exceptions` has the options of the claim.
+# What does not follow would be a slip.  Items c) to e) have none; for those of the other items `exceptions` has the
+# options of the claim.
 
 # %%
+Values = dict[str, sympy.Rational]
 Exceptions = Mapping[str, Mapping[str, Any]]
 
 
@@ -162,37 +161,34 @@ def declare_cells(
     number: str,
     title: str,
     cells: Mapping[str, str],
-    derived: Iterable[sympy.Rational],
-    unrounded: Iterable[sympy.Rational],
+    values: Mapping[str, sympy.Rational],
     note: str = "",
     exceptions: Exceptions = MappingProxyType({}),
 ) -> None:
-    """Declare a row of printed numbers, part by part of one claim number."""
-    for (part, printed), value, full in zip(cells.items(), derived, unrounded, strict=True):
+    """Declare printed numbers, part by part of one claim number, each beside its exact value."""
+    for part, printed in cells.items():
         claim = f"{number}#{part}"
         options = {"note": note} | dict(exceptions.get(claim, {}))
-        into.numeric(claim, f"{title}, {part}", printed=printed, derived=value, unrounded=full, **options)
+        into.numeric(claim, f"{title}, {part}", printed=printed, derived=values[part], **options)
 
 
-def named(prefix: str, printed: Iterable[str]) -> dict[str, str]:
-    return {f"{prefix}{index}": cell for index, cell in enumerate(printed, start=1)}
+def named(prefix: str, numbers: Iterable[Any]) -> dict[str, Any]:
+    return {f"{prefix}{index}": cell for index, cell in enumerate(numbers, start=1)}
 
 
-def entries_of(prefix: str, printed: Iterable[Iterable[str]]) -> dict[str, str]:
-    return {f"{prefix}{i}{j}": cell for i, row in enumerate(printed) for j, cell in enumerate(row)}
+def entries_of(prefix: str, matrix: Any) -> dict[str, Any]:
+    rows = matrix.tolist() if isinstance(matrix, sympy.MatrixBase) else matrix
+    return {f"{prefix}{i}{j}": cell for i, row in enumerate(rows) for j, cell in enumerate(row)}
 
 
 # %% [markdown]
-# ## The two inputs
+# ## The images
 #
-# The printed image coordinates, with the slips of item b) corrected; and the unrounded ones, projected from the object
-# points.  For these the rotations by round angles are taken with 30 decimals: matrices that agree with the printed
-# ones, and pictures that are exactly homologous.  A third pair is projected with the rotation matrices as printed, to
-# see what these can reproduce.
+# Projected from the object points, with the unrounded rotations.  A second pair is projected with the rotation matrices
+# as printed, to see what these can reproduce.
 
 # %%
 SIDES = ("left", "right")
-DECIMALS = 30
 Images = dict[str, dict[str, Matrix]]
 Pair = dict[str, Matrix]
 
@@ -201,26 +197,13 @@ def numbers(printed: Iterable[Iterable[str]]) -> Matrix:
     return Matrix([[sympy.Rational(cell) for cell in row] for row in printed])
 
 
-def rounded(matrix: Matrix, decimals: int) -> Matrix:
-    return matrix.applyfunc(lambda entry: sympy.Rational(round(entry * 10**decimals), 10**decimals))
+def projected(rotations: Pair) -> Images:
+    pictures = {side: picture(rotations[side], center_name) for side, (_, center_name) in PICTURES.items()}
+    return {side: {name: affine(points, BASIC[:3], name) for name in points} for side, points in pictures.items()}
 
 
-def images_as_printed(side: str) -> dict[str, Matrix]:
-    return {
-        name: exact(*(IMAGE_SLIPS.get((side, name, place), (row[place],))[0] for place in (2, 3)))
-        for name, row in PICTURES[side][1].items()
-    }
-
-
-def projected(side: str, rotation_matrix: Matrix) -> dict[str, Matrix]:
-    _, table, center_name, _, _ = PICTURES[side]
-    points = picture(rotation_matrix, center_name)
-    return {name: affine(points, BASIC[:3], name) for name in table}
-
-
-printed_u: Images = {side: images_as_printed(side) for side in SIDES}
-full_u: Images = {side: projected(side, rounded(PICTURES[side][4], DECIMALS)) for side in SIDES}
-rotation_u: Images = {side: projected(side, numbers(PICTURES[side][3])) for side in SIDES}
+full_u = projected(FULL_ROTATIONS)
+rotation_u = projected({side: numbers(MATRICES[side]) for side in SIDES})
 
 # %% [markdown]
 # ## c. Correlation
@@ -250,45 +233,47 @@ def epipoles_of(elements: Matrix) -> Pair:
     }
 
 
+def item_c(images: Images) -> Values:
+    """Return the exact numbers of the item."""
+    elements = correlation(images)
+    points = epipoles_of(elements)
+    return (
+        entries_of("z", correlation_matrix(elements))
+        | {"det": at(DETERMINANT, (remaining, elements))[0]}
+        | named("left.u0", points["left"])
+        | named("right.u0", points["right"])
+    )
+
+
+DETERMINANT = Matrix([[determinant_of_correlation]])
 full_elements = correlation(full_u)
-printed_elements = vector(*numbers(PRINTED_Z))[4:, 0]
+full_c = item_c(full_u)
 FROM_OBJECT = (
-    "The coordinates of item b) have seven decimals, the elements eight.  They follow from the coordinates before "
+    "The coordinates of item b) have seven decimals, the elements eight: they follow from the coordinates before "
     "rounding, projected from the object points with unrounded rotations."
 )
-declare_cells(
-    section,
-    "4/c",
-    "matrix of correlation",
-    entries_of("z", PRINTED_Z),
-    correlation_matrix(correlation(printed_u)),
-    correlation_matrix(full_elements),
-    FROM_OBJECT,
-)
+declare_cells(section, "4/c", "matrix of correlation", entries_of("z", PRINTED_Z), full_c, FROM_OBJECT)
 
 # %% [markdown]
-# The determinant of the printed matrix, and the epipoles (2.2.6) and (2.2.7).
+# The determinant, and the epipoles (2.2.6) and (2.2.7).
 
 # %%
-DETERMINANT = Matrix([[determinant_of_correlation]])
 declare_cells(
     section,
     "4/c",
     "determinant of the matrix of correlation",
     {"det": "0.0000000000"},
-    at(DETERMINANT, (remaining, printed_elements)),
-    at(DETERMINANT, (remaining, full_elements)),
+    full_c,
     "Zero without rounding, as the pictures are exactly homologous.  The elements with eight decimals leave 4e-9.",
 )
-epipoles_of_printed, full_epipoles = epipoles_of(printed_elements), epipoles_of(full_elements)
+full_epipoles = epipoles_of(full_elements)
 for side in SIDES:
     declare_cells(
         section,
         "4/c",
         f"epipole in the {side} picture",
         named(f"{side}.u0", PRINTED_EPIPOLES[side]),
-        epipoles_of_printed[side],
-        full_epipoles[side],
+        full_c,
         exceptions={"4/c#left.u01": {"note": "Printed with a decimal comma."}},
     )
 Z_full = correlation_matrix(full_elements)
@@ -320,7 +305,8 @@ section.numeric(
     note="Not in the paper: rounded to eight decimals it is -0.08096188, not the printed -0.08096187.  The other "
     "elements, the determinant and the epipoles follow from the printed matrices as well, as do the numbers of the "
     "items d) to h) but for the matrix of item e), 4/e/beyond/printed-rotations, and one coordinate of item g), "
-    "4/g/beyond/printed-rotations.  Item b) needs the unrounded rotations as well.",
+    "4/g/beyond/printed-rotations; three coordinates of item g) have their printed last digit with these matrices "
+    "alone.  Item b) needs the unrounded rotations as well.",
 )
 
 # %% [markdown]
@@ -361,33 +347,33 @@ def orientation(images: Images) -> tuple[Pair, Pair]:
     return {"left": left_mu, "right": right_mu}, {"left": left_center, "right": right_center}
 
 
-printed_u0 = {side: exact(*PRINTED_EPIPOLES[side]) for side in SIDES}
-printed_u3, full_u3 = fourth_points(printed_u), fourth_points(full_u)
-printed_mu = {side: exact(*PRINTED_MU[side]) for side in SIDES}
-printed_centers = {side: exact(*PRINTED_CENTERS[side]) for side in SIDES}
+def item_d(images: Images) -> Values:
+    """Return the exact numbers of the item."""
+    parameters, centers = orientation(images)
+    return {
+        part: value
+        for side in SIDES
+        for part, value in (named(f"{side}.mu", parameters[side]) | named(f"{side}.y0", centers[side])).items()
+    }
+
+
+full_u3 = fourth_points(full_u)
 full_mu, full_centers = orientation(full_u)
-mu_of_printed = {
-    "left": left_bundle(printed_u0["left"], printed_u3["left"]),
-    "right": right_bundle(printed_centers["left"], printed_u0["right"], printed_u3["right"]),
-}
+full_d = item_d(full_u)
 for side in SIDES:
     declare_cells(
         section,
         "4/d",
         f"parameters of the {side} bundle",
         named(f"{side}.mu", PRINTED_MU[side]),
-        mu_of_printed[side],
-        full_mu[side],
-        "The derived number starts from the epipoles of item c), which have five decimals.",
+        full_d,
     )
     declare_cells(
         section,
         "4/d",
         f"center of projection of the {side} bundle",
         named(f"{side}.y0", PRINTED_CENTERS[side]),
-        center_of(printed_mu[side], printed_u3[side]),
-        full_centers[side],
-        "The derived number starts from the printed parameters.",
+        full_d,
     )
 
 section.identity(
@@ -457,21 +443,7 @@ def model(images: Images, names: Iterable[str], parameters: Pair, u3: Pair) -> d
     return {name: model_point(equations_at(images, name, parameters, u3)) for name in names}
 
 
-model_of_printed = model(printed_u, MODEL, printed_mu, printed_u3)
 full_model = model(full_u, MODEL, full_mu, full_u3)
-ROUNDED_BEFORE = (
-    "The derived number starts from the printed parameters and image coordinates, which have seven decimals."
-)
-for name, printed in MODEL.items():
-    declare_cells(
-        section,
-        "4/e",
-        f"point {name}, relative model",
-        named(f"{name}.ybar", printed),
-        model_of_printed[name],
-        full_model[name],
-        ROUNDED_BEFORE,
-    )
 fourth_equation = [
     equations_at(full_u, name, full_mu, full_u3).row(3) * vector(*full_model[name], -1) for name in MODEL
 ]
@@ -480,8 +452,7 @@ section.identity(
     "the fourth equation of every point is satisfied",
     printed=Matrix.zeros(len(MODEL), 1),
     derived=Matrix.vstack(*fourth_equation),
-    note="Not in the paper: without rounding the rays intersect.  With the printed numbers it depends on the choice of "
-    "three equations what the last digits are.",
+    note="Not in the paper: without rounding the rays intersect.",
 )
 
 # %% [markdown]
@@ -490,10 +461,6 @@ section.identity(
 # %%
 FIFTH = "13"
 object_affine = {name: affine(object_points, BASIC, name) for name in object_points}
-printed_affine = {
-    name: exact(*(AFFINE_SLIPS.get((name, j), (cell,))[0] for j, cell in enumerate(row)))
-    for name, row in AFFINE.items()
-}
 core_parameters = mu_of_fifth.subs(mu4, 1)
 
 
@@ -505,16 +472,28 @@ def transformed(parameters: Matrix, model_coordinates: Matrix) -> Matrix:
     return at(image, (factors, parameters), (point, model_coordinates))
 
 
+def item_e(images: Images) -> Values:
+    """Return the exact numbers of the item."""
+    points = model(images, MODEL, orientation(images)[0], fourth_points(images))
+    parameters = fitted(points[FIFTH], object_affine[FIFTH])
+    values = entries_of("m", at(core, (factors, parameters)))
+    for name, model_coordinates in points.items():
+        values |= named(f"{name}.ybar", model_coordinates)
+        values |= named(f"{name}.y", transformed(parameters, model_coordinates))
+    return values
+
+
+full_e = item_e(full_u)
 full_factors = fitted(full_model[FIFTH], object_affine[FIFTH])
-printed_factors = exact(*(PRINTED_M[j][j] for j in range(4)))
+for name, printed in MODEL.items():
+    declare_cells(section, "4/e", f"point {name}, relative model", named(f"{name}.ybar", printed), full_e)
 declare_cells(
     section,
     "4/e",
     "matrix of transformation to the object",
     entries_of("m", PRINTED_M),
-    at(core, (factors, fitted(exact(*MODEL[FIFTH]), printed_affine[FIFTH]))),
-    at(core, (factors, full_factors)),
-    "(1.5.2) with mu_4 = 1.  The first coordinate of point 13 is 0.01, of which seven decimals are five digits.",
+    full_e,
+    "(1.5.2) with mu_4 = 1.",
 )
 rotation_mu, _ = orientation(rotation_u)
 rotation_model = model(rotation_u, [FIFTH], rotation_mu, fourth_points(rotation_u))
@@ -527,15 +506,7 @@ section.numeric(
     "than zero differ, by 2 to 5 units of the ninth decimal; the transformed model does not show it.",
 )
 for name, printed in TRANSFORMED.items():
-    declare_cells(
-        section,
-        "4/e",
-        f"point {name}, transformed to the object",
-        named(f"{name}.y", printed),
-        transformed(printed_factors, exact(*MODEL[name])),
-        transformed(full_factors, full_model[name]),
-        "The derived number starts from the printed model, which has seven decimals.",
-    )
+    declare_cells(section, "4/e", f"point {name}, transformed to the object", named(f"{name}.y", printed), full_e)
 section.identity(
     "4/e/comparison",
     "the transformed model is the initial one",

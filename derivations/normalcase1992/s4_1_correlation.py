@@ -315,20 +315,25 @@ def epipole(matrix: Matrix, first: int, second: int) -> Matrix:
 
 
 EPIPOLES = {
-    "left": ("P'", Z.T, Z_rounded.T, ("192.457", "1.476")),
-    "right": ("P''", Z, Z_rounded, ("-178.264", "-0.569")),
+    "left": ("P'", Z.T, ("192.457", "1.476")),
+    "right": ("P''", Z, ("-178.264", "-0.569")),
 }
 FIRST_TWO = "From the first and the second of the three equations; the other pairs do not give it."
-LAST_DIGIT = " The unrounded Z gives 1.47654, the printed one 1.47646."
-for side, (image, matrix, from_print, printed) in EPIPOLES.items():
+LAST_DIGIT = {
+    "expect": "misprint",
+    "corrected": "1.477",
+    "note": f"{FIRST_TWO}  The unrounded Z gives 1.47654.  The Z with five decimals gives 1.47646, but misses the "
+    "three other coordinates, and x would have another last digit if it were cut off: an arithmetic of about seven "
+    "digits has lost the last one.",
+}
+for side, (image, matrix, printed) in EPIPOLES.items():
     for component, name in enumerate(("x", "y")):
         section.numeric(
             f"4/epipole#{side}.{name}",
             f"provisional epipole in {image}, {name}",
             printed=printed[component],
-            derived=epipole(from_print, 0, 1)[component],
-            unrounded=epipole(matrix, 0, 1)[component],
-            note=FIRST_TWO + (LAST_DIGIT if (side, name) == ("left", "y") else ""),
+            derived=epipole(matrix, 0, 1)[component],
+            **(LAST_DIGIT if (side, name) == ("left", "y") else {"note": FIRST_TWO}),
         )
 
 OTHER_PAIRS = {
@@ -338,7 +343,7 @@ OTHER_PAIRS = {
     ("right", 1, 2): ("-178.269", "-0.479"),
 }
 for (side, first, second), values in OTHER_PAIRS.items():
-    image, matrix, _, _ = EPIPOLES[side]
+    image, matrix, _ = EPIPOLES[side]
     for component, name in enumerate(("x", "y")):
         section.numeric(
             f"4/beyond/epipole#{side}{first + 1}{second + 1}.{name}",

@@ -7,7 +7,6 @@
 
 # %%
 from collections.abc import Sequence
-from fractions import Fraction
 from itertools import product
 
 import sympy
@@ -18,7 +17,6 @@ from algebroproj_derivations.normalcase1992.s4_1_correlation import (
     C,
     R_left,
     R_right,
-    exact,
     kappa_left,
     kappa_right,
     left_points,
@@ -167,7 +165,7 @@ for i, printed in enumerate(TABLE):
 #
 # $w = \mathbf A\, d\mathbf a - \delta p$, hence $\mathbf Q = (\mathbf A^T \mathbf G \mathbf A)^{-1}$ and $d\mathbf a =
 # \mathbf Q \mathbf A^T \mathbf G\, \delta p$.  The results are judged as what follows from the paper's own error
-# equations, with the slips in signs and weights: from the printed numbers, or from the same numbers unrounded.
+# equations, with the slips in signs and weights, without rounding.
 
 
 # %%
@@ -186,10 +184,7 @@ class Adjustment:
 
 
 DECIMALS = 45
-printed_table = exact(TABLE)
-printed_parallaxes = vector(-printed_table[0, 5], *printed_table[1:, 5])
 design_used = (design * Matrix.diag(1, 1, -1, 1, 1)).applyfunc(lambda cell: rounded(cell, DECIMALS))
-tabulated = Adjustment(printed_table[:, :5], printed_parallaxes, printed_table[:, 6])
 unrounded = Adjustment(
     design_used, *(column.applyfunc(lambda cell: rounded(cell, DECIMALS)) for column in (delta_p, weights_used))
 )
@@ -212,8 +207,7 @@ for i, j in product(range(5), repeat=2):
         f"4/Q#{i + 1}{j + 1}",
         f"inverse matrix of the error equations as printed, row {i + 1}, column {j + 1}, in 10^-6",
         printed=Q_PRINTED[i][j],
-        derived=tabulated.Q[i, j] * MILLION,
-        unrounded=unrounded.Q[i, j] * MILLION,
+        derived=unrounded.Q[i, j] * MILLION,
         **(
             {
                 "expect": "misprint",
@@ -233,17 +227,26 @@ section.numeric(
     "4/s0",
     "standard error of adjustment",
     printed="0.117",
-    derived=tabulated.s0,
-    unrounded=unrounded.s0,
-    note="0.1171 with the weights as printed, 0.1184 with the same weights unrounded, 0.1170 with those of (2.3.1).  "
-    "The scan has + for the double sign.",
+    derived=unrounded.s0,
+    expect="misprint",
+    corrected="0.118",
+    note="From other roundings: 0.1184 with the weights that give Q, 0.1171 if the same weights have one decimal as in "
+    "the table, see 4/beyond/s0.  The scan has + for the double sign.",
 )
+squares_of_residuals = [(row[6], w**2) for row, w in zip(TABLE, unrounded.w, strict=True)]
 section.numeric(
+    "4/beyond/s0",
+    "standard error of the same residuals, with the weights of the table",
+    printed="0.117",
+    derived=square_root(sum(sympy.Rational(g) * square for g, square in squares_of_residuals) / 3),
+    note="Not in the paper: what the printed 0.117 seems to be, the residuals without rounding and the weights with "
+    "one decimal.",
+)
+section.identity(
     "4/s#weights",
-    "average reciprocal weight, in mm^2",
-    printed="5000",
-    derived=sum(SCALE / g for g in weights(C)) / len(left_points),
-    units=Fraction(50),
+    "average reciprocal weight, in mm^2, rounded to hundreds",
+    printed=5000,
+    derived=rounded(sum(SCALE / g for g in weights(C)) / len(left_points), -2),
     note="Printed as an approximate number, about 5000: 4983; with the third components, as used, 5119.",
 )
 MICROMETERS = 1000
@@ -258,11 +261,10 @@ section.numeric(
     "4/s",
     "standard error of measured coordinates, in micrometers",
     printed="1.6",
-    derived=micrometers(tabulated.s0),
-    unrounded=micrometers(unrounded.s0),
+    derived=micrometers(unrounded.s0),
     expect="misprint",
     corrected="1.7",
-    note="s0 / sqrt(5000) is 1.656, with the printed s0 1.655; cut off after the first decimal, or an average weight "
+    note="s0 / sqrt(5000) is 1.674, with the printed s0 1.655; cut off after the first decimal, or an average weight "
     "somewhat above the rounded 5000.  The scan alone cannot tell a slip of the scan from one of the print.",
 )
 
@@ -279,15 +281,13 @@ for index, (slug, (solution, error)) in enumerate(SOLUTIONS.items()):
         f"4/solutions#{slug}",
         f"solution d{name} of the error equations as printed, in gon",
         printed=solution,
-        derived=tabulated.da[index] / GON,
-        unrounded=unrounded.da[index] / GON,
+        derived=unrounded.da[index] / GON,
     )
     section.numeric(
         f"4/solutions#{slug}.error",
         f"standard error of d{name}, in gon",
         printed=error,
-        derived=tabulated.standard_error(index) / GON,
-        unrounded=unrounded.standard_error(index) / GON,
+        derived=unrounded.standard_error(index) / GON,
     )
 
 # %% [markdown]
@@ -297,7 +297,6 @@ for index, (slug, (solution, error)) in enumerate(SOLUTIONS.items()):
 
 # %%
 APPROXIMATE = dict(zip(UNKNOWNS, (phi_left, kappa_left, omega, phi_right, kappa_right), strict=True))
-APPROXIMATE_PRINTED = {"phip": "-16.546", "kappap": "-0.488", "omega": "-0.868", "phipp": "17.799", "kappapp": "-0.203"}
 DEFINITIVE = {"phip": "-16.728", "kappap": "-0.463", "omega": "-0.878", "phipp": "17.561", "kappapp": "-0.180"}
 
 sums = {slug: APPROXIMATE[slug] + unrounded.da[index] / GON for index, slug in enumerate(UNKNOWNS)}
@@ -306,8 +305,7 @@ for slug, name in UNKNOWNS.items():
         f"4/definitive#{slug}",
         f"sum of the approximate {name} and its solution, in gon",
         printed=DEFINITIVE[slug],
-        derived=sympy.Rational(APPROXIMATE_PRINTED[slug]) + sympy.Rational(SOLUTIONS[slug][0]),
-        unrounded=sums[slug],
+        derived=sums[slug],
     )
 
 R_PRINTED = (
@@ -324,9 +322,10 @@ R_OPTIONS = {
         "elements hold.",
     },
     (0, 2): {
-        "units": Fraction(1),
-        "note": "To one unit of the last digit: -0.25975548.  The paper's arithmetic has lost the seventh digit, as in "
-        "y of the left epipole.",
+        "expect": "misprint",
+        "corrected": "-0.259755",
+        "note": "Without rounding -0.25975548.  The paper's arithmetic has lost the seventh digit, as in y of the left "
+        "epipole; from the angles with three decimals follows -0.259750.",
     },
 }
 for i, j in product(range(3), repeat=2):

@@ -19,11 +19,11 @@ __all__ = ["plain"]
 
 
 def plain(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a generated function that computes without compensation: faster, and as accurate as the formula allows.
+    """Return a generated function that computes without compensation.
 
-    It runs the one source of the formula, in which numbers keep their digits where twice as many would be taken, or its
-    compiled version.  Sums that cancel then lose what rounding took from their operands: a few units in the last place
-    on ordinary input, all digits near a singularity.  `bounds` of the result tells how many are left.
+    It is faster and less accurate.  It runs the same formula, compiled where the function is compiled, but no sum is
+    computed with extra digits.  On ordinary input the error is a few units in the last place.  Near a singularity all
+    digits may be lost.  `bounds` of the new function tells how many are left.
 
     Parameters
     ----------

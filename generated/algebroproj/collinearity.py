@@ -46,12 +46,12 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
     comparator_center : array_like, shape (..., 2)
         Projection center (xco, yco) in the system of the comparator; unit of the image coordinates.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 11)
-        Of the dtype of the arguments (float32, float64, longdouble or complex; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex); integers become float64.
 
     Raises
     ------
@@ -93,14 +93,16 @@ def coefficients(angles: ArrayLike, center: ArrayLike, principal_distance: Array
         result[9] = -e32/r3
         result[10] = -e33/r3
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xo*c_omega*s_phi - Yo*s_omega +
-    Zo*c_omega*c_phi``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``Xo*c_omega*s_phi - Yo*s_omega +
+    Zo*c_omega*c_phi``. The function `hypotheses` of this package computes them.
 
-    Operations: 109 (16 +, 14 -, 59 *, 11 /, 4 neg, 5 cos_sin); the derived expression as written takes 264.
-    In compensated arithmetic, where sums may cancel: 601, 61 of them errors of products.
+    Operations: 109 (16 additions, 14 subtractions, 59 multiplications, 11 divisions, 4 negations, 5 cos_sin).
+    The derived expression takes 264 as written.
+    With compensation of sums that may cancel: 601 (61 of them compute errors of products).
 
-    Measured error in float64: 0.329 ULP in the median and 1.71 ULP at most (100 samples, near singularities too).
-    Without compensation (`plain`): 0.591 ULP in the median, 202 ULP at most on ordinary input, 202 ULP on any.
+    Measured error in float64: 0.329 ULP in the median, at most 1.71 ULP (100 samples, some near singularities).
+    Without compensation (`plain`): 0.591 ULP in the median; at most 202 ULP on ordinary input, 202 ULP on all
+    samples.
 
     Examples
     --------
@@ -181,12 +183,12 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
     X : array_like, shape (..., 3)
         Object point (X, Y, Z); any unit of length.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -202,15 +204,17 @@ def project(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) -> N
         result[0] = (A4 + A1*X + A2*Y + A3*Z)/(1 + A10*Y + A11*Z + A9*X)
         result[1] = (A8 + A5*X + A6*Y + A7*Z)/(1 + A10*Y + A11*Z + A9*X)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
-    Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``A10*Y + A11*Z + A9*X + 1``. The
+    function `hypotheses` of this package computes them.
 
-    Operations: 21 (9 +, 11 *, 1 /); the derived expression as written takes 26.
-    In compensated arithmetic, where sums may cancel: 93, 9 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    Operations: 21 (9 additions, 11 multiplications, 1 division).
+    The derived expression takes 26 as written.
+    With compensation of sums that may cancel: 93 (9 of them compute errors of products).
+    This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.378 ULP in the median and 1.9 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.22 ULP in the median, 9.67 ULP at most on ordinary input, 1.54e+15 ULP on any.
+    Measured error in float64: 0.378 ULP in the median, at most 1.9 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 1.22 ULP in the median; at most 9.67 ULP on ordinary input, 1.54e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -258,12 +262,12 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
     X : array_like, shape (..., 3)
         Object point (X, Y, Z); any unit of length.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2, 11)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -300,16 +304,17 @@ def project_jacobian_parameters(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any]
         result[1, 9] = -Y*(A8 + A5*X + A6*Y + A7*Z)/w**2
         result[1, 10] = -Z*(A8 + A5*X + A6*Y + A7*Z)/w**2
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
-    Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``A10*Y + A11*Z + A9*X + 1``. The
+    function `hypotheses` of this package computes them.
 
-    Operations: 41 (9 +, 16 *, 10 /, 6 neg); the derived expression as written takes 146.
-    In compensated arithmetic, where sums may cancel: 113, 9 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    Operations: 41 (9 additions, 16 multiplications, 10 divisions, 6 negations).
+    The derived expression takes 146 as written.
+    With compensation of sums that may cancel: 113 (9 of them compute errors of products).
+    This is the cheapest accurate one of 8 programs that are proved equal.
 
-    Measured error in float64: 0.389 ULP in the median and 3.04 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.936 ULP in the median, 19.8 ULP at most on ordinary input, 2.34e+15 ULP on
-    any.
+    Measured error in float64: 0.389 ULP in the median, at most 3.04 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.936 ULP in the median; at most 19.8 ULP on ordinary input, 2.34e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -364,12 +369,12 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
     X : array_like, shape (..., 3)
         Object point (X, Y, Z); any unit of length.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -390,15 +395,17 @@ def project_jacobian_point(A: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | No
         result[1, 1] = (A6 + X*(A6*A9 - A10*A5) + Z*(A11*A6 - A10*A7) - A10*A8)/w**2
         result[1, 2] = (A7 + X*(A7*A9 - A11*A5) + Y*(A10*A7 - A11*A6) - A11*A8)/w**2
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``A10*Y + A11*Z + A9*X + 1``.
-    Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``A10*Y + A11*Z + A9*X + 1``. The
+    function `hypotheses` of this package computes them.
 
-    Operations: 68 (9 +, 18 -, 40 *, 1 /); the derived expression as written takes 138.
-    In compensated arithmetic, where sums may cancel: 364, 41 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    Operations: 68 (9 additions, 18 subtractions, 40 multiplications, 1 division).
+    The derived expression takes 138 as written.
+    With compensation of sums that may cancel: 364 (41 of them compute errors of products).
+    This is the cheapest accurate one of 8 programs that are proved equal.
 
-    Measured error in float64: 0.242 ULP in the median and 0.515 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.96 ULP in the median, 364 ULP at most on ordinary input, 8.77e+14 ULP on any.
+    Measured error in float64: 0.242 ULP in the median, at most 0.515 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 1.96 ULP in the median; at most 364 ULP on ordinary input, 8.77e+14 ULP on all
+    samples.
 
     Examples
     --------
@@ -457,12 +464,12 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
     X : array_like, shape (..., 3)
         Point (X2, Y2, Z2) of the second space; any unit of length.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -479,15 +486,17 @@ def space_map(B: ArrayLike, X: ArrayLike, *, out: NDArray[Any] | None = None) ->
         result[1] = (B8 + B5*X2 + B6*Y2 + B7*Z2)/(1 + B13*X2 + B14*Y2 + B15*Z2)
         result[2] = (B12 + B10*Y2 + B11*Z2 + B9*X2)/(1 + B13*X2 + B14*Y2 + B15*Z2)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``B13*X2 + B14*Y2 + B15*Z2 + 1``.
-    Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``B13*X2 + B14*Y2 + B15*Z2 + 1``. The
+    function `hypotheses` of this package computes them.
 
-    Operations: 28 (12 +, 15 *, 1 /); the derived expression as written takes 39.
-    In compensated arithmetic, where sums may cancel: 124, 12 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    Operations: 28 (12 additions, 15 multiplications, 1 division).
+    The derived expression takes 39 as written.
+    With compensation of sums that may cancel: 124 (12 of them compute errors of products).
+    This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.435 ULP in the median and 1.94 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.18 ULP in the median, 793 ULP at most on ordinary input, 7.69e+14 ULP on any.
+    Measured error in float64: 0.435 ULP in the median, at most 1.94 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 1.18 ULP in the median; at most 793 ULP on ordinary input, 7.69e+14 ULP on all
+    samples.
 
     Examples
     --------
@@ -540,12 +549,12 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
     x_right : array_like, shape (..., 2)
         Right photograph: Measured image point (xc, yc) in the system of the comparator; any unit of length.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -572,13 +581,15 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
         ray2_6 = A2_4*A2_7 + xc2*(-A2_7 + A2_11*A2_8) + yc2*(A2_3 - A2_11*A2_4) - A2_3*A2_8
         result = ray1_2*ray2_5 + ray1_5*ray2_2 - ray1_1*ray2_6 - ray1_3*ray2_4 - ray1_4*ray2_3 - ray1_6*ray2_1
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 155 (19 +, 46 -, 90 *); the derived expression as written takes 175.
-    In compensated arithmetic, where sums may cancel: 779, 90 of them errors of products.
+    Operations: 155 (19 additions, 46 subtractions, 90 multiplications).
+    The derived expression takes 175 as written.
+    With compensation of sums that may cancel: 779 (90 of them compute errors of products).
 
-    Measured error in float64: 0.242 ULP in the median and 4.57 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 1.75 ULP in the median, 57.5 ULP at most on ordinary input, 1.5e+17 ULP on any.
+    Measured error in float64: 0.242 ULP in the median, at most 4.57 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 1.75 ULP in the median; at most 57.5 ULP on ordinary input, 1.5e+17 ULP on all
+    samples.
 
     Examples
     --------
@@ -640,12 +651,12 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
     x_right : array_like, shape (..., 2)
         Right photograph: Measured image point (xc, yc) in the system of the comparator; any unit of length.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -669,15 +680,17 @@ def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_
         result[1] = (A2_1*ray1_6 + xc2*(ray1_2 + A2_11*ray1_3 - A2_9*ray1_6) - A2_3*ray1_3 - A2_4*ray1_2)/D
         result[2] = (A2_2*ray1_3 + A2_4*ray1_1 + xc2*(-ray1_1 + A2_9*ray1_5 - A2_10*ray1_3) - A2_1*ray1_5)/D
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: a factor of a denominator above,
-    of 36 terms. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: a factor of a denominator above, of 36
+    terms. The function `hypotheses` of this package computes them.
 
-    Operations: 121 (17 +, 33 -, 70 *, 1 /); the derived expression as written takes 252.
-    In compensated arithmetic, where sums may cancel: 616, 67 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    Operations: 121 (17 additions, 33 subtractions, 70 multiplications, 1 division).
+    The derived expression takes 252 as written.
+    With compensation of sums that may cancel: 616 (67 of them compute errors of products).
+    This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.39 ULP in the median and 3.29 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 2.71 ULP in the median, 31.4 ULP at most on ordinary input, 1.08e+16 ULP on any.
+    Measured error in float64: 0.39 ULP in the median, at most 3.29 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 2.71 ULP in the median; at most 31.4 ULP on ordinary input, 1.08e+16 ULP on all
+    samples.
 
     Examples
     --------
@@ -779,12 +792,12 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
     x_right : array_like, shape (..., 2)
         Right photograph: Measured image point (xc, yc) in the system of the comparator; any unit of length.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -829,15 +842,17 @@ def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right:
         result[1] = (d12*d14 + d22*d24 + d32*d34 + d42*d44)/(d14**2 + d24**2 + d34**2 + d44**2)
         result[2] = (d13*d14 + d23*d24 + d33*d34 + d43*d44)/(d14**2 + d24**2 + d34**2 + d44**2)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``d14**2 + d24**2 + d34**2 +
-    d44**2``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``d14**2 + d24**2 + d34**2 + d44**2``.
+    The function `hypotheses` of this package computes them.
 
-    Operations: 322 (54 +, 82 -, 185 *, 1 /); the derived expression as written takes 329.
-    In compensated arithmetic, where sums may cancel: 1767, 186 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    Operations: 322 (54 additions, 82 subtractions, 185 multiplications, 1 division).
+    The derived expression takes 329 as written.
+    With compensation of sums that may cancel: 1767 (186 of them compute errors of products).
+    This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.256 ULP in the median and 2.02 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 1.54 ULP in the median, 81.9 ULP at most on ordinary input, 8.63e+15 ULP on any.
+    Measured error in float64: 0.256 ULP in the median, at most 2.02 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 1.54 ULP in the median; at most 81.9 ULP on ordinary input, 8.63e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -986,12 +1001,12 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
     base : array_like, shape (...)
         Model base B, on the axis XM; unit of the model.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -1008,16 +1023,17 @@ def model_point(reduced_left: ArrayLike, reduced_right: ArrayLike, base: ArrayLi
         result[1] = Ybar1*Ybar2*base/(Xbar1*Ybar2 - Xbar2*Ybar1)
         result[2] = Ybar2*Zbar1*base/(Xbar1*Ybar2 - Xbar2*Ybar1)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``Xbar1*Ybar2 - Xbar2*Ybar1``.
-    Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``Xbar1*Ybar2 - Xbar2*Ybar1``. The
+    function `hypotheses` of this package computes them.
 
-    Operations: 9 (1 -, 7 *, 1 /); the derived expression as written takes 18.
-    In compensated arithmetic, where sums may cancel: 13, 2 of them errors of products.
-    The cheapest of 6 equal programs that err little.
+    Operations: 9 (1 subtraction, 7 multiplications, 1 division).
+    The derived expression takes 18 as written.
+    With compensation of sums that may cancel: 13 (2 of them compute errors of products).
+    This is the cheapest accurate one of 6 programs that are proved equal.
 
-    Measured error in float64: 0.486 ULP in the median and 2.34 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.742 ULP in the median, 14.7 ULP at most on ordinary input, 3.91e+14 ULP on
-    any.
+    Measured error in float64: 0.486 ULP in the median, at most 2.34 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.742 ULP in the median; at most 14.7 ULP on ordinary input, 3.91e+14 ULP on all
+    samples.
 
     Examples
     --------
@@ -1064,12 +1080,12 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
     translation : array_like, shape (..., 3)
         Object coordinates (Xo, Yo, Zo) of the origin of the model; unit of the object.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex); integers become float64.
 
     Raises
     ------
@@ -1091,11 +1107,13 @@ def similarity(X_model: ArrayLike, angles: ArrayLike, scale: ArrayLike, translat
 
     No input is singular.
 
-    Operations: 42 (8 +, 5 -, 26 *, 3 cos_sin); the derived expression as written takes 47.
-    In compensated arithmetic, where sums may cancel: 243, 26 of them errors of products.
+    Operations: 42 (8 additions, 5 subtractions, 26 multiplications, 3 cos_sin).
+    The derived expression takes 47 as written.
+    With compensation of sums that may cancel: 243 (26 of them compute errors of products).
 
-    Measured error in float64: 0.233 ULP in the median and 0.499 ULP at most (100 samples, near singularities too).
-    Without compensation (`plain`): 0.51 ULP in the median, 9.76 ULP at most on ordinary input, 10.9 ULP on any.
+    Measured error in float64: 0.233 ULP in the median, at most 0.499 ULP (100 samples, some near singularities).
+    Without compensation (`plain`): 0.51 ULP in the median; at most 9.76 ULP on ordinary input, 10.9 ULP on all
+    samples.
 
     Examples
     --------

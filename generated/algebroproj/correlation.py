@@ -39,12 +39,12 @@ def design_row(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | Non
     u_right : array_like, shape (..., 2)
         Homologous point (u1'', u2'') of the right image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 5)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -63,12 +63,14 @@ def design_row(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | Non
         result[3] = up2*upp1
         result[4] = upp2*(-1 + up2)
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 7 (3 -, 4 *); the derived expression as written takes 7.
+    Operations: 7 (3 subtractions, 4 multiplications).
+    The derived expression takes 7 as written.
 
-    Measured error in float64: 0.255 ULP in the median and 1.18 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.255 ULP in the median, 1.18 ULP at most on ordinary input, 1.18 ULP on any.
+    Measured error in float64: 0.255 ULP in the median, at most 1.18 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.255 ULP in the median; at most 1.18 ULP on ordinary input, 1.18 ULP on all
+    samples.
 
     Examples
     --------
@@ -99,12 +101,12 @@ def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = Non
     u_right : array_like, shape (..., 2)
         Homologous point (u1'', u2'') of the right image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -119,12 +121,14 @@ def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = Non
 
         result = upp1 - up1
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 1 (1 -); the derived expression as written takes 1.
+    Operations: 1 (1 subtraction).
+    The derived expression takes 1 as written.
 
-    Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.0 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
+    Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
+    samples.
 
     Examples
     --------
@@ -155,12 +159,12 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
     u_right : array_like, shape (..., 2)
         Image point (u1'', u2'') of the right image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -177,14 +181,15 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
         result[1] = z10 + upp1*z11 + upp2*z12
         result[2] = z20 + upp1*z21 + upp2*z22
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    In compensated arithmetic, where sums may cancel: 60, 6 of them errors of products.
+    Operations: 12 (6 additions, 6 multiplications).
+    The derived expression takes 12 as written.
+    With compensation of sums that may cancel: 60 (6 of them compute errors of products).
 
-    Measured error in float64: 0.253 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.416 ULP in the median, 27.8 ULP at most on ordinary input, 4.21e+14 ULP on
-    any.
+    Measured error in float64: 0.253 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.416 ULP in the median; at most 27.8 ULP on ordinary input, 4.21e+14 ULP on all
+    samples.
 
     Examples
     --------
@@ -220,12 +225,12 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
     u_left : array_like, shape (..., 2)
         Image point (u1', u2') of the left image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -242,14 +247,15 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
         result[1] = z01 + up1*z11 + up2*z21
         result[2] = z02 + up1*z12 + up2*z22
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 12 (6 +, 6 *); the derived expression as written takes 12.
-    In compensated arithmetic, where sums may cancel: 60, 6 of them errors of products.
+    Operations: 12 (6 additions, 6 multiplications).
+    The derived expression takes 12 as written.
+    With compensation of sums that may cancel: 60 (6 of them compute errors of products).
 
-    Measured error in float64: 0.258 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.446 ULP in the median, 48.2 ULP at most on ordinary input, 4.73e+14 ULP on
-    any.
+    Measured error in float64: 0.258 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.446 ULP in the median; at most 48.2 ULP on ordinary input, 4.73e+14 ULP on all
+    samples.
 
     Examples
     --------
@@ -289,12 +295,12 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
     u3_right : array_like, shape (..., 2)
         Right image: Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -321,17 +327,19 @@ def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: A
         result[2, 1] = (mup1*mupp2*(mupp3 - mup3) + mup1*mupp3*upp32*(mup2 - mupp2) + mup3*mupp2*up31*(mup1 - mupp1))/(deltap*deltapp)
         result[2, 2] = q1*(mup2 - mupp2)/(deltap*deltapp)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mup1*mup2*mup3*up31 +
+    The result is not finite, and NumPy warns, where one of these is zero: ``mup1*mup2*mup3*up31 +
     mup1*mup2*mup3*up32 - mup1*mup2*mup3 + mup1*mup2 - mup1*mup3*up32 - mup2*mup3*up31``,
     ``mupp1*mupp2*mupp3*upp31 + mupp1*mupp2*mupp3*upp32 - mupp1*mupp2*mupp3 + mupp1*mupp2 - mupp1*mupp3*upp32 -
-    mupp2*mupp3*upp31``. Their values are given by the function `hypotheses` of this package.
+    mupp2*mupp3*upp31``. The function `hypotheses` of this package computes them.
 
-    Operations: 68 (3 +, 17 -, 45 *, 1 /, 2 neg); the derived expression as written takes 2900.
-    In compensated arithmetic, where sums may cancel: 361, 46 of them errors of products.
-    The cheapest of 12 equal programs that err little.
+    Operations: 68 (3 additions, 17 subtractions, 45 multiplications, 1 division, 2 negations).
+    The derived expression takes 2900 as written.
+    With compensation of sums that may cancel: 361 (46 of them compute errors of products).
+    This is the cheapest accurate one of 12 programs that are proved equal.
 
-    Measured error in float64: 0.248 ULP in the median and 11.0 ULP at most (300 samples, near singularities too).
-    Without compensation (`plain`): 57.8 ULP in the median, 119 ULP at most on ordinary input, 6.18e+15 ULP on any.
+    Measured error in float64: 0.248 ULP in the median, at most 11.0 ULP (300 samples, some near singularities).
+    Without compensation (`plain`): 57.8 ULP in the median; at most 119 ULP on ordinary input, 6.18e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -401,14 +409,14 @@ def system(u_left: ArrayLike, u_right: ArrayLike, *, out: tuple[NDArray[Any], ND
     u_right : array_like, shape (..., 5, 2)
         Homologous points (u1'', u2'') of the right image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
     out : tuple of ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     matrix : ndarray, shape (..., 5, 5)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
     right_side : ndarray, shape (..., 5)
-        Likewise.
+        It has the same dtype.
 
     Raises
     ------
@@ -452,12 +460,14 @@ def system(u_left: ArrayLike, u_right: ArrayLike, *, out: tuple[NDArray[Any], ND
         right_side[3] = upp61 - up61
         right_side[4] = upp71 - up71
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 40 (20 -, 20 *); the derived expression as written takes 40.
+    Operations: 40 (20 subtractions, 20 multiplications).
+    The derived expression takes 40 as written.
 
-    Measured error in float64: 0.245 ULP in the median and 1.38 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.245 ULP in the median, 1.33 ULP at most on ordinary input, 1.38 ULP on any.
+    Measured error in float64: 0.245 ULP in the median, at most 1.38 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.245 ULP in the median; at most 1.33 ULP on ordinary input, 1.38 ULP on all
+    samples.
 
     Examples
     --------
@@ -496,12 +506,12 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
     u_right : array_like, shape (..., 5, 2)
         Homologous points (u1'', u2'') of the right image in affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -530,15 +540,17 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
         result[2, 1] = z21
         result[2, 2] = z22
 
-    Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and it is
-    arbitrarily large.
+    Where the linear system is singular, the result is not finite. If rounding hides the singularity, the result may
+    be finite and very large.
 
-    Operations: 45 (2 +, 20 -, 20 *, 2 neg, 1 solve); the derived expression as written takes 42.
-    In compensated arithmetic, where sums may cancel: 215, 20 of them errors of products.
+    Operations: 45 (2 additions, 20 subtractions, 20 multiplications, 2 negations, 1 solve).
+    The derived expression takes 42 as written.
+    With compensation of sums that may cancel: 215 (20 of them compute errors of products).
 
-    Measured error in float64: 0.365 ULP in the median and 0.359 times what rounding the arguments changes at most
-    (150 samples, near singularities too).
-    Without compensation (`plain`): 11.1 ULP in the median, 432 ULP at most on ordinary input, 3.15e+16 ULP on any.
+    Measured error in float64: 0.365 ULP in the median, at most 0.359 times what rounding the arguments changes (150
+    samples, some near singularities).
+    Without compensation (`plain`): 11.1 ULP in the median; at most 432 ULP on ordinary input, 3.15e+16 ULP on all
+    samples.
 
     Examples
     --------
@@ -578,12 +590,12 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: ND
     v_right : array_like, shape (..., 8, 2)
         Homologous points (v1'', v2'') of the right image, in any affine coordinates of it.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -615,15 +627,17 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: ND
         result[2, 1] = c21
         result[2, 2] = c22
 
-    Where the linear system is singular, the result is not finite, or rounding has hidden the singularity and it is
-    arbitrarily large.
+    Where the linear system is singular, the result is not finite. If rounding hides the singularity, the result may
+    be finite and very large.
 
-    Operations: 33 (32 *, 1 null_vector); the derived expression as written takes 32.
-    In compensated arithmetic, where sums may cancel: 65, 32 of them errors of products.
+    Operations: 33 (32 multiplications, 1 null_vector).
+    The derived expression takes 32 as written.
+    With compensation of sums that may cancel: 65 (32 of them compute errors of products).
 
-    Measured error in float64: 0.217 ULP in the median and 0.0805 times what rounding the arguments changes at most
-    (100 samples, near singularities too).
-    Without compensation (`plain`): 1.59 ULP in the median, 439 ULP at most on ordinary input, 4.57e+07 ULP on any.
+    Measured error in float64: 0.217 ULP in the median, at most 0.0805 times what rounding the arguments changes
+    (100 samples, some near singularities).
+    Without compensation (`plain`): 1.59 ULP in the median; at most 439 ULP on ordinary input, 4.57e+07 ULP on all
+    samples.
 
     Examples
     --------
@@ -665,14 +679,14 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
     Z : array_like, shape (..., 3, 3)
         Matrix of correlation, up to a common factor; dimensionless.
     out : tuple of ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     left : ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
     right : ndarray, shape (..., 2)
-        Likewise.
+        It has the same dtype.
 
     Raises
     ------
@@ -691,16 +705,17 @@ def epipoles(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = No
         right[0] = (z12*z20 - z10*z22)/D
         right[1] = (z10*z21 - z11*z20)/D
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z11*z22 - z12*z21``. Their
-    values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``z11*z22 - z12*z21``. The function
+    `hypotheses` of this package computes them.
 
-    Operations: 20 (5 -, 14 *, 1 /); the derived expression as written takes 28.
-    In compensated arithmetic, where sums may cancel: 40, 10 of them errors of products.
-    The cheapest of 6 equal programs that err little.
+    Operations: 20 (5 subtractions, 14 multiplications, 1 division).
+    The derived expression takes 28 as written.
+    With compensation of sums that may cancel: 40 (10 of them compute errors of products).
+    This is the cheapest accurate one of 6 programs that are proved equal.
 
-    Measured error in float64: 0.455 ULP in the median and 2.44 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.903 ULP in the median, 18.1 ULP at most on ordinary input, 1.54e+15 ULP on
-    any.
+    Measured error in float64: 0.455 ULP in the median, at most 2.44 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.903 ULP in the median; at most 18.1 ULP on ordinary input, 1.54e+15 ULP on all
+    samples.
 
     Examples
     --------

@@ -34,12 +34,12 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | No
     u_right : array_like, shape (..., 5, 2)
         Right image: five points (u1, u2) in affine coordinates, referred to the images of G0, G1, G2; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -54,13 +54,15 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | No
 
         result = ...: see the source
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 159 (13 +, 51 -, 95 *); the derived expression as written takes 3184.
-    In compensated arithmetic, where sums may cancel: 993, 95 of them errors of products.
+    Operations: 159 (13 additions, 51 subtractions, 95 multiplications).
+    The derived expression takes 3184 as written.
+    With compensation of sums that may cancel: 993 (95 of them compute errors of products).
 
-    Measured error in float64: 0.291 ULP in the median and 172.0 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 2.55 ULP in the median, 213 ULP at most on ordinary input, 2.3e+18 ULP on any.
+    Measured error in float64: 0.291 ULP in the median, at most 172.0 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 2.55 ULP in the median; at most 213 ULP on ordinary input, 2.3e+18 ULP on all
+    samples.
 
     Examples
     --------
@@ -135,12 +137,12 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None =
     y : array_like, shape (..., 3)
         Point (y1, y2, y3) in affine coordinates; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -155,13 +157,15 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None =
 
         result = q00 + q01*y1 + q02*y2 + q03*y3 + y1*(q10 + q11*y1 + q12*y2 + q13*y3) + y2*(q20 + q21*y1 + q22*y2 + q23*y3) + y3*(q30 + q31*y1 + q32*y2 + q33*y3)
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 30 (15 +, 15 *); the derived expression as written takes 30.
-    In compensated arithmetic, where sums may cancel: 153, 15 of them errors of products.
+    Operations: 30 (15 additions, 15 multiplications).
+    The derived expression takes 30 as written.
+    With compensation of sums that may cancel: 153 (15 of them compute errors of products).
 
-    Measured error in float64: 0.281 ULP in the median and 0.67 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 1.22 ULP in the median, 11.5 ULP at most on ordinary input, 2.38e+15 ULP on any.
+    Measured error in float64: 0.281 ULP in the median, at most 0.67 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 1.22 ULP in the median; at most 11.5 ULP on ordinary input, 2.38e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -201,12 +205,12 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     y : array_like, shape (..., 4, 3)
         Four points (y1, y2, y3) in affine coordinates; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -237,16 +241,16 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
         result[3, 2] = r23/2 - r02/2 - r03/2
         result[3, 3] = r33 - r03
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 854 (126 +, 213 -, 498 *, 6 /, 11 neg); the derived expression as written takes 99702.
-    In compensated arithmetic, where sums may cancel: 5668, 496 of them errors of products.
-    The cheapest of 2 equal programs that err little.
+    Operations: 854 (126 additions, 213 subtractions, 498 multiplications, 6 divisions, 11 negations).
+    The derived expression takes 99702 as written.
+    With compensation of sums that may cancel: 5668 (496 of them compute errors of products).
+    This is the cheapest accurate one of 2 programs that are proved equal.
 
-    Measured error in float64: 0.251 ULP in the median and 23300.0 ULP at most (150 samples, near singularities
-    too).
-    Without compensation (`plain`): 3.21 ULP in the median, 3.25e+03 ULP at most on ordinary input, 1.38e+19 ULP on
-    any.
+    Measured error in float64: 0.251 ULP in the median, at most 23300.0 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 3.21 ULP in the median; at most 3.25e+03 ULP on ordinary input, 1.38e+19 ULP on
+    all samples.
 
     Examples
     --------
@@ -476,14 +480,14 @@ def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = 
     Q : array_like, shape (..., 4, 4)
         Symmetric matrix of a quadric in homogeneous coordinates (1, y1, y2, y3); the upper triangle is used.
     out : tuple of ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     whole : ndarray, shape (..., 4)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
     at_infinity : ndarray, shape (..., 3)
-        Likewise.
+        It has the same dtype.
 
     Raises
     ------
@@ -504,14 +508,16 @@ def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = 
         at_infinity[1] = -q12**2 - q13**2 - q23**2 + q11*q22 + q11*q33 + q22*q33
         at_infinity[2] = q12*(q12*q33 - q13*q23) - q11*(-q23**2 + q22*q33) - q13*(q12*q23 - q13*q22)
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 104 (19 +, 27 -, 55 *, 3 neg); the derived expression as written takes 191.
-    In compensated arithmetic, where sums may cancel: 526, 55 of them errors of products.
-    The cheapest of 2 equal programs that err little.
+    Operations: 104 (19 additions, 27 subtractions, 55 multiplications, 3 negations).
+    The derived expression takes 191 as written.
+    With compensation of sums that may cancel: 526 (55 of them compute errors of products).
+    This is the cheapest accurate one of 2 programs that are proved equal.
 
-    Measured error in float64: 0.237 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.439 ULP in the median, 219 ULP at most on ordinary input, 2.67e+15 ULP on any.
+    Measured error in float64: 0.237 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.439 ULP in the median; at most 219 ULP on ordinary input, 2.67e+15 ULP on all
+    samples.
 
     Examples
     --------

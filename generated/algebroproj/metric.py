@@ -48,12 +48,12 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDA
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -70,13 +70,15 @@ def reconstruct(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDA
         result[1] = yp/(xp - xpp)
         result[2] = -c/(xp - xpp)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
-    given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``xp - xpp``. The function `hypotheses`
+    of this package computes them.
 
-    Operations: 6 (1 -, 3 *, 1 /, 1 neg); the derived expression as written takes 6.
+    Operations: 6 (1 subtraction, 3 multiplications, 1 division, 1 negation).
+    The derived expression takes 6 as written.
 
-    Measured error in float64: 0.347 ULP in the median and 1.59 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.347 ULP in the median, 1.55 ULP at most on ordinary input, 1.59 ULP on any.
+    Measured error in float64: 0.347 ULP in the median, at most 1.59 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.347 ULP in the median; at most 1.55 ULP on ordinary input, 1.59 ULP on all
+    samples.
 
     Examples
     --------
@@ -121,12 +123,12 @@ def reconstruct_jacobian(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *,
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 5)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -155,13 +157,15 @@ def reconstruct_jacobian(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *,
         result[2, 3] = 0
         result[2, 4] = -1/(xp - xpp)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
-    given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``xp - xpp``. The function `hypotheses`
+    of this package computes them.
 
-    Operations: 14 (2 -, 6 *, 3 /, 3 neg); the derived expression as written takes 25.
+    Operations: 14 (2 subtractions, 6 multiplications, 3 divisions, 3 negations).
+    The derived expression takes 25 as written.
 
-    Measured error in float64: 0.408 ULP in the median and 2.84 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.408 ULP in the median, 2.25 ULP at most on ordinary input, 2.84 ULP on any.
+    Measured error in float64: 0.408 ULP in the median, at most 2.84 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.408 ULP in the median; at most 2.25 ULP on ordinary input, 2.84 ULP on all
+    samples.
 
     Examples
     --------
@@ -208,12 +212,12 @@ def rotation_left(phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None 
     kappa : array_like, shape (...)
         Swing, in radians.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex); integers become float64.
 
     Raises
     ------
@@ -240,10 +244,12 @@ def rotation_left(phi: ArrayLike, kappa: ArrayLike, *, out: NDArray[Any] | None 
 
     No input is singular.
 
-    Operations: 8 (4 *, 2 neg, 2 cos_sin); the derived expression as written takes 4.
+    Operations: 8 (4 multiplications, 2 negations, 2 cos_sin).
+    The derived expression takes 4 as written.
 
-    Measured error in float64: 0.269 ULP in the median and 1.64 ULP at most (100 samples, near singularities too).
-    Without compensation (`plain`): 0.269 ULP in the median, 1.64 ULP at most on ordinary input, 1.64 ULP on any.
+    Measured error in float64: 0.269 ULP in the median, at most 1.64 ULP (100 samples, some near singularities).
+    Without compensation (`plain`): 0.269 ULP in the median; at most 1.64 ULP on ordinary input, 1.64 ULP on all
+    samples.
 
     Examples
     --------
@@ -281,12 +287,12 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
     kappa : array_like, shape (...)
         Swing, in radians.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex); integers become float64.
 
     Raises
     ------
@@ -314,11 +320,13 @@ def rotation_right(omega: ArrayLike, phi: ArrayLike, kappa: ArrayLike, *, out: N
 
     No input is singular.
 
-    Operations: 24 (2 +, 2 -, 15 *, 2 neg, 3 cos_sin); the derived expression as written takes 20.
-    In compensated arithmetic, where sums may cancel: 111, 11 of them errors of products.
+    Operations: 24 (2 additions, 2 subtractions, 15 multiplications, 2 negations, 3 cos_sin).
+    The derived expression takes 20 as written.
+    With compensation of sums that may cancel: 111 (11 of them compute errors of products).
 
-    Measured error in float64: 0.279 ULP in the median and 1.47 ULP at most (100 samples, near singularities too).
-    Without compensation (`plain`): 0.364 ULP in the median, 8.19 ULP at most on ordinary input, 14.2 ULP on any.
+    Measured error in float64: 0.279 ULP in the median, at most 1.47 ULP (100 samples, some near singularities).
+    Without compensation (`plain`): 0.364 ULP in the median; at most 8.19 ULP on ordinary input, 14.2 ULP on all
+    samples.
 
     Examples
     --------
@@ -365,12 +373,12 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
     b : array_like, shape (..., 3)
         Base b = X0'' - X0' in the model system, any unit, which is that of C.  (1, 0, 0) for the rotational relative orientation.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -393,14 +401,16 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
         result[2, 1] = j1pp*(b3*k2p - b2*k3p) + j2pp*(b1*k3p - b3*k1p) + j3pp*(b2*k1p - b1*k2p)
         result[2, 2] = k1pp*(b3*k2p - b2*k3p) + k2pp*(b1*k3p - b3*k1p) + k3pp*(b2*k1p - b1*k2p)
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 72 (18 +, 9 -, 45 *); the derived expression as written takes 126.
-    In compensated arithmetic, where sums may cancel: 369, 45 of them errors of products.
-    The cheapest of 2 equal programs that err little.
+    Operations: 72 (18 additions, 9 subtractions, 45 multiplications).
+    The derived expression takes 126 as written.
+    With compensation of sums that may cancel: 369 (45 of them compute errors of products).
+    This is the cheapest accurate one of 2 programs that are proved equal.
 
-    Measured error in float64: 0.239 ULP in the median and 0.51 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.613 ULP in the median, 130 ULP at most on ordinary input, 1.8e+15 ULP on any.
+    Measured error in float64: 0.239 ULP in the median, at most 0.51 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.613 ULP in the median; at most 130 ULP on ordinary input, 1.8e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -452,20 +462,20 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
     c : array_like, shape (...)
         Principal distance c of the image vectors to which C refers, in their unit; as C refers to whole vectors, the angles do not depend on it.
     out : tuple of ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     phi_left : ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64 or longdouble; integers become float64).
+        It has the dtype of the arguments (float32, float64 or longdouble); integers become float64.
     kappa_left : ndarray, shape (...)
-        Likewise.
+        It has the same dtype.
     omega_right : ndarray, shape (...)
-        Likewise.
+        It has the same dtype.
     phi_right : ndarray, shape (...)
-        Likewise.
+        It has the same dtype.
     kappa_right : ndarray, shape (...)
-        Likewise.
+        It has the same dtype.
 
     Raises
     ------
@@ -509,12 +519,13 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
 
     No input is singular.
 
-    Operations: 85 (14 +, 12 -, 49 *, 2 neg, 3 cos_sin, 5 arctan2); the derived expression as written takes 78.
-    In compensated arithmetic, where sums may cancel: 472, 47 of them errors of products.
+    Operations: 85 (14 additions, 12 subtractions, 49 multiplications, 2 negations, 3 cos_sin, 5 arctan2).
+    The derived expression takes 78 as written.
+    With compensation of sums that may cancel: 472 (47 of them compute errors of products).
 
-    Measured error in float64: 0.27 ULP in the median and 1.13 ULP at most (100 samples, near singularities too).
-    Without compensation (`plain`): 0.444 ULP in the median, 26.4 ULP at most on ordinary input, 1.08e+06 ULP on
-    any.
+    Measured error in float64: 0.27 ULP in the median, at most 1.13 ULP (100 samples, some near singularities).
+    Without compensation (`plain`): 0.444 ULP in the median; at most 26.4 ULP on ordinary input, 1.08e+06 ULP on all
+    samples.
 
     Examples
     --------
@@ -578,12 +589,12 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.  The coefficients, for rotations in radians, have the square of this unit.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 5)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -608,15 +619,16 @@ def coplanarity_row(x_left: ArrayLike, x_right: ArrayLike, R_left: ArrayLike, R_
         result[3] = -p1pp*p2p
         result[4] = -p1pp*p3p
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 39 (7 +, 6 -, 24 *, 2 neg); the derived expression as written takes 67.
-    In compensated arithmetic, where sums may cancel: 165, 20 of them errors of products.
-    The cheapest of 2 equal programs that err little.
+    Operations: 39 (7 additions, 6 subtractions, 24 multiplications, 2 negations).
+    The derived expression takes 67 as written.
+    With compensation of sums that may cancel: 165 (20 of them compute errors of products).
+    This is the cheapest accurate one of 2 programs that are proved equal.
 
-    Measured error in float64: 0.337 ULP in the median and 1.74 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.684 ULP in the median, 2.04e+03 ULP at most on ordinary input, 1.19e+15 ULP on
-    any.
+    Measured error in float64: 0.337 ULP in the median, at most 1.74 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.684 ULP in the median; at most 2.04e+03 ULP on ordinary input, 1.19e+15 ULP on
+    all samples.
 
     Examples
     --------
@@ -661,12 +673,12 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -682,15 +694,17 @@ def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | N
         result[0] = -c*(i1*x + j1*y - c*k1)/(i3*x + j3*y - c*k3)
         result[1] = -c*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
-    values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``-c*k3 + i3*x + j3*y``. The function
+    `hypotheses` of this package computes them.
 
-    Operations: 19 (2 +, 4 -, 12 *, 1 /); the derived expression as written takes 24.
-    In compensated arithmetic, where sums may cancel: 73, 9 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    Operations: 19 (2 additions, 4 subtractions, 12 multiplications, 1 division).
+    The derived expression takes 24 as written.
+    With compensation of sums that may cancel: 73 (9 of them compute errors of products).
+    This is the cheapest accurate one of 8 programs that are proved equal.
 
-    Measured error in float64: 0.48 ULP in the median and 2.17 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.4 ULP in the median, 90.5 ULP at most on ordinary input, 9.1e+14 ULP on any.
+    Measured error in float64: 0.48 ULP in the median, at most 2.17 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 1.4 ULP in the median; at most 90.5 ULP on ordinary input, 9.1e+14 ULP on all
+    samples.
 
     Examples
     --------
@@ -740,12 +754,12 @@ def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2, 12)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -783,15 +797,17 @@ def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray
         result[1, 10] = -c*(j2 - j3*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
         result[1, 11] = -(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3) - c*(-k2 + k3*(i2*x + j2*y - c*k2)/(i3*x + j3*y - c*k3))/(i3*x + j3*y - c*k3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
-    values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``-c*k3 + i3*x + j3*y``. The function
+    `hypotheses` of this package computes them.
 
-    Operations: 69 (2 +, 12 -, 50 *, 2 /, 3 neg); the derived expression as written takes 270.
-    In compensated arithmetic, where sums may cancel: 239, 22 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    Operations: 69 (2 additions, 12 subtractions, 50 multiplications, 2 divisions, 3 negations).
+    The derived expression takes 270 as written.
+    With compensation of sums that may cancel: 239 (22 of them compute errors of products).
+    This is the cheapest accurate one of 8 programs that are proved equal.
 
-    Measured error in float64: 0.371 ULP in the median and 2.27 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.34 ULP in the median, 62.9 ULP at most on ordinary input, 3.36e+15 ULP on any.
+    Measured error in float64: 0.371 ULP in the median, at most 2.27 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 1.34 ULP in the median; at most 62.9 ULP on ordinary input, 3.36e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -858,12 +874,12 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -879,15 +895,17 @@ def from_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] |
         result[0] = -c*(i1*x + i2*y - c*i3)/(k1*x + k2*y - c*k3)
         result[1] = -c*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``. Their
-    values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``-c*k3 + k1*x + k2*y``. The function
+    `hypotheses` of this package computes them.
 
-    Operations: 19 (2 +, 4 -, 12 *, 1 /); the derived expression as written takes 24.
-    In compensated arithmetic, where sums may cancel: 73, 9 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    Operations: 19 (2 additions, 4 subtractions, 12 multiplications, 1 division).
+    The derived expression takes 24 as written.
+    With compensation of sums that may cancel: 73 (9 of them compute errors of products).
+    This is the cheapest accurate one of 8 programs that are proved equal.
 
-    Measured error in float64: 0.431 ULP in the median and 1.85 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.22 ULP in the median, 12.6 ULP at most on ordinary input, 1.42e+15 ULP on any.
+    Measured error in float64: 0.431 ULP in the median, at most 1.85 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 1.22 ULP in the median; at most 12.6 ULP on ordinary input, 1.42e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -937,12 +955,12 @@ def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArr
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2, 12)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -980,15 +998,17 @@ def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArr
         result[1, 10] = -c*(j2 - k2*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
         result[1, 11] = -(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3) - c*(-j3 + k3*(j1*x + j2*y - c*j3)/(k1*x + k2*y - c*k3))/(k1*x + k2*y - c*k3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + k1*x + k2*y``. Their
-    values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``-c*k3 + k1*x + k2*y``. The function
+    `hypotheses` of this package computes them.
 
-    Operations: 70 (2 +, 12 -, 50 *, 2 /, 4 neg); the derived expression as written takes 270.
-    In compensated arithmetic, where sums may cancel: 239, 22 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    Operations: 70 (2 additions, 12 subtractions, 50 multiplications, 2 divisions, 4 negations).
+    The derived expression takes 270 as written.
+    With compensation of sums that may cancel: 239 (22 of them compute errors of products).
+    This is the cheapest accurate one of 8 programs that are proved equal.
 
-    Measured error in float64: 0.383 ULP in the median and 2.46 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.49 ULP in the median, 101 ULP at most on ordinary input, 1.66e+15 ULP on any.
+    Measured error in float64: 0.383 ULP in the median, at most 2.46 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 1.49 ULP in the median; at most 101 ULP on ordinary input, 1.66e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -1052,12 +1072,12 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.  The derivatives have this unit per radian.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -1077,13 +1097,15 @@ def jacobian_angles(x_n: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = 
         result[1, 1] = -xN*yN/c
         result[1, 2] = xN
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``c``. Their values are given by
-    the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``c``. The function `hypotheses` of this
+    package computes them.
 
-    Operations: 13 (2 +, 7 *, 1 /, 3 neg); the derived expression as written takes 10.
+    Operations: 13 (2 additions, 7 multiplications, 1 division, 3 negations).
+    The derived expression takes 10 as written.
 
-    Measured error in float64: 0.169 ULP in the median and 1.81 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.169 ULP in the median, 1.6 ULP at most on ordinary input, 1.81 ULP on any.
+    Measured error in float64: 0.169 ULP in the median, at most 1.81 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.169 ULP in the median; at most 1.6 ULP on ordinary input, 1.81 ULP on all
+    samples.
 
     Examples
     --------
@@ -1130,12 +1152,12 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2, 2)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -1156,15 +1178,17 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
         result[1, 0] = c*(c*(i2*k3 - i3*k2) - y*(i2*j3 - i3*j2))/depth**2
         result[1, 1] = c*(c*(j2*k3 - j3*k2) + x*(i2*j3 - i3*j2))/depth**2
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
-    values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``-c*k3 + i3*x + j3*y``. The function
+    `hypotheses` of this package computes them.
 
-    Operations: 55 (5 +, 11 -, 37 *, 2 /); the derived expression as written takes 84.
-    In compensated arithmetic, where sums may cancel: 211, 30 of them errors of products.
-    The cheapest of 8 equal programs that err little.
+    Operations: 55 (5 additions, 11 subtractions, 37 multiplications, 2 divisions).
+    The derived expression takes 84 as written.
+    With compensation of sums that may cancel: 211 (30 of them compute errors of products).
+    This is the cheapest accurate one of 8 programs that are proved equal.
 
-    Measured error in float64: 0.238 ULP in the median and 0.521 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.8 ULP in the median, 62.6 ULP at most on ordinary input, 1.1e+15 ULP on any.
+    Measured error in float64: 0.238 ULP in the median, at most 0.521 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 1.8 ULP in the median; at most 62.6 ULP on ordinary input, 1.1e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -1226,12 +1250,12 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     variance : array_like, shape (...)
         Variance of an image coordinate, in the square of the unit of c.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2, 2)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -1262,15 +1286,17 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
         result[1, 0] = Ba11*(Ba21*s11 + Ba22*s21 + Ba23*s31) + Ba12*(Ba21*s12 + Ba22*s22 + Ba23*s32) + Ba13*(Ba21*s13 + Ba22*s23 + Ba23*s33) + Bx11*Bx21*variance + Bx12*Bx22*variance
         result[1, 1] = Ba21*(Ba21*s11 + Ba22*s21 + Ba23*s31) + Ba22*(Ba21*s12 + Ba22*s22 + Ba23*s32) + Ba23*(Ba21*s13 + Ba22*s23 + Ba23*s33) + variance*Bx21**2 + variance*Bx22**2
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-c*k3 + i3*x + j3*y``. Their
-    values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``-c*k3 + i3*x + j3*y``. The function
+    `hypotheses` of this package computes them.
 
-    Operations: 135 (34 +, 11 -, 81 *, 6 /, 3 neg); the derived expression as written takes 1224.
-    In compensated arithmetic, where sums may cancel: 772, 87 of them errors of products.
-    The cheapest of 2 equal programs that err little.
+    Operations: 135 (34 additions, 11 subtractions, 81 multiplications, 6 divisions, 3 negations).
+    The derived expression takes 1224 as written.
+    With compensation of sums that may cancel: 772 (87 of them compute errors of products).
+    This is the cheapest accurate one of 2 programs that are proved equal.
 
-    Measured error in float64: 0.262 ULP in the median and 16.7 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 3.44 ULP in the median, 139 ULP at most on ordinary input, 1.25e+18 ULP on any.
+    Measured error in float64: 0.262 ULP in the median, at most 16.7 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 3.44 ULP in the median; at most 139 ULP on ordinary input, 1.25e+18 ULP on all
+    samples.
 
     Examples
     --------
@@ -1355,12 +1381,12 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     S_mixed : array_like, shape (..., 2, 2)
         Covariances of (x', y'), rows, with (x'', y''), columns, in the square of the unit of c; those with x'' alone are used.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -1384,15 +1410,17 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
         result[2, 1] = (parallax*(c*sl01 - c*sm10) + yp*(c*sm00 - c*sr00) - yp*(c*sl00 - c*sm00))/parallax**4
         result[2, 2] = (c*(c*sl00 - c*sm00) - c*(c*sm00 - c*sr00))/parallax**4
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``xp - xpp``. Their values are
-    given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``xp - xpp``. The function `hypotheses`
+    of this package computes them.
 
-    Operations: 79 (9 +, 16 -, 52 *, 1 /, 1 neg); the derived expression as written takes 330.
-    In compensated arithmetic, where sums may cancel: 423, 53 of them errors of products.
-    The cheapest of 10 equal programs that err little.
+    Operations: 79 (9 additions, 16 subtractions, 52 multiplications, 1 division, 1 negation).
+    The derived expression takes 330 as written.
+    With compensation of sums that may cancel: 423 (53 of them compute errors of products).
+    This is the cheapest accurate one of 10 programs that are proved equal.
 
-    Measured error in float64: 0.251 ULP in the median and 2.15 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 1.12 ULP in the median, 113 ULP at most on ordinary input, 6.35e+15 ULP on any.
+    Measured error in float64: 0.251 ULP in the median, at most 2.15 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 1.12 ULP in the median; at most 113 ULP on ordinary input, 6.35e+15 ULP on all
+    samples.
 
     Examples
     --------

@@ -38,12 +38,12 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
     u3_normal : array_like, shape (..., 2)
         Image (uN31, uN32) of the fourth basic point in the normal case plane; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -61,15 +61,17 @@ def tau(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None)
         result[0] = u30*uN31/(u31*uN30)
         result[1] = u30*uN32/(u32*uN30)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u32``, ``uN31 + uN32 -
-    1``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``u31``, ``u32``, ``uN31 + uN32 - 1``.
+    The function `hypotheses` of this package computes them.
 
-    Operations: 10 (4 -, 4 *, 2 /); the derived expression as written takes 24.
-    In compensated arithmetic, where sums may cancel: 34.
-    The cheapest of 2 equal programs that err little.
+    Operations: 10 (4 subtractions, 4 multiplications, 2 divisions).
+    The derived expression takes 24 as written.
+    With compensation of sums that may cancel: 34.
+    This is the cheapest accurate one of 2 programs that are proved equal.
 
-    Measured error in float64: 0.461 ULP in the median and 2.26 ULP at most (350 samples, near singularities too).
-    Without compensation (`plain`): 0.58 ULP in the median, 2.85 ULP at most on ordinary input, 1.72e+14 ULP on any.
+    Measured error in float64: 0.461 ULP in the median, at most 2.26 ULP (350 samples, some near singularities).
+    Without compensation (`plain`): 0.58 ULP in the median; at most 2.85 ULP on ordinary input, 1.72e+14 ULP on all
+    samples.
 
     Examples
     --------
@@ -113,12 +115,12 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
     u3_normal : array_like, shape (..., 2)
         Image (uN31, uN32) of the fourth basic point in the normal case plane; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2, 4)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -142,16 +144,17 @@ def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | Non
         result[1, 2] = u30*uN32/(u32*uN30**2)
         result[1, 3] = u30/(u32*uN30) + u30*uN32/(u32*uN30**2)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31``, ``u32``, ``uN31 + uN32 -
-    1``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``u31``, ``u32``, ``uN31 + uN32 - 1``.
+    The function `hypotheses` of this package computes them.
 
-    Operations: 30 (4 +, 4 -, 12 *, 6 /, 4 neg); the derived expression as written takes 198.
-    In compensated arithmetic, where sums may cancel: 173, 18 of them errors of products.
-    The cheapest of 12 equal programs that err little.
+    Operations: 30 (4 additions, 4 subtractions, 12 multiplications, 6 divisions, 4 negations).
+    The derived expression takes 198 as written.
+    With compensation of sums that may cancel: 173 (18 of them compute errors of products).
+    This is the cheapest accurate one of 12 programs that are proved equal.
 
-    Measured error in float64: 0.27 ULP in the median and 0.985 ULP at most (350 samples, near singularities too).
-    Without compensation (`plain`): 0.693 ULP in the median, 1.43e+04 ULP at most on ordinary input, 8.34e+14 ULP on
-    any.
+    Measured error in float64: 0.27 ULP in the median, at most 0.985 ULP (350 samples, some near singularities).
+    Without compensation (`plain`): 0.693 ULP in the median; at most 1.43e+04 ULP on ordinary input, 8.34e+14 ULP on
+    all samples.
 
     Examples
     --------
@@ -206,12 +209,12 @@ def transform(tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     tau : array_like, shape (..., 2)
         Parameters (tau1, tau2) of the transformation to the normal case for tau0 = 1; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -234,12 +237,14 @@ def transform(tau: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
         result[2, 1] = 0
         result[2, 2] = tau2
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 2 (2 -); the derived expression as written takes 2.
+    Operations: 2 (2 subtractions).
+    The derived expression takes 2 as written.
 
-    Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.0 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
+    Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
+    samples.
 
     Examples
     --------
@@ -270,12 +275,12 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
     u : array_like, shape (..., 2)
         Image point (u1, u2) in affine coordinates; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -292,16 +297,17 @@ def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None)
         result[0] = tau1*u1/weight
         result[1] = tau2*u2/weight
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``tau1*u1 + tau2*u2 - u1 - u2 +
-    1``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``tau1*u1 + tau2*u2 - u1 - u2 + 1``. The
+    function `hypotheses` of this package computes them.
 
-    Operations: 11 (2 +, 2 -, 6 *, 1 /); the derived expression as written takes 16.
-    In compensated arithmetic, where sums may cancel: 41, 2 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    Operations: 11 (2 additions, 2 subtractions, 6 multiplications, 1 division).
+    The derived expression takes 16 as written.
+    With compensation of sums that may cancel: 41 (2 of them compute errors of products).
+    This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.42 ULP in the median and 1.92 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.724 ULP in the median, 6.65 ULP at most on ordinary input, 9.26e+13 ULP on
-    any.
+    Measured error in float64: 0.42 ULP in the median, at most 1.92 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.724 ULP in the median; at most 6.65 ULP on ordinary input, 9.26e+13 ULP on all
+    samples.
 
     Examples
     --------
@@ -349,16 +355,16 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
     u3_left : array_like, shape (..., 2)
         Left image: Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
     out : tuple of ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     z_N : ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
     u3_normal_left : ndarray, shape (..., 2)
-        Likewise.
+        It has the same dtype.
     u3_normal_right : ndarray, shape (..., 2)
-        Likewise.
+        It has the same dtype.
 
     Raises
     ------
@@ -383,18 +389,20 @@ def from_orientation(y_a: ArrayLike, y0_left: ArrayLike, y0_right: ArrayLike, u3
         u3_normal_right[0] = u31*yp03*ypp01/(yp01*ypp03)
         u3_normal_right[1] = numerator*ypp02/(p02*yp01*ypp03)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u31*yA1*yp02*yp03 +
-    u31*yA1*yp03**2 - u31*yA1*yp03 - u31*yA2*yp01*yp03 - u31*yA3*yp01*yp03 + u31*yp01*yp03 + yA1*yp01*yp03 +
-    yA2*yp01*yp03 - yA3*yp01**2 - yA3*yp01*yp02 + yA3*yp01 - yp01*yp03``, ``yA1*yp02 - yA2*yp01 - yA2*yp03 + yA2
-    + yA3*yp02 - yp02``, ``yA2*yp03 - yA3*yp02``, ``yp01``, ``yp02``, ``yp03``, ``ypp03``. Their values are
-    given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``u31*yA1*yp02*yp03 + u31*yA1*yp03**2 -
+    u31*yA1*yp03 - u31*yA2*yp01*yp03 - u31*yA3*yp01*yp03 + u31*yp01*yp03 + yA1*yp01*yp03 + yA2*yp01*yp03 -
+    yA3*yp01**2 - yA3*yp01*yp02 + yA3*yp01 - yp01*yp03``, ``yA1*yp02 - yA2*yp01 - yA2*yp03 + yA2 + yA3*yp02 -
+    yp02``, ``yA2*yp03 - yA3*yp02``, ``yp01``, ``yp02``, ``yp03``, ``ypp03``. The function `hypotheses` of this
+    package computes them.
 
-    Operations: 49 (10 +, 11 -, 23 *, 5 /); the derived expression as written takes 109.
-    In compensated arithmetic, where sums may cancel: 182, 13 of them errors of products.
-    The cheapest of 7 equal programs that err little.
+    Operations: 49 (10 additions, 11 subtractions, 23 multiplications, 5 divisions).
+    The derived expression takes 109 as written.
+    With compensation of sums that may cancel: 182 (13 of them compute errors of products).
+    This is the cheapest accurate one of 7 programs that are proved equal.
 
-    Measured error in float64: 0.369 ULP in the median and 16.6 ULP at most (550 samples, near singularities too).
-    Without compensation (`plain`): 0.718 ULP in the median, 89 ULP at most on ordinary input, 3.68e+16 ULP on any.
+    Measured error in float64: 0.369 ULP in the median, at most 16.6 ULP (550 samples, some near singularities).
+    Without compensation (`plain`): 0.718 ULP in the median; at most 89 ULP on ordinary input, 3.68e+16 ULP on all
+    samples.
 
     Examples
     --------
@@ -466,12 +474,12 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
     z_n : array_like, shape (...)
         Factor z_N of the normal case correlation; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -491,16 +499,17 @@ def mu_left(y_a: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, out: NDArray[Any] 
         result[1] = -weighted*yA0/difference
         result[2] = yA0*(yA1 + yA2*z_n)/(difference*yA3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``uN31*yA1 + uN31*yA2 +
-    uN32*yA1*z_n + uN32*yA2*z_n - yA1 - yA2*z_n``, ``yA3``. Their values are given by the function `hypotheses`
-    of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``uN31*yA1 + uN31*yA2 + uN32*yA1*z_n +
+    uN32*yA2*z_n - yA1 - yA2*z_n``, ``yA3``. The function `hypotheses` of this package computes them.
 
-    Operations: 15 (3 +, 3 -, 6 *, 2 /, 1 neg); the derived expression as written takes 55.
-    In compensated arithmetic, where sums may cancel: 63, 3 of them errors of products.
-    The cheapest of 2 equal programs that err little.
+    Operations: 15 (3 additions, 3 subtractions, 6 multiplications, 2 divisions, 1 negation).
+    The derived expression takes 55 as written.
+    With compensation of sums that may cancel: 63 (3 of them compute errors of products).
+    This is the cheapest accurate one of 2 programs that are proved equal.
 
-    Measured error in float64: 0.45 ULP in the median and 2.33 ULP at most (300 samples, near singularities too).
-    Without compensation (`plain`): 1.62 ULP in the median, 8.55 ULP at most on ordinary input, 3.07e+15 ULP on any.
+    Measured error in float64: 0.45 ULP in the median, at most 2.33 ULP (300 samples, some near singularities).
+    Without compensation (`plain`): 1.62 ULP in the median; at most 8.55 ULP on ordinary input, 3.07e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -554,12 +563,12 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
     z_n : array_like, shape (...)
         Factor z_N of the normal case correlation; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -580,15 +589,17 @@ def mu_right(y_a: ArrayLike, y0: ArrayLike, u3: ArrayLike, z_n: ArrayLike, *, ou
         result[1] = (y03*(1 - yA1 - yA2) - yA3*(1 - y01 - y02))/(common*(-1 + z_n))
         result[2] = (yA2*(1 - y01 - y03) - y02*(1 - yA1 - yA3))/(common*s1)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-y02*yA3 + y03*yA2``, ``uppN31 +
-    uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``-y02*yA3 + y03*yA2``, ``uppN31 +
+    uppN32*z_n - 1``, ``yA1``, ``z_n - 1``. The function `hypotheses` of this package computes them.
 
-    Operations: 43 (6 +, 12 -, 22 *, 3 /); the derived expression as written takes 172.
-    In compensated arithmetic, where sums may cancel: 196, 17 of them errors of products.
-    The cheapest of 3 equal programs that err little.
+    Operations: 43 (6 additions, 12 subtractions, 22 multiplications, 3 divisions).
+    The derived expression takes 172 as written.
+    With compensation of sums that may cancel: 196 (17 of them compute errors of products).
+    This is the cheapest accurate one of 3 programs that are proved equal.
 
-    Measured error in float64: 0.538 ULP in the median and 2.72 ULP at most (400 samples, near singularities too).
-    Without compensation (`plain`): 1.72 ULP in the median, 53.1 ULP at most on ordinary input, 2.4e+15 ULP on any.
+    Measured error in float64: 0.538 ULP in the median, at most 2.72 ULP (400 samples, some near singularities).
+    Without compensation (`plain`): 1.72 ULP in the median; at most 53.1 ULP on ordinary input, 2.4e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -648,16 +659,16 @@ def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDA
     Z : array_like, shape (..., 3, 3)
         Singular matrix of correlation referred to the basic points, up to a factor; dimensionless.
     out : tuple of ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     z_N : ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
     tau_left : ndarray, shape (..., 2)
-        Likewise.
+        It has the same dtype.
     tau_right : ndarray, shape (..., 2)
-        Likewise.
+        It has the same dtype.
 
     Raises
     ------
@@ -676,13 +687,15 @@ def from_correlation(Z: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDA
         tau_right[0] = -z01/z10
         tau_right[1] = (z10 + z12)/z10
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``z02``, ``z10``, ``z10 + z12``.
-    Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``z02``, ``z10``, ``z10 + z12``. The
+    function `hypotheses` of this package computes them.
 
-    Operations: 11 (1 +, 4 *, 3 /, 3 neg); the derived expression as written takes 11.
+    Operations: 11 (1 addition, 4 multiplications, 3 divisions, 3 negations).
+    The derived expression takes 11 as written.
 
-    Measured error in float64: 0.313 ULP in the median and 1.69 ULP at most (350 samples, near singularities too).
-    Without compensation (`plain`): 0.313 ULP in the median, 1.65 ULP at most on ordinary input, 1.69 ULP on any.
+    Measured error in float64: 0.313 ULP in the median, at most 1.69 ULP (350 samples, some near singularities).
+    Without compensation (`plain`): 0.313 ULP in the median; at most 1.65 ULP on ordinary input, 1.69 ULP on all
+    samples.
 
     Examples
     --------
@@ -726,12 +739,12 @@ def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) ->
     tau : array_like, shape (..., 2)
         Parameters (tau1, tau2) of the transformation to the normal case for tau0 = 1; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -754,13 +767,15 @@ def frame(z_n: ArrayLike, tau: ArrayLike, *, out: NDArray[Any] | None = None) ->
         result[2, 1] = (-1 + tau1)/(-1 + tau2)
         result[2, 2] = 1
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``tau2 - 1``. Their values are
-    given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``tau2 - 1``. The function `hypotheses`
+    of this package computes them.
 
-    Operations: 3 (2 -, 1 /); the derived expression as written takes 3.
+    Operations: 3 (2 subtractions, 1 division).
+    The derived expression takes 3 as written.
 
-    Measured error in float64: 0.00141 ULP in the median and 1.39 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.00141 ULP in the median, 1.39 ULP at most on ordinary input, 1.39 ULP on any.
+    Measured error in float64: 0.00141 ULP in the median, at most 1.39 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.00141 ULP in the median; at most 1.39 ULP on ordinary input, 1.39 ULP on all
+    samples.
 
     Examples
     --------

@@ -34,12 +34,12 @@ def lens_matrix(f: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     f : array_like, shape (...)
         Focal length; in the unit of the coordinates.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -69,12 +69,13 @@ def lens_matrix(f: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
         result[3, 2] = 0
         result[3, 3] = f
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 0 (none); the derived expression as written takes 0.
+    Operations: 0 (none).
+    The derived expression takes 0 as written.
 
-    Measured error in float64: 0.0 ULP in the median and 0.0 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.0 ULP in the median, 0 ULP at most on ordinary input, 0 ULP on any.
+    Measured error in float64: 0.0 ULP in the median, at most 0.0 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.0 ULP in the median; at most 0 ULP on ordinary input, 0 ULP on all samples.
 
     Examples
     --------
@@ -105,12 +106,12 @@ def image_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) 
     x : array_like, shape (..., 3)
         Object point (xi1, xi2, xi3), with the optical axis as third axis and the center of the lens as origin; in any unit of length.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -128,13 +129,15 @@ def image_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) 
         result[1] = magnification*xi2
         result[2] = magnification*xi3
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``f + xi3``. Their values are
-    given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``f + xi3``. The function `hypotheses` of
+    this package computes them.
 
-    Operations: 5 (1 +, 3 *, 1 /); the derived expression as written takes 9.
+    Operations: 5 (1 addition, 3 multiplications, 1 division).
+    The derived expression takes 9 as written.
 
-    Measured error in float64: 0.365 ULP in the median and 1.53 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.365 ULP in the median, 1.36 ULP at most on ordinary input, 1.53 ULP on any.
+    Measured error in float64: 0.365 ULP in the median, at most 1.53 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.365 ULP in the median; at most 1.36 ULP on ordinary input, 1.53 ULP on all
+    samples.
 
     Examples
     --------
@@ -177,12 +180,12 @@ def object_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None)
     x : array_like, shape (..., 3)
         Image point (xip1, xip2, xip3), with the optical axis as third axis and the center of the lens as origin; in any unit of length.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -200,13 +203,15 @@ def object_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None)
         result[1] = magnification*xip2
         result[2] = magnification*xip3
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``f - xip3``. Their values are
-    given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``f - xip3``. The function `hypotheses`
+    of this package computes them.
 
-    Operations: 5 (1 -, 3 *, 1 /); the derived expression as written takes 9.
+    Operations: 5 (1 subtraction, 3 multiplications, 1 division).
+    The derived expression takes 9 as written.
 
-    Measured error in float64: 0.315 ULP in the median and 1.82 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.315 ULP in the median, 1.82 ULP at most on ordinary input, 1.82 ULP on any.
+    Measured error in float64: 0.315 ULP in the median, at most 1.82 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.315 ULP in the median; at most 1.82 ULP on ordinary input, 1.82 ULP on all
+    samples.
 
     Examples
     --------
@@ -249,12 +254,12 @@ def scale(f: ArrayLike, x3: ArrayLike, *, out: NDArray[Any] | None = None) -> ND
     x3 : array_like, shape (...)
         Third coordinate xi3 of the object point, with the optical axis as third axis and the center of the lens as origin; in any unit of length.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (...)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -269,13 +274,15 @@ def scale(f: ArrayLike, x3: ArrayLike, *, out: NDArray[Any] | None = None) -> ND
 
         result = f/(f + x3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``f + x3``. Their values are given
-    by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``f + x3``. The function `hypotheses` of
+    this package computes them.
 
-    Operations: 2 (1 +, 1 /); the derived expression as written takes 2.
+    Operations: 2 (1 addition, 1 division).
+    The derived expression takes 2 as written.
 
-    Measured error in float64: 0.266 ULP in the median and 1.05 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.266 ULP in the median, 0.932 ULP at most on ordinary input, 1.05 ULP on any.
+    Measured error in float64: 0.266 ULP in the median, at most 1.05 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.266 ULP in the median; at most 0.932 ULP on ordinary input, 1.05 ULP on all
+    samples.
 
     Examples
     --------
@@ -315,12 +322,12 @@ def plane_homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArr
     mu : array_like, shape (..., 3)
         Projective parameters (mu0, mu1, mu2), up to a common factor; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -343,12 +350,14 @@ def plane_homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArr
         result[2, 1] = 0
         result[2, 2] = mu2
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 2 (2 -); the derived expression as written takes 2.
+    Operations: 2 (2 subtractions).
+    The derived expression takes 2 as written.
 
-    Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.0 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
+    Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
+    samples.
 
     Examples
     --------
@@ -379,12 +388,12 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = 
     u : array_like, shape (..., 2)
         Point (u1, u2) in affine coordinates of the plane; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 2)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -401,16 +410,17 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = 
         result[0] = mu1*u1/weighted
         result[1] = mu2*u2/weighted
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0*u1 + mu0*u2 - mu0 - mu1*u1 -
-    mu2*u2``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``mu0*u1 + mu0*u2 - mu0 - mu1*u1 -
+    mu2*u2``. The function `hypotheses` of this package computes them.
 
-    Operations: 10 (2 +, 2 -, 5 *, 1 /); the derived expression as written takes 16.
-    In compensated arithmetic, where sums may cancel: 41, 3 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    Operations: 10 (2 additions, 2 subtractions, 5 multiplications, 1 division).
+    The derived expression takes 16 as written.
+    With compensation of sums that may cancel: 41 (3 of them compute errors of products).
+    This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.38 ULP in the median and 1.88 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.752 ULP in the median, 14.9 ULP at most on ordinary input, 1.21e+15 ULP on
-    any.
+    Measured error in float64: 0.38 ULP in the median, at most 1.88 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.752 ULP in the median; at most 14.9 ULP on ordinary input, 1.21e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -454,12 +464,12 @@ def vanishing_line(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray
     mu : array_like, shape (..., 3)
         Projective parameters (mu0, mu1, mu2), up to a common factor; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -476,12 +486,14 @@ def vanishing_line(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray
         result[1] = mu1 - mu0
         result[2] = mu2 - mu0
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 2 (2 -); the derived expression as written takes 2.
+    Operations: 2 (2 subtractions).
+    The derived expression takes 2 as written.
 
-    Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.0 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
+    Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
+    samples.
 
     Examples
     --------

@@ -34,12 +34,12 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -60,16 +60,18 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
         result[1] = yA0*(u01*u32 - u02*u31)/D
         result[2] = yA0*(u02*yA1 - u01*yA2)/(D*yA3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``u01*u32*yA1 + u01*u32*yA2 -
-    u01*yA2 - u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1``, ``yA3``. Their values are given by the
-    function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``u01*u32*yA1 + u01*u32*yA2 - u01*yA2 -
+    u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1``, ``yA3``. The function `hypotheses` of this
+    package computes them.
 
-    Operations: 27 (12 -, 13 *, 2 /); the derived expression as written takes 99.
-    In compensated arithmetic, where sums may cancel: 113, 10 of them errors of products.
-    The cheapest of 3 equal programs that err little.
+    Operations: 27 (12 subtractions, 13 multiplications, 2 divisions).
+    The derived expression takes 99 as written.
+    With compensation of sums that may cancel: 113 (10 of them compute errors of products).
+    This is the cheapest accurate one of 3 programs that are proved equal.
 
-    Measured error in float64: 0.46 ULP in the median and 2.77 ULP at most (300 samples, near singularities too).
-    Without compensation (`plain`): 3.04 ULP in the median, 28.3 ULP at most on ordinary input, 6.04e+15 ULP on any.
+    Measured error in float64: 0.46 ULP in the median, at most 2.77 ULP (300 samples, some near singularities).
+    Without compensation (`plain`): 3.04 ULP in the median; at most 28.3 ULP on ordinary input, 6.04e+15 ULP on all
+    samples.
 
     Examples
     --------
@@ -124,12 +126,12 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
     u3 : array_like, shape (..., 2)
         Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -152,16 +154,18 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
         result[1] = p03*u02/(p23*u00)
         result[2] = p02*u02/(n2*p23)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``-y01*yA3 + y03*yA1``, ``-y02*yA3
-    + y03*yA2``, ``u01 + u02 - 1``, ``u01*u32 - u02*u31 + u02 - u32``. Their values are given by the function
-    `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``-y01*yA3 + y03*yA1``, ``-y02*yA3 +
+    y03*yA2``, ``u01 + u02 - 1``, ``u01*u32 - u02*u31 + u02 - u32``. The function `hypotheses` of this package
+    computes them.
 
-    Operations: 34 (4 +, 11 -, 16 *, 3 /); the derived expression as written takes 209.
-    In compensated arithmetic, where sums may cancel: 152, 10 of them errors of products.
-    The cheapest of 3 equal programs that err little.
+    Operations: 34 (4 additions, 11 subtractions, 16 multiplications, 3 divisions).
+    The derived expression takes 209 as written.
+    With compensation of sums that may cancel: 152 (10 of them compute errors of products).
+    This is the cheapest accurate one of 3 programs that are proved equal.
 
-    Measured error in float64: 0.497 ULP in the median and 2.95 ULP at most (400 samples, near singularities too).
-    Without compensation (`plain`): 1.62 ULP in the median, 139 ULP at most on ordinary input, 6.12e+14 ULP on any.
+    Measured error in float64: 0.497 ULP in the median, at most 2.95 ULP (400 samples, some near singularities).
+    Without compensation (`plain`): 1.62 ULP in the median; at most 139 ULP on ordinary input, 6.12e+14 ULP on all
+    samples.
 
     Examples
     --------
@@ -222,12 +226,12 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     u3_right : array_like, shape (..., 2)
         Right image: Image (u31, u32) of the fourth basic point in affine coordinates; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -272,16 +276,17 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
         result[1] = (d01*d03 + d11*d13 + d21*d23 + d31*d33)/(d03**2 + d13**2 + d23**2 + d33**2)
         result[2] = (d02*d03 + d12*d13 + d22*d23 + d32*d33)/(d03**2 + d13**2 + d23**2 + d33**2)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``d03**2 + d13**2 + d23**2 +
-    d33**2``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``d03**2 + d13**2 + d23**2 + d33**2``.
+    The function `hypotheses` of this package computes them.
 
-    Operations: 203 (24 +, 52 -, 120 *, 3 /, 4 neg); the derived expression as written takes 377.
-    In compensated arithmetic, where sums may cancel: 1125, 112 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    Operations: 203 (24 additions, 52 subtractions, 120 multiplications, 3 divisions, 4 negations).
+    The derived expression takes 377 as written.
+    With compensation of sums that may cancel: 1125 (112 of them compute errors of products).
+    This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.543 ULP in the median and 2.32 ULP at most (100 samples, near singularities too).
-    Without compensation (`plain`): 1.21 ULP in the median, 1.02e+03 ULP at most on ordinary input, 3.79e+06 ULP on
-    any.
+    Measured error in float64: 0.543 ULP in the median, at most 2.32 ULP (100 samples, some near singularities).
+    Without compensation (`plain`): 1.21 ULP in the median; at most 1.02e+03 ULP on ordinary input, 3.79e+06 ULP on
+    all samples.
 
     Examples
     --------

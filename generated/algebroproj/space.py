@@ -31,12 +31,12 @@ def homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     mu : array_like, shape (..., 4)
         Projective parameters (mu0, mu1, mu2, mu3), up to a common factor; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -66,12 +66,14 @@ def homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
         result[3, 2] = 0
         result[3, 3] = mu3
 
-    Polynomial: no input is singular.
+    The formula is a polynomial: no input is singular.
 
-    Operations: 3 (3 -); the derived expression as written takes 3.
+    Operations: 3 (3 subtractions).
+    The derived expression takes 3 as written.
 
-    Measured error in float64: 0.0 ULP in the median and 0.5 ULP at most (150 samples, near singularities too).
-    Without compensation (`plain`): 0.0 ULP in the median, 0.5 ULP at most on ordinary input, 0.5 ULP on any.
+    Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
+    Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
+    samples.
 
     Examples
     --------
@@ -102,12 +104,12 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | Non
     u4 : array_like, shape (..., 3)
         Its image (u41, u42, u43) in affine coordinates; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 4)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -127,15 +129,17 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | Non
         result[2] = u42/y42
         result[3] = u43/y43
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``y41``, ``y41 + y42 + y43 - 1``,
-    ``y42``, ``y43``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``y41``, ``y41 + y42 + y43 - 1``,
+    ``y42``, ``y43``. The function `hypotheses` of this package computes them.
 
-    Operations: 10 (6 -, 4 /); the derived expression as written takes 24.
-    In compensated arithmetic, where sums may cancel: 46.
-    The cheapest of 2 equal programs that err little.
+    Operations: 10 (6 subtractions, 4 divisions).
+    The derived expression takes 24 as written.
+    With compensation of sums that may cancel: 46.
+    This is the cheapest accurate one of 2 programs that are proved equal.
 
-    Measured error in float64: 0.259 ULP in the median and 2.07 ULP at most (400 samples, near singularities too).
-    Without compensation (`plain`): 0.28 ULP in the median, 8.95 ULP at most on ordinary input, 5.23e+13 ULP on any.
+    Measured error in float64: 0.259 ULP in the median, at most 2.07 ULP (400 samples, some near singularities).
+    Without compensation (`plain`): 0.28 ULP in the median; at most 8.95 ULP on ordinary input, 5.23e+13 ULP on all
+    samples.
 
     Examples
     --------
@@ -179,12 +183,12 @@ def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) 
     y : array_like, shape (..., 3)
         Point (y1, y2, y3) in affine coordinates; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -202,16 +206,17 @@ def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) 
         result[1] = mu2*y2/weighted
         result[2] = mu3*y3/weighted
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0*y1 + mu0*y2 + mu0*y3 - mu0 -
-    mu1*y1 - mu2*y2 - mu3*y3``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``mu0*y1 + mu0*y2 + mu0*y3 - mu0 - mu1*y1
+    - mu2*y2 - mu3*y3``. The function `hypotheses` of this package computes them.
 
-    Operations: 14 (4 +, 2 -, 7 *, 1 /); the derived expression as written takes 33.
-    In compensated arithmetic, where sums may cancel: 59, 4 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    Operations: 14 (4 additions, 2 subtractions, 7 multiplications, 1 division).
+    The derived expression takes 33 as written.
+    With compensation of sums that may cancel: 59 (4 of them compute errors of products).
+    This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.429 ULP in the median and 2.36 ULP at most (200 samples, near singularities too).
-    Without compensation (`plain`): 0.932 ULP in the median, 26.4 ULP at most on ordinary input, 8.28e+14 ULP on
-    any.
+    Measured error in float64: 0.429 ULP in the median, at most 2.36 ULP (200 samples, some near singularities).
+    Without compensation (`plain`): 0.932 ULP in the median; at most 26.4 ULP on ordinary input, 8.28e+14 ULP on all
+    samples.
 
     Examples
     --------
@@ -259,12 +264,12 @@ def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -
     a : array_like, shape (..., 4)
         Plane a0 + a1 y1 + a2 y2 + a3 y3 = 0 as (a0, a1, a2, a3), up to a common factor; dimensionless.
     out : ndarray, optional
-        Where the result is written, of its shape and dtype; it may share memory with the arguments.
+        Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
     Returns
     -------
     ndarray, shape (..., 4)
-        Of the dtype of the arguments (float32, float64, longdouble or complex, or object; integers become float64).
+        It has the dtype of the arguments (float32, float64, longdouble or complex, or object); integers become float64.
 
     Raises
     ------
@@ -282,16 +287,17 @@ def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -
         result[2] = (a0*mu0 + a2*mu0 - a0*mu2)/(mu0*mu2)
         result[3] = (a0*mu0 + a3*mu0 - a0*mu3)/(mu0*mu3)
 
-    Not finite, with NumPy's floating-point warning, where one of these vanishes: ``mu0``, ``mu1``, ``mu2``,
-    ``mu3``. Their values are given by the function `hypotheses` of this package.
+    The result is not finite, and NumPy warns, where one of these is zero: ``mu0``, ``mu1``, ``mu2``, ``mu3``. The
+    function `hypotheses` of this package computes them.
 
-    Operations: 20 (3 +, 3 -, 10 *, 4 /); the derived expression as written takes 19.
-    In compensated arithmetic, where sums may cancel: 72, 7 of them errors of products.
-    The cheapest of 4 equal programs that err little.
+    Operations: 20 (3 additions, 3 subtractions, 10 multiplications, 4 divisions).
+    The derived expression takes 19 as written.
+    With compensation of sums that may cancel: 72 (7 of them compute errors of products).
+    This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.32 ULP in the median and 1.73 ULP at most (400 samples, near singularities too).
-    Without compensation (`plain`): 0.414 ULP in the median, 15.1 ULP at most on ordinary input, 8.78e+13 ULP on
-    any.
+    Measured error in float64: 0.32 ULP in the median, at most 1.73 ULP (400 samples, some near singularities).
+    Without compensation (`plain`): 0.414 ULP in the median; at most 15.1 ULP on ordinary input, 8.78e+13 ULP on all
+    samples.
 
     Examples
     --------

@@ -12,7 +12,7 @@ import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kinds.minor import Minor, largest_minor
-from algebroproj_sym.declaring.kinds.rank import Bound, bounded, generic_rank, values_at
+from algebroproj_sym.declaring.kinds.rank import Bound, bounded, generic_rank, polynomial_vectors, values_at
 from algebroproj_sym.expressions import columns, derivatives, entries, evaluate, jacobian, symbols_of
 from algebroproj_sym.proving import Point, Proof, RationalFunctionField
 
@@ -27,21 +27,22 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     wrong = [direction for direction in claim.kernel if len(entries(direction)) != len(claim.variables)]
     if wrong:
         raise DeclarationError(f"{claim.number}: expected directions of {len(claim.variables)} components, got {wrong}")
-    symbols = symbols_of((functions, *claim.kernel, *claim.variables))
+    vectors = polynomial_vectors(claim, engine)
+    symbols = symbols_of((functions, *vectors, *claim.variables))
 
     def minor_at(point: Point) -> Minor:
         return largest_minor(jacobian(functions, point, claim.variables))
 
     field = RationalFunctionField(symbols, engine)
-    invariant = all(_is_invariant(claim, direction, field) for direction in claim.kernel)
+    invariant = all(_is_invariant(claim, direction, field) for direction in vectors)
     largest = min(len(entries(functions)), len(claim.variables))
 
     def bound_at(point: Point) -> Bound:
-        if not invariant or not claim.kernel:
+        if not invariant or not vectors:
             return Bound(largest, None)
-        return bounded(largest, len(claim.variables), largest_minor(values_at(columns(*claim.kernel), point)))
+        return bounded(largest, len(claim.variables), largest_minor(values_at(columns(*vectors), point)))
 
-    return generic_rank(claim, printed, symbols, minor_at, bound_at, field.divisors, engine)
+    return generic_rank(claim, printed, symbols, vectors, minor_at, bound_at, engine)
 
 
 def _is_invariant(claim: Claim, direction: sympy.MatrixBase, field: RationalFunctionField) -> bool:

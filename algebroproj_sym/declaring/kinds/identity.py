@@ -2,19 +2,40 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 from algebroproj_sym.declaring.claim import Claim
+from algebroproj_sym.expressions import Scalar
 from algebroproj_sym.proving import Proof, prove
 
 
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed == derived``."""
-    return prove(
-        printed,
-        claim.derived,
-        constraints=claim.constraints,
-        nonzero=claim.nonzero,
-        witness=claim.witness,
-        engine=engine,
-    )
+    return decided(claim, printed, claim.derived, engine)
+
+
+def decided(claim: Claim, left: Any, right: Any, engine: str, nonzero: Sequence[Scalar] = ()) -> Proof:
+    """Decide an equality where the conditions of a claim hold, and others; thoroughly if nothing less decides it.
+
+    A counterexample of a claim is rational: what differs at irrational points only stays open.
+    """
+    conditions: dict[str, Any] = {
+        "constraints": claim.constraints,
+        "nonzero": (*claim.nonzero, *nonzero),
+        "witness": claim.witness,
+        "engine": engine,
+        "assumptions": claim.assumed,
+    }
+    proof = prove(left, right, **conditions)
+    if proof.verdict != "open" or not claim.constraints:
+        return proof
+    proof = prove(left, right, **conditions, thorough=True)
+    point = proof.counterexample or {}
+    if all(isinstance(value, Fraction) for value in point.values()):
+        return proof
+    shown = ", ".join(f"{symbol} = {value}" for symbol, value in point.items())
+    reason = f"the sides differ where {shown}, but no rational counterexample was found"
+    return replace(proof, verdict="open", certificate={"method": "none", "reason": reason}, counterexample=None)

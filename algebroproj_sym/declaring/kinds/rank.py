@@ -9,14 +9,23 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import islice
+from math import lcm
 from typing import Any, NamedTuple
 
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kinds.minor import Minor, largest_minor
-from algebroproj_sym.expressions import columns, evaluate, symbols_of, text
-from algebroproj_sym.proving import Point, Proof, prove, rational_points, seed_of
+from algebroproj_sym.expressions import Expression, columns, evaluate, symbols_of, text, vector
+from algebroproj_sym.proving import (
+    Point,
+    Proof,
+    RationalFunctionField,
+    numerators_over_one,
+    prove,
+    rational_points,
+    seed_of,
+)
 
 POINTS = 20
 
@@ -34,26 +43,42 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     if not isinstance(matrix, sympy.MatrixBase):
         raise DeclarationError(f"{claim.number}: expected a matrix whose rank is claimed, got {matrix}")
     smaller = min(matrix.shape)
-    kernel: Any = columns(*claim.kernel) if claim.kernel else None
-    proof = None
-    if kernel is not None:
-        proof = prove(matrix * kernel, sympy.ImmutableDenseMatrix.zeros(matrix.rows, kernel.cols), engine=engine)
+    vectors = polynomial_vectors(claim, engine)
+    kernel: Any = columns(*vectors) if vectors else None
+    annihilated = kernel is not None and _is_annihilated(matrix, kernel, engine)
 
     def bound_at(point: Point) -> Bound:
-        if proof is None or proof.verdict != "proved":
+        if not annihilated:
             return Bound(int(smaller), None)
-        independent = largest_minor(values_at(kernel, point))
-        return bounded(int(smaller), int(matrix.cols), independent)
+        return bounded(int(smaller), int(matrix.cols), largest_minor(values_at(kernel, point)))
 
     return generic_rank(
         claim,
         printed,
-        symbols_of((matrix, *claim.kernel)),
+        symbols_of((matrix, *vectors)),
+        vectors,
         lambda point: largest_minor(values_at(matrix, point)),
         bound_at,
-        lambda: proof.hypotheses if proof else (),
         engine,
     )
+
+
+def _is_annihilated(matrix: Any, kernel: Any, engine: str) -> bool:
+    zero = sympy.ImmutableDenseMatrix.zeros(matrix.rows, kernel.cols)
+    return prove(matrix * kernel, zero, engine=engine).verdict == "proved"
+
+
+def polynomial_vectors(claim: Claim, engine: str) -> list[Expression]:
+    """Return the vectors of a claim, each times what makes its components polynomials with integer coefficients."""
+    return [_polynomial(given, engine) for given in claim.kernel]
+
+
+def _polynomial(given: Expression, engine: str) -> Expression:
+    field = RationalFunctionField(symbols_of((given,)), engine)
+    numerators = numerators_over_one(evaluate(given, field.variables, field.lift))
+    number = lcm(*(value.denominator for part in numerators for value in field.ring.terms(part).values()))
+    scale = field.ring.constant(Fraction(number))
+    return vector(*(field.expression(numerator * scale) for numerator in numerators))
 
 
 def bounded(smaller: int, width: int, independent: Minor) -> Bound:
@@ -72,9 +97,9 @@ def generic_rank(
     claim: Claim,
     printed: int,
     symbols: Sequence[sympy.Symbol],
+    vectors: Sequence[Expression],
     minor_at: Callable[[Point], Minor],
     bound_at: Callable[[Point], Bound],
-    hypotheses: Callable[[], tuple[sympy.Expr, ...]],
     engine: str,
 ) -> Proof:
     """Decide a rank from below by points and from above by a bound.
@@ -87,11 +112,11 @@ def generic_rank(
         The rank that is claimed.
     symbols : sequence of Symbol
         The coordinates of points.
+    vectors : sequence of matrix
+        What the bound rests on.
     minor_at, bound_at : callable
         A largest minor at a point that is not zero, and an upper bound of all ranks that a point gives; they raise
         ZeroDivisionError where something is not defined.
-    hypotheses : callable
-        The factors that do not vanish.
     engine : {"flint", "sympy"}
         For the record.
     """
@@ -106,32 +131,31 @@ def generic_rank(
         if len(ranked[-1][0].rows) == ranked[-1][1].rank:
             break
     if not ranked:
-        return Proof("open", hypotheses(), {"method": "none", "reason": "no point was found"}, None, engine)
+        return Proof("open", (), {"method": "none", "reason": "no point was found"}, None, engine)
     minor, _, point = max(ranked, key=lambda entry: len(entry[0].rows))
     _, bound, bound_point = min(ranked, key=lambda entry: entry[1].rank)
     largest = len(minor.rows)
     below = {"rows": minor.rows, "columns": minor.columns, "minor": str(minor.value)}
     if largest > printed:
         return Proof("refuted", (), {"method": "counterexample", "rank": largest, **below}, point, engine)
-    above = _above(claim, bound, bound_point)
-    met = hypotheses() if bound.independent else ()
+    above = _above(vectors, bound, bound_point)
     if bound.rank < printed:
         certificate = {"method": "kernel vectors", "rank at most": bound.rank, **above}
-        return Proof("refuted", met, certificate, {}, engine)
+        return Proof("refuted", (), certificate, {}, engine)
     if largest < printed or bound.rank > printed:
         reason = f"the rank lies between {largest} and {bound.rank}"
-        return Proof("open", met, {"method": "none", "reason": reason}, None, engine)
+        return Proof("open", (), {"method": "none", "reason": reason}, None, engine)
     certificate = {"method": "rank at a point and kernel vectors", "point": _as_text(point), **below, **above}
-    return Proof("proved", met, certificate, None, engine)
+    return Proof("proved", (), certificate, None, engine)
 
 
-def _above(claim: Claim, bound: Bound, point: Point) -> dict[str, Any]:
+def _above(vectors: Sequence[Expression], bound: Bound, point: Point) -> dict[str, Any]:
     """Return the evidence of an upper bound: vectors, and a minor that shows that they are independent at a point."""
     if bound.independent is None:
         return {"kernel": []}
     rows, chosen, value = bound.independent
     return {
-        "kernel": [text(claim.kernel[place]) for place in chosen],
+        "kernel": [text(vectors[place]) for place in chosen],
         "kernel at": _as_text(point),
         "kernel rows": rows,
         "kernel minor": str(value),

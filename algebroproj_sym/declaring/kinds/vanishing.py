@@ -36,6 +36,9 @@ Factors: TypeAlias = dict[str, tuple[sympy.Expr, int]]
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Compare the irreducible factors of the derived numerator with those of the printed factors."""
     derived: Any = claim.derived
+    stated = prove(derived, derived, nonzero=claim.nonzero, engine=engine)
+    if stated.verdict != "proved":
+        return stated
     field = RationalFunctionField(symbols_of((derived, *printed, *claim.nonzero)), engine)
     value = evaluate(derived, field.variables, field.lift)[0]
     if value.is_zero:

@@ -1,7 +1,7 @@
-"""Which version of the functions runs: the NumPy source, or its compiled twin, which gives the same bits.
+"""Which version of the functions runs: the NumPy source or the compiled one.  Both give the same bits.
 
-The environment variable ``ALGEBROPROJ_BACKEND`` chooses ``numpy`` or ``compiled`` when the package is imported; without
-it, the compiled one is taken if it is there.
+Set the environment variable ``ALGEBROPROJ_BACKEND`` to ``numpy`` or ``compiled`` before the package is imported.  If it
+is not set, the compiled version runs if there is one.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ DIGEST = "DIGEST_OF_THE_SOURCE"
 def backend() -> Literal["numpy", "compiled"]:
     """Return which version of the functions was chosen when the package was imported.
 
-    Object and complex numbers, arrays of other libraries than NumPy, and the functions that need a sine, cosine or
-    arctangent take the NumPy source in both cases.
+    Some calls run the NumPy source in both cases: those with object or complex numbers, those with arrays of other
+    libraries, and those of functions that need a sine, cosine or arctangent.
     """
     return "numpy" if _COMPILED is None else "compiled"
 

@@ -1,4 +1,4 @@
-"""The factors that must not vanish, where the formula of a function holds."""
+"""The factors that must not be zero where the formula of a function is to hold."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["hypotheses"]
 
 
 def hypotheses(function: Callable[..., Any]) -> Callable[..., dict[str, Any]]:
-    """Return what gives the values of the factors that must not vanish, by name.
+    """Return a function that computes the factors that must not be zero.
 
     Parameters
     ----------
@@ -21,8 +21,8 @@ def hypotheses(function: Callable[..., Any]) -> Callable[..., dict[str, Any]]:
     Returns
     -------
     callable
-        It takes the arguments of the function, and returns a dictionary from each factor, as the docstring of the
-        function names it, to its values: one for each point of the batch.
+        It takes the arguments of the function.  It returns a dictionary: the keys are the factors, as the docstring
+        of the function writes them, and the values are arrays with one number for each point.
 
     Raises
     ------

@@ -1,6 +1,6 @@
 """Generated functions with twice the digits, and with bounds of their errors.
 
-Both run the body of a function, the one source of its formula, on numbers of another kind.
+Both run the source of a function on another kind of number.
 """
 
 from __future__ import annotations
@@ -29,10 +29,8 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
     Returns
     -------
     callable
-        It takes the arguments of the function, arrays or `DoubleDouble` numbers, and returns `DoubleDouble` numbers
-        ``hi + lo``: about 31 digits for float64, where that many are not lost to cancellation.  Functions of one
-        signature for one precision would be as many again; a function of functions is one name, and follows the
-        source that is proved.
+        It takes the arguments of the function, as arrays or `DoubleDouble` numbers.  It returns `DoubleDouble`
+        numbers ``hi + lo``.  For float64 these have about 31 digits, less those that cancellation takes.
 
     Raises
     ------
@@ -70,7 +68,7 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a generated function that gives, beside each value, a guaranteed bound of its absolute error.
+    """Return a generated function that also returns a guaranteed bound of the absolute error.
 
     Parameters
     ----------
@@ -80,9 +78,9 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
     Returns
     -------
     callable
-        It takes the arguments of the function, and returns the pair (value, bound), or one for each result.  The value
-        is what the function returns.  The arguments are taken for exact.  A bound is infinite where nothing can be
-        said.
+        It takes the arguments of the function and returns a pair (value, bound) for each result.  The value is what
+        the function returns.  The bound assumes that the arguments are exact.  It is infinite where no bound is
+        known.
 
     Raises
     ------

@@ -12,12 +12,12 @@ from algebroproj_sym.declaring import Part, as_declared, bibtex, quotations
 from algebroproj_sym.reporting.site.addresses import claim_record_file, errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
-    RELATIONS,
     comparison,
     conditions,
     forms_of,
     marks_of,
     reference_text,
+    relation,
     where,
 )
 from algebroproj_sym.reporting.site.evidence import evidence
@@ -41,7 +41,7 @@ def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: M
         entry=entry,
         claim=claim,
         paper=paper,
-        relation=RELATIONS[claim.kind],
+        relation=relation(claim),
         comparison=forms,
         conditions=conditions(entry.judgement),
         where=meanings,

@@ -13,7 +13,7 @@ from markupsafe import Markup
 
 from algebroproj_sym.declaring import Claim, Judgement, Part, arranged, as_declared, differing_entries, in_names
 from algebroproj_sym.declaring.latex import NOTHING, WHOLE, Marks, latex
-from algebroproj_sym.expressions import evaluate, size
+from algebroproj_sym.expressions import assumption, evaluate, size
 from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.formulas import (
@@ -31,7 +31,7 @@ from algebroproj_sym.reporting.site.formulas import (
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
 
-RELATIONS = {
+_RELATIONS = {
     "identity": "Both sides are equal wherever they are defined.",
     "identity up to scale": "Both sides are equal but for a common factor.",
     "identity under constraints": "Both sides are equal wherever the constraints hold.",
@@ -40,9 +40,12 @@ RELATIONS = {
     "rank": "The rank that the matrix has in general.",
     "count": "How many of the functions are independent.",
     "limit": "The limit of the expression.",
-    "numeric": "The printed number is the exact one, rounded to its last digit.",
     "reference": "Where the reference points.",
     "definition": "It introduces a notation.",
+}
+_ROUNDINGS = {
+    "nearest": "The printed number is the nearest to the exact one with as many decimals.",
+    "cut": "The printed number is the exact one, with its further digits cut off.",
 }
 _DERIVED = {
     "identity up to scale": "Derived, but for a factor",
@@ -101,6 +104,11 @@ def comparison(judgement: Judgement) -> Comparison:
         if part == "printed" or (forms[part] is not None and (part, claim.kind) != ("corrected", "reference"))
     ]
     return Comparison(tuple(sides), _table(judgement, forms))
+
+
+def relation(claim: Claim) -> str:
+    """Return how the printed form is compared with the derived one."""
+    return _ROUNDINGS[claim.rounding] if claim.kind == "numeric" else _RELATIONS[claim.kind]
 
 
 def forms_of(claim: Claim) -> Mapping[Part, Any]:
@@ -191,6 +199,7 @@ def conditions(judgement: Judgement) -> Markup:
     claim = judgement.claim
     given = [_condition(constraint, "=") for constraint in claim.constraints]
     given += [_condition(factor, "≠") for factor in dict.fromkeys((*claim.nonzero, *judgement.hypotheses))]
+    given += [Markup("{}").format(assumption(symbol)) for symbol in claim.assumed]
     if not given:
         return Markup()
     more = [Markup("and {} more conditions").format(len(given) - MOST)] if len(given) > MOST else []

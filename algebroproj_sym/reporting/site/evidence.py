@@ -22,8 +22,7 @@ METHODS = {
     "normal form": "Both sides have the same normal form in the field of rational functions over Q.",
     "ideal membership": "The numerator of the difference, times a power of the multiplier, is a combination of the "
     "constraints: the cofactors are below, and multiplied out they give it.",
-    "exact rounding": "The exact number was compared with the printed digits.",
-    "rounding of inputs": "The printed inputs miss the last digits; inputs that agree with them give the number.",
+    "exact rounding": "The exact number, rounded as declared, was compared with the printed one.",
     "rank at a point and kernel vectors": "From below by the exact rank at a rational point, from above by vectors "
     "that are taken to zero.",
     "factorisation": "The irreducible factors of the numerator were compared with the printed ones.",
@@ -33,10 +32,6 @@ METHODS = {
     "leading coefficients": "The limit is the quotient of the coefficients of the lowest powers.",
     "kernel vectors": "Vectors that are taken to zero bound the rank from above.",
     "divergence": "The expression has a pole there.",
-}
-_LABELS = {
-    "units of the last digit": "difference in units of the last digit",
-    "with unrounded inputs": "the same with unrounded inputs",
 }
 _SHOWN_ELSEWHERE = ("method", "reason", "refutation", "entries", "left", "right", "witness", "point", "instance")
 _WITH_VALUES = ("identity", "identity under constraints", "identity up to scale")
@@ -175,9 +170,7 @@ def _rest(certificate: Mapping[str, Any], judgement: Judgement) -> Mapping[str, 
 def _data(caption: str, record: Mapping[str, Any]) -> list[Table]:
     if not record:
         return []
-    return [
-        Table(caption, ("what", "value"), [(_LABELS.get(key, key), _readable(value)) for key, value in record.items()])
-    ]
+    return [Table(caption, ("what", "value"), [(key, _readable(value)) for key, value in record.items()])]
 
 
 def _readable(value: Any) -> Markup | str:

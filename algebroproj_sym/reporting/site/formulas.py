@@ -15,7 +15,7 @@ from algebroproj_sym.declaring import Claim, Named, Statement, latex_of_name, na
 from algebroproj_sym.declaring.latex import MARK, NOTHING, WHOLE, Marks, latex
 from algebroproj_sym.declaring.names import letter, parts
 from algebroproj_sym.declaring.naming import Meaning
-from algebroproj_sym.expressions import entries, size
+from algebroproj_sym.expressions import decimals, entries, leading, size
 from algebroproj_sym.reporting.site.addresses import claim_record_file
 from algebroproj_sym.reporting.site.mathml import math
 
@@ -176,30 +176,15 @@ def digits_that_differ(left: Decimal, right: Decimal) -> tuple[Marks, Marks]:
     return marks, marks
 
 
-def rounded(exact: Fraction, digits: int) -> str:
-    """Return a fraction as a decimal number with so many digits after the point, rounded half to even.
-
-    Examples
-    --------
-    >>> rounded(Fraction(2, 3), 4), rounded(Fraction(-1, 2), 0), rounded(Fraction(-1, 8), 2)
-    ('0.6667', '0', '-0.12')
-    """
-    scaled = round(exact * 10**digits)
-    text = f"{abs(scaled):0{digits + 1}d}"
-    sign = "-" if scaled < 0 else ""
-    return f"{sign}{text[: len(text) - digits]}.{text[len(text) - digits :]}" if digits else f"{sign}{text}"
-
-
 def derived_number(claim: Claim, exact: sympy.Rational) -> Form:
     """Return the exact number that belongs to a printed one, with three digits more than printed."""
     printed = next(form for form in (claim.printed, claim.corrected, Decimal(0)) if isinstance(form, Decimal))
-    digits = max(0, -int(printed.as_tuple().exponent))
-    decimal = rounded(Fraction(int(exact.p), int(exact.q)), digits + 3)
+    decimal = leading(Fraction(int(exact.p), int(exact.q)), decimals(printed) + 3)
     if len(str(exact)) <= LONGEST_FRACTION:
         shown = math(latex(exact))
         return Form(Markup('<p class="number">{}{}</p>').format(decimal, _exactly(shown) if exact.q != 1 else ""))
     return Form(
-        Markup('<p class="number">{}…</p><p>An exact fraction of {} digits.</p>').format(decimal, len(str(exact))),
+        Markup('<p class="number">{}</p><p>An exact fraction of {} digits.</p>').format(decimal, len(str(exact))),
         False,
     )
 

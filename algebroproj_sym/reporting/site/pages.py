@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from algebroproj_sym.declaring import VERDICTS
+from algebroproj_sym.declaring import VERDICTS, quotes_of
 from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.site.addresses import LEDGER, SEARCH, START
 from algebroproj_sym.reporting.site.catalogue import Catalogue
@@ -24,7 +24,8 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
     catalogue : Catalogue
         What the site is about.
     """
-    record = ledger([entry.judgement for entry in catalogue.entries], timed=False)
+    quotes = quotes_of(entry.derivation for entry in catalogue.entries)
+    record = ledger([entry.judgement for entry in catalogue.entries], quotes, timed=False)
     files = {
         START: page(
             "start",

@@ -38,7 +38,7 @@ class Configuration:
     y0_left, y0_right : ndarray, shape (..., 3)
         The centers of projection.
     u3_left, u3_right : ndarray, shape (..., 2)
-        The images of the fourth basic point, which may be chosen: the orientations of the image planes.
+        The images of the fourth basic point.  You may choose them: they set the orientation of the image planes.
 
     Raises
     ------
@@ -146,12 +146,12 @@ class NormalCase(NamedTuple):
 
 
 def images(arithmetic: Arithmetic, configuration: Configuration) -> Images:
-    """Project the object into both images, in the arithmetic itself: by (1.3.7) and (1.3.1).
+    """Project the object into both images by (1.3.7) and (1.3.1).
 
     Parameters
     ----------
     arithmetic : Arithmetic
-        Rounding the images to fewer digits costs as many digits of what follows as computing with fewer.
+        The images are computed and rounded in this arithmetic.
     configuration : Configuration
         Points and centers.
 
@@ -191,11 +191,11 @@ def from_images(arithmetic: Arithmetic, both: Images, y_a: ArrayLike = AXIS_POIN
     Parameters
     ----------
     arithmetic : Arithmetic
-        That of the image points.
+        The arithmetic of the image points.
     both : Images
         At least five points beside the three basic ones; the fourth basic point is the first.
     y_a : array_like, shape (..., 3)
-        The point assumed on the epipolar axis; it may not lie on the planes yA3 = 0 and yA0 = 1 - yA1 - yA2 - yA3 = 0.
+        The point assumed on the epipolar axis.  It must not lie on the planes yA3 = 0 and yA1 + yA2 + yA3 = 1.
 
     Returns
     -------
@@ -256,11 +256,11 @@ def normal(
     Parameters
     ----------
     arithmetic : Arithmetic
-        That of the image points.
+        The arithmetic of the image points.
     both : Images
         The image points.
     chain : Chain
-        What was computed from them.
+        The result of `from_images`.
     transformation : {"centers", "correlation"}
         The first transformation keeps the centers of the relative orientation (section 3.2), the second one comes from
         the correlation matrix alone (section 3.3).

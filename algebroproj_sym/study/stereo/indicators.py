@@ -102,11 +102,11 @@ def indicators(configuration: Configuration) -> Indicators:
 
 
 def diagnosis(both: Images, tolerance: float = 1e-6) -> NDArray[np.str_]:
-    """Tell a critical configuration from a fault of normalisation, by the images alone.
+    """Tell a critical configuration from a division by zero, from the images alone.
 
-    Where the element z10 of the matrix of correlation vanishes, which is chosen to be 1, the five equations are
-    singular although the correlation is determined: the eight homogeneous equations keep their rank.  It vanishes where
-    both centers and the basic points G0, G1 are in a plane; another numbering of the points helps.
+    The matrix of correlation is divided by its element z10.  If z10 is zero, the five equations are singular, but the
+    eight homogeneous equations keep their rank and determine the correlation.  This happens if both centers and the
+    basic points G0 and G1 are in one plane.  Another numbering of the points helps.
 
     Parameters
     ----------

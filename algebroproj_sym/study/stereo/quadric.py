@@ -179,7 +179,7 @@ def critical_quadric(points: ArrayLike, centers: ArrayLike) -> Exact:
     if len(found) != 1:
         raise ValueError(
             f"points: expected nine conditions on a quadric, of seven points and two centers, got "
-            f"{len(MONOMIALS) - len(found)}; every place of a further point is critical"
+            f"{len(MONOMIALS) - len(found)}; any further point is critical"
         )
     return found[0]
 

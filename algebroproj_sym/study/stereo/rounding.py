@@ -45,21 +45,21 @@ _MATRIX = np.array(
 
 
 def bound_of_correlation(left: Array, right: Array, off_left: Array, off_right: Array) -> tuple[Array, Array]:
-    """Bound the error of the matrix of correlation for images that differ from the given ones by so much at most.
+    """Bound the error of the matrix of correlation for images with bounded errors.
 
     Parameters
     ----------
     left, right : ndarray, shape (..., 5, 2)
         Image points in affine coordinates.
     off_left, off_right : ndarray, shape (..., 5, 2)
-        What each coordinate is off at most.
+        Bounds of the errors of the coordinates.
 
     Returns
     -------
     Z : ndarray, shape (..., 3, 3)
         The matrix for the given images, as `correlation.correlation_matrix` computes it.
     bound : ndarray, shape (..., 3, 3)
-        Of its distance from the exact matrix of any images within the bounds; infinite where there may be none.
+        Bounds of the errors of its entries, for all images within the bounds.  Infinite where no bound is known.
 
     Examples
     --------
@@ -79,11 +79,10 @@ def bound_of_correlation(left: Array, right: Array, off_left: Array, off_right: 
 
 
 def bound_of_epipoles(left: Array, right: Array, off_left: Array, off_right: Array) -> tuple[Array, Array]:
-    """Bound by what angles the epipoles, as directions (1, u1, u2), are wrong for images within given bounds.
+    """Bound the errors of the epipoles, as angles between directions (1, u1, u2), for images with bounded errors.
 
-    An epipole is the cross product of two columns, or rows, of the matrix of correlation: a quadratic function of the
-    solution, whose change is linear but for the product of changes, and depends on the residuals of the five equations
-    as one linear function, so that it is not forgotten how the errors of the elements depend on each other.
+    An epipole is the cross product of two columns or rows of the matrix of correlation.  Its error is bounded from the
+    residuals of the five equations, because the errors of the elements depend on each other.
 
     Parameters
     ----------

@@ -1,0 +1,237 @@
+"""How large an expression may be, as text and in SymPy: bounds that are found before anything is computed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import comb
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions.quotient import over
+
+MAX_CHARACTERS = 200_000
+MAX_TOKENS = 20_000
+MAX_NESTING = 48
+MAX_DIGITS = 1_000
+MAX_NAMES = 400
+MAX_NAME_LENGTH = 100
+MAX_EXPONENT = 1_000
+MAX_DEGREE = 5_000
+MAX_TERMS = 300_000
+MAX_BITS = 14_000
+"""Python does not write integers of more than 4300 digits, which is a little more."""
+
+MAX_LEVELS = 4 * MAX_NESTING
+"""Levels of a SymPy expression: one of text is a sum of products of powers in brackets."""
+
+
+class TooLargeError(ValueError):
+    """An expression is larger than it may be."""
+
+
+@dataclass(frozen=True)
+class Size:
+    """Bounds on an expanded polynomial: total degree, number of terms, bits of a coefficient."""
+
+    degree: int
+    terms: int
+    bits: int
+
+    def plus(self, other: Size) -> Size:
+        """Return the size of a sum."""
+        return Size(max(self.degree, other.degree), self.terms + other.terms, max(self.bits, other.bits) + 1)
+
+    def times(self, other: Size, names: int) -> Size:
+        """Return the size of a product in so many variables."""
+        degree = self.degree + other.degree
+        bits = self.bits + other.bits + min(self.terms, other.terms).bit_length() - 1
+        return Size(degree, min(self.terms * other.terms, _dense(degree, names)), bits)
+
+    def power(self, exponent: int, names: int) -> Size:
+        """Return the size of a power in so many variables."""
+        degree, last = self.degree * exponent, self.terms - 1
+        terms = 1 if last <= 0 else min(_binomial(last + exponent, exponent), _dense(degree, names))
+        return Size(degree, terms, (self.bits + self.terms.bit_length() - 1) * exponent)
+
+
+ONE = Size(0, 1, 1)
+VARIABLE = Size(1, 1, 1)
+
+
+@dataclass(frozen=True)
+class Extent:
+    """Bounds on what an expression becomes when it is multiplied out as one fraction.
+
+    Attributes
+    ----------
+    above, below : Size
+        Of numerator and denominator.
+    divided : bool
+        Whether it keeps a division, so that nothing in it is multiplied out by SymPy.
+    """
+
+    above: Size
+    below: Size = ONE
+    divided: bool = False
+
+    def excess(self, times: int = 1) -> tuple[str, str] | None:
+        """Return what was expected, and what came, if this is more than there may be."""
+        degree, bits = max(self.above.degree, self.below.degree), max(self.above.bits, self.below.bits)
+        if degree > MAX_DEGREE:
+            return f"a degree of at most {MAX_DEGREE} when multiplied out", f"up to {degree}"
+        if bits > times * MAX_BITS:
+            return f"coefficients of at most {times * MAX_BITS} bits", f"up to {bits}"
+        if not self.divided and self.above.terms > times * MAX_TERMS:
+            return f"at most {times * MAX_TERMS} terms when multiplied out", f"up to {self.above.terms}"
+        return None
+
+
+def number(value: sympy.Rational) -> Extent:
+    """Return the extent of a number."""
+    return Extent(Size(0, 1, max(int(value.p).bit_length(), int(value.q).bit_length(), 1)))
+
+
+def total(parts: Sequence[Extent], names: int) -> Extent:
+    """Return the extent of a sum in so many variables."""
+    above, below = parts[0].above, parts[0].below
+    for part in parts[1:]:
+        if part.below != ONE or below != ONE:
+            above = above.times(part.below, names).plus(part.above.times(below, names))
+            below = below.times(part.below, names)
+        else:
+            above = above.plus(part.above)
+    return Extent(above, below, any(part.divided for part in parts))
+
+
+def product(parts: Sequence[Extent], names: int) -> Extent:
+    """Return the extent of a product in so many variables."""
+    above, below = ONE, ONE
+    for part in parts:
+        above, below = above.times(part.above, names), below.times(part.below, names)
+    return Extent(above, below, any(part.divided for part in parts))
+
+
+def quotient(top: Extent, bottom: Extent, names: int) -> Extent:
+    """Return the extent of a quotient in so many variables."""
+    return Extent(top.above.times(bottom.below, names), top.below.times(bottom.above, names), True)
+
+
+def power(base: Extent, exponent: int, names: int) -> Extent:
+    """Return the extent of a power, with an exponent that is not negative, in so many variables."""
+    return Extent(base.above.power(exponent, names), base.below.power(exponent, names), base.divided)
+
+
+def require_bounded(value: Any, argument: str, times: int = 1) -> None:
+    """Refuse an expression or exact number that is larger than a text may be; what is neither is left to others.
+
+    Parameters
+    ----------
+    value : sympy.Expr, sympy matrix, int or fractions.Fraction
+        What may be too large; each part that it shares is looked at once.
+    argument : str
+        What to call it in an error message.
+    times : int
+        How many times as many terms, bits, symbols and numbers as in a text there may be.
+
+    Raises
+    ------
+    TooLargeError
+        Naming the argument, what was expected and what came.
+
+    Examples
+    --------
+    >>> require_bounded(sympy.Symbol("x") ** (10**9), "lhs")
+    Traceback (most recent call last):
+    ...
+    algebroproj_sym.expressions.bounds.TooLargeError: lhs: expected an exponent of at most 1000, got 1000000000
+    """
+    if isinstance(value, int | Fraction):
+        value = sympy.Rational(value.numerator, value.denominator)
+    roots = list(value.flat()) if isinstance(value, sympy.MatrixBase) else [value]
+    if all(isinstance(root, sympy.Basic) for root in roots):
+        _Walk(argument, times).enter(roots)
+
+
+class _Walk:
+    """Looks at each part of an expression after its own parts, without recursion."""
+
+    def __init__(self, argument: str, times: int) -> None:
+        self._argument = argument
+        self._times = times
+        self._found: dict[Any, tuple[Extent, int, int]] = {}
+        self._names = 0
+
+    def enter(self, roots: Sequence[Any]) -> None:
+        symbols = _symbols(roots)
+        self._names = len(symbols)
+        self._require(self._names <= MAX_NAMES, f"at most {MAX_NAMES} names", str(self._names))
+        for root in roots:
+            waiting = [root]
+            while waiting:
+                node = waiting[-1]
+                missing = [part for part in node.args if part not in self._found]
+                if missing:
+                    waiting += missing
+                else:
+                    self._found[waiting.pop()] = self._measured(node)
+        leaves = sum(self._found[root][2] for root in roots)
+        most = self._times * MAX_TOKENS
+        self._require(leaves <= most, f"at most {most} symbols and numbers", str(leaves))
+
+    def _measured(self, node: Any) -> tuple[Extent, int, int]:
+        """Return the extent of a node whose parts are known, its levels, and its leaves."""
+        parts = [self._found[part] for part in node.args]
+        extents = [part[0] for part in parts]
+        levels = 1 + max((part[1] for part in parts), default=0)
+        leaves = sum(part[2] for part in parts) or 1
+        self._require(levels <= MAX_LEVELS, f"at most {MAX_LEVELS} levels of nesting", "more")
+        extent = self._extent(node, extents)
+        excess = extent.excess(self._times)
+        self._require(excess is None, *(excess or ("", "")))
+        return extent, levels, leaves
+
+    def _extent(self, node: Any, parts: Sequence[Extent]) -> Extent:
+        if isinstance(node, sympy.Rational):
+            digits = max(int(node.p).bit_length(), int(node.q).bit_length()) * 0.30103
+            self._require(digits < MAX_DIGITS, f"at most {MAX_DIGITS} digits", f"{digits:.0f}")
+            return number(node)
+        if isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Integer):
+            exponent = int(node.exp)
+            self._require(abs(exponent) <= MAX_EXPONENT, f"an exponent of at most {MAX_EXPONENT}", str(exponent)[:40])
+            raised = power(parts[0], abs(exponent), self._names)
+            return raised if exponent >= 0 else quotient(Extent(ONE), raised, self._names)
+        if isinstance(node, over):
+            return quotient(parts[0], parts[1], self._names)
+        if isinstance(node, sympy.Add):
+            return total(parts, self._names)
+        if isinstance(node, sympy.Mul):
+            return product(parts, self._names)
+        return Extent(VARIABLE)
+
+    def _require(self, condition: bool, expected: str, got: str) -> None:
+        if not condition:
+            raise TooLargeError(f"{self._argument}: expected {expected}, got {got}")
+
+
+def _symbols(roots: Sequence[Any]) -> set[Any]:
+    seen: set[Any] = set()
+    waiting = list(roots)
+    while waiting:
+        node = waiting.pop()
+        if node not in seen:
+            seen.add(node)
+            waiting += node.args
+    return {node for node in seen if isinstance(node, sympy.Symbol)}
+
+
+def _binomial(n: int, k: int) -> int:
+    """Return C(n, k), or something beyond every limit without computing it."""
+    smaller = min(k, n - k)
+    return comb(n, smaller) if smaller * n.bit_length() < 4096 else MAX_TERMS + 1
+
+
+def _dense(degree: int, names: int) -> int:
+    return _binomial(degree + names, names)

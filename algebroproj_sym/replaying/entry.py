@@ -1,0 +1,70 @@
+"""What an entry of the ledger consists of: nothing is missing, nothing is beside it, and the declaration is bound."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from hashlib import sha256
+from typing import Any
+
+from algebroproj_sym.replaying.rejection import require
+
+DECLARED = (
+    "paper", "number", "section", "title", "kind", "expected", "printed", "derived", "corrected", "where", "setting",
+    "instead", "note", "quote",
+)  # fmt: skip
+FOUND = ("declaration", "verdict", "hypotheses", "counterexample", "certificate", "engine")
+VERDICTS = ("proved", "misprint", "false", "illegible", "definition", "open")
+_CONSTRAINED = {"constraints", "nonzero"}
+SETTINGS: Mapping[str, set[str]] = {
+    "identity": {"nonzero"},
+    "identity under constraints": _CONSTRAINED,
+    "identity up to scale": _CONSTRAINED,
+    "structure": set(),
+    "vanishing": {"nonzero"},
+    "rank": set(),
+    "count": {"variables"},
+    "limit": {"variable"},
+    "numeric": {"rounding"},
+    "reference": set(),
+    "definition": set(),
+}
+"""What an entry of each kind may say beside its forms."""
+
+_PAPER = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+_NUMBER = re.compile(r"(table:)?\d+[a-z]?(\.\d+)*(/[^\s/#]+)*(#[^\s/#]+)?", re.ASCII)
+
+
+def declaration_digest(record: Mapping[str, Any]) -> str:
+    """Return the digest of what is declared: of the quote, the forms, and all else that is not found.
+
+    Examples
+    --------
+    >>> entry = dict.fromkeys(DECLARED, "")
+    >>> declaration_digest(entry) == declaration_digest({**entry, "printed": "x"})
+    False
+    """
+    declared = json.dumps({key: record[key] for key in DECLARED}, sort_keys=True, separators=(",", ":"))
+    return sha256(declared.encode()).hexdigest()
+
+
+def require_entry(record: Mapping[str, Any]) -> None:
+    """Reject an entry with a field that is missing, unknown, or of another form than the ledger has it."""
+    fields = {*DECLARED, *FOUND}
+    require(record.keys() - {"seconds"} == fields, f"expected the fields {sorted(fields)}, got {sorted(record)}")
+    require(record["kind"] in SETTINGS, f"there is no kind {record['kind']!r}")
+    require(record["verdict"] in VERDICTS, f"there is no verdict {record['verdict']!r}")
+    require(record["expected"] == record["verdict"], f"the declared verdict is {record['expected']!r}")
+    for key in ("paper", "number", "section", "title", "note"):
+        text = record[key]
+        require(isinstance(text, str) and text.isprintable(), f"{key}: expected a printable text, got {text!r}")
+    require(_PAPER.fullmatch(record["paper"]) is not None, f"paper: expected a key, got {record['paper']!r}")
+    number = record["number"]
+    require(number.isascii() and _NUMBER.fullmatch(number) is not None, f"number: expected a number, got {number!r}")
+    setting = record["setting"]
+    require(setting.keys() <= SETTINGS[record["kind"]], f"setting: unknown entries in {sorted(setting)}")
+    require(record["engine"] in ("flint", "sympy"), f"there is no engine {record['engine']!r}")
+    seconds = record.get("seconds", 0)
+    require(isinstance(seconds, int | float) and 0 <= seconds < float("inf"), "seconds: expected a number of seconds")
+    require(record["declaration"] == declaration_digest(record), "the digest is not that of the declaration")

@@ -1,0 +1,124 @@
+"""How the pages become a site: Sphinx reads them as Markdown and the reference from docstrings.
+
+    python -m sphinx docs docs_site
+
+The site opens from disk, search included, and needs no network.  Its colours are those of the site of the claims.
+"""
+
+import html
+import json
+import re
+import sys
+from importlib.metadata import version as version_of
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "generated")]
+
+project = "algebroproj-sym"
+author = "the authors of algebroproj-sym"
+project_copyright = f"{author}, MIT license"
+version = release = version_of(project)
+
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx_click"]
+exclude_patterns = ["figures", "images"]
+nitpicky = False
+
+myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
+myst_heading_anchors = 3
+default_role = "code"
+
+autodoc_default_options = {"members": True, "member-order": "bysource"}
+autodoc_typehints = "signature"
+autodoc_typehints_format = "short"
+autodoc_preserve_defaults = True
+napoleon_google_docstring = False
+napoleon_use_ivar = True
+napoleon_use_rtype = False
+python_use_unqualified_type_names = True
+maximum_signature_line_length = 90
+
+html_theme = "furo"
+html_title = "algebroproj-sym"
+html_math_renderer = "mathml"
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sphinx = False
+
+STYLE = (ROOT / "algebroproj_sym" / "reporting" / "site" / "templates" / "style.css").read_text(encoding="utf-8")
+LIGHT, DARK = (
+    dict(re.findall(r"--([\w-]+): (#\w+);", part)) for part in STYLE.split("@media (prefers-color-scheme: dark)")[:2]
+)
+ROLES = {
+    "color-foreground-primary": "text",
+    "color-foreground-secondary": "quiet",
+    "color-foreground-muted": "quiet",
+    "color-background-primary": "page",
+    "color-background-secondary": "raised",
+    "color-background-border": "line",
+    "color-brand-primary": "link",
+    "color-brand-content": "link",
+    "color-brand-visited": "link",
+    "color-link": "link",
+    "color-inline-code-background": "raised",
+}
+FONTS = {"font-stack": "system-ui, sans-serif", "font-stack--monospace": "ui-monospace, monospace"}
+html_theme_options = {
+    "light_css_variables": {role: LIGHT[colour] for role, colour in ROLES.items()} | FONTS,
+    "dark_css_variables": {role: DARK[colour] for role, colour in ROLES.items()} | FONTS,
+    "navigation_with_keys": True,
+}
+
+
+def _formula(self, node, block):
+    """Write a formula as MathML, which a browser shows without a script."""
+    from docutils.nodes import SkipNode
+
+    from algebroproj_sym.reporting.site.markdown import latex_html
+
+    self.body.append(str(latex_html(html.unescape(node.astext()).strip(), block=block)))
+    raise SkipNode
+
+
+def _figures():
+    """Return the table of errors, from what ``algebroproj verify --out generated`` has written."""
+    functions = json.loads((ROOT / "generated" / "accuracy.json").read_text(encoding="utf-8"))["functions"]
+    keys, heads = ("median_ulp", "thousandth_ulp", "max_ulp"), ("median", "99.9 %", "largest")
+    columns = ["function", "stratum", "samples", *heads, *(f"plain: {head}" for head in heads)]
+    lines = [f"| {' | '.join(columns)} |", f"|---|---|{'--:|' * (len(columns) - 2)}"]
+    for function in functions:
+        plain = function["plain"]
+        pairs = [
+            ({**function["all"], "name": "all"}, plain["all"]),
+            *zip(function["strata"], plain["strata"], strict=True),
+        ]
+        for place, (figures, without) in enumerate(pairs):
+            name = figures["name"] if len(figures["name"]) <= 60 else f"{figures['name'][:57]}..."
+            values = " | ".join(f"{each[key]:.3g}" for each in (figures, without) for key in keys)
+            first = "" if place else f"`{function['function']}`"
+            lines.append(f"| {first} | {name.replace('*', '·')} | {figures['samples']} | {values} |")
+    return "\n".join(lines)
+
+
+def _site_css(app, error):
+    """Write what pages and site share besides colours: how formulas look, and how large headings are."""
+    rules = re.findall(r"^(?:@font-face|m(?:ath|[a-z]+)\b|h[123]\b)[^{}\n]*\{[^}]*\}", STYLE, re.MULTILINE)
+    if not error:
+        (Path(app.outdir) / "_static" / "site.css").write_text("\n".join(rules), encoding="utf-8")
+
+
+def _stars(app, what, name, subject, options, lines):
+    """Keep the star of a shape such as (..., *core), which is no markup."""
+    lines[:] = [re.sub(r"(?<=[ (])\*(?=core)", r"\\*", line) for line in lines]
+
+
+def setup(app):
+    """Register the formulas, their style and the table of errors."""
+    app.connect("autodoc-process-docstring", _stars, priority=400)
+    app.connect("build-finished", _site_css)
+    app.add_html_math_renderer(
+        "mathml",
+        (lambda self, node: _formula(self, node, False), None),
+        (lambda self, node: _formula(self, node, True), None),
+    )
+    app.connect("source-read", lambda app, name, source: source.append(source.pop().replace("[figures]", _figures())))

@@ -86,6 +86,7 @@ OTHERS = {
     **{"kind": "limit", "expected": "false", "printed": over(x**2, 1), "derived": x**2, "corrected": x},
     **{"where": {x: y}, "constraints": (x,), "nonzero": (x,), "witness": {x: 1}, "variable": x, "variables": (x,)},
     **{"kernel": (vector(x, y),), "rounding": "cut"},
+    **{"assumed": (sympy.Symbol("x", positive=True),)},
 }
 
 

@@ -81,6 +81,117 @@ def test_a_polynomial_without_a_root_proves_no_witness(records):
     assert replay_identity(changed).status == "rejected"
 
 
+# Squares within cases: what was forged is rejected, whatever it would prove.
+
+QUADRATIC = "x**2 + x*y + y**2"
+CUBES = {
+    "file": "mine.json",
+    "name": "equal cubes",
+    "lhs": "x",
+    "rhs": "y",
+    "constraints": ["x^3 = y^3"],
+    "nonzero": [],
+    "verdict": "proved",
+    "hypotheses": [],
+    "counterexample": None,
+    "certificate": {
+        "method": "case distinction",
+        "denominators": [],
+        "claims": ["x - y"],
+        "generators": ["x**3 - y**3"],
+        "units": [],
+        "entries": [
+            {
+                "cases": [
+                    {
+                        "assumed": {"not zero": QUADRATIC},
+                        "exponent": 1,
+                        "multiplier": QUADRATIC,
+                        "cofactors": {"0": "1"},
+                    },
+                    {
+                        "assumed": {"zero": QUADRATIC},
+                        "steps": [
+                            {"squares": [["1", "2*x + y"], ["3", "y"]], "multiplier": "1", "cofactors": {"1": "4"}}
+                        ],
+                        "exponent": 1,
+                        "multiplier": "2",
+                        "cofactors": {"2": "1", "3": "-3"},
+                    },
+                ]
+            }
+        ],
+        "witness": {"x": "1", "y": "1"},
+    },
+}
+
+
+def squares_of_a_case(record):
+    """Return the case in which the quadratic factor vanishes, and its sum of squares."""
+    (entry,) = record["certificate"]["entries"]
+    return entry, entry["cases"][1], entry["cases"][1]["steps"][0]
+
+
+def test_squares_within_a_case_are_replayed():
+    assert replay_identity(CUBES).status == "replayed"
+
+
+def test_equal_ninth_powers_are_proved_by_squares_within_a_case():
+    record = record_of("x", "y", ["x^9 = y^9"], [])
+    assert record["certificate"]["method"] == "case distinction"
+    assert "squares" in json.dumps(record["certificate"]["entries"])
+    assert replay_identity(record).status == "replayed"
+
+
+FORGED = {
+    "a negative weight": lambda entry, case, step: step["squares"][0].__setitem__(0, "-1"),
+    "a weight of zero": lambda entry, case, step: step["squares"].append(["0", "x - 5"]),
+    "a weight that is no number": lambda entry, case, step: step["squares"][0].__setitem__(0, "x"),
+    "a square that is left out": lambda entry, case, step: step["squares"].pop(),
+    "another root": lambda entry, case, step: step["squares"][0].__setitem__(1, "x - y"),
+    "a root that is divided": lambda entry, case, step: step["squares"][0].__setitem__(1, "(x - y)/(x - y)"),
+    "a root of another symbol": lambda entry, case, step: step["squares"][0].__setitem__(1, "z"),
+    "a multiplier that may vanish": lambda entry, case, step: step.__setitem__("multiplier", "x"),
+    "the multiplier zero": lambda entry, case, step: step.update(multiplier="0", cofactors={}),
+    "a cofactor of what is not yet zero": lambda entry, case, step: step.update(cofactors={"2": "1"}),
+    "no cofactors": lambda entry, case, step: step.update(cofactors={}),
+    "squares before the case is assumed": lambda entry, case, step: entry.setdefault("steps", []).append(step),
+    "squares of the other case": lambda entry, case, step: [
+        part.setdefault("steps", []).insert(0, step) for part in entry["cases"] if part is not case
+    ],
+    "a sum that is not zero": lambda entry, case, step: step["squares"].append(["1", "1"]),
+}
+
+
+@pytest.mark.parametrize("forge", FORGED.values(), ids=FORGED)
+def test_forged_squares_within_a_case_are_rejected(forge):
+    changed = copy.deepcopy(CUBES)
+    forge(*squares_of_a_case(changed))
+    assert replay_identity(changed).status == "rejected"
+
+
+@pytest.mark.parametrize(("lhs", "constraint"), [("x", "x^3 = -y^3"), ("2*x", "x^3 = y^3"), ("x", "x^2 = y^2")])
+def test_squares_within_a_case_prove_no_other_statement(lhs, constraint):
+    changed = copy.deepcopy(CUBES)
+    changed.update(lhs=lhs, constraints=[constraint])
+    assert replay_identity(changed).status == "rejected"
+    claim, generator = f"{lhs} - y", constraint.replace("^", "**").replace(" = ", " - (") + ")"
+    changed["certificate"].update(claims=[claim], generators=[generator])
+    assert replay_identity(changed).status == "rejected"
+
+
+def test_a_difference_of_squares_is_no_sum():
+    """With a weight of minus one, x**2 = y**2 would give x = 0."""
+    record = record_of("x", "0", ["x^2 + y^2"], [])
+    assert replay_identity(record).status == "replayed"
+    record.update(constraints=["x^2 - y^2"])
+    record["certificate"]["generators"] = ["x**2 - y**2"]
+    (step,) = (step for step in record["certificate"]["steps"] if "squares" in step)
+    for pair in step["squares"]:
+        pair[0] = "-1" if pair[1] == "y" else "1"
+    assert replay_identity(record).status == "rejected"
+
+
 # Tampering: a change of one number, sign, operation or symbol.
 
 

@@ -13,7 +13,7 @@ import click
 from rich.table import Table
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console, echo_json, progressing, visible
+from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show, visible
 from algebroproj_sym.declaring import located, quotes_of
 from algebroproj_sym.replaying import Rejected, Replayed, Status, replay
 from algebroproj_sym.reporting import declaration
@@ -66,7 +66,7 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
             if result.status != "replayed":
                 told = f"{result.paper}:{result.number}  {result.status}: {result.reason}"
                 console().print(visible(told, line=True))
-        console().print(_table(results))
+        show(_table(results))
         counts = Counter(result.status for result in results)
         listed = ", ".join(
             f"{counts[status]} {status}" for status in STATUSES if counts[status] or status != STATUSES[2]
@@ -74,7 +74,7 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
         console().print(f"{len(results)} {'claims' if 'claims' in ledger else 'identities'}: {listed}")
         console().print(_said_of_declarations(comparing, missing))
     if missing:
-        click.echo(f"missing in the ledger: {', '.join(missing)}", err=True)
+        echo(visible(f"missing in the ledger: {', '.join(missing)}", line=True), err=True)
     if missing or any(result.status != "replayed" for result in results):
         raise SystemExit(1)
 
@@ -146,5 +146,5 @@ def _table(results: Sequence[Replayed]) -> Table:
         table.add_column(heading, justify="right")
     counts = Counter((result.kind, result.status) for result in results)
     for kind in dict.fromkeys(sorted(result.kind for result in results)):
-        table.add_row(kind, *(str(counts[kind, status]) for status in STATUSES))
+        table.add_row(visible(kind, line=True), *(str(counts[kind, status]) for status in STATUSES))
     return table

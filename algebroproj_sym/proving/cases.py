@@ -74,7 +74,9 @@ class Case:
     rest: End | tuple[Case, Case]
 
 
-def case_distinction(goal: Any, zeros: Sequence[Any], units: Sequence[Any], seed: int) -> Case | None:
+def case_distinction(
+    goal: Any, zeros: Sequence[Any], units: Sequence[Any], seed: int, *, real: bool = False
+) -> Case | None:
     """Return how a goal follows from what is zero and what is not, by cases; None if that is not found.
 
     Parameters
@@ -85,6 +87,8 @@ def case_distinction(goal: Any, zeros: Sequence[Any], units: Sequence[Any], seed
         What vanishes and what does not; the last variable of the ring occurs in none.
     seed : int
         For points that tell which factors of a goal vanish.
+    real : bool
+        Whether zeros may be taken apart that are sums of squares.
 
     Examples
     --------
@@ -97,7 +101,7 @@ def case_distinction(goal: Any, zeros: Sequence[Any], units: Sequence[Any], seed
     """
     budget = count()
     try:
-        return _Branch([*zeros], [*range(len(zeros))], [*units], [*units], goal, DEEPEST, budget, seed).case(None)
+        return _Branch([*zeros], [*range(len(zeros))], [*units], [*units], goal, DEEPEST, budget, seed, real).case(None)
     except EffortExceededError:
         return None
 
@@ -176,6 +180,7 @@ class _Branch:
     depth: int
     budget: Iterator[int]
     seed: int
+    real: bool
     steps: list[Step | SquaresStep] = field(default_factory=list)
     is_empty: End | None = None
 
@@ -185,7 +190,7 @@ class _Branch:
         while self.is_empty is None and self.goal != 0 and self._advance():
             pass
         rest = self._end() or self._distinguished() or self._combination()
-        if rest is None and self._add_definite():
+        if rest is None and self.real and self._add_definite():
             return self.case(assumed)
         return None if rest is None else Case(assumed, tuple(self.steps), rest)
 
@@ -194,7 +199,7 @@ class _Branch:
         return self.goal.context().constant(1)
 
     def _advance(self) -> bool:
-        return self._strip() or self._take_out() or self._solve_pair() or self._add_squares()
+        return self._strip() or self._take_out() or self._solve_pair() or (self.real and self._add_squares())
 
     # -- steps
 
@@ -364,7 +369,7 @@ class _Branch:
 
     def _branch(self) -> _Branch:
         lists = list(self.zeros), list(self.live), list(self.units), list(self.live_units)
-        return _Branch(*lists, self.goal, self.depth - 1, self.budget, self.seed)
+        return _Branch(*lists, self.goal, self.depth - 1, self.budget, self.seed, self.real)
 
     def _choices(self) -> Iterator[_Choice]:
         """Yield what may be distinguished: factors of a zero, then determinants, then slopes, the shortest first."""

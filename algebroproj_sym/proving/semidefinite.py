@@ -147,7 +147,7 @@ def _kernel(rows: list[list[Any]], width: int) -> list[list[Any]]:
 
 
 def _definite(directions: Sequence[Mapping[Place, Any]], size: int) -> tuple[list[list[Any]] | None, list[list[Any]]]:
-    """Return a positive definite combination of symmetric matrices, decomposed, or vectors that all seem to map to zero.
+    """Return a positive definite combination of symmetric matrices, decomposed, or vectors that all map to zero.
 
     The vectors are a guess: they are those of the combination that is as definite as one can be.
     """

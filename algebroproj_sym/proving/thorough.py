@@ -155,7 +155,15 @@ class Problem:
         if finding.verdict != "open" or len(self.facts) >= MOST_STEPS:
             return finding
         known = [fact for fact in map(self._everywhere, real_facts(self.system, self.seed)) if self._holds(fact)]
-        return self._knowing(known).decided() if known else finding
+        return self._knowing(known).decided() if known else self._decided_by_real_cases() or finding
+
+    def _decided_by_real_cases(self) -> Finding | None:
+        """Return a proof by cases in which zeros may be sums of squares."""
+        cases = [self._cases(numerator, real=True) for numerator in self.numerators]
+        found = [case for case in cases if case is not None]
+        places = chain(self._places(FIRST_TRIES), self._places(MORE_TRIES, extension=True))
+        witness = next(places, None) if len(found) == len(cases) else None
+        return None if witness is None else self._proved_by_cases(found, witness[0])
 
     def _decided(self) -> Finding:
         if any(not self.field.ring.terms(polynomial) for polynomial in self.nonzero):
@@ -346,13 +354,13 @@ class Problem:
         cases = [case for case in map(self._cases, self.numerators) if case is not None]
         return cases if len(cases) == len(self.numerators) else None
 
-    def _cases(self, numerator: Any) -> Case | None:
+    def _cases(self, numerator: Any, *, real: bool = False) -> Case | None:
         """Return how the claim follows by cases, multiplied out in the engine of the question."""
         if not self._is_translated(numerator):
             return None
         goal = self.frame.restricted(self._into(numerator))
         zeros, units = self.system.constraints, self.units_at_origin
-        found = case_distinction(goal, zeros, units, self.seed)
+        found = case_distinction(goal, zeros, units, self.seed, real=real)
         return found if found is not None and follows(found, goal, zeros, units, self._back) else None
 
     def _proved_by_cases(self, cases: Sequence[Case], witness: _Place) -> Finding:

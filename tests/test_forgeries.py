@@ -4,6 +4,7 @@ A family yields pairs of an honest and a forged record.  The statements of forge
 less than it says; why each is wrong can be seen from how it is made, without the replay.
 """
 
+import contextlib
 import copy
 import itertools
 import json
@@ -235,15 +236,41 @@ def other_ranks():
         yield honest, entry("rank", str(c), derived, certificate)
 
 
+def limit_of(printed, derived, divisors, orders, hypotheses, verdict="proved", **more):
+    certificate = {"method": "leading coefficients", "divisors": divisors, "orders": orders} | more.pop("evidence", {})
+    return entry(
+        "limit", printed, derived, certificate, verdict, setting={"variable": "t"}, hypotheses=hypotheses, **more
+    )
+
+
 def other_limits():
-    """The lowest powers, or their coefficients, are others."""
+    """The lowest powers are others, or a coefficient that may vanish is not said not to."""
     for c in numbers():
-        certificate = {"method": "leading coefficients", "divisors": [f"t + {c}"], "leading": [[0, "x", str(c)]]}
-        honest = entry("limit", f"x/{c}", f"(x + t)/(t + {c})", certificate, setting={"variable": "t"})
+        honest = limit_of(f"x/{c}", f"(x + t)/(t + {c})", [f"t + {c}"], [0], [])
         yield honest, changed(honest, "x", "printed")
-        yield honest, changed(changed(honest, "0", "printed"), [[1, "x", str(c)]], "certificate", "leading")
-        yield honest, changed(honest, [[0, f"{c}*x", str(c)]], "certificate", "leading")
-        yield honest, changed(honest, [[0, "0", "0"]], "certificate", "leading")
+        yield honest, changed(changed(honest, "0", "printed"), [1], "certificate", "orders")
+        yield honest, changed(honest, [0, 0], "certificate", "orders")
+        honest = limit_of("1", "x/(x + t)", ["x + t"], [0], ["x"])
+        yield honest, changed(honest, [], "hypotheses")
+        honest = limit_of("0", f"t/({c}*x + t)", [f"{c}*x + t"], [1], ["x"])
+        yield honest, changed(honest, [], "hypotheses")
+        honest = limit_of("x", f"x*(y - {c})/(y - {c}) + t", [f"y - {c}"], [0], [f"y - {c}"])
+        yield honest, changed(honest, [], "hypotheses")
+        yield honest, changed(honest, [f"y - {c}", "x"], "hypotheses")
+        evidence = {"method": "counterexample", "left": ["0"], "right": ["1"]}
+        honest = limit_of(
+            "0",
+            "x/(x + t)",
+            ["x + t"],
+            [0],
+            [],
+            "false",
+            evidence=evidence,
+            instead="1.2",
+            counterexample={"x": str(c)},
+        )
+        yield honest, changed(honest, {"x": "0"}, "counterexample")
+        yield honest, changed(honest, "Matrix([[0]])", "printed")
 
 
 def other_zeros():
@@ -259,6 +286,101 @@ def other_zeros():
         yield honest, changed(less, [f"x - {c}"], "certificate", "excluded")
         yield honest, changed(honest, "0", "certificate", "content")
         yield honest, changed(honest, [[f"x - {c}", 2], ["y", 1]], "certificate", "factors")
+
+
+def several_components():
+    """Sides that are proportional on one component of the constraints, and not on another."""
+    for c in numbers():
+        constraint = f"x*(x - {c})"
+        part = {"number": 1, "power": 0, "denominator": {}}
+        certificate = {
+            "method": "ideal membership", "denominators": [], "generators": [constraint], "multiplier": "1", "pivot": 1,
+            "nonzero at": {"x": str(c)}, "witness": {"x": str(c)},
+            "entries": [{**part, "cofactors": [cofactor]} for cofactor in ("0", "-1", "-1")],
+        }  # fmt: skip
+        kind, setting = "identity up to scale", {"constraints": [constraint]}
+        honest = entry(
+            kind, f"Matrix([[x, 1, 1 + {constraint}]])", "Matrix([[x, 1, 1]])",
+            {**certificate, "entries": [{**part, "cofactors": [cofactor]} for cofactor in ("0", "-x", "-1")]},
+            setting=setting,
+        )  # fmt: skip
+        forged = entry(kind, f"Matrix([[x, 1, {c + 1} - x]])", "Matrix([[x, 1, 1]])", certificate, setting=setting)
+        yield honest, forged
+        yield honest, changed(changed(forged, "x", "certificate", "multiplier"), 0, "certificate", "pivot")
+
+
+def other_shapes():
+    """Rows for columns, lists for matrices, matrices for scalars."""
+    for c in numbers():
+        row, column = f"Matrix([[x, {c}]])", f"Matrix([[x], [{c}]])"
+        yield equal(row, row), equal(row, column)
+        marks = {"method": "normal form", "denominators": [], "pattern": {"a": [1, 2]}}
+        honest = entry("structure", "Matrix([[a, a]])", "Matrix([[x, x]])", marks)
+        yield honest, changed(honest, "Matrix([[a], [a]])", "printed")
+        for places in ([True, 2], [1, 2.0], [1, "2"]):
+            yield honest, changed(honest, {"a": places}, "certificate", "pattern")
+        reference = {"method": "comparison of references"}
+        honest = entry("reference", f"Matrix([[1, {c}]])", f"Matrix([[1, {c}]])", reference)
+        yield honest, changed(honest, f"Matrix([[1], [{c}]])", "printed")
+        yield honest, changed(honest, ["banana", c], "hypotheses")
+        honest = limit_of(row, row, [], [0, 0], [])
+        yield honest, changed(honest, column, "printed")
+        factors = {
+            "method": "factorisation", "content": "1", "factors": [["x", 1]], "denominator": [],
+            "printed": [[["x", 1]]], "excluded": [],
+        }  # fmt: skip
+        honest = entry("vanishing", "(x,)", "x", factors, hypotheses=[])
+        yield honest, changed(honest, f"Matrix([[x, y - {c}]])", "derived")
+        yield honest, changed(honest, [[f"{c}*x", 1]], "certificate", "factors")
+
+
+def other_meanings():
+    """Symbols that stand for something without occurring, or that stand for themselves elsewhere."""
+    for c in numbers():
+        honest = equal("z", f"x + {c}", where={"z": f"x + {c}"})
+        for name, meaning in (("q", "1/0"), ("x + y", "5"), ("", "0"), ("q", "x"), ("x", str(c)), ("z", 5)):
+            yield honest, changed(honest, {**honest["where"], name: meaning}, "where")
+        yield honest, changed(honest, "z", "derived")
+
+
+def other_numerals():
+    """Numbers, references and ranks with needless evidence, and what is no integer."""
+    for c in numbers():
+        rounding = {"method": "exact rounding", "rounded": "0.33"}
+        honest = entry("numeric", "0.33", "1/3", rounding, setting={"rounding": "nearest"}, hypotheses=[])
+        yield honest, changed(honest, [f"x - {c}"], "hypotheses")
+        false = entry(
+            "numeric", "0.34", "1/3", rounding, "false", setting={"rounding": "nearest"}, hypotheses=[], instead="1.2",
+            counterexample={},
+        )  # fmt: skip
+        yield false, changed(false, {"x": str(c)}, "counterexample")
+        rank = {"method": "kernel vectors", "rank at most": 1, "kernel": []}
+        lower = entry(
+            "rank", str(c), "Matrix([[x, y]])", rank, "false", hypotheses=[], counterexample={}, instead="1.2"
+        )
+        yield lower, changed(lower, True, "certificate", "rank at most")
+        yield lower, changed(lower, {"lie": "banana"}, "counterexample")
+
+
+def listed_texts():
+    """A text where a list of texts is meant."""
+    honest = member("x**2/y", "1/y", "x**2 - 1", "1", {"x": "1", "y": "2"}, "y")
+    for wrong in ("x", {"x**2 - 1": "lies"}, ("x",), None, [1], [["x"]], "y"):
+        yield honest, changed(honest, wrong, "setting", "constraints")
+        yield honest, changed(honest, wrong, "certificate", "generators")
+        yield honest, changed(changed(honest, wrong, "hypotheses"), wrong, "certificate", "denominators")
+
+
+def nested_refutations():
+    """A misprint whose refutation holds more than it should."""
+    for c in numbers():
+        refutation = {"method": "counterexample", "left": ["2"], "right": ["1"]}
+        certificate = {"method": "normal form", "denominators": [], "refutation": refutation}
+        honest = entry(
+            "identity", "2*x", "x", certificate, "misprint", corrected="x", counterexample={"x": "1"}, hypotheses=[]
+        )
+        yield honest, changed(honest, {**refutation, "refutation": c}, "certificate", "refutation")
+        yield honest, changed(honest, {**refutation, "note": "lies"}, "certificate", "refutation")
 
 
 def other_references():
@@ -315,7 +437,8 @@ def false_refutations():
 CLAIMS = (
     dividing_cofactors, dividing_generators, other_languages, hidden_hypotheses, needless_hypotheses, surplus_fields,
     overflowing_exponents, other_witnesses, contradictory_constraints, conditions_that_never_hold, other_numbers,
-    factors_that_vanish, other_ranks, other_limits, other_zeros, other_references, other_declarations, other_verdicts,
+    factors_that_vanish, other_ranks, other_limits, other_zeros, several_components, other_shapes, other_meanings,
+    other_numerals, listed_texts, nested_refutations, other_references, other_declarations, other_verdicts,
     false_refutations,
 )  # fmt: skip
 
@@ -390,6 +513,23 @@ def shown_numbers():
         yield honest, changed(honest, ["x"], "hypotheses")
 
 
+def matrices_as_conditions():
+    """A matrix as a constraint or a condition, of which one entry might be read."""
+    for c in numbers():
+        difference = {"method": "counterexample", "left": ["0"], "right": [str(c)]}
+        honest = answer("y", str(c), difference, "refuted", ["x - 1"], (), {"x": "1", "y": "0"})
+        yield honest, changed(honest, [f"[[x - 1, y - {c}]]"], "constraints")
+        part = [{"power": 1, "exponent": 1, "cofactors": ["1"]}]
+        point = {"x": "1", "y": str(c), "z": "0"}
+        honest = following("z + 0*y", "0", "x*z", "z", part, point, ["x"], ["x"], multiplier="x")
+        yield honest, changed(honest, ["[[x, y]]"], "nonzero")
+        yield honest, changed(honest, ["1) + (x = y) - (0"], "nonzero")
+        yield honest, changed(honest, "radical membership", "certificate", "method")
+        yield honest, changed(honest, "banana", "seconds")
+        yield honest, changed(honest, c, "file")
+        yield honest, changed(honest, {"\u0660": "1"}, "certificate", "entries", 0, "cofactors")
+
+
 def moved_statements():
     """A translation along which something changes."""
     for c in numbers():
@@ -420,7 +560,15 @@ def surplus_parts():
         yield stepped, changed(stepped, "0", "certificate", "steps", 0, name)
 
 
-IDENTITIES = (surplus_parts, dividing_steps, invented_units, squares_that_are_none, shown_numbers, moved_statements)
+IDENTITIES = (
+    surplus_parts,
+    matrices_as_conditions,
+    dividing_steps,
+    invented_units,
+    squares_that_are_none,
+    shown_numbers,
+    moved_statements,
+)
 
 
 @pytest.mark.parametrize("family", [*CLAIMS, *IDENTITIES], ids=lambda family: family.__name__)
@@ -625,3 +773,47 @@ def test_the_pieces_make_certificates_of_true_statements():
                 assert value(lhs, exact) == value(rhs, exact)
                 found += lhs != rhs
     assert found > 10
+
+
+# What is too large, or is no ledger at all, is neither replayed nor a traceback
+
+LARGE = (
+    equal("x**((((((10**6)**(-20))**20)**20)**20)**20)", "x"),
+    equal("(3**1000000)**1000", "1"),
+    equal("1/((x**1000000)**1000 - 1)", "0", "x - 1"),
+    equal("((x + 1)**1000)**1000", "x"),
+    equal("(x + 1)**16000", "x"),
+    equal("(" + " + ".join(f"x{place}" for place in range(999)) + ")**4", "0"),
+    equal(" + ".join(f"1/(x{place} + y{place})" for place in range(40)), "0", *(f"x{k} + y{k}" for k in range(40))),
+    equal("(" * 150 + "x" + ")" * 150, "y"),
+    equal("x" + " + x" * 20000, "y"),
+)
+
+
+@pytest.mark.parametrize("record", LARGE, ids=range(len(LARGE)))
+def test_what_is_too_large_is_not_replayed(record):
+    assert replay_claim(record).status in ("not replayable", "rejected")
+
+
+@pytest.mark.parametrize(
+    "place", ["paper", "number", "verdict", "kind", "instead", "certificate", "where", "quote", "setting"]
+)
+@pytest.mark.parametrize("value", [[], ["1.1"], {}, {"a": [[[[]]]]}, 7, True, None, 1.5, "", "\ud800"])
+def test_any_value_anywhere_gives_an_answer(place, value):
+    for honest in (TRUE, false_claim("1.1")):
+        forged = {**honest, place: value}
+        result = replay_claim(forged)
+        assert result.status != "replayed" or value == honest[place]
+        verdicts = {"proved": 2} if forged["verdict"] == "proved" else {"proved": 1, str(forged["verdict"]): 1}
+        with contextlib.suppress(Rejected):
+            assert len(list(replay(book(TRUE) | {"claims": [TRUE, forged], "summary": verdicts}))) == 2
+    nested = []
+    for _ in range(900):
+        nested = [nested]
+    with pytest.raises(Rejected):
+        list(replay(book(TRUE) | {"claims": [TRUE, {**TRUE, place: nested}]}))
+
+
+@pytest.mark.parametrize("record", [[], None, 7, "x", {}])
+def test_what_is_no_record_is_rejected(record):
+    assert replay_claim(record).status == replay_identity(record).status == "rejected"

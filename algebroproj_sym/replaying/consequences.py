@@ -19,13 +19,12 @@ from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import Polynomial, constant
 from algebroproj_sym.replaying.rejection import require
 from algebroproj_sym.replaying.residues import Residue, extension
-from algebroproj_sym.replaying.text import Form, number, parse, parse_polynomial
+from algebroproj_sym.replaying.text import Form, integer, number, parse, parse_polynomial, texts
 
 Sides: TypeAlias = Callable[[Algebra], tuple[list[Any], list[Any]]]
 
 NEEDED = frozenset({"method", "denominators", "claims", "generators", "units", "entries", "witness"})
 OPTIONAL = frozenset({"steps", "translations", "extension"})
-MEMBERSHIPS = ("ideal membership", "radical membership", "sums of squares")
 
 
 @dataclass(frozen=True)
@@ -53,7 +52,7 @@ class Question:
     def field(self, divisors: Any) -> Field:
         """Return the field of rational functions in the symbols, with listed divisors."""
         field = Field(self.symbols)
-        field.enter([field.polynomial(text).cleared() for text in divisors])
+        field.enter([field.polynomial(text).cleared() for text in texts(divisors)])
         return field
 
     def units(self, field: Field) -> list[Element]:
@@ -126,10 +125,17 @@ class _Known:
 
     def combined(self, cofactors: Any) -> Element:
         """Return the sum of cofactors, by place or in order, times what is zero."""
-        named = {str(place): text for place, text in enumerate(cofactors)} if isinstance(cofactors, list) else cofactors
+        named = (
+            {str(place): text for place, text in enumerate(texts(cofactors))}
+            if isinstance(cofactors, list)
+            else cofactors
+        )
         total = self.field.number(Fraction(0))
         for place, text in named.items():
-            require(place.isdecimal() and int(place) < len(self.zeros), "a cofactor belongs to nothing that is zero")
+            require(
+                place.isascii() and place.isdecimal() and int(place) < len(self.zeros),
+                "a cofactor belongs to nothing that is zero",
+            )
             total = total + self.read(text) * self.zeros[int(place)]
         return total
 
@@ -149,7 +155,7 @@ class _Known:
 def require_consequence(question: Question, certificate: Mapping[str, Any]) -> None:
     """Reject a certificate that does not show that the sides are equal where the constraints hold."""
     method = certificate["method"]
-    require(method in (*MEMBERSHIPS, "case distinction"), f"there is no method {method!r}")
+    require(method == _method_of(certificate), f"the method is another one than {method!r}")
     by_cases = method == "case distinction"
     require_keys(certificate, NEEDED if by_cases else NEEDED | {"multiplier"}, OPTIONAL)
     require(bool(question.constraints), "there are no constraints")
@@ -182,10 +188,22 @@ def require_consequence(question: Question, certificate: Mapping[str, Any]) -> N
     require(all(is_zero(a - b) for a, b in zip(left, right, strict=True)), "the two sides differ at the witness")
 
 
-def _numerators(field: Field, texts: Any, elements: Sequence[Element]) -> list[Element]:
+def _method_of(certificate: Mapping[str, Any]) -> str:
+    """Return what a certificate without cases, or with them, is called."""
+    if "multiplier" not in certificate:
+        return "case distinction"
+    if any("squares" in step for step in certificate.get("steps", ())):
+        return "sums of squares"
+    return (
+        "radical membership" if any(entry["exponent"] > 1 for entry in certificate["entries"]) else "ideal membership"
+    )
+
+
+def _numerators(field: Field, given: Any, elements: Sequence[Element]) -> list[Element]:
     """Return polynomials that are zero exactly where the elements are, the listed divisors not being zero."""
-    require(len(texts) == len(elements), "the certificate has not as many numerators as the statement")
-    found = [field.polynomial(text) for text in texts]
+    listed = texts(given)
+    require(len(listed) == len(elements), "the certificate has not as many numerators as the statement")
+    found = [field.polynomial(text) for text in listed]
     for numerator, element in zip(found, elements, strict=True):
         first, second = (_essence(field, part.numerator) for part in (numerator, element))
         require(first in (second, -second), "the numerators are not those of the statement")
@@ -246,7 +264,7 @@ def _with_units(known: _Known, certificate: Mapping[str, Any]) -> _Known:
     """Return what is known with the listed units, each a factor of something that is not zero at any allowed point."""
     sums = [step for step in certificate.get("steps", ()) if "squares" in step and "not zero" in step]
     sources = [*known.units, *(_positive(known, step) for step in sums)]
-    for text in certificate["units"]:
+    for text in texts(certificate["units"]):
         unit = known.read(text)
         require(any(_divides(unit, source) for source in sources), "a unit divides nothing that does not vanish")
         known = known.with_unit(unit)
@@ -341,5 +359,5 @@ def _require_end(known: _Known, multiplier: Element, end: Mapping[str, Any]) -> 
 
 
 def _natural(value: Any) -> int:
-    require(isinstance(value, int) and not isinstance(value, bool) and value >= 0, "expected a number of times")
+    require(integer(value) >= 0, "expected a number of times")
     return int(value)

@@ -62,9 +62,22 @@ def require_entry(record: Mapping[str, Any]) -> None:
     require(_PAPER.fullmatch(record["paper"]) is not None, f"paper: expected a key, got {record['paper']!r}")
     number = record["number"]
     require(number.isascii() and _NUMBER.fullmatch(number) is not None, f"number: expected a number, got {number!r}")
-    setting = record["setting"]
+    where, quote, setting = record["where"], record["quote"], record["setting"]
+    require(
+        isinstance(where, Mapping) and all(isinstance(text, str) for text in where.values()), "where: expected texts"
+    )
+    quoted = quote is None or (
+        quote.keys() == {"line", "latex"} and type(quote["line"]) is int and isinstance(quote["latex"], str)
+    )
+    require(quoted, "quote: expected line and latex")
     require(setting.keys() <= SETTINGS[record["kind"]], f"setting: unknown entries in {sorted(setting)}")
     require(record["engine"] in ("flint", "sympy"), f"there is no engine {record['engine']!r}")
-    seconds = record.get("seconds", 0)
-    require(isinstance(seconds, int | float) and 0 <= seconds < float("inf"), "seconds: expected a number of seconds")
+    require_seconds(record)
     require(record["declaration"] == declaration_digest(record), "the digest is not that of the declaration")
+
+
+def require_seconds(record: Mapping[str, Any]) -> None:
+    """Reject a time that is none."""
+    seconds = record.get("seconds", 0)
+    known = isinstance(seconds, int | float) and not isinstance(seconds, bool) and 0 <= seconds < float("inf")
+    require(known, "seconds: expected a number of seconds")

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 from algebroproj_sym.replaying.text import Form
 
-MOST_BITS = 10**8
+MOST_BITS = 10**6
 
 
 class Algebra(NamedTuple):

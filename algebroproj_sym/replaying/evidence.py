@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any, TypeAlias, cast
+from itertools import combinations
+from typing import Any, TypeAlias
 
 from algebroproj_sym.replaying.consequences import Question, Sides, require_consequence
 from algebroproj_sym.replaying.evaluation import Algebra, at_point, derivatives, evaluate
@@ -16,7 +17,7 @@ from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import Polynomial, constant
 from algebroproj_sym.replaying.rejection import require
 from algebroproj_sym.replaying.statement import Point, Statement
-from algebroproj_sym.replaying.text import Form, decimal, number, parse_polynomial
+from algebroproj_sym.replaying.text import decimal, integer, number, numbers, parse_polynomial, texts
 
 Certificate: TypeAlias = Mapping[str, Any]
 Check: TypeAlias = Callable[[Statement, str, Certificate], None]
@@ -30,7 +31,7 @@ def _method(certificate: Certificate, expected: str) -> None:
 
 
 def _keys(certificate: Certificate, *expected: str) -> None:
-    found = certificate.keys() - {"refutation"}
+    found = certificate.keys()
     require(found == {*expected}, f"expected the entries {sorted(expected)} in the certificate, got {sorted(found)}")
 
 
@@ -73,32 +74,29 @@ def identity(statement: Statement, form: str, certificate: Certificate) -> None:
 
 def constrained(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that the difference of two sides times what does not vanish is a combination of the constraints."""
+    _constrained(statement, certificate, _sides(statement, form))
+
+
+def _constrained(statement: Statement, certificate: Certificate, sides: Sides) -> None:
     if "claims" in certificate:
-        _consequence(statement, certificate, _sides(statement, form), [])
-        return
-    _keys(certificate, *MEMBERSHIP)
-    field = statement.field(certificate["denominators"])
-    _membership(statement, certificate, field, _sides(statement, form), [])
+        hypotheses = statement.record["hypotheses"]
+        constraints, nonzero = statement.listed("constraints"), statement.listed("nonzero")
+        question = Question(sides, constraints, nonzero, statement.symbols, hypotheses)
+        require_consequence(question, certificate)
+    else:
+        _membership(statement, certificate, sides)
 
 
-def _consequence(statement: Statement, certificate: Certificate, sides: Sides, units: list[Form]) -> None:
-    """Show that two sides are equal where the constraints hold, by the certificate of a thorough search."""
-    own = {key: value for key, value in certificate.items() if key != "refutation"}
-    nonzero = [*statement.listed("nonzero"), *units]
-    constraints, hypotheses = statement.listed("constraints"), statement.record["hypotheses"]
-    require_consequence(Question(sides, constraints, nonzero, statement.symbols, hypotheses), own)
-
-
-def _membership(
-    statement: Statement, certificate: Certificate, field: Field, sides: Sides, units: list[Element]
-) -> None:
+def _membership(statement: Statement, certificate: Certificate, sides: Sides) -> None:
     """Show that two sides are equal where the constraints hold, and that there is such a point."""
     _method(certificate, "ideal membership")
+    _keys(certificate, *MEMBERSHIP)
+    field = statement.field(certificate["denominators"])
     difference = _difference(sides, field)
     constraints = [evaluate(form, field.algebra)[0] for form in statement.listed("constraints")]
-    units = statement.units(field) + units
+    units = statement.units(field)
     _hypotheses(statement, field, certificate["denominators"])
-    generators = [field.polynomial(text) for text in certificate["generators"]]
+    generators = [field.polynomial(text) for text in texts(certificate["generators"])]
     require(bool(constraints) and len(constraints) == len(generators), "expected a generator for each constraint")
     for constraint, generator in zip(constraints, generators, strict=True):
         require(not generator.is_zero, "a generator is zero")
@@ -119,7 +117,7 @@ def _membership(
         require(part["denominator"].keys() <= divisors.keys(), "an unknown divisor is cleared")
         for text, count in part["denominator"].items():
             cleared = cleared * divisors[text] ** _natural(count)
-        cofactors = [field.polynomial(text) for text in part["cofactors"]]
+        cofactors = [field.polynomial(text) for text in texts(part["cofactors"])]
         require(len(cofactors) == len(generators), "expected a cofactor for each constraint")
         for cofactor, generator in zip(cofactors, generators, strict=True):
             cleared = cleared - cofactor * generator
@@ -136,7 +134,7 @@ def _membership(
 
 
 def _natural(value: Any) -> int:
-    require(isinstance(value, int) and not isinstance(value, bool) and value >= 0, "expected a number of times")
+    require(integer(value) >= 0, "expected a number of times")
     return int(value)
 
 
@@ -152,48 +150,44 @@ def _primitive(polynomial: Polynomial) -> Polynomial:
 
 
 def _pivot(certificate: Certificate, places: int) -> int:
-    pivot = certificate.get("pivot")
-    require(isinstance(pivot, int) and 0 <= pivot < places, "the pivot is no place of the form")
-    return cast(int, pivot)
+    pivot = integer(certificate.get("pivot"))
+    require(0 <= pivot < places, "the pivot is no place of the form")
+    return pivot
 
 
 def projective(statement: Statement, form: str, certificate: Certificate) -> None:
-    """Show that one side is the other times a factor that is not zero."""
-    field = statement.field(certificate["denominators"])
+    """Show that one side is the other times a factor, wherever neither is zero, and that neither is zero everywhere.
+
+    Without constraints one entry is compared with all others, since it is not zero as a rational function; where there
+    are constraints, all entries are compared with one another.
+    """
     both = _sides(statement, form)
-    printed, derived = both(field.algebra)
-    pivot = _pivot(certificate, len(derived))
-    require(not printed[pivot].is_zero and not derived[pivot].is_zero, "the entry at the pivot is zero")
-    constrained = "constraints" in statement.setting
-    require(all(entry.is_zero for entry in derived[:pivot]) or constrained, "the pivot is not the first")
-
-    def crossed(algebra: Algebra) -> tuple[list[Any], list[Any]]:
-        left, right = both(algebra)
-        return [entry * right[pivot] for entry in left], [entry * left[pivot] for entry in right]
-
-    if "claims" in certificate:
-        own = dict(certificate)
-        point = statement.point(own.pop("nonzero at"))
-        require(own.pop("pivot") == pivot, "the pivot is another one")
-        side = statement.form("derived")
-        _consequence(statement, own, crossed, [Form((), side.operations, (side.entries[pivot],))])
-        _nonzero_at(statement, form, pivot, point)
-        return
-    if constrained:
-        _keys(certificate, *MEMBERSHIP, "pivot", "nonzero at")
-        _membership(statement, certificate, field, crossed, [derived[pivot]])
-        _nonzero_at(statement, form, pivot, statement.point(certificate["nonzero at"]))
+    if "constraints" in statement.setting:
+        point = statement.point(certificate.get("nonzero at"))
+        statement.require_allowed(point)
+        pivot = _pivot(certificate, len(statement.form("derived").entries))
+        require(all(side[pivot] != 0 for side in both(at_point(point))), "a side is zero at the point")
+        own = {key: value for key, value in certificate.items() if key not in ("pivot", "nonzero at")}
+        _constrained(statement, own, lambda algebra: _crossed(*both(algebra)))
         return
     _method(certificate, "normal form")
     _keys(certificate, "method", "denominators", "pivot")
+    field = statement.field(certificate["denominators"])
+    printed, derived = both(field.algebra)
+    pivot = _pivot(certificate, len(derived))
+    p, d = printed[pivot], derived[pivot]
+    require(not p.is_zero and not d.is_zero, "the entry at the pivot is zero")
+    require(all(entry.is_zero for entry in derived[:pivot]), "the pivot is not the first")
     statement.units(field)
-    require(all(entry.is_zero for entry in _difference(crossed, field)), "the two sides are not proportional")
+    equal = all((a * d - b * p).is_zero for a, b in zip(printed, derived, strict=True))
+    require(equal, "the two sides are not proportional")
     _hypotheses(statement, field, certificate["denominators"])
 
 
-def _nonzero_at(statement: Statement, form: str, pivot: int, point: Point) -> None:
-    statement.require_allowed(point)
-    require(statement.side(form, at_point(point))[pivot] != 0, "the printed form is zero at the point")
+def _crossed(left: Sequence[Any], right: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+    """Return the products of entries that are equal where two lists are proportional."""
+    pairs = [*combinations(range(len(left)), 2)]
+    return [left[i] * right[j] for i, j in pairs], [left[j] * right[i] for i, j in pairs]
 
 
 def structure(statement: Statement, form: str, certificate: Certificate) -> None:
@@ -204,10 +198,12 @@ def structure(statement: Statement, form: str, certificate: Certificate) -> None
     pattern: dict[str, list[int]] = {}
     for place, (sign, mark) in enumerate(marks, start=1):
         pattern.setdefault(mark, []).append(sign * place)
-    require(pattern == certificate["pattern"], "the pattern of the certificate is not the printed one")
+    given = {mark: [*map(integer, places)] for mark, places in certificate["pattern"].items()}
+    require(pattern == given, "the pattern of the certificate is not the printed one")
     field = statement.field(certificate["denominators"])
     entries = statement.side("derived", field.algebra)
-    require(len(entries) == len(marks), "the pattern has not the shape of the matrix")
+    same = statement.form(form).shape == statement.form("derived").shape
+    require(same, "the pattern has not the shape of the matrix")
     first: dict[str, Element] = {}
     for (sign, mark), entry in zip(marks, entries, strict=True):
         signed = entry if sign > 0 else -entry
@@ -242,6 +238,7 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> None
     divisors = statement.record["hypotheses"]
     field = statement.field(divisors)
     algebra = field.algebra
+    require(not statement.form("derived").shape, "expected a scalar that vanishes")
     named: dict[str, Element] = {}
 
     def product(powers: Any) -> Element:
@@ -251,7 +248,8 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> None
             require(_natural(count) > 0, "expected a number of times")
             if name not in named:
                 named[name] = field.polynomial(name)
-                require(not named[name].cleared().is_constant(), "a listed factor is a constant")
+                primitive = not named[name].cleared().is_constant() and abs(named[name].cleared().content()) == 1
+                require(primitive, "a listed factor is a constant, or has a numeric factor")
             total = total * named[name] ** count
         return total
 
@@ -289,6 +287,7 @@ def rank(statement: Statement, form: str, certificate: Certificate) -> None:
 
 
 def _integer(statement: Statement, form: str) -> int:
+    require(not statement.form(form).shape, "expected a number")
     value = statement.side(form, at_point({}))[0]
     require(value.denominator == 1, "expected a whole number")
     return int(value)
@@ -329,7 +328,7 @@ def _size(matrix: list[list[Fraction]], certificate: Certificate, rows: str, col
 
 def _chosen(places: Any, limit: int) -> list[int]:
     require(isinstance(places, list), "a minor has rows and columns")
-    found = [place for place in places if isinstance(place, int) and 0 <= place < limit]
+    found = [place for place in map(integer, places) if 0 <= place < limit]
     require(found == places == sorted({*found}), "rows and columns are not places of the matrix in order")
     return found
 
@@ -363,11 +362,11 @@ def _bound(statement: Statement, certificate: Certificate, others: set[str]) -> 
         _keys(certificate, "method", "kernel", *others)
         return smaller
     _keys(certificate, "method", "kernel", "kernel at", "kernel rows", "kernel minor", *others)
-    vectors = [[*map(field.element, field.polynomials(text))] for text in certificate["kernel"]]
+    vectors = [[*map(field.element, field.polynomials(text))] for text in texts(certificate["kernel"])]
     require(all(len(vector) == width for vector in vectors), "a kernel vector has not as many entries as columns")
     require(all(entry.is_zero for entry in _along(statement, field, vectors)), "a vector is not in the kernel")
     point = statement.point(certificate["kernel at"])
-    columns = [evaluate(parse_polynomial(text), at_point(point)) for text in certificate["kernel"]]
+    columns = [evaluate(parse_polynomial(text), at_point(point)) for text in texts(certificate["kernel"])]
     at = {**certificate, "kernel columns": [*range(len(columns))]}
     independent = _size(
         [list(row) for row in zip(*columns, strict=True)], at, "kernel rows", "kernel columns", "kernel minor"
@@ -394,67 +393,54 @@ def _along(statement: Statement, field: Field, vectors: Sequence[Sequence[Elemen
 
 
 def limit(statement: Statement, form: str, certificate: Certificate) -> None:
-    """Show that the leading coefficients have the claimed quotient."""
+    """Show that the leading coefficients have the claimed quotient.
+
+    A limit is one where the lowest coefficients of all divisors do not vanish; these are hypotheses.
+    """
     _method(certificate, "leading coefficients")
-    _keys(certificate, "method", "divisors", "leading")
-    field, limits = _limits(statement, certificate)
-    printed = statement.side(form, field.algebra)
-    require(len(printed) == len(limits), "the two sides have not the same shape")
-    for value, found in zip(printed, limits, strict=True):
+    _keys(certificate, "method", "divisors", "orders")
+    field, limits, lowest = _limits(statement, form, certificate)
+    for value, found in zip(statement.side(form, field.algebra), limits, strict=True):
         require(found is not None, "an entry has no limit")
         assert found is not None
         numerator, denominator = found
         require((value * denominator - numerator).is_zero, "the limit is another one")
-    require(statement.record["hypotheses"] == _divisors_of(statement, form, limits), "a hypothesis is no divisor")
+    hypotheses = statement.field(statement.record["hypotheses"])
+    statement.side(form, hypotheses.algebra)
+    for coefficient in lowest:
+        hypotheses.factored(coefficient)
+    _exact(hypotheses)
 
 
-def _divisors_of(statement: Statement, form: str, limits: Sequence[tuple[Element, Element] | None]) -> list[str]:
-    """Return the hypotheses that the divisions of the printed form and of the limit meet."""
-    hypotheses: list[str] = statement.record["hypotheses"]
-    field = statement.field(hypotheses)
-    statement.side(form, field.algebra)
-    for found in limits:
-        if found is not None and not found[0].is_zero:
-            field.factored(found[1].cleared())
-    require(not field.unlisted, "a divisor of the limit is no hypothesis")
-    return [text for place, text in enumerate(hypotheses) if place in field.used]
+Limit: TypeAlias = "tuple[Element, Element] | None"
 
 
-def _limits(statement: Statement, certificate: Certificate) -> tuple[Field, list[tuple[Element, Element] | None]]:
-    """Return, for each entry, numerator and denominator of its limit; None for a pole."""
+def _limits(statement: Statement, form: str, certificate: Certificate) -> tuple[Field, list[Limit], list[Polynomial]]:
+    """Return numerator and denominator of the limit of each entry, None for a pole, and what must not vanish."""
+    require(statement.form(form).shape == statement.form("derived").shape, "the two sides have not the same shape")
     field = statement.field(certificate["divisors"])
     values = statement.side("derived", field.algebra)
     _exact(field)
-    require(len(values) == len(certificate["leading"]), "expected leading coefficients for each entry")
     place = field.places[statement.setting["variable"]]
-    limits: list[tuple[Element, Element] | None] = []
-    for value, (order, above, below) in zip(values, certificate["leading"], strict=True):
-        found_order, numerator, denominator = _leading(value, place)
-        given, divisor = field.polynomial(above), field.polynomial(below)
-        require(found_order == order, "the lowest power is another one")
-        require(not divisor.is_zero, "a leading coefficient below is zero")
-        require((numerator * divisor - denominator * given).is_zero, "the leading coefficients are others")
-        zero = field.number(Fraction(0))
-        limits.append(None if order < 0 else (given, divisor) if order == 0 else (zero, divisor))
-    return field, limits
+    found = [_leading(value, place) for value in values]
+    require([*map(integer, certificate["orders"])] == [order for order, _, _ in found], "the orders are others")
+    zero = field.number(Fraction(0))
+    limits: list[Limit] = [
+        None if order < 0 else (above, below) if order == 0 else (zero, below) for order, above, below in found
+    ]
+    return field, limits, [_lowest(factor, place)[1] for factor in field.factors[: field.listed]]
 
 
 def _leading(value: Element, place: int) -> tuple[int, Element, Element]:
+    """Return the lowest power of a variable, and the numerator and denominator of its coefficient."""
     field = value.field
     if value.is_zero:
         return 0, value, field.number(Fraction(1))
+    above = {i: power for i, power in value.exponents.items() if power > 0}
     below = {i: -power for i, power in value.exponents.items() if power < 0}
-    numerator, denominator = _lowest(_numerator_of(value), place), _lowest(field.powers(below), place)
+    numerator, denominator = _lowest(value.numerator * field.powers(above), place), _lowest(field.powers(below), place)
     scale = field.number(Fraction(1, value.denominator))
-    return (
-        numerator[0] - denominator[0],
-        Element(field, numerator[1], {}, 1) * scale,
-        Element(field, denominator[1], {}, 1),
-    )
-
-
-def _numerator_of(value: Element) -> Polynomial:
-    return value.numerator * value.field.powers({i: power for i, power in value.exponents.items() if power > 0})
+    return numerator[0] - denominator[0], field.element(numerator[1]) * scale, field.element(denominator[1])
 
 
 def _lowest(polynomial: Polynomial, place: int) -> tuple[int, Polynomial]:
@@ -469,6 +455,7 @@ def numeric(statement: Statement, form: str, certificate: Certificate) -> None:
 
 def numeric_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that a printed number is not the exact one, rounded as declared."""
+    _require_no_point(statement)
     require(not _rounded(statement, form, certificate), "the number is the exact one, rounded")
 
 
@@ -478,6 +465,7 @@ def _rounded(statement: Statement, form: str, certificate: Certificate) -> bool:
     _keys(certificate, "method", "rounded")
     exact = statement.form("derived")
     require(not exact.shape, "the exact number is a matrix")
+    require(statement.record["hypotheses"] == [], "a number has no hypotheses")
     printed, digit = decimal(statement.record[form])
     given, last = decimal(certificate["rounded"])
     require(last == digit, "the rounded number has not as many decimals as the printed one")
@@ -500,13 +488,16 @@ def reference(statement: Statement, form: str, certificate: Certificate) -> None
 
 def reference_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that a reference is not the meant one."""
+    _require_no_point(statement)
     require(not _referred(statement, form, certificate), "the reference is the meant one")
 
 
 def _referred(statement: Statement, form: str, certificate: Certificate) -> bool:
     _method(certificate, "comparison of references")
     _keys(certificate, "method")
-    return evaluate(statement.form(form), at_point({})) == evaluate(statement.form("derived"), at_point({}))
+    require(statement.record["hypotheses"] == [], "a reference has no hypotheses")
+    printed, meant = statement.form(form), statement.form("derived")
+    return printed.shape == meant.shape and evaluate(printed, at_point({})) == evaluate(meant, at_point({}))
 
 
 def definition(statement: Statement, form: str, certificate: Certificate) -> None:
@@ -514,7 +505,7 @@ def definition(statement: Statement, form: str, certificate: Certificate) -> Non
     _method(certificate, "instance")
     _keys(certificate, "method", "instance", "values")
     values = statement.side(form, at_point(statement.point(certificate["instance"])))
-    require(values == list(map(number, certificate["values"])), "the values of the instance are others")
+    require(values == numbers(certificate["values"]), "the values of the instance are others")
     field = statement.field(statement.record["hypotheses"])
     statement.side(form, field.algebra)
     _exact(field)
@@ -525,9 +516,7 @@ def differing(statement: Statement, form: str, certificate: Certificate) -> None
     _method(certificate, "counterexample")
     _keys(certificate, "method", "left", "right")
     left, right = _sides(statement, form)(at_point(_counterexample(statement)))
-    require(left == list(map(number, certificate["left"])), "the left side has another value at the point")
-    require(right == list(map(number, certificate["right"])), "the right side has another value at the point")
-    require(left != right, "the two sides do not differ at the point")
+    _require_different(certificate, left, right)
 
 
 def _counterexample(statement: Statement) -> Point:
@@ -545,9 +534,7 @@ def projective_refuted(statement: Statement, form: str, certificate: Certificate
     left = [entry * derived[pivot] for entry in printed]
     right = [entry * printed[pivot] for entry in derived]
     require(derived[pivot] != 0, "the entry at the pivot is zero")
-    require(left == list(map(number, certificate["left"])), "the left side has another value at the point")
-    require(right == list(map(number, certificate["right"])), "the right side has another value at the point")
-    require(left != right, "the two sides are proportional at the point")
+    _require_different(certificate, left, right)
 
 
 def structure_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
@@ -558,12 +545,13 @@ def structure_refuted(statement: Statement, form: str, certificate: Certificate)
     first: dict[str, Fraction] = {}
     expected = []
     marks = _marks(statement, form)
-    require(len(marks) == len(values), "the pattern has not the shape of the matrix")
+    same = statement.form(form).shape == statement.form("derived").shape
+    require(same, "the pattern has not the shape of the matrix")
     for (sign, mark), value in zip(marks, values, strict=True):
         constant = mark.lstrip("-").isdecimal()
         expected.append(Fraction(mark) if constant else sign * first.setdefault(mark, sign * value))
-    require(expected == list(map(number, certificate["left"])), "the pattern has another value at the point")
-    require(values == list(map(number, certificate["right"])), "the matrix has another value at the point")
+    require(expected == numbers(certificate["left"]), "the pattern has another value at the point")
+    require(values == numbers(certificate["right"]), "the matrix has another value at the point")
     require(expected != values, "the matrix follows the pattern at the point")
 
 
@@ -571,6 +559,7 @@ def vanishing_refuted(statement: Statement, form: str, certificate: Certificate)
     """Show that at the point only one side vanishes."""
     _method(certificate, "counterexample")
     _keys(certificate, "method", "derived", "product of the factors")
+    require(not statement.form("derived").shape, "expected a scalar that vanishes")
     algebra = at_point(_counterexample(statement))
     derived, product = statement.side("derived", algebra)[0], Fraction(1)
     for factor in statement.side(form, algebra):
@@ -586,38 +575,46 @@ def rank_refuted(statement: Statement, form: str, certificate: Certificate) -> N
     if certificate.get("method") == "counterexample":
         _keys(certificate, "method", "rank", "rows", "columns", "minor")
         size = _minor(statement, certificate, statement.record["counterexample"])
-        require(size == certificate["rank"], "the minor is not of the recorded size")
+        require(size == integer(certificate["rank"]), "the minor is not of the recorded size")
         require(size > claimed, "the rank is not larger")
         return
     _method(certificate, "kernel vectors")
     bound = _bound(statement, certificate, {"rank at most"})
-    require(bound == certificate["rank at most"], "the bound is another one")
+    _require_no_point(statement)
+    require(bound == integer(certificate["rank at most"]), "the bound is another one")
     require(bound < claimed, "the rank is not smaller")
 
 
 def limit_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that an entry has a pole, or that the limit differs at the point."""
     if certificate.get("method") == "divergence":
-        _keys(certificate, "method", "divisors", "leading")
-        _, limits = _limits(statement, certificate)
-        require(statement.record["hypotheses"] == certificate["divisors"], "the hypotheses are not the divisors")
+        _keys(certificate, "method", "divisors", "orders")
+        _, limits, _ = _limits(statement, form, certificate)
+        _require_no_point(statement)
         require(None in limits, "every entry has a limit")
         return
     _method(certificate, "counterexample")
-    _keys(certificate, "method", "divisors", "leading", "left", "right")
-    _, limits = _limits(statement, certificate)
+    _keys(certificate, "method", "divisors", "orders", "left", "right")
+    field, limits, lowest = _limits(statement, form, certificate)
     point = _counterexample(statement)
-    left = statement.side(form, at_point(point))
+    require(all(field.value(part, point) for part in lowest), "the limit is not defined at the point")
     right = []
-    for found, (_, above, below) in zip(limits, certificate["leading"], strict=True):
+    for found in limits:
         require(found is not None, "an entry has no limit")
         assert found is not None
-        value, divisor = (evaluate(parse_polynomial(text), at_point(point))[0] for text in (above, below))
-        require(divisor != 0, "the limit is not defined at the point")
-        right.append(Fraction(0) if found[0].is_zero else value / divisor)
-    require(left == list(map(number, certificate["left"])), "the left side has another value at the point")
-    require(right == list(map(number, certificate["right"])), "the right side has another value at the point")
-    require(left != right, "the limit does not differ at the point")
+        above, below = (field.value(part.cleared(), point) / part.denominator for part in found)
+        right.append(above / below)
+    _require_different(certificate, statement.side(form, at_point(point)), right)
+
+
+def _require_different(certificate: Certificate, left: list[Fraction], right: list[Fraction]) -> None:
+    require(left == numbers(certificate["left"]), "the left side has another value at the point")
+    require(right == numbers(certificate["right"]), "the right side has another value at the point")
+    require(left != right, "the two sides do not differ at the point")
+
+
+def _require_no_point(statement: Statement) -> None:
+    require(statement.record["counterexample"] == {}, "what is refuted without a point has no coordinates")
 
 
 PROOFS: Mapping[str, Check] = {

@@ -7,13 +7,13 @@ and a certificate that did not list it is rejected.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from math import gcd
 from typing import Any
 
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
-from algebroproj_sym.replaying.polynomial import Polynomial, constant, product, variables
+from algebroproj_sym.replaying.polynomial import BITS, Polynomial, constant, product, variables
 from algebroproj_sym.replaying.rejection import Rejected, require
 from algebroproj_sym.replaying.text import parse_polynomial
 
@@ -94,6 +94,18 @@ class Field:
                 raise Rejected("a listed divisor is a constant, has a numeric factor, or is listed twice")
             self.factors.append(factor)
         self.listed = len(self.factors)
+
+    def value(self, polynomial: Polynomial, point: Mapping[str, Fraction]) -> Fraction:
+        """Return the value of a polynomial at a point."""
+        total = Fraction(0)
+        for monomial, coefficient in polynomial.terms.items():
+            term = Fraction(coefficient)
+            for name, place in self.places.items():
+                power = monomial >> BITS * place & (1 << BITS) - 1
+                require(not power or name in point, f"the point has no value for {name}")
+                term *= point.get(name, term) ** power
+            total += term
+        return total
 
     @property
     def unlisted(self) -> bool:

@@ -14,9 +14,10 @@ from algebroproj_sym.replaying.consequences import (
     require_hypotheses,
     require_keys,
 )
+from algebroproj_sym.replaying.entry import require_seconds
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.rejection import NotReplayable, require
-from algebroproj_sym.replaying.text import parse_statement
+from algebroproj_sym.replaying.text import parse_statement, texts
 
 KEYS = {
     "file", "name", "lhs", "rhs", "constraints", "nonzero", "verdict", "expected", "method", "reason", "hypotheses",
@@ -43,6 +44,9 @@ def require_identity(record: Mapping[str, Any]) -> None:
     verdict, certificate = record["verdict"], record["certificate"]
     require(verdict in ("proved", "refuted", "open", "error"), f"there is no verdict {verdict!r}")
     require(record["expected"] in (None, verdict), "the verdict is not the expected one")
+    for key in ("file", "name"):
+        require(isinstance(record[key], str) and record[key].isprintable(), f"{key}: expected a printable text")
+    require_seconds(record)
     if verdict in ("open", "error"):
         raise NotReplayable("what is not decided has no evidence")
     require(record["method"] == certificate["method"], "the method is not that of the certificate")
@@ -66,8 +70,9 @@ def require_identity(record: Mapping[str, Any]) -> None:
 def _question(record: Mapping[str, Any]) -> Question:
     left, right = parse_statement(record["lhs"]), parse_statement(record["rhs"])
     require(left.shape == right.shape, "the two sides have not the same shape")
-    constraints = [parse_statement(text) for text in record["constraints"]]
-    nonzero = [parse_statement(text) for text in record["nonzero"]]
+    constraints = [parse_statement(text) for text in texts(record["constraints"])]
+    nonzero = [parse_statement(text) for text in texts(record["nonzero"])]
+    require(not any(form.shape for form in (*constraints, *nonzero)), "expected scalars as constraints and conditions")
     symbols = {name for form in (left, right, *constraints, *nonzero) for name in form.symbols()}
 
     def sides(algebra: Algebra) -> tuple[list[Any], list[Any]]:
@@ -83,7 +88,7 @@ def _require_difference(record: Mapping[str, Any], question: Question, certifica
     numbers = numbers_of(certificate)
     sides = question.sides_at(record["counterexample"], numbers)
     for name, values in zip(("left", "right"), sides, strict=True):
-        shown = [number_of(text, numbers) for text in certificate[name]]
+        shown = [number_of(text, numbers) for text in texts(certificate[name])]
         same = len(shown) == len(values) and all(is_zero(a - b) for a, b in zip(shown, values, strict=True))
         require(same, f"the {name} side has another value at the point")
     require(any(not is_zero(a - b) for a, b in zip(*sides, strict=True)), "the two sides do not differ")

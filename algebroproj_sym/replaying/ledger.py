@@ -17,6 +17,7 @@ from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 from algebroproj_sym.replaying.statement import Statement
 
 SCHEMA = 1
+MOST_LEVELS = 200
 
 Status = Literal["replayed", "rejected", "not replayable"]
 
@@ -73,8 +74,8 @@ def replay_claim(record: Mapping[str, Any]) -> Replayed:
     >>> replay_claim({**record, "declaration": declaration_digest(record)}).reason
     'the two sides differ'
     """
-    paper, number, kind, verdict = (str(record.get(key)) for key in ("paper", "number", "kind", "verdict"))
     status, reason = _judged(_follow, record)
+    paper, number, kind, verdict = _named(record, "paper", "number", "kind", "verdict")
     return Replayed(paper, number, kind, verdict, status, reason)
 
 
@@ -100,12 +101,19 @@ def replay_identity(record: Mapping[str, Any]) -> Replayed:
     >>> replay_identity(record).status
     'replayed'
     """
-    kind = "identity under constraints" if record.get("constraints") else "identity"
     status, reason = _judged(require_identity, record)
-    return Replayed(str(record.get("file")), str(record.get("name")), kind, str(record.get("verdict")), status, reason)
+    file, name, verdict, constraints = _named(record, "file", "name", "verdict", "constraints")
+    kind = "identity" if constraints in ("[]", "None") else "identity under constraints"
+    return Replayed(file, name, kind, verdict, status, reason)
+
+
+def _named(record: Any, *keys: str) -> list[str]:
+    return [str(record.get(key)) if isinstance(record, Mapping) else "" for key in keys]
 
 
 def _judged(check: Callable[[Mapping[str, Any]], None], record: Mapping[str, Any]) -> tuple[Status, str]:
+    if not isinstance(record, Mapping):
+        return "rejected", f"expected a record, got {type(record).__name__}"
     try:
         check(record)
     except NotReplayable as why:
@@ -114,7 +122,7 @@ def _judged(check: Callable[[Mapping[str, Any]], None], record: Mapping[str, Any
         return ("rejected", str(why))
     except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
         return ("rejected", f"the record is not well-formed ({type(error).__name__}: {error})")
-    except (RecursionError, OverflowError):
+    except (RecursionError, OverflowError, MemoryError):
         return ("not replayable", "the expressions are too large")
     return "replayed", ""
 
@@ -136,15 +144,16 @@ def _follow(record: Mapping[str, Any]) -> None:
     require((record["instead"] is None) == (verdict != "false"), "what is true instead is needless or missing")
     require((record["counterexample"] is None) == (verdict not in ("misprint", "false")), "a needless counterexample")
     require(("refutation" in certificate) == (verdict == "misprint"), "a misprint, and nothing else, has a refutation")
+    statement.require_meanings()
+    proof = {key: value for key, value in certificate.items() if key != "refutation"}
     if verdict in ("proved", "definition"):
-        PROOFS[kind](statement, "printed", certificate)
+        PROOFS[kind](statement, "printed", proof)
         return
     if verdict in ("misprint", "illegible"):
-        PROOFS[kind](statement, "corrected", certificate)
+        PROOFS[kind](statement, "corrected", proof)
     if verdict in ("misprint", "false"):
         refutation = certificate["refutation"] if verdict == "misprint" else certificate
-        if verdict == "false" and refutation.get("method") == "counterexample":
-            require(record["hypotheses"] == [], "a counterexample needs no hypotheses")
+        require(verdict == "misprint" or record["hypotheses"] == [], "a refutation has no hypotheses")
         REFUTATIONS[kind](statement, "printed", refutation)
 
 
@@ -174,7 +183,7 @@ def replay(ledger: Mapping[str, Any], jobs: int = 1) -> Iterator[Replayed]:
     unsupported = {} if of_identities else _unsupported(records)
     replay_one = replay_identity if of_identities else replay_claim
     for record, result in zip(records, _replayed(replay_one, records, jobs), strict=True):
-        reason = unsupported.get((record.get("paper"), record.get("number")), "")
+        reason = unsupported.get(f"{record.get('paper')}:{record.get('number')}", "")
         wrong = reason and result.status == "replayed"
         yield dataclasses.replace(result, status="rejected", reason=reason) if wrong else result
 
@@ -191,27 +200,44 @@ def _replayed(
 
 def _listed(ledger: Mapping[str, Any], name: str) -> Sequence[Mapping[str, Any]]:
     """Return the entries of a ledger that is, as a whole, what it says."""
-    require(isinstance(ledger, Mapping) and ledger.get("schema") == SCHEMA, f"expected a ledger of schema {SCHEMA}")
+    require(isinstance(ledger, Mapping), f"expected a ledger of schema {SCHEMA}")
+    _require_shallow(ledger)
+    schema = ledger.get("schema")
+    require(type(schema) is int and schema == SCHEMA, f"expected a ledger of schema {SCHEMA}")
     require(ledger.keys() == {"schema", name, "summary"}, f"expected schema, {name} and summary, got {sorted(ledger)}")
     entries = ledger[name]
     require(isinstance(entries, list) and bool(entries), f"expected a list of {name} that is not empty")
     require(all(isinstance(entry, Mapping) for entry in entries), f"expected a list of {name}")
     counts = dict(Counter(str(entry.get("verdict")) for entry in entries))
-    require(ledger["summary"] == counts, "the summary is not the count of the verdicts")
-    names = Counter((entry.get("paper"), entry.get("number")) for entry in entries)
-    twice = sorted(f"{paper}:{number}" for (paper, number), count in names.items() if count > 1)
+    summary = ledger["summary"]
+    counted = isinstance(summary, Mapping) and all(type(count) is int for count in summary.values())
+    require(counted and summary == counts, "the summary is not the count of the verdicts")
+    names = Counter(f"{entry.get('paper')}:{entry.get('number')}" for entry in entries)
+    twice = sorted(named for named, count in names.items() if count > 1)
     require(name == "identities" or not twice, f"claims are listed twice: {', '.join(twice)}")
     return cast(Sequence[Mapping[str, Any]], entries)
 
 
-def _unsupported(claims: Sequence[Mapping[str, Any]]) -> dict[tuple[Any, Any], str]:
+def _require_shallow(ledger: Mapping[str, Any]) -> None:
+    level: list[Any] = [ledger]
+    for _ in range(MOST_LEVELS):
+        level = [part for node in level for part in _parts(node)]
+        if not level:
+            return
+    raise Rejected(f"expected a ledger of at most {MOST_LEVELS} levels")
+
+
+def _parts(node: Any) -> list[Any]:
+    return [*node.values()] if isinstance(node, dict) else node if isinstance(node, list) else []
+
+
+def _unsupported(claims: Sequence[Mapping[str, Any]]) -> dict[str, str]:
     """Return the false claims whose `instead` does not name a claim of the ledger that holds, with the reason."""
-    verdicts = {(claim.get("paper"), claim.get("number")): claim.get("verdict") for claim in claims}
+    verdicts = {f"{claim.get('paper')}:{claim.get('number')}": claim.get("verdict") for claim in claims}
     found = {}
     for claim in claims:
-        verdict = verdicts.get((claim.get("paper"), claim.get("instead")), "no claim of the ledger")
-        if claim.get("verdict") == "false" and verdict not in ("proved", "misprint", "illegible"):
-            found[claim.get("paper"), claim.get("number")] = (
-                f"what is true instead, {claim.get('instead')}, is {verdict}"
-            )
+        verdict = verdicts.get(f"{claim.get('paper')}:{claim.get('instead')}", "no claim of the ledger")
+        if claim.get("verdict") == "false" and str(verdict) not in ("proved", "misprint", "illegible"):
+            instead = f"what is true instead, {claim.get('instead')}, is {verdict}"
+            found[f"{claim.get('paper')}:{claim.get('number')}"] = instead
     return found

@@ -16,7 +16,9 @@ from algebroproj_sym.replaying.rejection import NotReplayable
 
 BITS = 64
 MOST_VARIABLES = 1000
-MOST_PRODUCTS = 10**8
+MOST_PRODUCTS = 2 * 10**6
+MOST_TERMS = 10**5
+MOST_BITS = 10**6
 _FREE = sum(1 << (BITS * place + BITS - 1) for place in range(MOST_VARIABLES))
 
 
@@ -79,6 +81,9 @@ class Polynomial:
         return Polynomial({monomial: value for monomial, value in terms.items() if value})
 
     def __pow__(self, exponent: int) -> Polynomial:
+        bits = max((value.bit_length() for value in self.terms.values()), default=0)
+        if bits > 1 and bits * exponent > MOST_BITS:
+            raise NotReplayable("a coefficient is too large")
         result = constant(1)
         for digit in bin(exponent)[2:]:
             result = result * result
@@ -127,6 +132,8 @@ class Polynomial:
                 return None
             shift = monomial - lead
             found[shift] = share
+            if len(found) > MOST_TERMS:
+                raise NotReplayable("a quotient has too many terms")
             for place, coefficient in others:
                 target = place + shift
                 if target in rest:

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from algebroproj_sym.replaying.evaluation import Algebra
-from algebroproj_sym.replaying.rejection import Rejected, require
-from algebroproj_sym.replaying.text import number
+from algebroproj_sym.replaying.evaluation import MOST_BITS, Algebra
+from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
+from algebroproj_sym.replaying.text import numbers
 
 Coefficients = tuple[Fraction, ...]
 
@@ -56,8 +56,13 @@ class Residue:
 
     def __pow__(self, exponent: int) -> Residue:
         result = Residue((Fraction(1),), self.modulus)
-        for _ in range(abs(exponent)):
-            result = result * self
+        for digit in bin(abs(exponent))[2:]:
+            result = result * result
+            if digit == "1":
+                result = result * self
+            bits = max((value.numerator.bit_length() for value in result.coefficients), default=0)
+            if bits > MOST_BITS:
+                raise NotReplayable("a power is too large")
         return result if exponent >= 0 else Residue((Fraction(1),), self.modulus) / result
 
     def _inverse(self) -> Coefficients:
@@ -86,8 +91,8 @@ def extension(given: Any) -> Algebra:
         If the polynomial does not change its sign between the bounds.
     """
     require(given.keys() == {"coefficients", "root between"}, "an extension is a polynomial and bounds of a root")
-    modulus = _trimmed(tuple(map(number, given["coefficients"])))
-    low, high = map(number, given["root between"])
+    modulus = _trimmed(tuple(numbers(given["coefficients"])))
+    low, high = numbers(given["root between"])
     real = len(modulus) > 1 and _value(modulus, low) * _value(modulus, high) < 0
     require(real, "the polynomial of the extension has no root where the certificate says")
     monic = tuple(value / modulus[0] for value in modulus)

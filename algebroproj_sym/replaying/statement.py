@@ -10,7 +10,7 @@ from typing import Any
 from algebroproj_sym.replaying.evaluation import Algebra, at_point, evaluate, substituting
 from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.rejection import Rejected, require
-from algebroproj_sym.replaying.text import Form, number, parse, parse_factors
+from algebroproj_sym.replaying.text import Form, number, parse, parse_factors, texts
 
 Point = dict[str, Fraction]
 
@@ -30,6 +30,18 @@ class Statement:
         self.setting: Mapping[str, Any] = record["setting"]
         self._forms: dict[str, Form] = {}
 
+    def require_meanings(self) -> None:
+        """Reject symbols that stand for something and do not occur, or that occur where they stand for themselves."""
+        shown = {s for name in ("printed", "corrected") if self.has(name) for s in self._named(name)}
+        others = self._named("derived") | {
+            s for key in ("constraints", "nonzero") for f in self.listed(key) for s in f.symbols()
+        }
+        require(self.where.keys() <= shown, "a symbol that does not occur stands for something")
+        require(not self.where.keys() & others, "a symbol stands for something, and elsewhere for itself")
+
+    def _named(self, name: str) -> set[str]:
+        return self.form(name).symbols() if self.has(name) and self.kind != "numeric" else set()
+
     def has(self, name: str) -> bool:
         """Whether there is a form of the name."""
         return self.record.get(name) is not None
@@ -48,7 +60,7 @@ class Statement:
 
     def listed(self, name: str) -> list[Form]:
         """Return the expressions of an entry of the setting."""
-        return [_scalar(text) for text in self.setting.get(name, ())]
+        return [_scalar(text) for text in texts(self.setting.get(name, []))]
 
     @cached_property
     def symbols(self) -> set[str]:
@@ -64,13 +76,13 @@ class Statement:
             names |= self.form("derived").symbols()
         for form_of in (*self.listed("constraints"), *self.listed("nonzero")):
             names |= form_of.symbols()
-        names |= set(self.setting.get("variables", ()))
+        names |= set(texts(self.setting.get("variables", [])))
         return names | ({self.setting["variable"]} if "variable" in self.setting else set())
 
     def field(self, divisors: Any) -> Field:
         """Return the field of rational functions in the symbols, with listed divisors."""
         field = Field(self.symbols)
-        field.enter([field.polynomial(text).cleared() for text in divisors])
+        field.enter([field.polynomial(text).cleared() for text in texts(divisors)])
         return field
 
     def side(self, name: str, algebra: Algebra) -> list[Any]:

@@ -24,8 +24,8 @@ from typing import Any, NamedTuple
 
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 
-_TOKEN = re.compile(r"\s*(?:([0-9]+)|([^\W\d]\w*'*)|(\*\*|[-+*/(),\[\]]))")
-_DECIMAL = re.compile(r"(?<![\w.])([0-9]*)\.([0-9]*)")
+_TOKEN = re.compile(r" *(?:([0-9]+)|([^\W\d]\w*'*)|(\*\*|[-+*/(),\[\]]))")
+_DECIMAL = re.compile(r"(?<![\w.])(?=[0-9]|\.[0-9])([0-9]*)\.([0-9]*)")
 _NUMBER = re.compile(r"(-?)(0|[1-9][0-9]*)(?:/([1-9][0-9]*))?")
 DEPTH = 200
 LARGEST_EXPONENT = 10**6
@@ -104,14 +104,18 @@ def parse_statement(text: Any) -> Form:
     """
     if not isinstance(text, str):
         raise Rejected(f"expected the text of a statement, got {text!r}")
-    left, equal, right = _DECIMAL.sub(_exact, text.replace("^", "**")).partition("=")
+    plain = re.sub(r"[\t\n]", " ", text).replace("^", "**")
+    left, equal, right = _DECIMAL.sub(_exact, plain).partition("=")
+    if equal:
+        require(not parse(left).shape and not parse(right).shape, "expected scalars on both sides of =")
     whole = f"({left}) - ({right})" if equal else left.strip()
     return parse(f"Matrix({whole})" if whole.startswith("[") else whole)
 
 
 def _exact(match: re.Match[str]) -> str:
     whole, part = match.groups()
-    return f"({whole}{part or '0'}/1{'0' * len(part)})" if part else f"({whole or '0'})"
+    digits = (part or "").rstrip("0")
+    return f"({whole}{digits}/1{'0' * len(digits)})" if digits else f"({whole or '0'})"
 
 
 def parse_factors(text: Any) -> Form:
@@ -139,6 +143,24 @@ def number(text: Any) -> Fraction:
         if gcd(above, below) == 1 and match.group(3) != "1":
             return Fraction(-above if sign else above, below)
     raise Rejected(f"expected a rational number in lowest terms, got {text!r}")
+
+
+def texts(value: Any) -> list[str]:
+    """Return a list of texts; anything else is rejected."""
+    listed = isinstance(value, list) and all(isinstance(text, str) for text in value)
+    require(listed, f"expected a list of texts, got {value!r:.80}")
+    return list(value)
+
+
+def numbers(value: Any) -> list[Fraction]:
+    """Read a list of rational numbers."""
+    return [*map(number, texts(value))]
+
+
+def integer(value: Any) -> int:
+    """Return an integer; a truth value or a decimal number is none."""
+    require(type(value) is int, f"expected an integer, got {value!r:.80}")
+    return int(value)
 
 
 def decimal(text: Any) -> tuple[Fraction, Fraction]:
@@ -197,7 +219,7 @@ class _Reader:
         return Form(shape, tuple(self.operations), tuple(entries))
 
     def _tokens(self) -> list[str]:
-        tokens, start, text = [], 0, self.text.rstrip()
+        tokens, start, text = [], 0, self.text.rstrip(" ")
         while start < len(text):
             match = _TOKEN.match(text, start)
             if match is None:
@@ -298,8 +320,8 @@ class _Reader:
         if kind in ("symbol", "/") or len(known) < len(parts):
             return None
         if kind == "^":
-            small = abs(known[0]) <= LARGEST_EXPONENT and abs(value) <= 20
-            return known[0] ** value if known[0] and small else None
+            small = abs(known[0]) <= LARGEST_EXPONENT and 0 <= value <= 20
+            return known[0] ** value if small else None
         if kind == "number":
             return Fraction(value)
         return -known[0] if kind == "-" else sum(known, Fraction(0)) if kind == "+" else known[0] * known[1]

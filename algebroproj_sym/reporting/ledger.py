@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from algebroproj_sym.declaring import VERDICTS, Claim, Judgement, Quote, statement_text
-from algebroproj_sym.expressions import text
+from algebroproj_sym.declaring.claim import expressions_of
+from algebroproj_sym.expressions import free_symbols, text
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import declaration_digest
 
@@ -69,6 +70,8 @@ def declaration(claim: Claim, quote: Quote | None) -> dict[str, Any]:
 
     Expressions are text that SymPy parses; it shows every division that was made, also one that cancels.
     """
+    forms = (claim.printed, claim.corrected)
+    shown = {symbol for form in forms for part in expressions_of(form) for symbol in free_symbols(part)}
     declared = {
         "paper": claim.paper,
         "number": claim.number,
@@ -79,7 +82,7 @@ def declaration(claim: Claim, quote: Quote | None) -> dict[str, Any]:
         "printed": statement_text(claim.printed),
         "derived": statement_text(claim.derived),
         "corrected": statement_text(claim.corrected),
-        "where": {symbol.name: statement_text(value) for symbol, value in claim.where.items()},
+        "where": {symbol.name: statement_text(value) for symbol, value in claim.where.items() if symbol in shown},
         "setting": _setting(claim),
         "instead": claim.instead or None,
         "note": claim.note,

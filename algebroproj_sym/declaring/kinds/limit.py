@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, TypeAlias
+from typing import Any
 
 import sympy
 
@@ -11,44 +11,44 @@ from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.expressions import entries, evaluate, over, symbols_of, text, vector
 from algebroproj_sym.proving import Proof, RationalFunction, RationalFunctionField, prove
 
-Leading: TypeAlias = tuple[int, sympy.Expr, sympy.Expr]
-
 
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
-    """Decide ``printed == limit of derived``, entry by entry."""
+    """Decide ``printed == limit of derived``, entry by entry.
+
+    There is a limit where the lowest coefficients of all divisors do not vanish.
+    """
     derived: Any = claim.derived
     if claim.variable is None:
         raise DeclarationError(f"{claim.number}: expected the variable that goes to zero")
     field = RationalFunctionField(symbols_of((derived, claim.variable)), engine)
-    limits = [_limit(value, claim.variable) for value in evaluate(derived, field.variables, field.lift)]
-    finite = [value for value in map(_value, limits) if value is not None]
+    values = evaluate(derived, field.variables, field.lift)
+    lowest = [_lowest(field, factor, claim.variable)[1] for factor in field.factors]
+    limits = [_limit(value, claim.variable) for value in values]
     evidence = {
         "divisors": [text(factor) for factor in field.divisors()],
-        "leading": [[order, text(numerator), text(denominator)] for order, numerator, denominator in limits],
+        "orders": [order for order, _ in limits],
     }
+    finite = [value for _, value in limits if value is not None]
     if len(finite) < len(limits):
-        return Proof("refuted", field.divisors(), {"method": "divergence", **evidence}, {}, engine)
-    proof = prove(vector(*entries(printed)), vector(*finite), engine=engine)
+        return Proof("refuted", (), {"method": "divergence", **evidence}, {}, engine)
+    defined = [over(1, coefficient) for coefficient in lowest]
+    proof = prove(vector(*entries(printed), *defined), vector(*finite, *defined), engine=engine)
+    certificate = dict(proof.certificate or {})
+    if proof.verdict == "refuted":
+        certificate |= {side: certificate[side][: len(finite)] for side in ("left", "right")}
     if proof.verdict != "proved":
-        return replace(proof, certificate={**(proof.certificate or {}), **evidence})
+        return replace(proof, certificate={**certificate, **evidence})
     return replace(proof, certificate={"method": "leading coefficients", **evidence})
 
 
-def _limit(value: RationalFunction, variable: sympy.Symbol) -> Leading:
-    """Return the lowest power, and the numerator and denominator of its coefficient; the zero function has power 0."""
+def _limit(value: RationalFunction, variable: sympy.Symbol) -> tuple[int, sympy.Expr | None]:
+    """Return the lowest power, and the limit, None for a pole; the zero function has power 0."""
     if value.is_zero:
-        return 0, sympy.Integer(0), sympy.Integer(1)
+        return 0, sympy.Integer(0)
     above, numerator = _lowest(value.field, value.numerator, variable)
     below, denominator = _lowest(value.field, value.field.product(value.denominator), variable)
-    return above - below, numerator, denominator
-
-
-def _value(leading: Leading) -> sympy.Expr | None:
-    """Return the limit; None for a pole."""
-    order, numerator, denominator = leading
-    if order < 0:
-        return None
-    return over(numerator, denominator) if order == 0 else sympy.Integer(0)
+    order = above - below
+    return order, None if order < 0 else over(numerator, denominator) if order == 0 else sympy.Integer(0)
 
 
 def _lowest(field: RationalFunctionField, polynomial: Any, variable: sympy.Symbol) -> tuple[int, sympy.Expr]:

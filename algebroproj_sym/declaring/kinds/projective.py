@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import takewhile
+from itertools import combinations, takewhile
 from typing import Any
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kinds.identity import decided
-from algebroproj_sym.expressions import Scalar, entries, vector
-from algebroproj_sym.proving import Proof
+from algebroproj_sym.expressions import Scalar, entries, evaluate, vector
+from algebroproj_sym.proving import Point, Proof
 
 
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed ~ derived`` through p_i d_k = p_k d_i, for an entry k that is not identically zero.
 
     The certificate keeps the pivot k.  The factor p_k / d_k must not be identically zero; where there are constraints,
-    a point shows it.  A refutation is a point at which p_i d_k and p_k d_i differ.
+    all entries are compared, and a point shows that neither side is zero everywhere.  A refutation is a point at which
+    p_i d_k and p_k d_i differ.
     """
     p, d = entries(printed), entries(claim.derived)
     found = (_is_zero(claim, entry, engine) for entry in d)
@@ -27,18 +29,43 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
         if undecided is None:
             raise DeclarationError(f"{claim.number}: expected a derived form that is not identically zero")
         return undecided
+    if claim.constraints:
+        return _under_constraints(claim, p, d, pivot, engine)
     left, right = vector(*(entry * d[pivot] for entry in p)), vector(*(entry * p[pivot] for entry in d))
     proof = decided(claim, left, right, engine, (d[pivot],))
-    certificate = {**(proof.certificate or {}), "pivot": pivot}
+    if proof.verdict == "proved" and _is_zero(claim, p[pivot], engine).verdict != "refuted":
+        return replace(proof, verdict="open", certificate={"method": "none", "reason": "the printed form is zero"})
+    return replace(proof, certificate={**(proof.certificate or {}), "pivot": pivot})
+
+
+def _under_constraints(claim: Claim, p: Sequence[Scalar], d: Sequence[Scalar], pivot: int, engine: str) -> Proof:
+    """Decide it through p_i d_j = p_j d_i for all i and j: where d_k is zero, an entry k says nothing of the others."""
+    pairs = [*combinations(range(len(d)), 2)]
+    left, right = vector(*(p[i] * d[j] for i, j in pairs)), vector(*(p[j] * d[i] for i, j in pairs))
+    proof = decided(claim, left, right, engine)
+    if proof.verdict == "refuted" and proof.counterexample is not None:
+        return replace(proof, certificate=_differing_at(p, d, dict(proof.counterexample)))
     if proof.verdict != "proved":
-        return replace(proof, certificate=certificate)
-    point = _is_zero(claim, p[pivot], engine).counterexample
-    if point is None:
+        return proof
+    sides = (*p, *d)
+    nonzero = decided(claim, vector(p[pivot] * d[pivot], *sides), vector(0, *sides), engine)
+    if nonzero.counterexample is None:
         reason = "no point was found at which the printed form is not zero: it may be zero, or add witness="
         return replace(proof, verdict="open", certificate={"method": "none", "reason": reason})
-    if claim.constraints:
-        certificate["nonzero at"] = {symbol.name: str(value) for symbol, value in point.items()}
-    return replace(proof, certificate=certificate)
+    point = {symbol.name: str(value) for symbol, value in nonzero.counterexample.items()}
+    return replace(proof, certificate={**(proof.certificate or {}), "pivot": pivot, "nonzero at": point})
+
+
+def _differing_at(p: Sequence[Scalar], d: Sequence[Scalar], point: Point) -> dict[str, Any]:
+    """Return the evidence that two lists are not proportional at a point."""
+    printed, derived = (evaluate(vector(*side), point) for side in (p, d))
+    pivot = next(k for k, value in enumerate(derived) if value)
+    return {
+        "method": "counterexample",
+        "left": [str(value * derived[pivot]) for value in printed],
+        "right": [str(value * printed[pivot]) for value in derived],
+        "pivot": pivot,
+    }
 
 
 def _is_zero(claim: Claim, entry: Scalar, engine: str) -> Proof:

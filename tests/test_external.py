@@ -96,7 +96,8 @@ def multiplies_out(item, certificate):
         return evaluate(field.expression(polynomial.numerator), origin, field.lift)[0]
 
     def combined(texts):
-        terms = [read_top(text) * at_origin(g) for text, g in zip(texts, zero, strict=True)]
+        assert len(texts) <= len(zero)
+        terms = [read_top(text) * at_origin(g) for text, g in zip(texts, zero, strict=False)]
         return sum(terms, field.lift(Fraction(0)))
 
     def is_product_of_units(polynomial):

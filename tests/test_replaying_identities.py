@@ -36,7 +36,7 @@ QUESTIONS = {
 
 def record_of(lhs, rhs, constraints, nonzero):
     question = Question(lhs, rhs, tuple(constraints), tuple(nonzero))
-    answer = Answer(Identity(Path("mine.json"), "mine", question, None), _decided(question, "flint"))
+    answer = Answer(Identity(Path("mine.json"), "mine[0]", "mine", question, None), _decided(question, "flint"))
     return json.loads(json.dumps(answers_record([answer])["identities"][0]))
 
 
@@ -87,6 +87,9 @@ QUADRATIC = "x**2 + x*y + y**2"
 CUBES = {
     "file": "mine.json",
     "name": "equal cubes",
+    "method": "case distinction",
+    "reason": None,
+    "expected": None,
     "lhs": "x",
     "rhs": "y",
     "constraints": ["x^3 = y^3"],

@@ -87,8 +87,10 @@ REAL = {
 def test_what_holds_over_the_reals_is_proved_and_replayed(lhs, rhs, constraints):
     proof = prove(lhs, rhs, constraints=constraints)
     assert proof.verdict == "proved"
-    record = {"lhs": lhs, "rhs": rhs, "constraints": constraints, "nonzero": [], "verdict": "proved"}
-    record |= {"file": "", "name": "", "hypotheses": [], "counterexample": None, "certificate": dict(proof.certificate)}
+    certificate = dict(proof.certificate)
+    record = {"lhs": lhs, "rhs": rhs, "constraints": constraints, "nonzero": [], "verdict": "proved", "name": "real"}
+    record |= {"file": "real.json", "hypotheses": [], "counterexample": None, "certificate": certificate}
+    record |= {"expected": None, "method": certificate["method"], "reason": None}
     assert replay_identity(record).status == "replayed"
 
 

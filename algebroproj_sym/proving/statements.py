@@ -40,7 +40,8 @@ def prove(
     Returns
     -------
     Proof
-        Verdict ``"proved"`` (over every field of characteristic 0), ``"refuted"`` (at a real point) or ``"open"``.
+        Verdict ``"proved"`` (over the real numbers, and over every field of characteristic 0 if no squares are in the
+        certificate), ``"refuted"`` (at a real point) or ``"open"``.
         What SymPy assumes of symbols is in `Proof.assumptions`: every point satisfies it.
 
     Raises

@@ -155,10 +155,13 @@ class Problem:
         if finding.verdict != "open" or len(self.facts) >= MOST_STEPS:
             return finding
         known = [fact for fact in map(self._everywhere, real_facts(self.system, self.seed)) if self._holds(fact)]
-        return self._knowing(known).decided() if known else self._decided_by_real_cases() or finding
+        return self._knowing(known).decided() if known else self._decided_at_last() or finding
 
-    def _decided_by_real_cases(self) -> Finding | None:
-        """Return a proof by cases in which zeros may be sums of squares."""
+    def _decided_at_last(self) -> Finding | None:
+        """Return a refutation at a point that takes long to find, or a proof by cases with sums of squares."""
+        refuting = next((place for place, differs in self._further_places() if differs), None)
+        if refuting is not None:
+            return self._refuted(refuting)
         cases = [self._cases(numerator, real=True) for numerator in self.numerators]
         found = [case for case in cases if case is not None]
         places = chain(self._places(FIRST_TRIES), self._places(MORE_TRIES, extension=True))
@@ -181,15 +184,19 @@ class Problem:
         if witness is not None and None in evidence and self._distinguished is not None:
             return self._proved_by_cases(self._distinguished, witness)
         if witness is None or None in evidence:
-            further = self._places(FURTHER_TRIES, extension=True, further=True)
-            for place, differs in chain(self._places(MORE_TRIES, extension=True), further):
+            for place, differs in self._places(MORE_TRIES, extension=True):
                 if differs:
                     return self._refuted(place)
                 witness = witness or place
                 if None not in evidence:
                     break
         if witness is None:
-            return _open(NO_POINT)
+            found_last = next(self._further_places(), None)
+            if found_last is None:
+                return _open(NO_POINT)
+            witness, differs = found_last
+            if differs:
+                return self._refuted(witness)
         found = [part for part in evidence if part is not None]
         if len(found) == len(evidence):
             return self._proved(found, witness)
@@ -448,6 +455,9 @@ class Problem:
             if whole is not None:
                 field = whole[0].field if isinstance(whole[0], Algebraic) else None
                 yield from self._judged(_Place(dict(zip(self.field.symbols, whole[:-1], strict=True)), field))
+
+    def _further_places(self) -> Iterator[tuple[_Place, bool]]:
+        return self._places(FURTHER_TRIES, extension=True, further=True)
 
     def _judged(self, place: _Place) -> Iterator[tuple[_Place, bool]]:
         if not self.admits(place.shown()):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -75,11 +75,11 @@ def check(
     known = [memory.recall(claim, engine) if memory else None for claim in claims]
     changed = [claim for claim, judgement in zip(claims, known, strict=True) if judgement is None]
     judged = mapped(partial(judge, engine=engine), changed, jobs)
-    for judgement in known:
+    for claim, judgement in zip(claims, known, strict=True):
         if judgement is not None:
             yield judgement
             continue
-        proved = next(judged)
+        proved = replace(next(judged), claim=claim)
         if memory:
             memory.keep(proved)
         yield proved

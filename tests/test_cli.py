@@ -150,7 +150,7 @@ def test_a_claim_that_is_not_as_declared_exits_with_1(tmp_path):
     result = run("check", str(module))
     assert result.exit_code == 1
     assert "false, declared proved" in result.output
-    assert "1 not as declared" in result.output
+    assert "1 verdict is not as declared" in result.output
 
 
 @pytest.mark.parametrize(
@@ -192,7 +192,9 @@ def test_generate_writes_the_package_and_check_finds_drift(tmp_path):
     result = run("generate", "--check", "--out", str(out))
     assert result.exit_code == 1
     assert "optics.py" in result.output
-    assert run("verify", "optics", "--package", str(out), "--samples", "4").exit_code == 1
+    result = run("verify", "optics", "--package", str(out), "--samples", "4")
+    assert result.exit_code == 1
+    assert "is not verified: its source is not proved to give the derivation" in result.stderr
     assert run("verify", "space", "affine.plane_frame", "--package", str(out), "--samples", "4").exit_code == 0
 
 

@@ -7,12 +7,15 @@ import signal
 import subprocess
 import sys
 import time
+from importlib import import_module
 
 import pytest
 from click.testing import CliRunner
 
 from algebroproj_sym.cli import main, steps
+from algebroproj_sym.declaring import derivation_at, select
 from algebroproj_sym.files import write_texts
+from algebroproj_sym.reporting import NotebookError, run_notebook
 from algebroproj_sym.scaffolding import create
 
 COLOR = re.compile(r"\x1b\[[0-9;]*3[0-7][0-9;]*m")
@@ -161,6 +164,113 @@ def test_a_build_that_is_not_as_declared_says_why_and_writes_the_ledger(wrong, t
     assert result.exit_code == 1
     assert "there derived" in result.stderr
     assert (tmp_path / "ledger.json").is_file()
+
+
+def test_a_function_that_fails_is_named_with_the_reason_and_what_to_try(right, tmp_path, monkeypatch):
+    monkeypatch.setattr(import_module("algebroproj_sym.verifying.accuracy"), "BOUND", 0)
+    result = run("build", "--derivations", right, "--name", "functions", "--out", tmp_path, "--samples", "2")
+    assert result.exit_code == 1
+    assert re.search(r"^\w+\.\w+ is not verified: its errors are too large", result.stderr, flags=re.MULTILINE)
+    for word in ("form=", "alternatives=", "report.md"):
+        assert word in result.stderr
+    assert "is not verified" in (tmp_path / "report.md").read_text(encoding="utf-8")
+
+
+MODULE = """
+# %%
+import sys
+import sympy
+from algebroproj_sym import Section
+
+x = sympy.Symbol("x")
+section = Section("mine", "1", "Squares")
+
+# %%
+{cell}
+"""
+
+
+@pytest.mark.parametrize(
+    ("cell", "message"),
+    [
+        ("sys.exit(3)", "cannot be imported (line 11): it ends the program, by SystemExit(3)"),
+        ("section.identity(1.1, 'a', printed=x, derived=x)", "expected the text of a number such as 1.3.8"),
+        ("section.identity('1.1', 7, printed=x, derived=x)", "expected a title, a text, got 7"),
+        ("section.numeric('1.1', 'a', printed=1.5, derived=x / x)", "expected the text of a decimal number, got 1.5"),
+    ],
+)
+def test_a_module_that_goes_wrong_is_an_error_with_a_name(tmp_path, cell, message):
+    module = tmp_path / "mine.py"
+    module.write_text(MODULE.format(cell=cell), encoding="utf-8")
+    result = run("check", module)
+    assert result.exit_code == 1
+    assert message in result.stderr
+    assert str(module) in result.stderr
+    assert "Traceback" not in result.output
+
+
+def test_an_exception_in_a_cell_is_an_error_that_names_the_cell(tmp_path):
+    module = tmp_path / "mine.py"
+    cell = "if 'IPython' in sys.modules: raise ValueError('only in a notebook')"
+    module.write_text(MODULE.format(cell=cell), encoding="utf-8")
+    with pytest.raises(NotebookError, match=r"mine.py: cell 2, which begins with .if 'IPython'.*: ValueError: only in"):
+        run_notebook(derivation_at(module)[0])
+
+
+def completed(*words):
+    """Return what the Tab key gives after some words, as bash tells them."""
+    environment = {"_ALGEBROPROJ_COMPLETE": "bash_complete"}
+    environment |= {"COMP_WORDS": " ".join(["algebroproj", *words]), "COMP_CWORD": str(len(words))}
+    lines = run(env=environment, prog_name="algebroproj").output.split()
+    return [line.partition(",")[2] for line in lines]
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (("check", "funda"), ["fundamentals1996"]),
+        (("check", "fundamentals1996:1.2/j=0"), ["fundamentals1996:1.2/j=0"]),
+        (("check", "fundamentals1996", ":", "1.2/j=0"), ["1.2/j=0"]),
+        (("explain", "rhodos1990", "fundamentals1996:1.2/j=0"), ["fundamentals1996:1.2/j=0"]),
+        (("check", "nosuchpaper:1"), []),
+        (("check", "./folder"), ["./folder"]),
+    ],
+)
+def test_selectors_complete(words, expected):
+    assert completed(*words) == expected
+
+
+def test_all_numbers_of_a_paper_complete_that_are_written_in_its_modules():
+    found = completed("explain", "critical1996", ":")
+    declared = {claim.number for claim in select(["critical1996"])} | {"0"}
+    assert found
+    assert {*found} <= declared | {claim.section for claim in select(["critical1996"])}
+    assert len(found) > len(declared) / 2
+
+
+def test_without_the_studies_help_and_completion_say_what_to_install(monkeypatch):
+    monkeypatch.setattr(steps, "find_spec", lambda name: None)
+    help_text = run("study", "--help")
+    assert help_text.exit_code == 0
+    assert "pip install 'algebroproj-sym[study]'" in help_text.output
+    assert completed("study", "") == []
+    result = run("study", "scene")
+    assert result.exit_code == 1
+    assert "pip install 'algebroproj-sym[study]'" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "meant"),
+    [
+        (("check", "fundamental1996"), "Did you mean fundamentals1996?"),
+        (("check", "critical1996:0/beyond/divisors"), "Did you mean 0/beyond/divisor"),
+        (("chekc",), "Did you mean 'check'?"),
+    ],
+)
+def test_what_is_misspelled_is_asked_about(arguments, meant):
+    result = run(*arguments)
+    assert result.exit_code == 2
+    assert meant in " ".join(result.output.split())
 
 
 def test_files_are_written_whole_or_not_at_all(tmp_path):

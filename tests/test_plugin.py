@@ -73,7 +73,7 @@ def test_a_failure_shows_both_forms_their_difference_and_where_they_differ(pytes
             "*there printed = *",
             "*there derived = *",
             "*(1.3/column) a column*",
-            "differs     entry 2: y printed, x derived",
+            "differs     row 2, column 1: printed y, derived x",
             "*(1.4) right after all*",
             "verdict     proved, declared misprint",
         ]

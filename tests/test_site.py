@@ -5,9 +5,11 @@ import os
 import re
 import subprocess
 import sys
+from base64 import b64decode
 from decimal import Decimal
 from fractions import Fraction
 from html.parser import HTMLParser
+from io import BytesIO
 from pathlib import Path
 from posixpath import dirname, join, normpath
 from xml.etree import ElementTree
@@ -15,17 +17,19 @@ from xml.etree import ElementTree
 import pytest
 import sympy
 from click.testing import CliRunner
+from fontTools.ttLib import TTFont
 
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
-from algebroproj_sym.declaring import Derivation, derivations, judge, publication, select
+from algebroproj_sym.declaring import Derivation, arranged, derivations, judge, kernels, publication, select
 from algebroproj_sym.declaring.bibliography import bibtex
-from algebroproj_sym.declaring.latex import NOTHING, latex
+from algebroproj_sym.declaring.latex import latex
 from algebroproj_sym.declaring.names import latex_name, plain_name
 from algebroproj_sym.expressions import Matrix, entries, evaluate, over, symbols_of, vector
 from algebroproj_sym.reporting.site import OccupiedError, catalogue, render_site, replace
 from algebroproj_sym.reporting.site.addresses import claim_page, slug
 from algebroproj_sym.reporting.site.differences import difference
+from algebroproj_sym.reporting.site.function_pages import formulas_of
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.search import search_index
 
@@ -162,9 +166,46 @@ def test_every_link_and_anchor_resolves(files):
 
 
 def test_nothing_is_loaded_from_elsewhere(files):
+    elsewhere = r"(?:src|href|action)=\"(?:[a-z]+:|//)|url\((?!data:)|@import|fetch\(|https?://"
     for name, text in files.items():
         if name.endswith((".html", ".css", ".js")):
-            assert not re.search(r"(?:src|href|action)=\"(?:[a-z]+:|//)|url\(|@import|fetch\(|https?://", text), name
+            assert not re.search(elsewhere, text), name
+
+
+def require_no_markup(text, name):
+    for formula in re.findall(r"<math.*?</math>", text):
+        shown = "".join(ElementTree.fromstring(formula).itertext())
+        assert not {*shown} & {*"<>&\\"}, (name, shown)
+
+
+def test_no_formula_shows_markup_as_text(files):
+    for name, text in files.items():
+        if name.endswith(".html"):
+            require_no_markup(text, name)
+
+
+def test_no_formula_of_any_function_shows_markup_as_text():
+    found = kernels()
+    assert len(found) > 70
+    for kernel in found:
+        require_no_markup("".join(formulas_of(kernel)), kernel.qualified_name)
+
+
+def test_the_font_of_the_formulas_is_in_the_site_with_its_licence_and_has_what_the_pages_show(files):
+    font = TTFont(BytesIO(b64decode(re.search(r"url\(data:font/woff2;base64,([^)]*)\)", files["style.css"]).group(1))))
+    assert "MATH" in font
+    assert "SIL OPEN FONT LICENSE" in files["font-licence.txt"]
+    for name, text in files.items():
+        for formula in re.findall(r"<math.*?</math>", text) if name.endswith(".html") else ():
+            for element in ElementTree.fromstring(formula).iter():
+                assert {*map(drawn, (element.text or "").strip())} <= font.getBestCmap().keys(), (name, element.text)
+
+
+def drawn(letter):
+    """Return the code of a letter: an identifier of one letter is drawn in italics."""
+    if letter.isascii() and letter.isalpha() and letter != "h":
+        return 0x1D434 + ord(letter) - (65 if letter < "a" else 71)
+    return ord(letter)
 
 
 def test_pages_can_be_read_by_everyone(files):
@@ -194,7 +235,7 @@ def test_formulas_are_well_formed(files):
     assert count > 20
 
 
-TAGS = {"math", "mrow", "mi", "mn", "mo", "mfrac", "msup", "msub", "msubsup", "mtable", "mtr", "mtd"}
+TAGS = {"math", "mtext", "mrow", "mi", "mn", "mo", "mfrac", "msup", "msub", "msubsup", "mtable", "mtr", "mtd"}
 
 
 def value(element, point):
@@ -328,10 +369,11 @@ def test_every_verdict_has_a_page_that_says_so(demo):
 def test_the_entries_that_differ_are_marked_and_named(demo):
     text = demo["demo/1.4~+a.html"]
     printed, derived, corrected = re.findall(r"<figure.*?</figure>", text, re.DOTALL)
-    for side in (printed, derived, corrected):
+    for side, marked in ((printed, '<mrow class="differs"><mo>&#x02212;</mo></mrow>'), (corrected, "<mi>y</mi>")):
         assert len(re.findall("<mtd", side)) == 3
-        assert len(re.findall('class="differing-entry"', side)) == 1
-    assert '<mrow class="differs"><mo>&#x02212;</mo></mrow>' in printed
+        assert len(re.findall('class="differs"', side)) == 1
+        assert re.search(rf'<mtd[^>]*>(<mrow>)?(<mrow class="differs">)?{marked}', side)
+    assert "differs" not in derived
     assert "row 2, column 1" in text
     assert "Counterexample" in text
     digits = demo["demo/1.9.html"]
@@ -339,12 +381,36 @@ def test_the_entries_that_differ_are_marked_and_named(demo):
 
 
 def test_as_little_as_can_be_told_apart_is_marked():
-    left, right = difference(x * y + z, x * u31 + z)
-    assert left.of(x * y).of(y).whole
-    assert right.of(x * u31).of(u31).whole
-    assert left.of(z) == NOTHING
-    assert difference(x, -x)[0].whole
-    assert difference(over(x, y), over(x, z))[1].of(z).whole
+    assert marked(x * y + z, x * u31 + z) == ("x [y] + z", "[u31] x + z")
+    assert marked(x, -x) == ("[x]", "[-]x")
+    assert marked(over(x, y), over(x, z)) == ("x/[y]", "x/[z]")
+    assert marked(x * y - z, x * y + z) == ("x y [-] z", "x y [+] z")
+    assert marked(2 * x**2 * y + z, 3 * x**2 * y + z) == ("[2] x^2 y + z", "[3] x^2 y + z")
+    assert marked(x**2 * y, x**3 * y) == ("x^[2] y", "x^[3] y")
+    assert marked(z * (x - y) ** 2, z * (x + y) ** 2) == ("z (x [-] y)^2", "z (x [+] y)^2")
+    assert marked(x + y, x + y + z) == ("x + y", "x + y [+ z]")
+    assert marked(x * y, u31 + z) == ("[x y]", "[u31 + z]")
+    assert marked(Matrix([[x, -y], [z, 0]]), Matrix([[x, y], [z, 1]])) == ("x, [-]y, z, [0]", "x, [y], z, [1]")
+
+
+SPELLED = [
+    (r"\\class\{differs\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"[\1]"),
+    (r"\\left|\\right", ""),
+    (r"u_\{31\}", "u31"),
+    (r"\\frac\{(.*)\}\{(.*)\}", r"\1/\2"),
+    (r"\^\{(.*?)\}", r"^\1"),
+    (r"\[\\begin\{matrix\} (.*) \\end\{matrix\}\]", r"\1"),
+    (r" (?:&|\\\\) ", ", "),
+]
+
+
+def marked(left, right):
+    """Return two forms in few letters, what is marked in brackets."""
+    forms = arranged(left), arranged(right)
+    shown = [latex(form, marks, ordered=False) for form, marks in zip(forms, difference(*forms), strict=True)]
+    for pattern, spelled in SPELLED:
+        shown = [re.sub(pattern, spelled, text) for text in shown]
+    return tuple(shown)
 
 
 def test_what_is_too_long_is_text_or_a_sentence_with_a_link_to_all_of_it(demo):

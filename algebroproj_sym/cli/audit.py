@@ -9,7 +9,7 @@ import click
 
 from algebroproj_sym.auditing import audit, stale
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing
+from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show
 from algebroproj_sym.declaring import located
 from algebroproj_sym.reporting import audit_lines, audit_record, audit_table
 
@@ -38,7 +38,7 @@ def audit_command(selectors: Sequence[str], papers: Path | None, output: str) ->
         echo_json(audit_record(findings, papers is not None))
     else:
         console().print("\n".join(audit_lines(findings)), soft_wrap=True)
-        console().print(audit_table(findings))
+        show(audit_table(findings))
         if papers is None:
             console().print("The quotes were not looked up in the papers: no folder was given with --papers DIR.")
     if left_over:

@@ -18,7 +18,7 @@ from algebroproj_sym.cli.steps import (
     say_what_is_wrong,
     verified,
 )
-from algebroproj_sym.cli.terminal import console
+from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import derivations_of, drivers, kernels, quotes_of, select
 from algebroproj_sym.generating import measured_errors, render, write
 from algebroproj_sym.reporting import (
@@ -65,6 +65,6 @@ def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engin
     write_json(record, out / "accuracy.json")
     write(render(lowered, drivers(sources), measured_errors(record)), out / package)
     write_text(report(judgements, lowered, verifications), out / "report.md")
-    console().print(verification_table(verifications))
+    show(verification_table(verifications))
     console().print(f"written to {out}: ledger.json, findings.md, {package}/, accuracy.json, report.md")
     require_as_declared(judgements, verifications, out / "report.md")

@@ -10,7 +10,7 @@ import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import judged, judged_where_declared, require_as_declared, say_what_is_wrong
-from algebroproj_sym.cli.terminal import console, echo_json, progressing, verbosity
+from algebroproj_sym.cli.terminal import console, echo_json, progressing, show, verbosity
 from algebroproj_sym.declaring import (
     Answer,
     Judgement,
@@ -62,7 +62,7 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, outpu
     if output == "json":
         echo_json(ledger_of(records, summary(judgements)))
     else:
-        console().print(claims_table(judgements))
+        show(claims_table(judgements))
         console().print(summary_text(judgements))
     if verbosity() == "quiet":
         say_what_is_wrong(judgements)
@@ -96,7 +96,7 @@ def _check_files(files: Sequence[Path], engine: str, jobs: int, output: str, sec
     if output == "json":
         echo_json(answers_record(answers))
     else:
-        console().print(answers_table(answers))
+        show(answers_table(answers))
         console().print(answers_summary(answers))
     if not all(answer.as_declared for answer in answers):
         raise SystemExit(1)

@@ -6,24 +6,30 @@ import click
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
+from algebroproj_sym.cli.steps import require_as_declared
 from algebroproj_sym.cli.terminal import console, echo
 from algebroproj_sym.declaring import markdown, numbered_with, quotations, select, split
 from algebroproj_sym.reporting import explanation
 
 
 @click.command()
-@click.argument("selector")
+@options.required_selectors
 @options.output_as("text", "markdown", help="Format of the output. Markdown has formulas in LaTeX.")
+@click.option("--full", is_flag=True, help="Show long forms and lists as a whole.")
 @options.engine
-def explain(selector: str, output: str, engine: str) -> None:
+def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) -> None:
     """Show one claim: the printed form, the derived form, the verdict and the evidence.
 
     SELECTOR names a claim, such as fundamentals1996:1.3.8, or a section, module or folder, as for check.
+
+    A long form is shown by the names of what it is made of, or by its beginning and its size. The option --full shows
+    all of it. The exit status is 1 if a verdict is not the declared one.
     """
-    claims = select((selector,))
-    source, _ = split(selector)
-    found = numbered_with((source,))
+    claims = select(selectors)
+    found = numbered_with([split(selector)[0] for selector in selectors])
+    judgements = []
     for judgement in pipeline.check(claims, engine):
+        judgements.append(judgement)
         claim = judgement.claim
         if output == "markdown":
             echo(f"{markdown(judgement)}\n")
@@ -32,4 +38,5 @@ def explain(selector: str, output: str, engine: str) -> None:
         derivation = next(d for d in found if claim in d.section.claims)
         quote = quotations(derivation.path.parent).quotes.get(claim.number)
         functions = [kernel.qualified_name for kernel in kernels]
-        console().print(explanation(judgement, derivation.module, functions, quote))
+        console().print(explanation(judgement, derivation.module, functions, quote, full=full))
+    require_as_declared(judgements)

@@ -12,7 +12,7 @@ from rich.table import Table
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import judged
-from algebroproj_sym.cli.terminal import console, echo, progressing
+from algebroproj_sym.cli.terminal import console, echo, progressing, show
 from algebroproj_sym.declaring import installed_papers
 from algebroproj_sym.exporting import (
     ASSUMPTIONS,
@@ -140,7 +140,7 @@ def _say(claims: Sequence[Exported], out: Path) -> None:
         of_kind = [claim for claim in claims if claim.kind == kind]
         shown = sum(1 for claim in of_kind if claim.theorems)
         table.add_row(kind, str(len(of_kind)), str(shown), str(sum(len(claim.theorems) for claim in of_kind)))
-    console().print(table)
+    show(table)
     total = sum(len(claim.theorems) for claim in claims)
     missing = sum(1 for claim in claims if not claim.theorems)
     trivial = sum(claim.trivial for claim in claims)

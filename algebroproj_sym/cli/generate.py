@@ -8,7 +8,7 @@ import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels, require_room
-from algebroproj_sym.cli.terminal import console
+from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import drivers, kernels
 from algebroproj_sym.generating import drift, recorded_errors, render, write
 from algebroproj_sym.reporting import operations_table
@@ -45,5 +45,5 @@ def generate(sources: tuple[str, ...], out: Path, package: str, only_check: bool
     if not only_check:
         require_room(files, folder, sources)
         write(files, folder)
-        console().print(operations_table(lowered))
+        show(operations_table(lowered))
     console().print(f"{folder}: {len(lowered)} functions, {len(changed)} files {'differ' if only_check else 'changed'}")

@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+from algebroproj_sym.cli.completing import selectors_like
 from algebroproj_sym.generating import PACKAGE
 from algebroproj_sym.proving import ENGINES
 
@@ -22,7 +23,10 @@ engine = click.option(
 jobs = click.option(
     "--jobs", type=click.IntRange(min=1), default=1, show_default=True, metavar="N", help="Number of worker processes."
 )
-selectors = click.argument("selectors", nargs=-1, metavar="[SELECTOR]...")
+selectors = click.argument("selectors", nargs=-1, metavar="[SELECTOR]...", shell_complete=selectors_like)
+required_selectors = click.argument(
+    "selectors", nargs=-1, required=True, metavar="SELECTOR...", shell_complete=selectors_like
+)
 functions = click.argument("functions", nargs=-1, metavar="[FUNCTION]...")
 
 

@@ -13,7 +13,7 @@ import click
 from rich.table import Table
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, visible
+from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show, visible
 from algebroproj_sym.declaring import located, quotes_of
 from algebroproj_sym.replaying import Rejected, Replayed, Status, replay
 from algebroproj_sym.reporting import declaration
@@ -66,7 +66,7 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
             if result.status != "replayed":
                 told = f"{result.paper}:{result.number}  {result.status}: {result.reason}"
                 console().print(visible(told, line=True))
-        console().print(_table(results))
+        show(_table(results))
         counts = Counter(result.status for result in results)
         listed = ", ".join(
             f"{counts[status]} {status}" for status in STATUSES if counts[status] or status != STATUSES[2]

@@ -10,14 +10,18 @@ from typing import Any
 import click
 
 from algebroproj_sym import pipeline
-from algebroproj_sym.cli.terminal import echo, progressing, verbosity
+from algebroproj_sym.cli.terminal import echo, progressing
 from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, modules_of_papers, require_consistent
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
 from algebroproj_sym.remembering import Memory, cache_folder
-from algebroproj_sym.reporting import Notebook, failure_text, remember
+from algebroproj_sym.reporting import Notebook, failed_function, failure_text, remember
 from algebroproj_sym.verifying import Verification
 
 SITE_MODULES = ("latex2mathml",)
+ADVICE = (
+    "Try another form of the kernel: declare section.kernel(..., form=...) with an equal expression that cancels\n"
+    "less, or several of them with alternatives=..., of which the generator takes the most accurate one."
+)
 NOTEBOOK_MODULES = ("ipykernel", "jupytext", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
 
 
@@ -88,11 +92,16 @@ def verified(
 
 def require_modules(names: Sequence[str], purpose: str, requirement: str = "algebroproj-sym[report]") -> None:
     """Refuse to begin what needs modules that are not installed, and say what to install."""
-    missing = [name for name in names if find_spec(name) is None]
+    missing = missing_modules(names)
     if missing:
         raise click.ClickException(
             f"{purpose} needs the module {missing[0]}.\nInstall it with: pip install '{requirement}'"
         )
+
+
+def missing_modules(names: Sequence[str]) -> list[str]:
+    """Return which modules are not installed."""
+    return [name for name in names if find_spec(name) is None]
 
 
 def run_notebooks(derivations: Collection[Derivation], jobs: int) -> list[Notebook]:
@@ -119,10 +128,14 @@ def require_as_declared(
     verifications : sequence of Verification
         The figures of the functions.
     details : Path, optional
-        Where to read more; said where no table is.
+        Where to read more.
     """
-    failed = [v.accuracy.function for v in verifications if not v.passed]
-    if failed and verbosity() == "quiet":
-        echo(f"not verified: {', '.join(failed)}{f'; see {details}' if details else ''}", err=True)
+    failed = [v for v in verifications if not v.passed]
+    if failed:
+        echo("\n".join(map(failed_function, failed)), err=True)
+        if not all(v.accuracy.within_bound for v in failed):
+            echo(ADVICE, err=True)
+        if details:
+            echo(f"All figures are in {details}.", err=True)
     if failed or not all(judgement.as_declared for judgement in judgements):
         raise SystemExit(1)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import require_modules
+from algebroproj_sym.cli.steps import missing_modules, require_modules
 from algebroproj_sym.cli.terminal import console, progressing
 from algebroproj_sym.files import write_texts
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from algebroproj_sym.study.sweeping import Sweep
 
 MODULES = ("xarray", "h5netcdf", "h5py", "dask", "matplotlib", "scipy", "SALib")
+REQUIREMENT = "algebroproj-sym[study]"
 CONNECTING = "10s"
 CHUNKS_PER_WORKER = 2
 """How many chunks are under way for each worker: one is computed while another one is kept."""
@@ -30,12 +31,22 @@ class Studies(click.Group):
     """The studies, which are imported when one of them is asked for."""
 
     def list_commands(self, context: click.Context) -> list[str]:
-        """Return the names of the studies."""
-        return [study.name for study in _studies()]
+        """Return the names of the studies; none if they cannot be imported."""
+        return [study.name for study in _studies()] if not missing_modules(MODULES) else []
 
     def get_command(self, context: click.Context, name: str) -> click.Command | None:
         """Return the command of a study."""
+        if context.resilient_parsing and missing_modules(MODULES):
+            return None
+        require_modules(MODULES, "study", REQUIREMENT)
         return next((_command(study) for study in _studies() if study.name == name), None)
+
+    def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the list of the studies, or how to install what they need."""
+        if missing_modules(MODULES):
+            formatter.write(f"\nTo see the studies, install what they need:\n  pip install '{REQUIREMENT}'\n")
+        else:
+            super().format_commands(context, formatter)
 
 
 @click.group(name="study", cls=Studies)
@@ -48,7 +59,6 @@ def study_group() -> None:
 
 
 def _studies() -> tuple[Study, ...]:
-    require_modules(MODULES, "study", "algebroproj-sym[study]")
     from algebroproj_sym.study.studies import STUDIES
 
     return STUDIES

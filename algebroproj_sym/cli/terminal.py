@@ -15,13 +15,16 @@ from typing import Any, Literal, TypeVar
 
 import click
 from rich.console import Console, ConsoleOptions, ConsoleRenderable, RenderHook, RenderResult
+from rich.measure import Measurement
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.segment import Segment
+from rich.table import Table
 
 Item = TypeVar("Item")
 Verbosity = Literal["quiet", "normal", "verbose"]
 
 PIPE_WIDTH = 160
+UNLIMITED = 10_000
 
 _HIDDEN = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\xad\u0600-\u0605\u061c\u06dd\u070f\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f"
@@ -85,6 +88,14 @@ def console() -> Console:
     )
     made.push_render_hook(_Visible())
     return made
+
+
+def show(table: Table) -> None:
+    """Write a table; names are never cut: where the terminal is too narrow for them, the lines are longer than it."""
+    out = console()
+    least = Measurement.get(out, out.options.update(max_width=UNLIMITED), table).minimum
+    out.width = max(out.width, least)
+    out.print(table)
 
 
 def progressing(items: Iterable[Item], total: int, what: str, *, ticking: bool = True) -> Iterator[Item]:

@@ -8,7 +8,7 @@ import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels, require_as_declared, verified
-from algebroproj_sym.cli.terminal import console, echo_json
+from algebroproj_sym.cli.terminal import console, echo_json, show
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.reporting import verification_table, write_json
 from algebroproj_sym.verifying import BOUND, verification_record
@@ -61,7 +61,7 @@ def verify(
     if output == "json":
         echo_json(record)
     else:
-        console().print(verification_table(verifications))
+        show(verification_table(verifications))
         passed = sum(verification.passed for verification in verifications)
         console().print(f"{passed} of {len(verifications)} functions verified; bound of error/(cond u): {BOUND:g}")
     require_as_declared((), verifications)

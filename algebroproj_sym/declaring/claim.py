@@ -11,6 +11,7 @@ from typing import Any, Literal, TypeAlias, TypedDict, get_args
 
 import sympy
 
+from algebroproj_sym.declaring.source import Source
 from algebroproj_sym.expressions import (
     ROUNDINGS,
     Expression,
@@ -124,6 +125,8 @@ class Claim:
         Which readings were considered, and what else a reader should know.
     assumed : tuple of sympy.Symbol
         The symbols as they were given, of which SymPy assumes more than that they are real; the forms have plain ones.
+    source : Source or None
+        The call that declares it, if it is known in this process: only what is shown depends on it.
     """
 
     paper: str
@@ -146,6 +149,7 @@ class Claim:
     instead: str = ""
     note: str = ""
     assumed: tuple[sympy.Symbol, ...] = ()
+    source: Source | None = field(default=None, compare=False, repr=False)
 
     def _repr_markdown_(self) -> str:
         from algebroproj_sym.declaring.display import markdown
@@ -285,8 +289,10 @@ def reference(value: Any, where: str) -> sympy.ImmutableDenseMatrix:
 
 
 def _require_complete(claim: Claim, where: str) -> None:
-    if not _NUMBER.fullmatch(claim.number):
-        raise DeclarationError(f"{where}: expected a number such as 1.3.8, 1.3/y03 or 1.3.5#mu3, got {claim.number!r}")
+    if not isinstance(claim.number, str) or not _NUMBER.fullmatch(claim.number):
+        raise DeclarationError(
+            f"{where}: expected the text of a number such as 1.3.8, 1.3/y03 or 1.3.5#mu3, got {claim.number!r}"
+        )
     for name in ("paper", "section", "number", "title"):
         given = getattr(claim, name)
         if not isinstance(given, str) or not given.isprintable():

@@ -11,6 +11,7 @@ import pkgutil
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 from types import ModuleType
@@ -224,7 +225,10 @@ def kernels(names: Sequence[str] = (), sources: Sequence[str] = (), *, together:
     modules = sorted({kernel.module for kernel in found})
     for name in names:
         if name not in modules and name not in {kernel.qualified_name for kernel in found}:
-            raise UnknownSelectorError(f"function: expected one of {', '.join(modules)} or module.name, got {name!r}")
+            near = suggestion(name, {*modules, *(kernel.qualified_name for kernel in found)})
+            raise UnknownSelectorError(
+                f"function: expected one of {', '.join(modules)} or module.name, got {name!r}{near}"
+            )
     chosen = [k for k in found if not names or k.module in names or k.qualified_name in names]
     return tuple(sorted(chosen, key=lambda kernel: kernel.module))
 
@@ -233,6 +237,18 @@ def drivers(sources: Sequence[str] = ()) -> tuple[Driver, ...]:
     """Return the hand-written functions that travel with the kernels of some sources, sorted by module."""
     found = [driver for derivation in derivations_of(sources) for driver in derivation.section.drivers]
     return tuple(sorted(found, key=lambda driver: driver.module))
+
+
+def suggestion(given: str, known: Iterable[str]) -> str:
+    """Return a question after what was meant, for the end of a message; nothing if no known name is similar.
+
+    Examples
+    --------
+    >>> suggestion("fundamental1996", ["fundamentals1996", "okamoto1981"]), suggestion("x", ["okamoto1981"])
+    ('. Did you mean fundamentals1996?', '')
+    """
+    near = get_close_matches(given, sorted(known), n=3)
+    return f". Did you mean {' or '.join(near)}?" if near else ""
 
 
 def _united(found: Sequence[Derivation]) -> tuple[Derivation, ...]:
@@ -299,7 +315,7 @@ def _is_path(source: str, selector: str) -> bool:
         return True
     raise UnknownSelectorError(
         f"selector: expected one of the papers {', '.join(installed_papers())}, or the path of a derivation module "
-        f"or folder, got {selector!r}"
+        f"or folder, got {selector!r}{suggestion(source, installed_papers())}"
     )
 
 
@@ -341,7 +357,7 @@ def _stamp(file: Path) -> tuple[Path, int, int]:
 @cache
 def _derivations_in(files: tuple[Path, ...], stamps: tuple[tuple[Path, int, int], ...]) -> tuple[Derivation, ...]:
     """Import modules; `stamps` tell whether anything beside them has changed since the last time."""
-    papers = {paper: _folders(paper) for paper in installed_papers()}
+    papers = {paper: paper_folders(paper) for paper in installed_papers()}
     homes = {file: next((paper for paper in papers if file.parent in papers[paper]), None) for file in files}
     installed = {d.path: d for paper in dict.fromkeys(homes.values()) if paper for d in derivations(paper)}
     others = [file for file in files if homes[file] is None]
@@ -351,7 +367,7 @@ def _derivations_in(files: tuple[Path, ...], stamps: tuple[tuple[Path, int, int]
     return found
 
 
-def _folders(paper: str) -> set[Path]:
+def paper_folders(paper: str) -> set[Path]:
     """Return where the modules of a paper are, without importing them."""
     folders = importlib.import_module(PAPERS).__path__
     return {(Path(folder) / paper).resolve() for folder in folders}
@@ -362,7 +378,10 @@ def _located(selector: str) -> list[tuple[Derivation, Claim]]:
     found = [(derivation, c) for derivation in _modules_of(source, selector) for c in derivation.section.claims]
     named = [(derivation, claim) for derivation, claim in found if not part or _names(part, claim)]
     if part and not named:
-        raise UnknownSelectorError(f"selector: expected a section or number of {source}, got {part!r}")
+        known = {name for _, claim in found for name in (claim.section, claim.number)}
+        raise UnknownSelectorError(
+            f"selector: expected a section or number of {source}, got {part!r}{suggestion(part, known)}"
+        )
     return named
 
 

@@ -88,7 +88,7 @@ def _imported(path: Path) -> ModuleType:
         return _executed(path, name) if name == path.stem else _of_package(path, name)
     except BrokenModuleError:
         raise
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise BrokenModuleError(path, f"cannot be imported{_line(path, error)}: {_cause(error)}") from error
     finally:
         sys.path.remove(str(root))
@@ -156,4 +156,6 @@ def _line(path: Path, error: BaseException) -> str:
 
 
 def _cause(error: BaseException) -> str:
+    if isinstance(error, SystemExit):
+        return f"it ends the program, by SystemExit({error.code!r})"
     return f"{type(error).__name__}: {error.msg if isinstance(error, SyntaxError) else error}"

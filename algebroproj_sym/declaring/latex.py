@@ -13,11 +13,11 @@ from typing import Any
 
 import sympy
 
+from algebroproj_sym.declaring.arranging import arranged
 from algebroproj_sym.declaring.names import latex_name, parts
 from algebroproj_sym.expressions import over
 
 MARK = "differs"
-ENTRY = "differing-entry"
 _TIMES = " "
 _DOT = r" \cdot "
 _TAKES_AN_EXPONENT = re.compile(r"[A-Za-z]|\d+|\\[A-Za-z]+|\\left\(.*\\right\)")
@@ -31,24 +31,37 @@ class Marks:
     ----------
     whole : bool
         Whether all of it is marked.
-    inside : mapping
-        The marks of arguments of an expression, or, by place, of the entries of a matrix.
+    sign : bool
+        Whether the sign before it is marked.
+    inside : mapping of int to Marks
+        The marks of the arguments of an expression, or of the entries of a matrix, by their places.
     """
 
     whole: bool = False
-    inside: Mapping[Any, Marks] = field(default_factory=dict)
+    sign: bool = False
+    inside: Mapping[int, Marks] = field(default_factory=dict)
 
-    def of(self, part: Any) -> Marks:
-        """Return the marks of an argument, or of the entry at a place."""
-        return self.inside.get(part, NOTHING)
+    def of(self, place: int) -> Marks:
+        """Return the marks of the argument, or of the entry, at a place."""
+        return self.inside.get(place, NOTHING)
 
 
 NOTHING = Marks()
 WHOLE = Marks(whole=True)
+SIGN = Marks(sign=True)
 
 
-def latex(expression: Any, marks: Marks = NOTHING) -> str:
+def latex(expression: Any, marks: Marks = NOTHING, *, ordered: bool = True) -> str:
     r"""Return a scalar or matrix as LaTeX.
+
+    Parameters
+    ----------
+    expression : sympy.Expr or sympy matrix
+        What to write.
+    marks : Marks
+        What to mark in it.
+    ordered : bool
+        Whether to put terms and factors in SymPy's order, or to leave them as they are stored.
 
     Examples
     --------
@@ -56,122 +69,119 @@ def latex(expression: Any, marks: Marks = NOTHING) -> str:
     >>> print(latex(-x / y), latex(sympy.Matrix([[x, y**2]])))
     -\frac{x}{u^{\prime}_{31}} \left[\begin{matrix} x & \left(u^{\prime}_{31}\right)^{2} \end{matrix}\right]
     """
-    if isinstance(expression, sympy.MatrixBase):
-        return _matrix(expression, marks)
-    return _scalar(expression, marks)
+    form = arranged(expression) if ordered else expression
+    return _matrix(form, marks) if isinstance(form, sympy.MatrixBase) else _scalar(form, marks)
 
 
 def _matrix(matrix: Any, marks: Marks) -> str:
     rows = (
-        " & ".join(_entry(matrix[i, j], marks.of(i * matrix.cols + j)) for j in range(matrix.cols))
+        " & ".join(_scalar(matrix[i, j], marks.of(i * matrix.cols + j)) for j in range(matrix.cols))
         for i in range(matrix.rows)
     )
     content = r" \\ ".join(rows)
-    return _marked(rf"\left[\begin{{matrix}} {content} \end{{matrix}}\right]", marks)
-
-
-def _entry(expression: Any, marks: Marks) -> str:
-    shown = _scalar(expression, Marks(inside=marks.inside))
-    return shown if marks == NOTHING else rf"\class{{{ENTRY}}}{{{shown}}}"
+    return _marked(rf"\left[\begin{{matrix}} {content} \end{{matrix}}\right]", marks.whole)
 
 
 def _scalar(expression: Any, marks: Marks) -> str:
-    return _marked("".join(_signed(expression, marks)), marks)
+    sign, body = _signed(expression, marks)
+    if marks.sign and not sign:
+        return _marked(body, True)
+    return _marked(f"{_marked(sign, marks.sign)}{body}", marks.whole)
 
 
-def _marked(content: str, marks: Marks) -> str:
-    return rf"\class{{{MARK}}}{{{content}}}" if marks.whole else content
+def _marked(content: str, is_marked: bool) -> str:
+    return rf"\class{{{MARK}}}{{{content}}}" if is_marked and content else content
 
 
 def _signed(expression: Any, marks: Marks) -> tuple[str, str]:
-    """Return a minus sign or nothing, and what follows it."""
+    """Return a minus sign or nothing, and what follows it; only marks inside of it are made."""
     if isinstance(expression, sympy.Rational):
         return ("-" if expression < 0 else ""), _number(abs(expression))
-    if isinstance(expression, sympy.Mul) or (isinstance(expression, sympy.Pow) and expression.exp.is_negative):
+    if isinstance(expression, sympy.Mul):
         return _product(expression, marks)
     if isinstance(expression, sympy.Symbol):
         return "", latex_name(expression.name)
     if isinstance(expression, sympy.Add):
         return "", _sum(expression, marks)
     if isinstance(expression, sympy.Pow):
-        return "", _power(expression.base, int(expression.exp), marks)
+        if expression.exp.is_negative:
+            return "", rf"\frac{{1}}{{{_power(expression, marks)}}}"
+        return "", _power(expression, marks)
     if isinstance(expression, over):
-        above, below = expression.args
-        return "", rf"\frac{{{_scalar(above, marks.of(above))}}}{{{_scalar(below, marks.of(below))}}}"
+        above, below = (_scalar(part, marks.of(place)) for place, part in enumerate(expression.args))
+        return "", rf"\frac{{{above}}}{{{below}}}"
     raise TypeError(f"latex: expected a rational expression, got {expression}")
 
 
 def _sum(expression: Any, marks: Marks) -> str:
     content: list[str] = []
-    for term in expression.as_ordered_terms():
-        inside = marks.of(term)
+    for place, term in enumerate(expression.args):
+        inside = marks.of(place)
         sign, body = ("", _parenthesised(term, inside)) if isinstance(term, sympy.Add) else _signed(term, inside)
-        shown = f"{sign or '+'} {body}" if content else f"{sign}{body}"
-        content.append(_marked(shown, inside))
+        sign = sign or ("+" if content else "")
+        shown = f"{_marked(sign, inside.sign)} {body}" if content else f"{_marked(sign, inside.sign)}{body}"
+        content.append(_marked(shown, inside.whole or (inside.sign and not sign)))
     return " ".join(content)
 
 
 def _product(expression: Any, marks: Marks) -> tuple[str, str]:
-    negative = marked_sign = False
-    above: list[tuple[Any, int, Marks]] = []
-    below: list[tuple[Any, int, Marks]] = []
+    negative = False
+    above: list[tuple[Any, Marks]] = []
+    below: list[tuple[Any, Marks]] = []
     for factor, inside in _factors(expression, marks):
         if isinstance(factor, sympy.Rational):
             negative ^= factor < 0
-            marked_sign |= factor < 0 and inside.whole
-            above += [(sympy.Integer(abs(factor.p)), 1, inside)] if abs(factor.p) != 1 else []
-            below += [(sympy.Integer(factor.q), 1, inside)] if factor.q != 1 else []
-        elif isinstance(factor, sympy.Pow) and isinstance(factor.exp, sympy.Integer):
-            (above if factor.exp > 0 else below).append((factor.base, abs(int(factor.exp)), inside))
+            above += [(sympy.Integer(abs(factor.p)), inside)] if abs(factor.p) != 1 else []
+            below += [(sympy.Integer(factor.q), inside)] if factor.q != 1 else []
         else:
-            above.append((factor, 1, inside))
-    sign = (rf"\class{{{MARK}}}{{-}}" if marked_sign else "-") if negative else ""
+            (below if _divides(factor) else above).append((factor, inside))
     body = _juxtaposed(above)
-    return sign, rf"\frac{{{body}}}{{{_juxtaposed(below)}}}" if below else body
+    return ("-" if negative else ""), rf"\frac{{{body}}}{{{_juxtaposed(below)}}}" if below else body
 
 
-def _factors(expression: Any, marks: Marks) -> list[tuple[Any, Marks]]:
+def _divides(factor: Any) -> bool:
+    return isinstance(factor, sympy.Pow) and bool(factor.exp.is_negative)
+
+
+def _factors(product: Any, marks: Marks) -> list[tuple[Any, Marks]]:
     """Return the factors of a product and of products in it, numbers first."""
-    if not isinstance(expression, sympy.Mul):
-        return [(expression, Marks(inside=marks.inside))]
-    found = [(factor, marks.of(factor)) for factor in expression.as_ordered_factors()]
-    found = [
-        deep
-        for factor, inside in found
-        for deep in (_factors(factor, inside) if isinstance(factor, sympy.Mul) else [(factor, inside)])
-    ]
+    found: list[tuple[Any, Marks]] = []
+    for place, factor in enumerate(product.args):
+        inside = marks.of(place)
+        found += _factors(factor, inside) if isinstance(factor, sympy.Mul) else [(factor, inside)]
     return sorted(found, key=lambda pair: not isinstance(pair[0], sympy.Rational))
 
 
-def _juxtaposed(powers: list[tuple[Any, int, Marks]]) -> str:
-    if not powers:
-        return "1"
-    if len(powers) == 1 and powers[0][1] == 1 and not powers[0][2].whole:
-        return _scalar(powers[0][0], powers[0][2])
+def _juxtaposed(factors: list[tuple[Any, Marks]]) -> str:
     content = ""
-    for base, exponent, marks in powers:
-        inside = Marks(inside=marks.inside)
-        if exponent != 1:
-            piece = _power(base, exponent, inside)
-        elif isinstance(base, sympy.Add) and len(powers) > 1:
-            piece = _parenthesised(base, inside)
-        else:
-            piece = _scalar(base, inside)
+    for factor, marks in factors:
+        piece = _factor(factor, marks, alone=len(factors) == 1)
         separator = "" if not content else _DOT if piece[0].isdigit() else _TIMES
-        content += separator + _marked(piece, marks)
-    return content
+        content += separator + _marked(piece, marks.whole)
+    return content or "1"
 
 
-def _power(base: Any, exponent: int, marks: Marks) -> str:
-    """Return a positive power; the marks are those of the power, by base and exponent."""
-    if exponent == 1:
-        return _scalar(base, marks.of(base))
+def _factor(factor: Any, marks: Marks, *, alone: bool) -> str:
+    if isinstance(factor, sympy.Pow):
+        return _power(factor, marks, alone=alone)
+    if isinstance(factor, sympy.Add) and not alone:
+        return _parenthesised(factor, marks)
+    return _signed(factor, marks)[1]
+
+
+def _power(power: Any, marks: Marks, *, alone: bool = True) -> str:
+    """Return a power without the sign of its exponent."""
+    base, exponent = power.args
+    if abs(exponent) == 1:
+        inside = marks.of(0)
+        bracketed = isinstance(base, sympy.Add) and not alone
+        return _marked(_parenthesised(base, inside), inside.whole) if bracketed else _scalar(base, inside)
     plain = isinstance(base, sympy.Symbol) and not parts(base.name).primes and not parts(base.name).star
     if plain or (isinstance(base, sympy.Integer) and base >= 0):
-        below = _scalar(base, marks.of(base))
+        below = _scalar(base, marks.of(0))
     else:
-        below = _parenthesised(base, marks.of(base))
-    above = _marked(str(exponent), marks.of(sympy.Integer(exponent)))
+        below = _parenthesised(base, marks.of(0))
+    above = _marked(str(abs(exponent)), marks.of(1).whole)
     return f"{below}^{{{above}}}" if _TAKES_AN_EXPONENT.fullmatch(below) else f"{{{below}}}^{{{above}}}"
 
 

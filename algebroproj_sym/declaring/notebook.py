@@ -55,5 +55,10 @@ def _running_shell() -> Any:
 def _publish(claim: Claim) -> None:
     from IPython.display import display
 
-    data = {"text/markdown": markdown(judge(claim)), "text/plain": f"({claim.number}) {claim.title}"}
+    try:
+        shown = markdown(judge(claim))
+    except Exception as error:
+        display({"text/plain": f"({claim.number}) cannot be judged: {type(error).__name__}: {error}"}, raw=True)
+        return
+    data = {"text/markdown": shown, "text/plain": f"({claim.number}) {claim.title}"}
     display(data, raw=True, metadata={METADATA: {"claim": claim.number}})

@@ -10,6 +10,7 @@ from algebroproj_sym.declaring.driver import Driver, declared_driver
 from algebroproj_sym.declaring.jacobian import jacobian_parts
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, declared_kernel
 from algebroproj_sym.declaring.notebook import show_in_notebook
+from algebroproj_sym.declaring.source import calling
 from algebroproj_sym.expressions import provenance
 
 
@@ -116,7 +117,8 @@ class Section:
     def _declare(self, kind: Kind, number: str, title: str, printed: Any, derived: Any, **options: Any) -> Claim:
         if any(claim.number == number for claim in self.claims):
             raise DeclarationError(f"claim {self.paper}:{number}: expected a number of its own, it is declared twice")
+        source = calling(depth=2)
         provenance.declare((self.paper, number), derived)
-        claim = declared(self.paper, self.number, number, title, kind, printed, derived, **options)
+        claim = declared(self.paper, self.number, number, title, kind, printed, derived, source=source, **options)
         self.claims.append(claim)
         return claim

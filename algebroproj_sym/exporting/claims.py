@@ -98,6 +98,8 @@ def about(statement: Statement, form: str, made: Object) -> Proved:
 
 def constrained(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show equations that follow from constraints, by their cofactors; and a point that satisfies all hypotheses."""
+    if "claims" in certificate:
+        raise NotExportable("a proof of the thorough search has no theorem yet")
     left, right = statement.written(form), statement.written("derived")
     given = _constrained(statement, _hypotheses(statement, left, right))
     goals = _members(given, [*zip(left.entries, right.entries, strict=True)], certificate, len(given.units))
@@ -277,6 +279,8 @@ def _regular(point: Point, definitions: Mapping[str, Term], rows: Sequence[Seque
     if values is None:
         raise NotExportable("a divisor is zero at the point")
     count = len(rows)
+    if any(len(row) != count for row in rows):
+        raise NotExportable("the minor is not square")
     matrix = [values[start : start + count] for start in range(0, len(values), count or 1)]
     return Regular(tuple(map(tuple, rows)), inverse(matrix))
 

@@ -48,7 +48,7 @@ def prover() -> str:
 
 def declaration(claim: Claim) -> list[Any]:
     """Return all that a claim declares as plain data; expressions with every division that they make."""
-    return [[field.name, _data(getattr(claim, field.name))] for field in fields(claim)]
+    return [[field.name, _data(getattr(claim, field.name))] for field in fields(claim) if field.compare]
 
 
 def _data(value: Any) -> Any:

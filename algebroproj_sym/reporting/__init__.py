@@ -2,6 +2,7 @@
 
 from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
 from algebroproj_sym.reporting.audits import audit_counts, audit_lines, audit_record, audit_table, audited_share
+from algebroproj_sym.reporting.explaining import explanation, failure_text, form_lines
 from algebroproj_sym.reporting.forms import derived_form, remember
 from algebroproj_sym.reporting.ledger import (
     claim_record,
@@ -16,8 +17,7 @@ from algebroproj_sym.reporting.notebooks import Notebook, NotebookError, run_not
 from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import (
     claims_table,
-    explanation,
-    failure_text,
+    failed_function,
     operations_table,
     summary_text,
     verification_table,
@@ -39,8 +39,10 @@ __all__ = [
     "declaration",
     "derived_form",
     "explanation",
+    "failed_function",
     "failure_text",
     "findings",
+    "form_lines",
     "ledger",
     "ledger_of",
     "operations_table",

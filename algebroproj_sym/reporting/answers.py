@@ -11,6 +11,7 @@ from rich.text import Text
 
 from algebroproj_sym.declaring import Answer
 from algebroproj_sym.reporting.ledger import SCHEMA
+from algebroproj_sym.reporting.tables import as_declared_text, table_of
 
 COLORS = {"proved": "green", "refuted": "yellow", "open": "bold red", "error": "bold red"}
 
@@ -22,7 +23,7 @@ def answers_record(answers: Sequence[Answer]) -> dict[str, Any]:
 
 def answers_table(answers: Sequence[Answer]) -> Table:
     """Return a row for each identity: name, verdict, method, seconds."""
-    table = Table("name", "verdict", "method", "seconds", box=None, pad_edge=False)
+    table = table_of("name", "verdict", "method", "seconds")
     table.columns[3].justify = "right"
     for answer in answers:
         outcome = answer.outcome
@@ -39,7 +40,7 @@ def answers_summary(answers: Sequence[Answer]) -> Text:
     counts = [Text(f"{count} {verdict}", style=COLORS[verdict]) for verdict, count in _summary(answers).items()]
     line = Text(f"{len(answers)} identities: ").append_text(Text(", ").join(counts))
     failed = sum(not answer.as_declared for answer in answers)
-    line.append(f"; {failed} not decided as declared", style="bold red" if failed else "dim")
+    line.append("; " + as_declared_text(failed, "verdict"), style="bold red" if failed else "dim")
     return line
 
 

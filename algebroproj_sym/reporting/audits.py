@@ -10,6 +10,7 @@ from rich.table import Table
 
 from algebroproj_sym.auditing import Finding
 from algebroproj_sym.declaring import UNPARSED, UNQUOTED
+from algebroproj_sym.reporting.tables import table_of
 
 OUTCOMES = {
     "equal": "parsed, equal",
@@ -34,7 +35,7 @@ def audit_counts(findings: Sequence[Finding]) -> dict[str, Counter[str]]:
 
 def audit_table(findings: Sequence[Finding]) -> Table:
     """Return a row for each paper: how many claims have which outcome, and the share audited by machine."""
-    table = Table("paper", "claims", *OUTCOMES.values(), "audited by machine", box=None, pad_edge=False)
+    table = table_of("paper", "claims", *OUTCOMES.values(), "audited by machine")
     for paper, counts in audit_counts(findings).items():
         table.add_row(paper, str(counts.total()), *(str(counts[name]) for name in OUTCOMES), audited_share(counts))
     return table

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -61,7 +62,11 @@ def run_notebook(derivation: Derivation) -> Notebook:
     try:
         client.execute(env=_environment(derivation.path))
     except CellExecutionError as error:
-        raise NotebookError(f"{derivation.path}: a cell fails: {error.ename}: {error.evalue}") from error
+        place, cell = _failing(notebook.cells)
+        first = cell.source.strip().partition("\n")[0]
+        raise NotebookError(
+            f"{derivation.path}: cell {place}, which begins with {first!r}, fails: {error.ename}: {error.evalue}"
+        ) from error
     except (CellTimeoutError, DeadKernelError) as error:
         raise NotebookError(f"{derivation.path}: {error}") from error
     cells = tuple(cell for cell in notebook.cells if cell.source.strip())
@@ -73,6 +78,15 @@ def claim_of(output: Any) -> str | None:
     """Return the number of the claim that an output of a cell shows, if it shows one."""
     shown = output.get("metadata", {}).get(METADATA)
     return None if shown is None else str(shown["claim"])
+
+
+def _failing(cells: Sequence[Any]) -> tuple[int, Any]:
+    """Return the first cell whose output is an error, and its place."""
+    return next(
+        (place, cell)
+        for place, cell in enumerate((cell for cell in cells if cell.source.strip()), 1)
+        if any(output.output_type == "error" for output in cell.get("outputs", ()))
+    )
 
 
 def _environment(path: Path) -> dict[str, str]:

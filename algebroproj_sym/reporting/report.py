@@ -7,10 +7,11 @@ from itertools import groupby
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from algebroproj_sym.declaring import VERDICTS, Judgement, evidence_lines, statement_text
+from algebroproj_sym.declaring import VERDICTS, Judgement
 from algebroproj_sym.generating import Lowered, operation_counts
-from algebroproj_sym.reporting.forms import derived_form
+from algebroproj_sym.reporting.explaining import failure_text, finding_line
 from algebroproj_sym.reporting.ledger import summary
+from algebroproj_sym.reporting.tables import failed_function
 from algebroproj_sym.verifying import BOUND, Verification
 
 _TEMPLATES = Environment(
@@ -23,7 +24,7 @@ _TEMPLATES = Environment(
 
 
 def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified: Sequence[Verification]) -> str:
-    """Return the report.
+    """Return the report: a page to be read, with links to the files that have the rest.
 
     Parameters
     ----------
@@ -37,12 +38,17 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
     Returns
     -------
     str
-        Markdown: verdicts by paper, the findings (what is not simply proved), the functions with their figures.
+        Markdown: what is not as declared, verdicts by paper, a line for each claim that is not simply proved, the
+        functions with their figures.
     """
     return _TEMPLATES.get_template("report.md.j2").render(
+        wrong=[failure_text(judgement) for judgement in judgements if not judgement.as_declared],
+        failed=[failed_function(verification) for verification in verified if not verification.passed],
         verdicts=VERDICTS,
-        papers=[(paper, summary(group)) for paper, group in _by_paper(judgements)],
-        findings=[_finding(j) for j in judgements if _is_finding(j)],
+        papers=[
+            (paper, summary(group), [(j, finding_line(j)) for j in group if _is_finding(j)])
+            for paper, group in _by_paper(judgements)
+        ],
         functions=[_function(low, v) for low, v in zip(lowered, verified, strict=True)],
         bound=BOUND,
     )
@@ -62,19 +68,6 @@ def _is_finding(judgement: Judgement) -> bool:
 
 def _by_paper(judgements: Iterable[Judgement]) -> list[tuple[str, list[Judgement]]]:
     return [(paper, list(group)) for paper, group in groupby(judgements, key=lambda j: j.claim.paper)]
-
-
-def _finding(judgement: Judgement) -> dict[str, object]:
-    claim = judgement.claim
-    forms = (("printed", claim.printed), ("derived", derived_form(claim)), ("corrected", claim.corrected))
-    return {
-        "name": f"{claim.paper} ({claim.number})",
-        "title": claim.title,
-        "verdict": judgement.verdict,
-        "forms": [(label, statement_text(form)) for label, form in forms if form is not None],
-        "evidence": evidence_lines(judgement),
-        "note": claim.note,
-    }
 
 
 def _function(low: Lowered, verification: Verification) -> dict[str, object]:

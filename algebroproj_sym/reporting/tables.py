@@ -3,28 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import zip_longest
-from typing import Any
 
-import sympy
 from rich.table import Table
 from rich.text import Text
 
-from algebroproj_sym.declaring import (
-    Judgement,
-    Quote,
-    Statement,
-    differing_entries,
-    evidence_lines,
-    in_derived_terms,
-    statement_text,
-)
-from algebroproj_sym.expressions import divided, evaluate
+from algebroproj_sym.declaring import Judgement
 from algebroproj_sym.generating import Lowered, operation_counts
-from algebroproj_sym.proving import reduced
-from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.ledger import summary
-from algebroproj_sym.verifying import Verification
+from algebroproj_sym.verifying import BOUND, Verification
 
 COLORS = {
     "proved": "green",
@@ -41,9 +27,31 @@ def verdict_text(verdict: str) -> Text:
     return Text(verdict, style=COLORS[verdict])
 
 
+def as_declared_text(changed: int, what: str) -> str:
+    """Return how many verdicts are not the declared ones.
+
+    Examples
+    --------
+    >>> as_declared_text(0, "verdict"), as_declared_text(1, "verdict")
+    ('all verdicts are as declared', '1 verdict is not as declared')
+    """
+    if not changed:
+        return f"all {what}s are as declared"
+    return f"{changed} {what} is not as declared" if changed == 1 else f"{changed} {what}s are not as declared"
+
+
+def table_of(first: str, *others: str) -> Table:
+    """Return a table without rows, whose first column names things and is never cut."""
+    table = Table(box=None, pad_edge=False)
+    table.add_column(first, no_wrap=True)
+    for heading in others:
+        table.add_column(heading)
+    return table
+
+
 def claims_table(judgements: Sequence[Judgement]) -> Table:
     """Return a row for each claim: number, kind, verdict, what was expected, title."""
-    table = Table("number", "kind", "verdict", "title", box=None, pad_edge=False)
+    table = table_of("number", "kind", "verdict", "title")
     for judgement in judgements:
         verdict = verdict_text(judgement.verdict)
         if not judgement.as_declared:
@@ -56,79 +64,31 @@ def claims_table(judgements: Sequence[Judgement]) -> Table:
 def summary_text(judgements: Sequence[Judgement]) -> Text:
     """Return one line: how many claims, by verdict, and how many are not as declared."""
     counts = [Text(f"{count} {verdict}", style=COLORS[verdict]) for verdict, count in summary(judgements).items()]
-    line = Text(f"{len(judgements)} claims: ").append_text(Text(", ").join(counts))
+    line = Text(f"{len(judgements)} claim{'s' if len(judgements) != 1 else ''}: ").append_text(Text(", ").join(counts))
     changed = sum(not judgement.as_declared for judgement in judgements)
-    line.append(f"; {changed} not as declared", style="bold red" if changed else "dim")
+    line.append("; " + as_declared_text(changed, "verdict"), style="bold red" if changed else "dim")
     return line
 
 
-def failure_text(judgement: Judgement) -> str:
-    """Return why a claim is not as declared: both verdicts, both forms, their difference, and where they differ."""
-    claim = judgement.claim
-    lines = [
-        f"{claim.paper} ({claim.number})  {claim.title}\n",
-        _labelled("verdict", f"{judgement.verdict}, declared {claim.expected}"),
-        *_forms(judgement),
-    ]
-    point = judgement.counterexample
-    if claim.kind.startswith("identity") and isinstance(claim.printed, sympy.Expr) and claim.derived is not None:
-        printed: Any = in_derived_terms(claim.printed, claim.where)
-        lines.append(_labelled("difference", f"printed - derived = {reduced(printed - claim.derived)}"))
-    lines.append(_labelled("evidence", *evidence_lines(judgement)))
-    if point and claim.kind.startswith("identity") and claim.printed is not None and claim.derived is not None:
-        sides: Any = (in_derived_terms(claim.printed, claim.where), claim.derived)
-        for label, side in zip(("printed", "derived"), sides, strict=True):
-            lines.append(_labelled("", f"there {label} = {', '.join(map(str, evaluate(side, point)))}"))
-    return "".join(lines).rstrip("\n")
-
-
-def explanation(judgement: Judgement, module: str, functions: Sequence[str], quote: Quote | None = None) -> Text:
-    """Return everything about one claim, a line each."""
-    claim = judgement.claim
-    lines = Text()
-    lines.append(f"{claim.paper} ({claim.number})  {claim.title}\n", style="bold")
-    lines.append(f"{'verdict':<12}").append_text(verdict_text(judgement.verdict)).append(
-        f", a claim of kind {claim.kind}\n"
-    )
-    if quote:
-        lines.append(_labelled("quoted", f"line {quote.line}: {quote.text}"))
-    for form in _forms(judgement):
-        lines.append(form)
-    lines.append(_labelled("evidence", *evidence_lines(judgement)))
-    if claim.note:
-        lines.append(_labelled("note", claim.note))
-    lines.append(_labelled("derived in", module))
-    if functions:
-        lines.append(_labelled("functions", ", ".join(functions)))
-    return lines
-
-
-def _forms(judgement: Judgement) -> list[str]:
-    """Return the forms of a claim, the entries that differ, and what symbols stand for."""
-    claim = judgement.claim
-    forms = (("printed", claim.printed), ("derived", derived_form(claim)), ("corrected", claim.corrected))
-    lines = [_labelled(label, *_statement_lines(statement)) for label, statement in forms if statement is not None]
-    for place, printed_entry, derived_entry in differing_entries(claim):
-        lines.append(_labelled("differs", f"entry {place + 1}: {printed_entry} printed, {derived_entry} derived"))
-    for symbol, value in claim.where.items():
-        lines.append(_labelled("where", f"{symbol} = {statement_text(reduced(value))}"))
-    return lines
-
-
-def _labelled(label: str, *lines: str) -> str:
-    return "".join(f"{heading:<12}{line}\n" for heading, line in zip_longest((label,), lines, fillvalue=""))
-
-
-def _statement_lines(statement: Statement) -> list[str]:
-    """Return a statement as text, a row of a matrix in each line."""
-    if isinstance(statement, sympy.MatrixBase):
-        return [str(list(map(divided, statement.row(i)))) for i in range(statement.rows)]
-    return [statement_text(statement) or ""]
+def failed_function(verification: Verification) -> str:
+    """Return which function is not verified, and why."""
+    reasons = []
+    if not verification.proved:
+        reasons.append("its source is not proved to give the derivation")
+    if verification.silent:
+        reasons.append(f"its result is finite where this is zero: {', '.join(map(str, verification.silent))}")
+    if not verification.accuracy.within_bound:
+        overall = verification.accuracy.overall
+        reasons.append(
+            f"its errors are too large: median {overall.median_ulp:.2f} ULP, largest {overall.max_ulp:.3g} ULP, "
+            f"largest error/(cond u) {overall.max_ratio:.2f} where {BOUND:g} is allowed"
+        )
+    return f"{verification.accuracy.function} is not verified: {'; '.join(reasons)}"
 
 
 def operations_table(lowered: Sequence[Lowered]) -> Table:
     """Return a row for each kernel: operations as derived, after SymPy's cse, in our program."""
-    table = Table("function", box=None, pad_edge=False)
+    table = table_of("function")
     for heading in ("derived", "sympy.cse", "program"):
         table.add_column(heading, justify="right")
     for low in lowered:
@@ -139,7 +99,7 @@ def operations_table(lowered: Sequence[Lowered]) -> Table:
 
 def verification_table(verifications: Sequence[Verification]) -> Table:
     """Return a row for each function: sources proved, singular input, errors."""
-    table = Table("function", "source", "singular input", box=None, pad_edge=False)
+    table = table_of("function", "source", "singular input")
     for heading in ("samples", "median ULP", "max ULP", "max error/(cond u)"):
         table.add_column(heading, justify="right")
     for v in verifications:

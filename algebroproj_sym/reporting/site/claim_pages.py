@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from decimal import Decimal
 from typing import Any
 
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import bibtex, quotations
+from algebroproj_sym.declaring import Part, as_declared, bibtex, quotations
 from algebroproj_sym.reporting.site.addresses import claim_record_file, errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
     comparison,
-    printed_marks,
+    conditions,
+    forms_of,
+    marks_of,
     reference_text,
     relation,
     where,
@@ -31,6 +32,7 @@ def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: M
     claim = entry.judgement.claim
     forms, found = comparison(entry.judgement), evidence(entry.judgement)
     meanings = where(claim)
+    instead = catalogue.by_number.get((entry.paper, claim.instead))
     complete = forms.complete and found.complete and all(form.complete for _, form in meanings)
     record = None if complete else claim_record_file(entry.paper, entry.number)
     html = page(
@@ -41,12 +43,14 @@ def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: M
         paper=paper,
         relation=relation(claim),
         comparison=forms,
+        conditions=conditions(entry.judgement),
         where=meanings,
         constraints=[block(expression) for expression in claim.constraints],
         nonzero=[block(expression) for expression in claim.nonzero],
         evidence=found,
         note=linked(claim.note, entry.paper, entry.page, catalogue),
-        instead=catalogue.by_number.get((entry.paper, claim.instead)),
+        instead=instead,
+        instead_conditions=conditions(instead.judgement) if instead else "",
         functions=catalogue.functions_on(entry),
         quote=quotations(entry.derivation.path.parent).quotes.get(entry.number),
         cell=catalogue.cell_of(entry),
@@ -63,7 +67,7 @@ def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: M
 def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
     """Return the pages that list the claims of a paper: all of them, and the errata."""
     address = paper_page(paper.key)
-    files = {address: page("paper", address, paper=paper, line=_line)}
+    files = {address: page("paper", address, paper=paper, line=_line, conditions=conditions)}
     address = errata_page(paper.key)
 
     def note(entry: Entry) -> Markup:
@@ -78,6 +82,7 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
         paper=paper,
         bibtex=bibtex(paper.about),
         forms=_erratum,
+        conditions=conditions,
         stated=_stated,
         note=note,
         instead=instead,
@@ -91,11 +96,12 @@ def _line(entry: Entry) -> Markup:
     if claim.kind == "reference":
         printed, corrected = Markup(reference_text(claim.printed)), Markup(reference_text(claim.derived))
         return printed if claim.printed == claim.derived else _arrow(printed, corrected)
-    marks = printed_marks(entry.judgement) if isinstance(claim.printed, Decimal) else ()
-    shown = listed(claim.printed, *marks[:1])
+    forms = forms_of(claim)
+    marks = marks_of(entry.judgement, forms)
+    shown = listed(forms["printed"], marks["printed"])
     if claim.corrected is None:
         return shown or _summary(claim.printed)
-    right = listed(claim.corrected, *marks[1:])
+    right = listed(forms["corrected"], marks["corrected"])
     if claim.printed is None:
         return Markup("reconstructed: {}").format(right or described(claim.corrected))
     if shown is None or right is None:
@@ -119,10 +125,14 @@ def _erratum(entry: Entry) -> tuple[Form, Form]:
         return Form(Markup('<p class="number">{}</p>').format(pair[0])), Form(
             Markup('<p class="number">{}</p>').format(pair[1])
         )
-    printed, corrected = printed_marks(entry.judgement)
-    return block(claim.printed, printed, "printed form"), block(claim.corrected, corrected, "corrected form")
+    forms = forms_of(claim)
+    marks = marks_of(entry.judgement, forms)
+    printed, corrected = (
+        block(forms[part], marks[part], f"{part} form", ordered=False) for part in ("printed", "corrected")
+    )
+    return printed, corrected
 
 
 def _stated(entry: Entry) -> Form:
-    claim = entry.judgement.claim
-    return block(claim.printed if claim.printed is not None else claim.corrected, label="form")
+    part: Part = "corrected" if entry.judgement.claim.printed is None else "printed"
+    return block(as_declared(entry.judgement.claim, part), label="form", ordered=False)

@@ -11,12 +11,23 @@ from typing import Any
 import sympy
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Claim, Judgement, differing_entries
+from algebroproj_sym.declaring import Claim, Judgement, Part, arranged, as_declared, differing_entries, in_names
 from algebroproj_sym.declaring.latex import NOTHING, WHOLE, Marks, latex
-from algebroproj_sym.expressions import evaluate
+from algebroproj_sym.expressions import assumption, evaluate, size
 from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.site.differences import difference
-from algebroproj_sym.reporting.site.formulas import Form, block, derived_number, described, digits_that_differ, inline
+from algebroproj_sym.reporting.site.formulas import (
+    SMALL,
+    Form,
+    block,
+    derived_number,
+    described,
+    digits_that_differ,
+    in_line,
+    inline,
+    is_formula,
+    named,
+)
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
 
@@ -51,6 +62,8 @@ _PRINTED = {
     "limit": "Printed: the limit",
     "structure": "Printed: the pattern",
 }
+MOST = 6
+"""How many conditions are shown in a line."""
 _ENTRYWISE = ("identity", "identity up to scale", "identity under constraints", "limit", "reference")
 
 
@@ -78,16 +91,19 @@ class Comparison:
 def comparison(judgement: Judgement) -> Comparison:
     """Return printed, derived and corrected form of a claim."""
     claim = judgement.claim
-    derived = derived_form(claim)
-    marks = _marks(judgement, derived)
-    sides = [Side(_PRINTED.get(claim.kind, "Printed"), _form(claim, claim.printed, marks["printed"], "printed form"))]
-    if derived is not None:
-        caption = _DERIVED.get(claim.kind, "Derived")
-        sides.append(Side(caption, _derived(claim, derived, marks["derived"])))
-    if claim.corrected is not None and claim.kind != "reference":
-        caption = "Reconstructed" if claim.printed is None else "Corrected"
-        sides.append(Side(caption, _form(claim, claim.corrected, marks["corrected"], f"{caption.lower()} form")))
-    return Comparison(tuple(sides), _table(judgement, derived))
+    forms = forms_of(claim)
+    marks = marks_of(judgement, forms)
+    captions: dict[Part, str] = {
+        "printed": _PRINTED.get(claim.kind, "Printed"),
+        "derived": _DERIVED.get(claim.kind, "Derived"),
+        "corrected": "Reconstructed" if claim.printed is None else "Corrected",
+    }
+    sides = [
+        Side(caption, _form(claim, part, forms[part], marks[part]))
+        for part, caption in captions.items()
+        if part == "printed" or (forms[part] is not None and (part, claim.kind) != ("corrected", "reference"))
+    ]
+    return Comparison(tuple(sides), _table(judgement, forms))
 
 
 def relation(claim: Claim) -> str:
@@ -95,10 +111,13 @@ def relation(claim: Claim) -> str:
     return _ROUNDINGS[claim.rounding] if claim.kind == "numeric" else _RELATIONS[claim.kind]
 
 
-def printed_marks(judgement: Judgement) -> tuple[Marks, Marks]:
-    """Return what to mark in the printed and in the corrected form."""
-    marks = _marks(judgement, derived_form(judgement.claim))
-    return marks["printed"], marks["corrected"]
+def forms_of(claim: Claim) -> Mapping[Part, Any]:
+    """Return the forms of a claim as they are declared; what is derived in lowest terms."""
+    return {
+        "printed": as_declared(claim, "printed"),
+        "derived": None if claim.derived is None else arranged(derived_form(claim)),
+        "corrected": as_declared(claim, "corrected"),
+    }
 
 
 def reference_text(statement: Any) -> str:
@@ -112,16 +131,15 @@ def reference_text(statement: Any) -> str:
     return f"({'.'.join(map(str, statement))})"
 
 
-def _form(claim: Claim, statement: Any, marks: Marks, label: str) -> Form:
+def _form(claim: Claim, part: Part, form: Any, marks: Marks) -> Form:
     if claim.kind == "reference":
-        return Form(Markup('<p class="number">{}</p>').format(reference_text(statement)))
-    return block(statement, marks, label)
-
-
-def _derived(claim: Claim, derived: Any, marks: Marks) -> Form:
-    if claim.kind == "numeric":
+        return Form(Markup('<p class="number">{}</p>').format(reference_text(form)))
+    if claim.kind == "numeric" and part == "derived":
         return derived_number(claim, _exact(claim.derived))
-    return _form(claim, derived, marks, "derived form")
+    label = "reconstructed form" if part == "corrected" and claim.printed is None else f"{part} form"
+    whole = block(form, marks, label, ordered=False)
+    in_short = in_names(claim, part) if isinstance(form, sympy.Basic) and not is_formula(form) else None
+    return named(in_short, whole) if in_short else whole
 
 
 def _exact(expression: Any) -> sympy.Rational:
@@ -129,57 +147,70 @@ def _exact(expression: Any) -> sympy.Rational:
     return sympy.Rational(value.numerator, value.denominator)
 
 
-def _marks(judgement: Judgement, derived: Any) -> Mapping[str, Marks]:
-    none = {"printed": NOTHING, "derived": NOTHING, "corrected": NOTHING}
+def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, Marks]:
+    """Return what to mark in the forms of a claim: where the printed one differs from the right one."""
+    none: Mapping[Part, Marks] = {"printed": NOTHING, "derived": NOTHING, "corrected": NOTHING}
     claim = judgement.claim
     if judgement.verdict not in ("misprint", "false") or claim.printed is None:
         return none
     if isinstance(claim.printed, Decimal):
         if not isinstance(claim.corrected, Decimal):
-            return none | {"printed": WHOLE}
+            return {**none, "printed": WHOLE}
         printed, corrected = digits_that_differ(claim.printed, claim.corrected)
-        return none | {"printed": printed, "corrected": corrected}
+        return {**none, "printed": printed, "corrected": corrected}
     if claim.kind not in _ENTRYWISE:
         return none
-    right = derived if claim.corrected is None else claim.corrected
-    left_marks, right_marks = difference(claim.printed, right)
+    right: Part = "derived" if claim.corrected is None else "corrected"
+    left_marks, right_marks = difference(forms["printed"], forms[right])
     if claim.kind == "identity" and isinstance(claim.printed, sympy.MatrixBase):
-        refuted = {place for place, _, _ in differing_entries(claim)}
+        refuted = sorted(place for place, _, _ in differing_entries(claim))
         left_marks, right_marks = (
-            Marks(inside={place: found.inside.get(place, WHOLE) for place in sorted(refuted)})
+            Marks(inside={place: found.inside.get(place, WHOLE) for place in refuted})
             for found in (left_marks, right_marks)
         )
-        derived_marks = Marks(inside=dict.fromkeys(sorted(refuted), WHOLE))
-    else:
-        derived_marks = NOTHING
-    if claim.corrected is None:
-        return none | {"printed": left_marks, "derived": right_marks}
-    return {"printed": left_marks, "derived": derived_marks, "corrected": right_marks}
+    return {**none, "printed": left_marks, right: right_marks}
 
 
-def _table(judgement: Judgement, derived: Any) -> Table | None:
+def _table(judgement: Judgement, forms: Mapping[Part, Any]) -> Table | None:
     """Return the entries that differ, in words, for those who do not see the marks."""
     claim = judgement.claim
-    if judgement.verdict not in ("misprint", "false") or claim.kind != "identity" or derived is None:
+    if judgement.verdict not in ("misprint", "false") or claim.kind != "identity":
         return None
     if not isinstance(claim.printed, sympy.MatrixBase):
         return None
-    width = derived.cols
-    corrected = claim.corrected if isinstance(claim.corrected, sympy.MatrixBase) else None
+    width = claim.printed.cols
+    right: Part = "derived" if claim.corrected is None else "corrected"
     rows = [
         (
             f"row {place // width + 1}, column {place % width + 1}",
-            _cell(claim.printed[place]),
-            _cell(derived[place] if corrected is None else corrected[place]),
+            *(_cell(forms[part][place]) for part in ("printed", right)),
         )
         for place, _, _ in differing_entries(claim)
     ]
-    heading = "derived" if corrected is None else "corrected"
-    return Table("Entries that differ", ("entry", "printed", heading), rows) if rows else None
+    return Table("Entries that differ", ("entry", "printed", right), rows) if rows else None
 
 
 def _cell(entry: Any) -> Markup | str:
-    return inline(entry, most=60) or described(entry)
+    return inline(entry, most=60, ordered=False) or described(entry)
+
+
+def conditions(judgement: Judgement) -> Markup:
+    """Return in a line under which conditions a verdict stands: what is zero there, and what is not."""
+    claim = judgement.claim
+    given = [_condition(constraint, "=") for constraint in claim.constraints]
+    given += [_condition(factor, "≠") for factor in dict.fromkeys((*claim.nonzero, *judgement.hypotheses))]
+    given += [Markup("{}").format(assumption(symbol)) for symbol in claim.assumed]
+    if not given:
+        return Markup()
+    more = [Markup("and {} more conditions").format(len(given) - MOST)] if len(given) > MOST else []
+    return Markup('<span class="conditions">{}</span>').format(Markup(", ").join([*given[:MOST], *more]))
+
+
+def _condition(expression: Any, relation: str) -> Markup:
+    shown = inline(expression)
+    if shown is None:
+        return Markup("{} {} 0").format(described(expression), relation)
+    return in_line(Markup("{} {} 0").format(shown, relation), focusable=size(expression) > SMALL)
 
 
 def where(claim: Claim) -> list[tuple[Markup, Form]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
@@ -10,9 +11,10 @@ from typing import Any
 import sympy
 from markupsafe import Markup, escape
 
-from algebroproj_sym.declaring import Claim, Statement, statement_text
+from algebroproj_sym.declaring import Claim, Named, Statement, latex_of_name, named_latex, shown
 from algebroproj_sym.declaring.latex import MARK, NOTHING, WHOLE, Marks, latex
 from algebroproj_sym.declaring.names import letter, parts
+from algebroproj_sym.declaring.naming import Meaning
 from algebroproj_sym.expressions import decimals, entries, leading, size
 from algebroproj_sym.reporting.site.addresses import claim_record_file
 from algebroproj_sym.reporting.site.mathml import math
@@ -42,7 +44,7 @@ class Form:
     complete: bool = True
 
 
-def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "formula") -> Form:
+def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "formula", *, ordered: bool = True) -> Form:
     """Return a form as a block of its own.
 
     Parameters
@@ -53,32 +55,55 @@ def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "for
         What to mark in it.
     label : str
         What a screen reader calls a formula that has to be scrolled.
+    ordered : bool
+        Whether to put terms and factors in order, or to leave them as they are.
     """
     if statement is None:
         return Form(Markup("<p>The scan does not preserve it.</p>"))
     if isinstance(statement, Decimal):
         return Form(Markup('<p class="number">{}</p>').format(number(statement, marks)))
     if isinstance(statement, tuple):
-        if not all(map(_is_formula, statement)):
+        if not all(map(is_formula, statement)):
             return _as_text(statement, label)
-        pieces = [equation(latex(factor), sympy.Integer(0), extent=size(factor)) for factor in statement]
+        pieces = [
+            equation(latex(factor, ordered=ordered), sympy.Integer(0), extent=size(factor)) for factor in statement
+        ]
         return Form(Markup("<p>or</p>").join(pieces))
-    if _is_formula(statement):
-        shown = math(latex(statement, marks), "block")
+    if is_formula(statement):
+        shown = math(latex(statement, marks, ordered=ordered), "block")
         return Form(scrolling(shown, label, focusable=size(statement) > SMALL))
     return _as_text(statement, label)
 
 
-def inline(statement: Statement | None, marks: Marks = NOTHING, most: int = LARGEST_INLINE) -> Markup | None:
+def inline(
+    statement: Statement | None, marks: Marks = NOTHING, most: int = LARGEST_INLINE, *, ordered: bool = True
+) -> Markup | None:
     """Return a form within a line, None if it is too long for that."""
     if statement is None:
         return None
     if isinstance(statement, Decimal):
         return number(statement, marks)
     if isinstance(statement, tuple):
-        pieces = [inline(factor, most=min(most, LARGEST_FACTOR)) for factor in statement]
+        pieces = [inline(factor, most=min(most, LARGEST_FACTOR), ordered=ordered) for factor in statement]
         return Markup(" or ").join(map(_vanishing, pieces)) if all(pieces) and len(pieces) <= 6 else None
-    return math(latex(statement, marks)) if size(statement, most) <= most else None
+    return math(latex(statement, marks, ordered=ordered)) if size(statement, most) <= most else None
+
+
+def named(form: Named, whole: Form) -> Form:
+    """Return a long form by the names of what it is made of, what these stand for, and all of it to be unfolded."""
+    names = form.source.names
+    formula = scrolling(math(named_latex(form.written, names), "block"), "formula", focusable=True)
+    lines = Markup("").join(_meaning(meaning, latex_of_name(meaning.name, form), names) for meaning in form.meanings)
+    lines = Markup("<p>where</p>{}").format(lines) if lines else lines
+    folded = Markup("<details><summary>All of it</summary>{}</details>").format(whole.html)
+    return Form(formula + lines + folded, whole.complete)
+
+
+def _meaning(meaning: Meaning, name: str, names: Mapping[str, Any]) -> Markup:
+    if meaning.written is None:
+        return equation(name, meaning.value)
+    content = math(f"{name} = {named_latex(meaning.written, names)}", "block")
+    return scrolling(content, "formula", focusable=True)
 
 
 def equation(left: str, expression: Any, extent: int = 1) -> Markup:
@@ -93,7 +118,7 @@ def equation(left: str, expression: Any, extent: int = 1) -> Markup:
     extent : int
         The size of the left side.
     """
-    if _is_formula(expression):
+    if is_formula(expression):
         content = math(f"{left} = {latex(expression)}", "block")
         return scrolling(content, "formula", focusable=extent + size(expression) > SMALL)
     return Markup("<p>{} =</p>{}").format(math(left), _as_text(expression, "formula").html)
@@ -107,8 +132,8 @@ def bullet(expression: Any) -> Markup:
 
 
 def listed(statement: Statement | None, marks: Marks = NOTHING) -> Markup | None:
-    """Return a form within a line of a list, where a longer formula scrolls; None if it is too long."""
-    shown = inline(statement, marks)
+    """Return an arranged form within a line of a list, where a longer formula scrolls; None if it is too long."""
+    shown = inline(statement, marks, ordered=False)
     if shown is None or isinstance(statement, Decimal | tuple) or size(statement) <= SMALL:
         return shown
     return scrolling(shown, "formula", focusable=size(statement) > SMALL)
@@ -198,6 +223,13 @@ def scrolling(content: Markup, label: str, *, focusable: bool) -> Markup:
     return Markup('<div class="formula" tabindex="0" role="group" aria-label="{}">{}</div>').format(label, content)
 
 
+def in_line(content: Markup, *, focusable: bool) -> Markup:
+    """Return a formula within a sentence, which scrolls if it is wider than the page."""
+    if not focusable:
+        return Markup('<span class="nowrap">{}</span>').format(content)
+    return Markup('<span class="line-formula" tabindex="0" role="group" aria-label="formula">{}</span>').format(content)
+
+
 def _shortened(text: str) -> str:
     return text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]} …"
 
@@ -210,7 +242,8 @@ def _vanishing(piece: Markup | None) -> Markup:
     return Markup('<span class="nowrap">{} = 0</span>').format(piece)
 
 
-def _is_formula(expression: Any) -> bool:
+def is_formula(expression: Any) -> bool:
+    """Whether an expression is short enough for a formula."""
     pieces = entries(expression) if isinstance(expression, sympy.MatrixBase) else (expression,)
     return size(expression) <= LARGEST_FORMULA and all(size(piece) <= LARGEST_ENTRY for piece in pieces)
 
@@ -232,6 +265,6 @@ def _parts(statement: Any) -> tuple[Any, ...]:
 def _lines(statement: Any) -> str:
     """Return a form as text, an entry of a matrix in each line."""
     if not isinstance(statement, sympy.MatrixBase):
-        return statement_text(statement) or ""
+        return shown(statement)
     places = [(i, j) for i in range(statement.rows) for j in range(statement.cols)]
-    return "\n".join(f"[{i + 1}, {j + 1}]  {statement_text(statement[i, j])}" for i, j in places)
+    return "\n".join(f"[{i + 1}, {j + 1}]  {shown(statement[i, j])}" for i, j in places)

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 from algebroproj_sym.declaring import Kernel, Stage
 from algebroproj_sym.declaring.latex import latex
@@ -14,6 +14,7 @@ from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
+from algebroproj_sym.reporting.site.comparison import conditions
 from algebroproj_sym.reporting.site.formulas import block, bullet, equation, inline
 from algebroproj_sym.reporting.site.plots import accuracy_plot
 from algebroproj_sym.reporting.site.records import Timing
@@ -71,9 +72,10 @@ def _page(catalogue: Catalogue, function: Function) -> str:
         signature=f"{PACKAGE}.{kernel.qualified_name}({', '.join(a.name for a in kernel.arguments)})",
         arguments=_arguments(kernel),
         results=[(result.name, _batched(result.shape)) for result in kernel.results],
-        formulas=_formulas(kernel),
+        formulas=formulas_of(kernel),
         singular=[bullet(factor) for factor in low.hypotheses],
         claims=[(number, _claim(catalogue, kernel, number)) for number in kernel.claims],
+        conditions=conditions,
         figures=figures,
         accuracy=_accuracy(figures),
         plot=accuracy_plot(figures.accuracy),
@@ -104,11 +106,11 @@ def _entries(expression: Any) -> Markup:
     return inline(expression, most=60) or Markup("entries")
 
 
-def _formulas(kernel: Kernel) -> list[Markup]:
+def formulas_of(kernel: Kernel) -> list[Markup]:
     """Return how the results are computed: values on the way, abbreviations, results."""
     lines = [line for stage in kernel.stages for line in _stage(stage)]
     lines += [equation(latex(symbol), expression) for symbol, expression in kernel.where]
-    return lines + [equation(f"<mi>{escape(result.name)}</mi>", result.form) for result in kernel.results]
+    return lines + [equation(rf"\text{{{result.name}}}", result.form) for result in kernel.results]
 
 
 def _stage(stage: Stage) -> list[Markup]:

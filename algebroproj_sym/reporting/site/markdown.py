@@ -9,11 +9,10 @@ from typing import Any
 
 from markupsafe import Markup
 
-from algebroproj_sym.reporting.site.formulas import scrolling
+from algebroproj_sym.reporting.site.formulas import in_line, scrolling
 from algebroproj_sym.reporting.site.mathml import math
 
 SHORT = 40
-_SCROLLING_INLINE = Markup('<span class="line-formula" tabindex="0" role="group" aria-label="formula">{}</span>')
 _GROUP = r"\{[^{}]*\}|\\[A-Za-z]+|[^\s{}]"
 _PRIMES = re.compile(rf"(?P<primes>'+)(?P<below>_(?:{_GROUP}))?\^(?P<above>{_GROUP})")
 
@@ -34,7 +33,7 @@ def latex_html(formula: str, *, block: bool) -> Markup:
     mathml = math(_primed(formula), "block" if block else "inline")
     if block:
         return scrolling(mathml, "formula", focusable=len(formula) > SHORT)
-    return mathml if len(formula) <= SHORT else _SCROLLING_INLINE.format(mathml)
+    return mathml if len(formula) <= SHORT else in_line(mathml, focusable=True)
 
 
 def _primed(formula: str) -> str:

@@ -13,7 +13,7 @@ from algebroproj_sym.reporting.site.folder import MARKER
 from algebroproj_sym.reporting.site.function_pages import function_files
 from algebroproj_sym.reporting.site.notebook_pages import notebook_files
 from algebroproj_sym.reporting.site.search import search_script
-from algebroproj_sym.reporting.site.templating import page, static
+from algebroproj_sym.reporting.site.templating import licence, page, static, style
 
 
 def render_site(catalogue: Catalogue) -> dict[str, str]:
@@ -37,7 +37,8 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
         SEARCH: page("search", SEARCH, catalogue=catalogue),
         MARKER: search_script(catalogue),
         LEDGER: json.dumps(record, indent=1, ensure_ascii=False) + "\n",
-        "style.css": static("style.css"),
+        "style.css": style(),
+        "font-licence.txt": licence(),
         "search.js": static("search.js"),
     }
     records = iter(record["claims"])

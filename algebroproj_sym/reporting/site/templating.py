@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
 from importlib.resources import files
+from importlib.resources.abc import Traversable
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.reporting.site import addresses
 
+FONT = "stix-two-math.woff2"
+FORMULAS = "Formulas"
 VERDICT_MEANING = {
     "proved": "The printed statement holds wherever its hypotheses do.",
     "misprint": "The printed form is refuted; the corrected form is proved.",
@@ -50,4 +54,21 @@ def page(template: str, address: str, **content: Any) -> str:
 
 def static(name: str) -> str:
     """Return a file that all pages share, as it is."""
-    return (files("algebroproj_sym.reporting.site") / "templates" / name).read_text(encoding="utf-8")
+    return _shared("templates", name).read_text(encoding="utf-8")
+
+
+def style() -> str:
+    """Return the style of all pages; the font of the formulas is in it, so that no page loads it from elsewhere."""
+    font = b64encode(_shared("fonts", FONT).read_bytes()).decode()
+    return f'@font-face {{ font-family: "{FORMULAS}"; src: url(data:font/woff2;base64,{font}); }}\n' + static(
+        "style.css"
+    )
+
+
+def licence() -> str:
+    """Return the licence of the font."""
+    return _shared("fonts", "OFL.txt").read_text(encoding="utf-8")
+
+
+def _shared(folder: str, name: str) -> Traversable:
+    return files("algebroproj_sym.reporting.site") / folder / name

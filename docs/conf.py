@@ -8,14 +8,15 @@ The site opens from disk, search included, and needs no network.  Its colours ar
 import html
 import json
 import re
-import shutil
-import sys
 from importlib.metadata import version as version_of
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-sys.path[:0] = [str(ROOT), str(ROOT / "generated")]
+from docutils.nodes import SkipNode
 
+from algebroproj_sym.reporting.site.markdown import latex_html
+from algebroproj_sym.reporting.site.templating import style
+
+ROOT = Path(__file__).resolve().parent.parent
 project = "algebroproj-sym"
 author = "the authors of algebroproj-sym"
 project_copyright = f"{author}, MIT license"
@@ -46,8 +47,7 @@ html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sphinx = False
 
-TEMPLATES = ROOT / "algebroproj_sym" / "reporting" / "site" / "templates"
-STYLE = (TEMPLATES / "style.css").read_text(encoding="utf-8")
+STYLE = style()
 LIGHT, DARK = (
     dict(re.findall(r"--([\w-]+): (#\w+);", part)) for part in STYLE.split("@media (prefers-color-scheme: dark)")[:2]
 )
@@ -74,10 +74,6 @@ html_theme_options = {
 
 def _formula(self, node, block):
     """Write a formula as MathML, which a browser shows without a script."""
-    from docutils.nodes import SkipNode
-
-    from algebroproj_sym.reporting.site.markdown import latex_html
-
     self.body.append(str(latex_html(html.unescape(node.astext()).strip(), block=block)))
     raise SkipNode
 
@@ -106,13 +102,10 @@ def _site_css(app, error):
     """Write what pages and site share besides colours: how formulas look, and how large headings are."""
     if error:
         return
-    folder = Path(app.outdir) / "_static"
     rules = re.findall(r"^(?:@font-face|m(?:ath|[a-z]+)\b)[^{}\n]*\{[^}]*\}", STYLE, re.MULTILINE)
     sizes = re.findall(r"^(h[123] \{ font-size: [\d.]+rem;)", STYLE, re.MULTILINE)
     text = "\n".join([*rules, *(f"{size} }}" for size in sizes)])
-    (folder / "site.css").write_text(text, encoding="utf-8")
-    for font in re.findall(r"url\(\"?([\w.-]+)\"?\)", text):
-        shutil.copy(TEMPLATES / font, folder)
+    (Path(app.outdir) / "_static" / "site.css").write_text(text, encoding="utf-8")
 
 
 def _stars(app, what, name, subject, options, lines):

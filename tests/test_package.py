@@ -246,7 +246,7 @@ def test_without_a_record_docstrings_tell_no_errors(files, tmp_path):
     assert recorded_errors(tmp_path / "accuracy.json") == {}
     known = {"second.half": Measured(7, 0.25, 0.5, 1.0)}
     text = render([lower(kernel("second.half"))], measured=known)["second.py"]
-    assert "0.25 ULP in the median and 0.5 ULP at most (7 samples" in text
+    assert "0.25 ULP in the median, at most 0.5 ULP (7 samples" in text
 
 
 @pytest.mark.parametrize("text", ["[]", "{}", '{"functions": [{"function": "f"}]}', "{"])

@@ -8,6 +8,7 @@ The site opens from disk, search included, and needs no network.  Its colours ar
 import html
 import json
 import re
+import shutil
 import sys
 from importlib.metadata import version as version_of
 from pathlib import Path
@@ -45,7 +46,8 @@ html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sphinx = False
 
-STYLE = (ROOT / "algebroproj_sym" / "reporting" / "site" / "templates" / "style.css").read_text(encoding="utf-8")
+TEMPLATES = ROOT / "algebroproj_sym" / "reporting" / "site" / "templates"
+STYLE = (TEMPLATES / "style.css").read_text(encoding="utf-8")
 LIGHT, DARK = (
     dict(re.findall(r"--([\w-]+): (#\w+);", part)) for part in STYLE.split("@media (prefers-color-scheme: dark)")[:2]
 )
@@ -102,9 +104,15 @@ def _figures():
 
 def _site_css(app, error):
     """Write what pages and site share besides colours: how formulas look, and how large headings are."""
-    rules = re.findall(r"^(?:@font-face|m(?:ath|[a-z]+)\b|h[123]\b)[^{}\n]*\{[^}]*\}", STYLE, re.MULTILINE)
-    if not error:
-        (Path(app.outdir) / "_static" / "site.css").write_text("\n".join(rules), encoding="utf-8")
+    if error:
+        return
+    folder = Path(app.outdir) / "_static"
+    rules = re.findall(r"^(?:@font-face|m(?:ath|[a-z]+)\b)[^{}\n]*\{[^}]*\}", STYLE, re.MULTILINE)
+    sizes = re.findall(r"^(h[123] \{ font-size: [\d.]+rem;)", STYLE, re.MULTILINE)
+    text = "\n".join([*rules, *(f"{size} }}" for size in sizes)])
+    (folder / "site.css").write_text(text, encoding="utf-8")
+    for font in re.findall(r"url\(\"?([\w.-]+)\"?\)", text):
+        shutil.copy(TEMPLATES / font, folder)
 
 
 def _stars(app, what, name, subject, options, lines):

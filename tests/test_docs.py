@@ -22,12 +22,14 @@ def test_every_block_is_run_and_prints_what_is_shown(page, tmp_path, monkeypatch
 
 
 def test_what_is_shown_is_renewed(tmp_path):
-    page = tmp_path / "page.md"
+    page, made = tmp_path / "page.md", [tmp_path / "before", tmp_path / "after"]
+    for folder in made:
+        folder.mkdir()
     text = "Before.\n\n```console\n$ algebroproj new lens > written\n$ algebroproj check lens:1.9\n{}```\n\nAfter.\n"
     page.write_text(text.format("an old output\n"), encoding="utf-8")
     with pytest.raises(AssertionError, match="check"):
-        perform(page, tmp_path, compared)
-    new = perform(page, tmp_path, renewed)
+        perform(page, made[0], compared)
+    new = perform(page, made[1], renewed)
     assert "an old output" not in new
     assert new.startswith("Before.\n\n```console\n$ algebroproj new lens > written\n$ algebroproj check lens:1.9\n")
     assert new.endswith("[exit status 2]\n```\n\nAfter.\n")

@@ -124,7 +124,7 @@ def every_kind():
     section.numeric(
         "1.23", "not a seventh", printed="-0.15", derived=-sympy.Rational(1, 7), corrected="-0.14", expect="misprint"
     )
-    section.numeric("1.24", "inputs", printed="0.16", derived=sympy.Rational(1, 7), unrounded=sympy.Rational(4, 25))
+    section.numeric("1.24", "cut off", printed="0.66", derived=sympy.Rational(2, 3), rounding="cut")
     section.reference("1.25", "reference", printed="1.3.8", meant="1.3.8")
     section.reference("1.26", "wrong reference", printed="1.3.8", meant="1.3.9")
     section.definition("1.27", "definition", printed=vector(x / (y - 1), a), where={a: x**2})
@@ -428,7 +428,7 @@ PLACES = [
     ("hypotheses", 0),
     ("counterexample", "x"),
     *(("setting", key, 0) for key in ("constraints", "nonzero", "variables")),
-    *(("setting", key) for key in ("variable", "units", "unrounded")),
+    *(("setting", key) for key in ("variable", "rounding")),
     ("certificate", "method"),
     ("certificate", "multiplier"),
     ("certificate", "pivot"),

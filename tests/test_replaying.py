@@ -605,3 +605,19 @@ def test_what_is_no_ledger_is_wrong_usage(content, tmp_path):
     path.write_text(content, encoding="utf-8")
     assert run(path).exit_code == 2
     assert run(tmp_path / "missing.json").exit_code == 2
+
+
+def circles():
+    """Claims under constraints that only the thorough search decides."""
+    section = Section("demo", "2", "Squares")
+    section.identity("2.1", "square", printed=x, derived=sympy.Integer(0), constraints=[x**2 + y**2])
+    section.identity("2.2", "radical", printed=x, derived=sympy.Integer(0), constraints=[x**2])
+    section.identity("2.3", "irrational witness", printed=x**3, derived=2 * x, constraints=[x**2 - 2])
+    return section.claims
+
+
+@pytest.mark.parametrize("claim", circles(), ids=lambda claim: claim.title)
+def test_what_a_thorough_search_proves_is_replayed(claim):
+    judgement = judge(claim)
+    result = replay_claim(ledger([judgement], timed=False)["claims"][0])
+    assert (judgement.verdict, result.status, result.reason) == ("proved", "replayed", "")

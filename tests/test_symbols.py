@@ -25,6 +25,7 @@ from algebroproj_sym.expressions import (
 from algebroproj_sym.proving import prove
 from algebroproj_sym.remembering import Memory
 from algebroproj_sym.remembering.key import key_of
+from algebroproj_sym.replaying import replay
 from algebroproj_sym.reporting import explanation, ledger
 
 NAMES = (
@@ -88,6 +89,7 @@ def test_every_name_works_in_claims_and_in_their_ledger(name):
     judgements = [judge(entry) for entry in claims]
     assert [judgement.verdict for judgement in judgements] == [entry.expected for entry in claims]
     record = json.loads(json.dumps(ledger(judgements)))
+    assert {result.status for result in replay(record, 1)} == {"replayed"}
     for entry, kept in zip(claims, record["claims"], strict=True):
         if entry.kind not in ("vanishing", "rank"):
             assert divided(parse(kept["printed"])) == divided(entry.printed)

@@ -10,15 +10,15 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, TypeAlias, cast
 
+from algebroproj_sym.replaying.consequences import Question, Sides, require_consequence
 from algebroproj_sym.replaying.evaluation import Algebra, at_point, derivatives, evaluate
 from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import Polynomial, constant
 from algebroproj_sym.replaying.rejection import require
 from algebroproj_sym.replaying.statement import Point, Statement
-from algebroproj_sym.replaying.text import decimal, number, parse_polynomial
+from algebroproj_sym.replaying.text import Form, decimal, number, parse_polynomial
 
 Certificate: TypeAlias = Mapping[str, Any]
-Sides: TypeAlias = Callable[[Algebra], tuple[list[Any], list[Any]]]
 Check: TypeAlias = Callable[[Statement, str, Certificate], None]
 
 MEMBERSHIP = ("method", "denominators", "generators", "multiplier", "entries", "witness")
@@ -73,9 +73,20 @@ def identity(statement: Statement, form: str, certificate: Certificate) -> None:
 
 def constrained(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that the difference of two sides times what does not vanish is a combination of the constraints."""
+    if "claims" in certificate:
+        _consequence(statement, certificate, _sides(statement, form), [])
+        return
     _keys(certificate, *MEMBERSHIP)
     field = statement.field(certificate["denominators"])
     _membership(statement, certificate, field, _sides(statement, form), [])
+
+
+def _consequence(statement: Statement, certificate: Certificate, sides: Sides, units: list[Form]) -> None:
+    """Show that two sides are equal where the constraints hold, by the certificate of a thorough search."""
+    own = {key: value for key, value in certificate.items() if key != "refutation"}
+    nonzero = [*statement.listed("nonzero"), *units]
+    constraints, hypotheses = statement.listed("constraints"), statement.record["hypotheses"]
+    require_consequence(Question(sides, constraints, nonzero, statement.symbols, hypotheses), own)
 
 
 def _membership(
@@ -160,18 +171,29 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Non
         left, right = both(algebra)
         return [entry * right[pivot] for entry in left], [entry * left[pivot] for entry in right]
 
+    if "claims" in certificate:
+        own = dict(certificate)
+        point = statement.point(own.pop("nonzero at"))
+        require(own.pop("pivot") == pivot, "the pivot is another one")
+        side = statement.form("derived")
+        _consequence(statement, own, crossed, [Form((), side.operations, (side.entries[pivot],))])
+        _nonzero_at(statement, form, pivot, point)
+        return
     if constrained:
         _keys(certificate, *MEMBERSHIP, "pivot", "nonzero at")
         _membership(statement, certificate, field, crossed, [derived[pivot]])
-        point = statement.point(certificate["nonzero at"])
-        statement.require_allowed(point)
-        require(both(at_point(point))[0][pivot] != 0, "the printed form is zero at the point")
+        _nonzero_at(statement, form, pivot, statement.point(certificate["nonzero at"]))
         return
     _method(certificate, "normal form")
     _keys(certificate, "method", "denominators", "pivot")
     statement.units(field)
     require(all(entry.is_zero for entry in _difference(crossed, field)), "the two sides are not proportional")
     _hypotheses(statement, field, certificate["denominators"])
+
+
+def _nonzero_at(statement: Statement, form: str, pivot: int, point: Point) -> None:
+    statement.require_allowed(point)
+    require(statement.side(form, at_point(point))[pivot] != 0, "the printed form is zero at the point")
 
 
 def structure(statement: Statement, form: str, certificate: Certificate) -> None:

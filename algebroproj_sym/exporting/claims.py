@@ -279,6 +279,8 @@ def _regular(point: Point, definitions: Mapping[str, Term], rows: Sequence[Seque
     if values is None:
         raise NotExportable("a divisor is zero at the point")
     count = len(rows)
+    if any(len(row) != count for row in rows):
+        raise NotExportable("the minor is not square")
     matrix = [values[start : start + count] for start in range(0, len(values), count or 1)]
     return Regular(tuple(map(tuple, rows)), inverse(matrix))
 

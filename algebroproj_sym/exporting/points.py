@@ -111,6 +111,8 @@ def inverse(matrix: Sequence[Sequence[Fraction]]) -> tuple[tuple[Fraction, ...],
     ((Fraction(1, 2),),)
     """
     count = len(matrix)
+    if any(len(row) != count for row in matrix):
+        raise NotExportable("the minor is not square")
     rows = [[*row, *(Fraction(i == j) for j in range(count))] for i, row in enumerate(matrix)]
     for place in range(count):
         pivot = next((i for i in range(place, count) if rows[i][place]), None)

@@ -195,8 +195,11 @@ section = Section("mine", "1", "Squares")
     [
         ("sys.exit(3)", "cannot be imported (line 11): it ends the program, by SystemExit(3)"),
         ("section.identity(1.1, 'a', printed=x, derived=x)", "expected the text of a number such as 1.3.8"),
-        ("section.identity('1.1', 7, printed=x, derived=x)", "expected a title, a text, got 7"),
-        ("section.numeric('1.1', 'a', printed=1.5, derived=x / x)", "expected the text of a decimal number, got 1.5"),
+        ("section.identity('1.1', 7, printed=x, derived=x)", "title: expected text on one line, got 7"),
+        (
+            "section.numeric('1.1', 'a', printed=1.5, derived=x / x)",
+            "expected the text of a decimal number such as -0.50, got 1.5",
+        ),
     ],
 )
 def test_a_module_that_goes_wrong_is_an_error_with_a_name(tmp_path, cell, message):

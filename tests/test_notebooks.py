@@ -103,7 +103,7 @@ def test_claims_of_imported_modules_are_not_shown(tmp_path):
 def test_a_cell_that_fails_is_an_error_that_names_module_and_cause(tmp_path):
     derivation = module(tmp_path, 'section.identity("1.1", "one", printed=x, derived=x)')
     derivation.path.write_text(derivation.path.read_text() + '\n# %%\nraise KeyError("lost")\n', encoding="utf-8")
-    with pytest.raises(NotebookError, match=r"plain\.py: a cell fails: KeyError: 'lost'"):
+    with pytest.raises(NotebookError, match=r"plain\.py: cell 2, which begins with .*, fails: KeyError: 'lost'"):
         run_notebook(derivation)
 
 

@@ -97,7 +97,7 @@ def demonstration():
     )
     section.reference("1.10", "reference", printed="1.2", meant="1.3")
     section.identity("1.11", "constraint", printed=x**3, derived=x, constraints=[x**2 - 1], witness={x: 1})
-    section.identity("1.12", "undecided", printed=x**3, derived=x, constraints=[x**2 - 1])
+    section.vanishing("1.12", "undecided", printed=(), derived=x**2 + 1)
     section.vanishing("1.13", "zeros", printed=(x, y), derived=x * y**2)
     section.rank("1.14", "rank", printed=2, derived=Matrix([[x, 0], [0, y]]))
     section.limit("1.15", "limit", printed=y, derived=over(x * y, x), variable=x)

@@ -44,8 +44,9 @@ def test_it_needs_numpy_alone(declared):
 
 def test_its_version_and_python_are_those_of_the_project(declared, repository):
     whole = tomllib.loads((repository / "pyproject.toml").read_text(encoding="utf-8"))
-    for key in ("version", "requires-python", "license"):
+    for key in ("version", "requires-python"):
         assert declared["project"][key] == whole["project"][key]
+    assert whole["project"]["license"] == f"{declared['project']['license']} AND OFL-1.1"
     assert declared["project"]["dependencies"][0] in whole["project"]["dependencies"]
 
 

@@ -44,7 +44,7 @@ from algebroproj_sym.reporting import (
 def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, output: str, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
-    A SELECTOR is a paper (okamoto1981), a section (okamoto1981:2.1), a number (fundamentals1996:1.3.8), or the path of
+    A SELECTOR is a paper (okamoto1981), a section (okamoto1981:2.1), a number (okamoto1981:24), or the path of
     a folder or module, which may also have a :section or :number.  Without a SELECTOR, every claim of every installed
     paper is judged.
 

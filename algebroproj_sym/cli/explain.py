@@ -20,7 +20,7 @@ from algebroproj_sym.reporting import explanation
 def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) -> None:
     """Show one claim: the printed form, the derived form, the verdict and the evidence.
 
-    SELECTOR names a claim, such as fundamentals1996:1.3.8, or a section, module or folder, as for check.
+    SELECTOR names a claim, such as okamoto1981:24, or a section, module or folder, as for check.
 
     A long form is shown by the names of what it is made of, or by its beginning and its size. The option --full shows
     all of it. The exit status is 1 if a verdict is not the declared one.

@@ -244,8 +244,8 @@ def suggestion(given: str, known: Iterable[str]) -> str:
 
     Examples
     --------
-    >>> suggestion("fundamental1996", ["fundamentals1996", "okamoto1981"]), suggestion("x", ["okamoto1981"])
-    ('. Did you mean fundamentals1996?', '')
+    >>> suggestion("mypapre", ["mypaper", "another"]), suggestion("x", ["another"])
+    ('. Did you mean mypaper?', '')
     """
     near = get_close_matches(given, sorted(known), n=3)
     return f". Did you mean {' or '.join(near)}?" if near else ""

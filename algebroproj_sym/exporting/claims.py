@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import combinations
 from math import prod
 from typing import Any, TypeAlias
 
@@ -161,6 +162,8 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Pro
     """Show that entries are proportional where the entry at the pivot is not zero."""
     left, right = statement.written(form), statement.written("derived")
     given = _hypotheses(statement, left, right)
+    if "constraints" in statement.setting:
+        return _proportional_under_constraints(statement, given, left.entries, right.entries, certificate)
     pivot = natural(certificate["pivot"])
     taken = {*given.variables, *given.definitions}
     p, d = (name(free(text, taken)) for text in ("pivot", "pivot'"))
@@ -168,20 +171,13 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Pro
     given = replace(given, definitions=definitions)
     pairs = [*zip(left.entries, right.entries, strict=True)]
     crossed = [(product([a, d]), product([b, p])) for a, b in pairs]
-    proved: Proved = {}
-    if "constraints" in statement.setting:
-        given = _constrained(statement, given, [d, p])
-        goals = _members(given, crossed, certificate, len(given.units) - 1)
-        listed_points = [statement.point(certificate[key]) for key in ("witness", "nonzero at")]
-        proved["witness"] = _witness(given, _common_point(given, listed_points))
-    else:
-        given = replace(given, units=(d, p))
-        goals = [Goal(a, b) for a, b in crossed]
+    given = replace(given, units=(d, p))
+    goals = [Goal(a, b) for a, b in crossed]
     k = name(free("k", {*given.variables, *given.definitions}))
     scaled = equations([Goal(a, product([k, b])) for a, b in pairs])
     listed_pairs = listed([f"({formula(a)}, {formula(b)})" for a, b in pairs])
     lemma = f"proportional {formula(p)} {formula(d)} {listed_pairs}"
-    return proved | {
+    return {
         "holds": universal(
             given,
             goals,
@@ -189,6 +185,22 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Pro
             lambda introduced, crossed: f"{lemma} {' '.join(introduced.units[:-3:-1])} ({crossed})",
         )
     }
+
+
+def _proportional_under_constraints(
+    statement: Statement, given: Hypotheses, left: Sequence[Term], right: Sequence[Term], certificate: Certificate
+) -> Proved:
+    """Show that all products of entries are equal crosswise; a point has all that is assumed, and entries not zero."""
+    if "claims" in certificate:
+        raise NotExportable("a proof of the thorough search has no theorem yet")
+    given = _constrained(statement, given)
+    pairs = [*combinations(range(len(left)), 2)]
+    crossed = [(product([left[i], right[j]]), product([left[j], right[i]])) for i, j in pairs]
+    goals = _members(given, crossed, certificate, len(given.units))
+    pivot = natural(certificate["pivot"])
+    listed_points = [statement.point(certificate[key]) for key in ("witness", "nonzero at")]
+    nonzero = replace(given, units=(*given.units, left[pivot], right[pivot]))
+    return {"holds": universal(given, goals), "witness": _witness(nonzero, _common_point(nonzero, listed_points))}
 
 
 def structure(statement: Statement, form: str, certificate: Certificate) -> Proved:

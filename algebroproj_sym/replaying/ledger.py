@@ -13,6 +13,7 @@ from typing import Any, Literal, cast
 from algebroproj_sym.replaying.entry import require_entry
 from algebroproj_sym.replaying.evidence import PROOFS, REFUTATIONS
 from algebroproj_sym.replaying.identities import require_identity
+from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 from algebroproj_sym.replaying.statement import Statement
 
@@ -114,6 +115,7 @@ def _named(record: Any, *keys: str) -> list[str]:
 def _judged(check: Callable[[Mapping[str, Any]], None], record: Mapping[str, Any]) -> tuple[Status, str]:
     if not isinstance(record, Mapping):
         return "rejected", f"expected a record, got {type(record).__name__}"
+    begin()
     try:
         check(record)
     except NotReplayable as why:

@@ -16,9 +16,11 @@ from algebroproj_sym.replaying.rejection import NotReplayable
 
 BITS = 64
 MOST_VARIABLES = 1000
-MOST_PRODUCTS = 2 * 10**6
-MOST_TERMS = 10**5
-MOST_BITS = 10**6
+MOST_PRODUCTS = 2 * 10**7
+"""Products of terms that the evidence of one entry may need; long coefficients and many symbols count more than once."""
+
+MOST_BITS = 10**5
+_products = 0
 _FREE = sum(1 << (BITS * place + BITS - 1) for place in range(MOST_VARIABLES))
 
 
@@ -67,8 +69,8 @@ class Polynomial:
 
     def __mul__(self, other: Polynomial) -> Polynomial:
         few, many = sorted((self.terms, other.terms), key=len)
-        if len(few) * len(many) > MOST_PRODUCTS:
-            raise NotReplayable("a product has too many terms")
+        long = (_bits(few) + _bits(many)) // 128 + max(many, default=0).bit_length() // 1024
+        _count(len(few) * len(many) * (1 + long))
         terms: dict[int, int] = {}
         known, reached = terms.get, 0
         pairs = list(many.items())
@@ -81,7 +83,7 @@ class Polynomial:
         return Polynomial({monomial: value for monomial, value in terms.items() if value})
 
     def __pow__(self, exponent: int) -> Polynomial:
-        bits = max((value.bit_length() for value in self.terms.values()), default=0)
+        bits = _bits(self.terms)
         if bits > 1 and bits * exponent > MOST_BITS:
             raise NotReplayable("a coefficient is too large")
         result = constant(1)
@@ -132,8 +134,7 @@ class Polynomial:
                 return None
             shift = monomial - lead
             found[shift] = share
-            if len(found) > MOST_TERMS:
-                raise NotReplayable("a quotient has too many terms")
+            _count(len(divisor.terms))
             for place, coefficient in others:
                 target = place + shift
                 if target in rest:
@@ -152,6 +153,23 @@ class Polynomial:
             power = monomial >> (BITS * place) & mask
             found.setdefault(power, {})[monomial - (power << (BITS * place))] = value
         return {power: Polynomial(terms) for power, terms in found.items()}
+
+
+def _bits(terms: dict[int, int]) -> int:
+    return max((value.bit_length() for value in terms.values()), default=0)
+
+
+def begin() -> None:
+    """Begin to count products of terms."""
+    global _products
+    _products = 0
+
+
+def _count(more: int) -> None:
+    global _products
+    _products += more
+    if _products > MOST_PRODUCTS:
+        raise NotReplayable("there are too many products of terms")
 
 
 def _require_exact(monomials: int) -> None:

@@ -17,7 +17,7 @@ from algebroproj_sym.replaying.rejection import NotReplayable
 BITS = 64
 MOST_VARIABLES = 1000
 MOST_PRODUCTS = 2 * 10**7
-"""Products of terms that the evidence of one entry may need; long coefficients and many symbols count more than once."""
+"""Products of terms that the evidence of one entry may need; with long coefficients or many symbols they count more."""
 
 MOST_BITS = 10**5
 _products = 0

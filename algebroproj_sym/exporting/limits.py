@@ -96,10 +96,16 @@ def _parts(proof: str, count: int) -> list[str]:
 
 
 def denominators(variables: tuple[str, ...], expressions: Sequence[Term], variable: str) -> list[Term]:
-    """Return what limits of expressions divide by: their denominators where the variable is zero."""
+    """Return what does not vanish where expressions have limits: the lowest coefficients of all their divisors."""
     field = Field(variables)
-    below = [_quotient(field, expression, variable)[1] for expression in expressions]
-    return substituted(below, {variable: integer(0)})
+    for expression in expressions:
+        field.value(expression)
+    place = field.variables.index(variable)
+    lowest = []
+    for divisor in field.divisors:
+        common = min(int(monomial[place]) for monomial in divisor.monoms())
+        lowest.append(expanded(divisor / field.known[variable].numerator ** common, field.variables))
+    return substituted(lowest, {variable: integer(0)})
 
 
 def _quotient(field: Field, expression: Term, variable: str) -> tuple[Term, Term]:

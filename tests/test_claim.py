@@ -70,7 +70,7 @@ def test_every_form_of_number_of_the_contract_is_accepted(number):
     ["", "a", "1.", ".1", "1..2", "1.3.8 ", " 1", "1.3/", "1.3#", "1.3/a b", "1#a#b", "table:a", "-1", "1.3\n"],
 )
 def test_another_number_is_refused(number):
-    with pytest.raises(DeclarationError, match=r"expected a number such as 1\.3\.8") as raised:
+    with pytest.raises(DeclarationError, match=r"expected the text of a number such as 1\.3\.8") as raised:
         identity(number)
     assert f"claim demo:{number}" in str(raised.value)
     assert repr(number) in str(raised.value)

@@ -4,6 +4,7 @@ import copy
 import json
 import re
 import shutil
+from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
 
@@ -567,7 +568,10 @@ def test_names_that_mean_something_in_coq_can_be_symbols(library):
 
 def test_the_command_writes_the_theorems_of_a_ledger(records, tmp_path):
     path = tmp_path / "ledger.json"
-    path.write_text(json.dumps({"schema": 1, "claims": records}), encoding="utf-8")
+    path.write_text(
+        json.dumps({"schema": 1, "claims": records, "summary": Counter(r["verdict"] for r in records)}),
+        encoding="utf-8",
+    )
     result = CliRunner().invoke(main, ["export", "coq", "--ledger", str(path), "--out", str(tmp_path / "coq")])
     assert result.exit_code == 0, result.output
     assert {file.name: file.read_text(encoding="utf-8") for file in (tmp_path / "coq").iterdir()} == render(

@@ -35,16 +35,15 @@ eq_refl eq_sym ex_intro false inl inr left length limit1_in list map mod nat nil
 tt xH xI xO
 """
 
-_DEFINED = re.compile(
-    r"^\s*(?:(?:Definition|Fixpoint|Inductive|Lemma|Theorem)\s+(\w+)|\|\s+([A-Z]\w*) [(:])", re.MULTILINE
-)
+_DEFINED = re.compile(r"^\s*(?:Definition|Fixpoint|Inductive|Lemma|Theorem)\s+(\w+)", re.MULTILINE)
+_CONSTRUCTOR = re.compile(r"(?:\||:=)\s+([A-Z]\w*) [(:]")
 
 
 @cache
 def reserved() -> frozenset[str]:
     """Return the names that mean something in an exported file: no variable may be called so."""
     lemmas = [resources("algebroproj_sym.exporting").joinpath(name).read_text("utf-8") for name in LEMMAS]
-    defined = {found for text in lemmas for pair in _DEFINED.findall(text) for found in pair if found}
+    defined = {found for text in lemmas for found in (*_DEFINED.findall(text), *_CONSTRUCTOR.findall(text))}
     return frozenset([*_KEYWORDS.split(), *_LIBRARY.split(), *defined])
 
 

@@ -547,7 +547,22 @@ def test_every_word_of_coq_that_a_file_uses_is_no_name_of_a_variable(records):
 COMMANDS = {
     *("From", "Coq", "Require", "Import", "Reals", "QArith", "List", "Algebroproj", "Formulas", "Linear"),
     *("ListNotations", "Open", "Scope", "R_scope", "Theorem", "Proof", "Qed", "intros", "intro", "refine", "all"),
-    *("vm_cast_no_check", "pose", "proof", "assert", "same", "rows", "concat", "x", "F", "ltac", "Z", "pivot", "k"),
+    *(
+        "vm_cast_no_check",
+        "pose",
+        "proof",
+        "assert",
+        "same",
+        "rows",
+        "concat",
+        "x",
+        "F",
+        "ltac",
+        "Z",
+        "pivot",
+        "pivot'",
+        "k",
+    ),
 }
 
 

@@ -35,6 +35,9 @@ eq_refl eq_sym ex_intro false inl inr left length limit1_in list map mod nat nil
 tt xH xI xO
 """
 
+_BOUND = ("at_zero", "held", "zero")
+"""What proofs call what they have shown."""
+
 _DEFINED = re.compile(r"^\s*(?:Definition|Fixpoint|Inductive|Lemma|Theorem)\s+(\w+)", re.MULTILINE)
 _CONSTRUCTOR = re.compile(r"(?:\||:=)\s+([A-Z]\w*) [(:]")
 
@@ -44,7 +47,7 @@ def reserved() -> frozenset[str]:
     """Return the names that mean something in an exported file: no variable may be called so."""
     lemmas = [resources("algebroproj_sym.exporting").joinpath(name).read_text("utf-8") for name in LEMMAS]
     defined = {found for text in lemmas for found in (*_DEFINED.findall(text), *_CONSTRUCTOR.findall(text))}
-    return frozenset([*_KEYWORDS.split(), *_LIBRARY.split(), *defined])
+    return frozenset([*_KEYWORDS.split(), *_LIBRARY.split(), *_BOUND, *defined])
 
 
 LONG = 10**15

@@ -561,6 +561,7 @@ COMMANDS = {
         "Z",
         "pivot",
         "pivot'",
+        "x'",
         "k",
     ),
 }

@@ -19,7 +19,7 @@ from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import Polynomial, constant
 from algebroproj_sym.replaying.rejection import require
 from algebroproj_sym.replaying.residues import Residue, extension
-from algebroproj_sym.replaying.text import Form, integer, number, parse, parse_polynomial, texts
+from algebroproj_sym.replaying.text import Form, natural, number, parse, parse_polynomial, texts
 
 Sides: TypeAlias = Callable[[Algebra], tuple[list[Any], list[Any]]]
 
@@ -181,7 +181,7 @@ def require_consequence(question: Question, certificate: Mapping[str, Any]) -> N
             _require_case(asked, entry)
         else:
             require_keys(entry, {"power", "exponent", "cofactors"})
-            multiplier = asked.multiplier(certificate["multiplier"]) ** _natural(entry["power"])
+            multiplier = asked.multiplier(certificate["multiplier"]) ** natural(entry["power"])
             _require_end(asked, multiplier, entry)
     divisors = [*map(parse_polynomial, certificate["denominators"])]
     left, right = question.sides_at(certificate["witness"], numbers_of(certificate), divisors)
@@ -354,10 +354,5 @@ def _after_step(known: _Known, step: Mapping[str, Any]) -> _Known:
 
 
 def _require_end(known: _Known, multiplier: Element, end: Mapping[str, Any]) -> None:
-    left = known.claim ** _natural(end["exponent"]) * multiplier
+    left = known.claim ** natural(end["exponent"]) * multiplier
     require((left - known.combined(end["cofactors"])).is_zero, "the cofactors do not multiply out to the claim")
-
-
-def _natural(value: Any) -> int:
-    require(integer(value) >= 0, "expected a number of times")
-    return int(value)

@@ -17,7 +17,7 @@ from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import Polynomial, constant
 from algebroproj_sym.replaying.rejection import require
 from algebroproj_sym.replaying.statement import Point, Statement
-from algebroproj_sym.replaying.text import decimal, integer, number, numbers, parse_polynomial, texts
+from algebroproj_sym.replaying.text import decimal, integer, natural, number, numbers, parse_polynomial, texts
 
 Certificate: TypeAlias = Mapping[str, Any]
 Check: TypeAlias = Callable[[Statement, str, Certificate], None]
@@ -112,11 +112,11 @@ def _membership(statement: Statement, certificate: Certificate, sides: Sides) ->
     require(len(certificate["entries"]) == len(difference), "the certificate has not as many entries as the statement")
     for entry, part in zip(difference, certificate["entries"], strict=True):
         require(part.keys() == {"number", "power", "denominator", "cofactors"}, "a part of the certificate is missing")
-        require(_natural(part["number"]) > 0, "expected a positive number")
-        cleared = entry * field.number(Fraction(part["number"])) * multiplier ** _natural(part["power"])
+        require(natural(part["number"]) > 0, "expected a positive number")
+        cleared = entry * field.number(Fraction(part["number"])) * multiplier ** natural(part["power"])
         require(part["denominator"].keys() <= divisors.keys(), "an unknown divisor is cleared")
         for text, count in part["denominator"].items():
-            cleared = cleared * divisors[text] ** _natural(count)
+            cleared = cleared * divisors[text] ** natural(count)
         cofactors = [field.polynomial(text) for text in texts(part["cofactors"])]
         require(len(cofactors) == len(generators), "expected a cofactor for each constraint")
         for cofactor, generator in zip(cofactors, generators, strict=True):
@@ -131,11 +131,6 @@ def _membership(statement: Statement, certificate: Certificate, sides: Sides) ->
     require(nonzero != 0, "the witness violates a hypothesis")
     left, right = sides(at_point(witness))
     require(left == right, "the two sides differ at the witness")
-
-
-def _natural(value: Any) -> int:
-    require(integer(value) >= 0, "expected a number of times")
-    return int(value)
 
 
 def _numerator(element: Element) -> Polynomial:
@@ -245,7 +240,7 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> None
         total = field.number(Fraction(1))
         require(len({name for name, _ in powers}) == len(powers), "a factor is listed twice")
         for name, count in powers:
-            require(_natural(count) > 0, "expected a number of times")
+            require(natural(count) > 0, "expected a number of times")
             if name not in named:
                 named[name] = field.polynomial(name)
                 primitive = not named[name].cleared().is_constant() and abs(named[name].cleared().content()) == 1

@@ -163,6 +163,12 @@ def integer(value: Any) -> int:
     return int(value)
 
 
+def natural(value: Any) -> int:
+    """Return a natural number."""
+    require(integer(value) >= 0, "expected a number of times")
+    return int(value)
+
+
 def decimal(text: Any) -> tuple[Fraction, Fraction]:
     """Read a decimal number: its value and the unit of its last digit.
 

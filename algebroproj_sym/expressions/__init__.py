@@ -35,7 +35,7 @@ from algebroproj_sym.expressions.parsing import ParseError, names_in, parse, par
 from algebroproj_sym.expressions.quotient import over, remembered
 from algebroproj_sym.expressions.rounding import ROUNDINGS, Rounding, decimals, leading, rounded
 from algebroproj_sym.expressions.size import size
-from algebroproj_sym.expressions.steps import in_steps, keeps_divisions
+from algebroproj_sym.expressions.steps import in_steps
 from algebroproj_sym.expressions.symbols import SymbolError, admits, assumed, assumption, is_plain, values_of
 from algebroproj_sym.expressions.writing import written
 
@@ -70,7 +70,6 @@ __all__ = [
     "inverse",
     "is_plain",
     "jacobian",
-    "keeps_divisions",
     "leading",
     "linear_system",
     "minors_of",

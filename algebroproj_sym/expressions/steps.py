@@ -71,8 +71,3 @@ def _text(node: Any, written: dict[Any, tuple[str, int]]) -> tuple[str, int]:
         return f"{within(node.base, _ATOM)}**{exponent if exponent >= 0 else f'({exponent})'}", _POWER
     text = str(node.name if isinstance(node, sympy.Symbol) else node)
     return text, _ATOM if text.isalnum() or not isinstance(node, sympy.Rational) else _SUM
-
-
-def keeps_divisions(expression: Expression) -> bool:
-    """Whether the text of an expression shows every division: none is an `over`."""
-    return not any(entry.has(over) for entry in entries(expression))

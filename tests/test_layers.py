@@ -14,7 +14,6 @@ STAGES = (
         "proving",
         "declaring",
         "auditing",
-        "remembering",
         "generating",
         "verifying",
         "mutating",

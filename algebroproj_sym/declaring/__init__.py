@@ -11,26 +11,20 @@ from algebroproj_sym.declaring.claim import (
     in_derived_terms,
     statement_text,
 )
-from algebroproj_sym.declaring.dependencies import needed_by
 from algebroproj_sym.declaring.difference import differing_entries
 from algebroproj_sym.declaring.discovery import (
     Derivation,
-    Outline,
     UnknownSelectorError,
     derivation_at,
     derivations,
-    derivations_in,
     derivations_of,
     drivers,
     installed_papers,
     kernels,
     located,
-    modules_of_papers,
     numbered_with,
-    outline,
     paper_folders,
     quotes_of,
-    require_consistent,
     select,
     split,
 )
@@ -38,7 +32,7 @@ from algebroproj_sym.declaring.display import conditions, evidence_lines, folded
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
 from algebroproj_sym.declaring.importing import BrokenModuleError, import_root, makes_section
-from algebroproj_sym.declaring.judging import Judgement, abridged, judge
+from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.naming import Named, in_names, latex_of_name, named_latex
 from algebroproj_sym.declaring.quotes import UNPARSED, UNQUOTED, Quotations, Quote, quotations
@@ -73,7 +67,6 @@ __all__ = [
     "Kernel",
     "MalformedFileError",
     "Named",
-    "Outline",
     "Part",
     "Primitive",
     "Publication",
@@ -85,7 +78,6 @@ __all__ = [
     "Statement",
     "UnknownSelectorError",
     "Verdict",
-    "abridged",
     "arctan2",
     "arranged",
     "as_declared",
@@ -94,7 +86,6 @@ __all__ = [
     "cos_sin",
     "derivation_at",
     "derivations",
-    "derivations_in",
     "derivations_of",
     "differing_entries",
     "drivers",
@@ -112,17 +103,13 @@ __all__ = [
     "located",
     "makes_section",
     "markdown",
-    "modules_of_papers",
     "named_latex",
-    "needed_by",
     "null_vector",
     "numbered_with",
-    "outline",
     "paper_folders",
     "publication",
     "quotations",
     "quotes_of",
-    "require_consistent",
     "select",
     "shown",
     "solution",

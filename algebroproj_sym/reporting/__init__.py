@@ -3,8 +3,9 @@
 from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
 from algebroproj_sym.reporting.audits import audit_counts, audit_lines, audit_record, audit_table, audited_share
 from algebroproj_sym.reporting.explaining import explanation, failure_text, form_lines
-from algebroproj_sym.reporting.forms import derived_form, remember
+from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.ledger import (
+    Quotes,
     claim_record,
     declaration,
     ledger,
@@ -26,6 +27,7 @@ from algebroproj_sym.reporting.tables import (
 __all__ = [
     "Notebook",
     "NotebookError",
+    "Quotes",
     "answers_record",
     "answers_summary",
     "answers_table",
@@ -46,7 +48,6 @@ __all__ = [
     "ledger",
     "ledger_of",
     "operations_table",
-    "remember",
     "report",
     "run_notebook",
     "summary",

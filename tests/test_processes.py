@@ -13,8 +13,9 @@ import pytest
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli.terminal import progressing
-from algebroproj_sym.declaring import as_declared, located, quotes_of, shown
+from algebroproj_sym.declaring import located, quotes_of
 from algebroproj_sym.processes import in_processes, mapped
+from algebroproj_sym.showing import as_declared, shown
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
 

@@ -3,7 +3,6 @@
 from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
 from algebroproj_sym.reporting.audits import audit_counts, audit_lines, audit_record, audit_table, audited_share
 from algebroproj_sym.reporting.explaining import explanation, failure_text, form_lines
-from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.ledger import (
     Quotes,
     claim_record,
@@ -39,7 +38,6 @@ __all__ = [
     "claim_record",
     "claims_table",
     "declaration",
-    "derived_form",
     "explanation",
     "failed_function",
     "failure_text",

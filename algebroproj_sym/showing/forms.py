@@ -1,4 +1,4 @@
-"""The derived form of a claim, in lowest terms; computed once for ledger, report and site."""
+"""The derived form of a claim, in lowest terms; computed once."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import over, vector
 from algebroproj_sym.generating import PACKAGE, Program, Step, c_files, c_name, lower
-from algebroproj_sym.generating.c_source import LONGEST, stamped, statements
+from algebroproj_sym.generating.backends.c.printer import LONGEST, stamped, statements
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, kernel_outputs, source_of
 from algebroproj_sym.verifying.proof_of_c_source import (

@@ -12,7 +12,7 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import drivers, kernels
 from algebroproj_sym.expressions import over, vector
 from algebroproj_sym.generating import PACKAGE, Measured, drift, lower, recorded_errors, render, write
-from algebroproj_sym.generating.package import LONGEST_FACTOR, runtime_modules
+from algebroproj_sym.generating.backends.numpy.package import LONGEST_FACTOR, runtime_modules
 
 SHARED = {
     *("__init__.py", "drivers.py", "py.typed"),

@@ -19,10 +19,10 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import arctan2, cos_sin, let, null_vector, solution
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.generating import PACKAGE, LoweringError, Program, Step, lower, render, run, write
-from algebroproj_sym.generating.numpy_source import LINE, statements
-from algebroproj_sym.generating.package import NOTICE
+from algebroproj_sym.generating.backends.numpy.printer import LINE, statements
 from algebroproj_sym.generating.program import Call
 from algebroproj_sym.generating.runtime import _primitives as primitives
+from algebroproj_sym.generating.writing import NOTICE
 from algebroproj_sym.proving import ENGINES
 from algebroproj_sym.verifying import (
     accuracy,

@@ -14,8 +14,8 @@ from dataclasses import replace
 from math import prod
 
 from algebroproj_sym.declaring import LINEAR, Kernel
-from algebroproj_sym.generating.c_elimination import null_vector_once_body, solve_once_body
-from algebroproj_sym.generating.c_source import (
+from algebroproj_sym.generating.backends.c.elimination import null_vector_once_body, solve_once_body
+from algebroproj_sym.generating.backends.c.printer import (
     c_name,
     c_operand,
     core_shapes,

@@ -21,9 +21,9 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.declaring import LINEAR, Kernel
 from algebroproj_sym.expressions import entries
-from algebroproj_sym.generating.c_elimination import null_vector_body, solve_body
+from algebroproj_sym.generating.backends.c.elimination import null_vector_body, solve_body
+from algebroproj_sym.generating.backends.c.fours import reads, writes
 from algebroproj_sym.generating.expansion import expanded
-from algebroproj_sym.generating.fours import reads, writes
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
 
@@ -88,7 +88,7 @@ _RESERVED = frozenset(_WORDS.split())
 _OPERAND = re.compile(r"(in|out)\d+")
 
 _TEMPLATES = Environment(
-    loader=PackageLoader("algebroproj_sym.generating"), undefined=StrictUndefined, keep_trailing_newline=True
+    loader=PackageLoader("algebroproj_sym.generating.backends.c"), undefined=StrictUndefined, keep_trailing_newline=True
 )
 
 

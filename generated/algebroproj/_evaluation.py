@@ -110,9 +110,14 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     if signature.twin is not None and dtype in COMPILED:
         wanted = (None,) * len(signature.results) if out is None else _checked(signature, out, batch, dtype)
         return signature.twin(*(array.astype(dtype, copy=False) for array in arrays), out=wanted)
-    if not batch and out is None:
-        return _of_a_point(signature, body, arrays, dtype)
     results = _allocated(signature, batch, dtype) if out is None else _checked(signature, out, batch, dtype)
+    if not batch:
+        values = _of_a_point(signature, body, arrays, dtype)
+        if out is None:
+            return values[0] if len(values) == 1 else values
+        for result, value in zip(results, values, strict=True):
+            result[...] = value
+        return out
     if out is not None:
         arrays = [_apart(array, results) for array in arrays]
     _fill(signature, body, arrays, results, batch, dtype)
@@ -189,8 +194,10 @@ def _dtype(signature: Signature, given: Sequence[Any], arrays: Sequence[NDArray[
     return dtype if dtype.kind in "fcO" else np.dtype(np.float64)
 
 
-def _of_a_point(signature: Signature, body: Body, arrays: Sequence[NDArray[Any]], dtype: np.dtype[Any]) -> Any:
-    """Evaluate at a single point: scalars are faster than arrays of one entry."""
+def _of_a_point(
+    signature: Signature, body: Body, arrays: Sequence[NDArray[Any]], dtype: np.dtype[Any]
+) -> tuple[Any, ...]:
+    """Return the results at a single point: scalars are faster than arrays of one entry."""
     values = body(*(entry for array in arrays for entry in array.astype(dtype, copy=False).reshape(-1)))
     entries = np.empty(len(values), dtype)
     for place, value in enumerate(values):
@@ -200,7 +207,7 @@ def _of_a_point(signature: Signature, body: Body, arrays: Sequence[NDArray[Any]]
         stop = start + prod(core)
         results.append(entries[start:stop].reshape(core)[()])
         start = stop
-    return results[0] if len(results) == 1 else tuple(results)
+    return tuple(results)
 
 
 def _allocated(signature: Signature, batch: Shape, dtype: np.dtype[Any]) -> tuple[NDArray[Any], ...]:
@@ -308,13 +315,6 @@ def _of_other_library(signature: Signature, body: Body, given: Sequence[Any], ou
         results.append(xp.reshape(xp.stack(whole[start:stop], axis=-1), batch + core))
         start = stop
     return results[0] if len(results) == 1 else tuple(results)
-
-
-def _dtype_of_other_library(xp: Any, values: Sequence[Any]) -> Any:
-    dtype = xp.result_type(*(value for value in values if not _is_weak(value)))
-    if any(isinstance(value, complex) for value in values):
-        dtype = xp.result_type(dtype, xp.complex64)
-    return dtype if xp.isdtype(dtype, ("real floating", "complex floating")) else xp.asarray(0.0).dtype
 
 
 def _is_weak(value: Any) -> bool:

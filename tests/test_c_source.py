@@ -103,7 +103,7 @@ def test_a_planted_error_in_a_kernel_is_found(old, new):
         example={"p": ("0.5", "0.25")},
         describe={"p": "A point."},
     )
-    text = c_files([lower(kernel)], "")["_kernels.h"]
+    text = c_files([lower(kernel)], "")["kernels.h"]
     assert kernel_is_proved(kernel, source_of(text))
     wrong = changed(text, old, new)
     try:
@@ -259,7 +259,7 @@ def test_a_package_without_its_c_source_is_not_proved(tmp_path):
 
 def test_names_that_c_does_not_leave_free_are_changed():
     kernel = demonstration(symbols="double value_0")
-    text = c_files([lower(kernel)], "")["_kernels.h"]
+    text = c_files([lower(kernel)], "")["kernels.h"]
     assert "const real double" not in text
     assert kernel_is_proved(kernel, source_of(text))
 

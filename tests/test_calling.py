@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import algebroproj
 from algebroproj import correlation, metric, normal_case, optics, projection, space
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.generating.runtime._evaluation import Signature, evaluate
+from algebroproj_sym.generating.runtime.evaluation import Signature, evaluate
 from algebroproj_sym.verifying import function_of, load_package, without_twin
 
 PAIR = Signature("pair", (("x", (2,)), ("M", (2, 2)), ("s", ())), ((), (2, 2)), block=7)

@@ -59,14 +59,14 @@ def plain_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     Returns
     -------
     dict of str to str
-        The text of each file by its name: ``_plain_kernels.h`` with the formulas, and ``_plain_loops.h`` with the loop
+        The text of each file by its name: ``plain_kernels.h`` with the formulas, and ``plain_loops.h`` with the loop
         of the ufuncs.
     """
     compiled = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
     calls = [step for low in compiled for step in low.plain.steps if isinstance(step, Call)]
     solvers = sorted({(call.primitive, len(call.rows)) for call in calls if call.primitive in LINEAR})
     return {
-        "_plain_kernels.h": rendered(
+        "plain_kernels.h": rendered(
             "plain_kernels.h.j2",
             notice=notice,
             strip=STRIP,
@@ -81,7 +81,7 @@ def plain_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             ],
             kernels=[_function(low) for low in compiled],
         ),
-        "_plain_loops.h": rendered("plain_loops.h.j2", notice=notice),
+        "plain_loops.h": rendered("plain_loops.h.j2", notice=notice),
     }
 
 

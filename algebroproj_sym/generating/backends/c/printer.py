@@ -105,9 +105,9 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     Returns
     -------
     dict of str to str
-        The text of each file by its name: ``_kernels.h`` with the formulas, ``_systems.h`` with those that solve linear
-        systems, ``_moves.h``, ``_loops.h``, ``_fours.h`` and ``_compiled.c`` with what makes ufuncs of them, and of the
-        formulas without compensation, which `plain_files` writes; ``_calls.h`` with short calls of ufuncs.
+        The text of each file by its name: ``kernels.h`` with the formulas, ``systems.h`` with those that solve linear
+        systems, ``moves.h``, ``loops.h``, ``fours.h`` and ``compiled.c`` with what makes ufuncs of them, and of the
+        formulas without compensation, which `plain_files` writes; ``calls.h`` with short calls of ufuncs.
     """
     compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
     plain = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
@@ -116,13 +116,13 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     of_systems = [low for low in compiled if low.kernel.solves_systems]
     solvers = {(call.primitive, len(call.rows)) for low in of_systems for call in _calls(low.program)}
     return {
-        "_kernels.h": rendered(
+        "kernels.h": rendered(
             "kernels.h.j2",
             notice=notice,
             errors=bool(of_systems) or any(_products(expanded(low.program)) for low in of_operations),
             kernels=list(map(_function, of_operations)),
         ),
-        "_systems.h": rendered(
+        "systems.h": rendered(
             "systems.h.j2",
             notice=notice,
             solvers=[
@@ -137,16 +137,16 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             ],
             kernels=list(map(_function, of_systems)),
         ),
-        "_loops.h": rendered("loops.h.j2", notice=notice),
-        "_moves.h": rendered("moves.h.j2", notice=notice),
-        "_fours.h": rendered(
+        "loops.h": rendered("loops.h.j2", notice=notice),
+        "moves.h": rendered("moves.h.j2", notice=notice),
+        "fours.h": rendered(
             "fours.h.j2",
             notice=notice,
             **next(kind for kind in TYPES if kind["loop"] == "fours"),
             kernels=[_by_fours(low.kernel) for low in compiled if _is_short(low)],
         ),
-        "_calls.h": rendered("calls.h.j2", notice=notice),
-        "_compiled.c": rendered(
+        "calls.h": rendered("calls.h.j2", notice=notice),
+        "compiled.c": rendered(
             "compiled.c.j2",
             notice=notice,
             digest=DIGEST,

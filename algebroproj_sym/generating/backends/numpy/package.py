@@ -16,15 +16,15 @@ from algebroproj_sym.declaring import LINEAR, PRIMITIVES, Driver, Kernel, Result
 from algebroproj_sym.expressions import Scalar, divided, entries
 from algebroproj_sym.generating import runtime
 from algebroproj_sym.generating.backends.c.plain import plain_files
-from algebroproj_sym.generating.backends.c.printer import c_files, c_name, is_compiled, stamped
+from algebroproj_sym.generating.backends.c.printer import c_files, c_name, is_compiled, is_compiled_plain, stamped
 from algebroproj_sym.generating.backends.numpy.printer import packed, statements
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.measured import Measured
 from algebroproj_sym.generating.operation_counts import operation_counts
 from algebroproj_sym.generating.program import Call, Step, run
-from algebroproj_sym.generating.runtime import _primitives as primitives
-from algebroproj_sym.generating.runtime._compensated import DIGITS
+from algebroproj_sym.generating.runtime import primitives as primitives
+from algebroproj_sym.generating.runtime.compensated import DIGITS
 from algebroproj_sym.generating.writing import NOTICE
 
 LONGEST_FACTOR = 240
@@ -72,16 +72,16 @@ def render(
     }
     files |= {driver.source.name: driver.source.read_text(encoding="utf-8") for driver in drivers}
     files["__init__.py"] = _TEMPLATES.get_template("init.py.j2").render(notice=NOTICE, modules=sorted(modules))
-    files |= {path.name: _with_notice(path.read_text(encoding="utf-8")) for path in runtime_modules()}
+    files |= {f"_runtime/{path.name}": _with_notice(path.read_text(encoding="utf-8")) for path in runtime_modules()}
     files["py.typed"] = ""
     every = [low for group in modules.values() for low in group]
-    files |= c_files(every, NOTICE) | plain_files(every, NOTICE)
+    files |= {f"_c/{name}": text for name, text in (c_files(every, NOTICE) | plain_files(every, NOTICE)).items()}
     return stamped(dict(sorted(files.items())))
 
 
 def runtime_modules() -> list[Path]:
     """Return the modules that every generated package gets as they are."""
-    return sorted(path for path in Path(str(runtime.__file__)).parent.glob("_*.py") if path.stem != "__init__")
+    return sorted(path for path in Path(str(runtime.__file__)).parent.glob("*.py"))
 
 
 def _with_notice(source: str) -> str:
@@ -100,7 +100,7 @@ def _module(group: Sequence[Lowered], drivers: Sequence[Driver], measured: Mappi
         title=title,
         notice=NOTICE,
         primitives=sorted(called - {"let"}),
-        compiled=any(is_compiled(low) for low in group),
+        compiled=any(is_compiled(low) or is_compiled_plain(low) for low in group),
         digits=sorted(operators.intersection(DIGITS)),
         functions=[_function(low, measured.get(low.kernel.qualified_name)) for low in group],
         drivers=[{"name": driver.name, "module": driver.source.stem} for driver in drivers],
@@ -306,5 +306,6 @@ def _signature(low: Lowered) -> str:
     results = tuple(result.shape for result in kernel.results)
     block = f", block={LINEAR_BLOCK}" if kernel.solves_systems else ""
     twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(low) else ""
+    twin += f', plain_twin=ufunc("plain_{c_name(kernel)}")' if is_compiled_plain(low) else ""
     recordable = ", recordable=True" if all(stage.primitive == "let" for stage in kernel.stages) else ""
     return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin}{recordable})".replace("'", '"')

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
-from algebroproj_sym.generating.runtime._compensated import DIGITS
+from algebroproj_sym.generating.runtime.compensated import DIGITS
 
 LINE = 100
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
-from ._double_double import DoubleDouble, difference_error, fast_two_sum, sum_error, two_product, two_sum
+from .double_double import DoubleDouble, difference_error, fast_two_sum, sum_error, two_product, two_sum
 
 __all__ = ["DIGITS", "ROUNDINGS", "Compensated", "double_double", "rounded", "rounded_twice", "wide"]
 

@@ -8,17 +8,20 @@ libraries go through it whole.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, is_dataclass
+from functools import lru_cache
+from importlib import import_module
 from itertools import product
 from math import prod
+from types import FunctionType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._backend import evaluated
-from ._namespace import is_foreign, namespace
-from ._tape import recorded
+from .backend import evaluated
+from .namespace import is_foreign, namespace
+from .tape import recorded
 
 __all__ = ["Signature", "evaluate"]
 
@@ -46,8 +49,8 @@ class Signature:
         The core shapes of the results.
     block : int
         How many points of a batch are computed at once if they are not recorded.
-    twin : ufunc, optional
-        The compiled version of the body.
+    twin, plain_twin : ufunc, optional
+        The compiled versions of the body, with compensation and without.
     recordable : bool
         Whether the body consists of + - * / alone, so that it may be run in buffers.
     """
@@ -57,6 +60,7 @@ class Signature:
     results: tuple[Shape, ...]
     block: int = BLOCK
     twin: Any = None
+    plain_twin: Any = None
     recordable: bool = False
 
 
@@ -123,14 +127,29 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
 
 
 def parts_of(function: Callable[..., Any], asked: str) -> tuple[Signature, Body]:
-    """Return the signature and the body of a generated function; `asked` is who asks, for error messages."""
+    """Return the signature and the body of a generated function; `asked` is who asks, for error messages.
+
+    The function may be of another generated package, whose numbers are not those of this one.  Its body then calls the
+    functions of this runtime.
+    """
     names = getattr(function, "__globals__", {})
     name = getattr(function, "__name__", repr(function))
-    signature = names.get(f"_{name.upper()}_SIGNATURE")
-    if not isinstance(signature, Signature):
+    signature: Any = names.get(f"_{name.upper()}_SIGNATURE")
+    if type(signature).__name__ != Signature.__name__ or not is_dataclass(signature):
         raise TypeError(f"{asked}: expected a generated function, got {name}")
     body: Body = names[f"_{name}"]
-    return signature, body
+    return signature, body if isinstance(signature, Signature) else _brought_here(body)
+
+
+@lru_cache(maxsize=256)
+def _brought_here(body: FunctionType) -> Body:
+    """Return the body of a function of another package, in which the functions of its runtime are those of this one."""
+    names = dict(body.__globals__)
+    for name, value in body.__globals__.items():
+        package, _, module = str(getattr(value, "__module__", None)).rpartition(".")
+        if isinstance(value, FunctionType) and package.endswith("._runtime"):
+            names[name] = getattr(import_module(f".{module}", __package__), value.__name__)
+    return FunctionType(body.__code__, names, body.__name__)
 
 
 def require_count(signature: Signature, arguments: Sequence[Any]) -> None:

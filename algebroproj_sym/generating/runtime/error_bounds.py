@@ -14,8 +14,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ._compensated import NEAREST, Compensated, wide
-from ._double_double import DoubleDouble
+from .compensated import NEAREST, Compensated, wide
+from .double_double import DoubleDouble
 
 __all__ = ["Bounded", "bounded", "guaranteed"]
 

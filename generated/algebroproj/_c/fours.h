@@ -22,7 +22,7 @@ static const four most_headroom = {(DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MA
 #define variant four
 #define product_error NAME(fused_product_error)
 #define within(range, operand) multiply_add(operand, operand, range)
-#include "_kernels.h"
+#include "kernels.h"
 #undef real
 #undef multiply_add
 #undef headroom

@@ -187,7 +187,7 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
                                    real *restrict ranges, const npy_intp points)
 
 #ifdef SHUFFLED
-#include "_moves.h"
+#include "moves.h"
 #endif
 
 #define WIDTH BLOCK
@@ -206,8 +206,8 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define variant float_split
 #define product_error NAME(split_product_error)
 #define within(range, operand) (range)
-#include "_kernels.h"
-#include "_systems.h"
+#include "kernels.h"
+#include "systems.h"
 #undef variant
 #undef product_error
 #undef within
@@ -217,8 +217,8 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define variant float_fused
 #define product_error NAME(fused_product_error)
 #define within(range, operand) multiply_add(operand, operand, range)
-#include "_kernels.h"
-#include "_systems.h"
+#include "kernels.h"
+#include "systems.h"
 #undef variant
 #undef product_error
 #undef within
@@ -231,13 +231,13 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 /* Neighbouring entries are read and written together; in the formulas with compensation it would take a compiler minutes
    to look for them. */
 OPTIMIZED("tree-slp-vectorize")
-#include "_loops.h"
+#include "loops.h"
 #undef gathered
 #undef scattered
 #define VERSION SPLIT
 #define NARROW_VERSION VERSION
 #define variant float_plain
-#include "_plain_kernels.h"
+#include "plain_kernels.h"
 #undef variant
 #undef VERSION
 #undef NARROW_VERSION
@@ -245,13 +245,13 @@ OPTIMIZED("tree-slp-vectorize")
 #define VERSION FUSED
 #define NARROW_VERSION FUSED_NARROW
 #define variant float_plain_fused
-#include "_plain_kernels.h"
+#include "plain_kernels.h"
 #undef variant
 #undef VERSION
 #undef NARROW_VERSION
 #endif
 OPTIMIZED_ENDS
-#include "_plain_loops.h"
+#include "plain_loops.h"
 #undef real
 #undef absolute
 #undef multiply_add
@@ -267,8 +267,8 @@ OPTIMIZED_ENDS
 #define variant double_split
 #define product_error NAME(split_product_error)
 #define within(range, operand) (range)
-#include "_kernels.h"
-#include "_systems.h"
+#include "kernels.h"
+#include "systems.h"
 #undef variant
 #undef product_error
 #undef within
@@ -278,8 +278,8 @@ OPTIMIZED_ENDS
 #define variant double_fused
 #define product_error NAME(fused_product_error)
 #define within(range, operand) multiply_add(operand, operand, range)
-#include "_kernels.h"
-#include "_systems.h"
+#include "kernels.h"
+#include "systems.h"
 #undef variant
 #undef product_error
 #undef within
@@ -296,13 +296,13 @@ OPTIMIZED_ENDS
 /* Neighbouring entries are read and written together; in the formulas with compensation it would take a compiler minutes
    to look for them. */
 OPTIMIZED("tree-slp-vectorize")
-#include "_loops.h"
+#include "loops.h"
 #undef gathered
 #undef scattered
 #define VERSION SPLIT
 #define NARROW_VERSION VERSION
 #define variant double_plain
-#include "_plain_kernels.h"
+#include "plain_kernels.h"
 #undef variant
 #undef VERSION
 #undef NARROW_VERSION
@@ -310,13 +310,13 @@ OPTIMIZED("tree-slp-vectorize")
 #define VERSION FUSED
 #define NARROW_VERSION FUSED_NARROW
 #define variant double_plain_fused
-#include "_plain_kernels.h"
+#include "plain_kernels.h"
 #undef variant
 #undef VERSION
 #undef NARROW_VERSION
 #endif
 OPTIMIZED_ENDS
-#include "_plain_loops.h"
+#include "plain_loops.h"
 #undef real
 #undef absolute
 #undef multiply_add
@@ -332,8 +332,8 @@ OPTIMIZED_ENDS
 #define variant longdouble_split
 #define product_error NAME(split_product_error)
 #define within(range, operand) (range)
-#include "_kernels.h"
-#include "_systems.h"
+#include "kernels.h"
+#include "systems.h"
 #undef variant
 #undef product_error
 #undef within
@@ -345,18 +345,18 @@ OPTIMIZED_ENDS
 /* Neighbouring entries are read and written together; in the formulas with compensation it would take a compiler minutes
    to look for them. */
 OPTIMIZED("tree-slp-vectorize")
-#include "_loops.h"
+#include "loops.h"
 #undef gathered
 #undef scattered
 #define VERSION
 #define NARROW_VERSION VERSION
 #define variant longdouble_plain
-#include "_plain_kernels.h"
+#include "plain_kernels.h"
 #undef variant
 #undef VERSION
 #undef NARROW_VERSION
 OPTIMIZED_ENDS
-#include "_plain_loops.h"
+#include "plain_loops.h"
 #undef real
 #undef absolute
 #undef multiply_add
@@ -369,7 +369,7 @@ OPTIMIZED_ENDS
 #ifdef SHUFFLED
 /* Operations are put in an order in which few wait for others. */
 OPTIMIZED("schedule-insns", "sched-pressure")
-#include "_fours.h"
+#include "fours.h"
 OPTIMIZED_ENDS
 #define FOURS_VERSION(name) name
 #else
@@ -1217,7 +1217,7 @@ static int add_plain_kernel(PyObject *module, const int place)
                      plain_types[place], plain_data[place], kernel);
 }
 
-#include "_calls.h"
+#include "calls.h"
 
 static int execute(PyObject *module)
 {
@@ -1237,7 +1237,7 @@ static int execute(PyObject *module)
             return -1;
         }
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "3bf95fb8021186ce");
+    return PyModule_AddStringConstant(module, "DIGEST", "8a2b4278399db079");
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -90,7 +90,8 @@ def built(repository, tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(repository / "generated")
     monkeypatch.chdir(tmp_path)
     compiling = importlib.import_module("compiling")
-    source = tmp_path / "tiny.c"
+    source = tmp_path / "_c" / "tiny.c"
+    source.parent.mkdir()
 
     def build(number, age=0.0, editable=True):
         source.write_text(f"#define NUMBER {number}\n{TINY}", encoding="utf-8")
@@ -132,7 +133,7 @@ def test_without_a_c_compiler_it_is_built_all_the_same_and_runs_the_numpy_source
     (wheel,) = tmp_path.glob("*.whl")
     names = zipfile.ZipFile(wheel).namelist()
     assert {name.split("/")[0].partition("-")[0] for name in names} == {PACKAGE}
-    assert f"{PACKAGE}/_kernels.h" in names
+    assert f"{PACKAGE}/_c/kernels.h" in names
     assert not [name for name in names if name.endswith((".so", ".pyd"))]
     installed = tmp_path / "installed"
     zipfile.ZipFile(wheel).extractall(installed)

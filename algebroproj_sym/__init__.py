@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Proof", "Section", "prove"]
 
+__version__ = "0.1.0"
+
 _HOMES = {"Proof": "proving", "Section": "declaring", "prove": "proving.statements"}
 
 

@@ -27,7 +27,7 @@ from algebroproj_sym.declaring.discovery import (
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
 from algebroproj_sym.declaring.importing import BrokenModuleError, import_root
-from algebroproj_sym.declaring.judging import Judgement, judge
+from algebroproj_sym.declaring.judging import Judgement, judge, judge_all
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.kind import Kind
 from algebroproj_sym.declaring.kinds import KINDS
@@ -87,6 +87,7 @@ __all__ = [
     "in_derived_terms",
     "installed_papers",
     "judge",
+    "judge_all",
     "kernels",
     "let",
     "located",

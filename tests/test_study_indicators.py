@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from algebroproj import DoubleDouble, correlation, critical
+from algebroproj_derivations.studies.stereo.accuracy import matrix_error
+from algebroproj_derivations.studies.stereo.chain import images
+from algebroproj_derivations.studies.stereo.configurations import BASIC, critical_quadric, near_critical, ordinary
+from algebroproj_derivations.studies.stereo.indicators import diagnosis, eight_point_matrix, indicators
+from algebroproj_derivations.studies.stereo.rounding import bound_of_correlation, bound_of_epipoles
 from algebroproj_sym.study.arithmetics import arb, float64, rational
 from algebroproj_sym.study.precision import apply, lift
-from algebroproj_sym.study.stereo.accuracy import matrix_error
-from algebroproj_sym.study.stereo.chain import images
-from algebroproj_sym.study.stereo.configurations import BASIC, critical_quadric, near_critical, ordinary
-from algebroproj_sym.study.stereo.indicators import diagnosis, eight_point_matrix, indicators
-from algebroproj_sym.study.stereo.rounding import bound_of_correlation, bound_of_epipoles
 
 
 def test_the_critical_quadric_goes_through_centers_and_points():

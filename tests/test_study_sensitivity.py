@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from algebroproj import correlation
+from algebroproj_derivations.studies.stereo.chain import images
+from algebroproj_derivations.studies.stereo.configurations import ordinary
 from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.conditioning import jacobian
 from algebroproj_sym.study.sensitivity import Input, morris, sobol
-from algebroproj_sym.study.stereo.chain import images
-from algebroproj_sym.study.stereo.configurations import ordinary
 
 ANGLES = [Input(name, "uniform", -np.pi, np.pi) for name in "abc"]
 

@@ -121,25 +121,31 @@ def _written(value: Any, bits: int) -> str:
         return str(mpmath.nstr(mpmath.mpf(value), digits, strip_zeros=True))
 
 
-def provenance() -> dict[str, str]:
-    """Return what computes here: the versions of the libraries, and the commit if there is one.
+def provenance(source: Path) -> dict[str, str]:
+    """Return what computes a study: the versions of the libraries, its source, and the commit if there is one.
+
+    Parameters
+    ----------
+    source : Path
+        The module of the study; the modules beside it, and in packages beside it, belong to the source.
 
     Examples
     --------
-    >>> sorted(provenance())[:2]
+    >>> sorted(provenance(Path(__file__)))[:2]
     ['algebroproj-sym', 'backend']
     """
     versions = {library: version(library) for library in LIBRARIES}
     commit = _commit()
-    here = {"backend": str(algebroproj.backend()), "source": _digest()}
+    here = {"backend": str(algebroproj.backend()), "source": _digest(source)}
     return versions | here | ({"commit": commit} if commit else {})
 
 
-def _digest() -> str:
-    """Return a digest of the source of the studies and of the functions that they evaluate."""
+def _digest(source: Path) -> str:
+    """Return a digest of the source of a study, of what runs it, and of the functions that it evaluates."""
     digest = hashlib.sha256()
-    for folder in (Path(__file__).parent, Path(algebroproj.__file__).parent):
-        for path in sorted(folder.rglob("*.py")):
+    own = [source.parent] if source.is_file() else []
+    for folder in (Path(__file__).parent, Path(algebroproj.__file__).parent, *own):
+        for path in sorted([*folder.glob("*.py"), *folder.glob("*/*.py")]):
             digest.update(path.relative_to(folder).as_posix().encode() + path.read_bytes())
     return digest.hexdigest()
 
@@ -292,10 +298,10 @@ def _beside(path: Path) -> Path:
     return temporary
 
 
-def attributes(title: str, arguments: Mapping[str, Any]) -> dict[str, str]:
+def attributes(title: str, arguments: Mapping[str, Any], source: Path) -> dict[str, str]:
     """Return what a dataset says about itself: its title, the arguments of its sweep and its provenance."""
     return {
         "title": title,
         "arguments": json.dumps(arguments, sort_keys=True),
-        "provenance": json.dumps(provenance(), sort_keys=True),
+        "provenance": json.dumps(provenance(source), sort_keys=True),
     }

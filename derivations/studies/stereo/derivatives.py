@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from algebroproj_derivations.studies.stereo.chain import AXIS_POINT, Images, from_images
 from algebroproj_sym.study.conditioning import Condition, condition_numbers
 from algebroproj_sym.study.propagation import first_order
-from algebroproj_sym.study.stereo.chain import AXIS_POINT, Images, from_images
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
 __all__ = ["Derivative", "chain_derivatives"]
@@ -77,8 +77,8 @@ def chain_derivatives(both: Images, y_a: ArrayLike = AXIS_POINT) -> dict[str, De
     Examples
     --------
     >>> from algebroproj_sym.study.arithmetics import float64
-    >>> from algebroproj_sym.study.stereo.chain import images
-    >>> from algebroproj_sym.study.stereo.configurations import ordinary
+    >>> from algebroproj_derivations.studies.stereo.chain import images
+    >>> from algebroproj_derivations.studies.stereo.configurations import ordinary
     >>> found = chain_derivatives(images(float64(), ordinary(3)))
     >>> found["model"].jacobian.shape, found["model"].covariance(1e-10 * np.eye(20)).shape
     ((3, 15, 20), (3, 15, 15))

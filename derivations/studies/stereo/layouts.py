@@ -14,8 +14,8 @@ from typing import Any, Literal
 import numpy as np
 
 import algebroproj
-from algebroproj_sym.study.stereo.quadric import Kind, conditions, exact, kind, rank, through
-from algebroproj_sym.study.stereo.scenes import Scene, images
+from algebroproj_derivations.studies.stereo.quadric import Kind, conditions, exact, kind, rank, through
+from algebroproj_derivations.studies.stereo.scenes import Scene, images
 
 Verdict = Literal["regular", "normalisation", "critical"]
 Place = tuple[Any, Any, Any]

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_sym.study.stereo.scenes import LEAST_POINTS, DegenerateSceneError, Scene, require_scene
+from algebroproj_derivations.studies.stereo.scenes import LEAST_POINTS, DegenerateSceneError, Scene, require_scene
 
 Numbers = NDArray[np.float64]
 

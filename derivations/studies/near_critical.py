@@ -12,17 +12,17 @@ from numpy.typing import NDArray
 
 import algebroproj
 from algebroproj import DoubleDouble
+from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits, matrix_error
+from algebroproj_derivations.studies.stereo.aerial import aerial
+from algebroproj_derivations.studies.stereo.drawings import map_of_lost_digits, quadric_in_space
+from algebroproj_derivations.studies.stereo.maps import over_image, over_plane
+from algebroproj_derivations.studies.stereo.quadric import critical_quadric, gradients
+from algebroproj_derivations.studies.stereo.scenes import Scene, affine, images
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.reductions import Joint, joint
 from algebroproj_sym.study.sampling import uniform
-from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits, matrix_error
-from algebroproj_sym.study.stereo.aerial import aerial
-from algebroproj_sym.study.stereo.drawings import map_of_lost_digits, quadric_in_space
-from algebroproj_sym.study.stereo.maps import over_image, over_plane
-from algebroproj_sym.study.stereo.quadric import critical_quadric, gradients
-from algebroproj_sym.study.stereo.scenes import Scene, affine, images
 
 Numbers = NDArray[np.float64]
 

@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from algebroproj import correlation
 from algebroproj._double_double import DoubleDouble
 from algebroproj._error_bounds import Bounded, magnitude
+from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
 from algebroproj_sym.study.arithmetics import double_double_balls, float64_balls
 from algebroproj_sym.study.precision import Numbers, apply, lift, radius
-from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF
 from algebroproj_sym.study.taylor import inverses
 
 __all__ = ["bound_of_correlation", "bound_of_epipoles"]
@@ -64,15 +64,15 @@ def bound_of_correlation(left: Array, right: Array, off_left: Array, off_right: 
     Examples
     --------
     >>> from algebroproj_sym.study.arithmetics import float64
-    >>> from algebroproj_sym.study.stereo.chain import images
-    >>> from algebroproj_sym.study.stereo.configurations import ordinary
+    >>> from algebroproj_derivations.studies.stereo.chain import images
+    >>> from algebroproj_derivations.studies.stereo.configurations import ordinary
     >>> left, right = (u[0] for u in images(float64(), ordinary(1)))
     >>> Z, bound = bound_of_correlation(left, right, 1e-9 * abs(left), 1e-9 * abs(right))
     >>> bool(bound.max() < 1e-3)
     True
     """
     with np.errstate(all="ignore"):
-        Z = correlation.correlation_matrix(left, right)  # noqa: N806 - the papers' name
+        Z = correlation.correlation_matrix(left, right)
         found = _solved(Z, left, right, off_left, off_right)
         error = np.stack([found.functional(weights) for weights in _OF_ELEMENTS], axis=-1)
     return Z, _of_matrix(error, Z)
@@ -99,15 +99,15 @@ def bound_of_epipoles(left: Array, right: Array, off_left: Array, off_right: Arr
     Examples
     --------
     >>> from algebroproj_sym.study.arithmetics import float64
-    >>> from algebroproj_sym.study.stereo.chain import images
-    >>> from algebroproj_sym.study.stereo.configurations import ordinary
+    >>> from algebroproj_derivations.studies.stereo.chain import images
+    >>> from algebroproj_derivations.studies.stereo.configurations import ordinary
     >>> left, right = (u[0] for u in images(float64(), ordinary(1)))
     >>> angles = bound_of_epipoles(left, right, 1e-9 * abs(left), 1e-9 * abs(right))
     >>> bool(max(angles) < 1e-6)
     True
     """
     with np.errstate(all="ignore"):
-        Z = correlation.correlation_matrix(left, right)  # noqa: N806 - the papers' name
+        Z = correlation.correlation_matrix(left, right)
         found = _solved(Z, left, right, off_left, off_right)
         whole = _matrix(lift(double_double_balls(), found.values))
         left_epipole, right_epipole = correlation.epipoles(Z)

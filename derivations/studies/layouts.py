@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 import algebroproj
 from algebroproj import DoubleDouble
+from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits
+from algebroproj_derivations.studies.stereo.layouts import LAYOUTS, examine, homogeneous_rows
+from algebroproj_derivations.studies.stereo.scenes import Scene, images
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, PAGE, figure, style
 from algebroproj_sym.study.reductions import Joint, joint
 from algebroproj_sym.study.sampling import normal, uniform
-from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits
-from algebroproj_sym.study.stereo.layouts import LAYOUTS, examine, homogeneous_rows
-from algebroproj_sym.study.stereo.scenes import Scene, images
 
 DIRECTIONS, DISTANCES = 0, 1
 X_EDGES, SMALL_EDGES, LOST_EDGES = np.linspace(-13, 0, 40), np.linspace(-18, 2, 401), np.linspace(-2, 20, 441)

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 
-from algebroproj_sym.study.stereo.quadric import MONOMIALS, monomials
-from algebroproj_sym.study.stereo.scenes import LEAST_POINTS, Scene, require_eight
+from algebroproj_derivations.studies.stereo.quadric import MONOMIALS, monomials
+from algebroproj_derivations.studies.stereo.scenes import LEAST_POINTS, Scene, require_eight
 
 Numbers = NDArray[np.float64]
 
@@ -75,7 +75,7 @@ def closest_critical(scene: Scene, *, moving_centers: bool = True) -> ClosestCri
 
     Examples
     --------
-    >>> from algebroproj_sym.study.stereo.layouts import LAYOUTS
+    >>> from algebroproj_derivations.studies.stereo.layouts import LAYOUTS
     >>> exact = {layout.name: layout for layout in LAYOUTS}["two columns"].scene()
     >>> points, centers, normals = (part.astype(float) for part in (exact.points, exact.centers, exact.normals))
     >>> points[7] += [0.001, 0.0, 0.0]

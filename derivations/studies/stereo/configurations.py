@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from algebroproj import critical, projection
+from algebroproj_derivations.studies.stereo.chain import Configuration
+from algebroproj_derivations.studies.stereo.quadric import gradients
 from algebroproj_sym.study import sampling
-from algebroproj_sym.study.stereo.chain import Configuration
-from algebroproj_sym.study.stereo.quadric import gradients
 
 __all__ = ["critical_quadric", "near_critical", "ordinary"]
 

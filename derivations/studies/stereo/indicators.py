@@ -12,15 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj import correlation, critical
+from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
+from algebroproj_derivations.studies.stereo.chain import CORRELATION_POINTS, Configuration, Images, images
+from algebroproj_derivations.studies.stereo.configurations import critical_quadric
+from algebroproj_derivations.studies.stereo.layouts import homogeneous_rows
+from algebroproj_derivations.studies.stereo.quadric import gradients
+from algebroproj_derivations.studies.stereo.rounding import bound_of_correlation, bound_of_epipoles
 from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.conditioning import condition_numbers, smallest_singular_values
 from algebroproj_sym.study.precision import apply
-from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF
-from algebroproj_sym.study.stereo.chain import CORRELATION_POINTS, Configuration, Images, images
-from algebroproj_sym.study.stereo.configurations import critical_quadric
-from algebroproj_sym.study.stereo.layouts import homogeneous_rows
-from algebroproj_sym.study.stereo.quadric import gradients
-from algebroproj_sym.study.stereo.rounding import bound_of_correlation, bound_of_epipoles
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
 __all__ = ["Indicators", "diagnosis", "eight_point_matrix", "indicators"]
@@ -80,7 +80,7 @@ def indicators(configuration: Configuration) -> Indicators:
 
     Examples
     --------
-    >>> from algebroproj_sym.study.stereo.configurations import near_critical
+    >>> from algebroproj_derivations.studies.stereo.configurations import near_critical
     >>> near = indicators(near_critical(4, farthest=1e-6, nearest=1e-6))
     >>> bool((abs(near.sampson - 1e-6) < 1e-9).all())
     True
@@ -127,7 +127,7 @@ def diagnosis(both: Images, tolerance: float = 1e-6) -> NDArray[np.str_]:
 
     Examples
     --------
-    >>> from algebroproj_sym.study.stereo.configurations import near_critical, ordinary
+    >>> from algebroproj_derivations.studies.stereo.configurations import near_critical, ordinary
     >>> near = near_critical(2, farthest=1e-9, nearest=1e-10)
     >>> [str(diagnosis(images(float64(), scene))[0]) for scene in (ordinary(2), near)]
     ['regular', 'critical']
@@ -206,7 +206,7 @@ def _turned(epipole: Array, derivatives: Array) -> Array:
 def _bounds(left: Array, right: Array) -> tuple[Array, Array]:
     """Return guaranteed bounds for all images that round to the given ones, in units of roundoff."""
     off = abs(left) * UNIT_ROUNDOFF, abs(right) * UNIT_ROUNDOFF
-    Z, bound = bound_of_correlation(left, right, *off)  # noqa: N806 - the papers' name
+    Z, bound = bound_of_correlation(left, right, *off)
     size, error = abs(Z).max(axis=(-2, -1)), bound.max(axis=(-2, -1))
     with np.errstate(all="ignore"):
         relative = np.where(error < size, error / (size - error), np.inf)

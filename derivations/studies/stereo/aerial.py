@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from algebroproj_derivations.studies.stereo.scenes import Scene
 from algebroproj_sym.study.sampling import normal, uniform
-from algebroproj_sym.study.stereo.scenes import Scene
 
 CORNERS = np.array([[-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [1.0, -1.0]])
 """Where G0 to G3 are, in half widths of the model: G0 and G1 on a diagonal, so that no row is parallel to the base."""

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_sym.study.stereo.closest import condition
-from algebroproj_sym.study.stereo.layouts import homogeneous_rows
-from algebroproj_sym.study.stereo.scenes import LEAST_POINTS, Scene, pictures, require_eight, with_points
+from algebroproj_derivations.studies.stereo.closest import condition
+from algebroproj_derivations.studies.stereo.layouts import homogeneous_rows
+from algebroproj_derivations.studies.stereo.scenes import LEAST_POINTS, Scene, pictures, require_eight, with_points
 
 Numbers = NDArray[np.float64]
 
@@ -104,7 +104,7 @@ def exchanges(scene: Scene, candidates: Any) -> list[Exchange]:
 
     Examples
     --------
-    >>> from algebroproj_sym.study.stereo.layouts import LAYOUTS
+    >>> from algebroproj_derivations.studies.stereo.layouts import LAYOUTS
     >>> exact = {layout.name: layout for layout in LAYOUTS}["seven coplanar"].scene()
     >>> scene = Scene(*(part.astype(float) for part in (exact.points, exact.centers, exact.normals)))
     >>> best, *_ = exchanges(scene, [[0.5, 0.5, 0.0], [0.5, 0.5, 0.2]])
@@ -147,7 +147,7 @@ def moves(scene: Scene, length: float) -> list[Move]:
 
     Examples
     --------
-    >>> from algebroproj_sym.study.stereo.layouts import LAYOUTS
+    >>> from algebroproj_derivations.studies.stereo.layouts import LAYOUTS
     >>> exact = {layout.name: layout for layout in LAYOUTS}["two columns"].scene()
     >>> scene = Scene(*(part.astype(float) for part in (exact.points, exact.centers, exact.normals)))
     >>> best, *_ = moves(scene, 0.25)

@@ -10,18 +10,18 @@ import numpy as np
 import xarray
 from matplotlib.figure import Figure
 
+from algebroproj_derivations.studies.stereo.advice import exchanges, moves, strength
+from algebroproj_derivations.studies.stereo.closest import closest_critical
+from algebroproj_derivations.studies.stereo.drawings import map_of_lost_digits, quadric_in_space
+from algebroproj_derivations.studies.stereo.layouts import examine
+from algebroproj_derivations.studies.stereo.maps import lost_homogeneous, over_plane
+from algebroproj_derivations.studies.stereo.quadric import conditions, critical_quadric, equation, kind
+from algebroproj_derivations.studies.stereo.scene_files import SceneFile, read_scene
+from algebroproj_derivations.studies.stereo.scenes import Scene
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.reductions import parts
 from algebroproj_sym.study.sampling import normal
-from algebroproj_sym.study.stereo.advice import exchanges, moves, strength
-from algebroproj_sym.study.stereo.closest import closest_critical
-from algebroproj_sym.study.stereo.drawings import map_of_lost_digits, quadric_in_space
-from algebroproj_sym.study.stereo.layouts import examine
-from algebroproj_sym.study.stereo.maps import lost_homogeneous, over_plane
-from algebroproj_sym.study.stereo.quadric import conditions, critical_quadric, equation, kind
-from algebroproj_sym.study.stereo.scene_files import SceneFile, read_scene
-from algebroproj_sym.study.stereo.scenes import Scene
 
 REACH = 1.5
 """Half the side of the map, in half widths of the points."""

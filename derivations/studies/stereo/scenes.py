@@ -60,10 +60,10 @@ def require_scene(scene: Scene) -> None:
 
     Examples
     --------
-    >>> require_scene(Scene(np.zeros((7, 3)), np.eye(2, 3), np.ones((2, 3))))
+    >>> require_scene(Scene(np.zeros((7, 3)), np.eye(2, 3), np.ones((2, 3))))  # doctest: +IGNORE_EXCEPTION_DETAIL
     Traceback (most recent call last):
       ...
-    algebroproj_sym.study.stereo.scenes.DegenerateSceneError: points: expected at least 8, got 7
+    algebroproj_derivations.studies.stereo.scenes.DegenerateSceneError: points: expected at least 8, got 7
     """
     points, centers, normals = (
         np.asarray(part, dtype=np.float64) for part in (scene.points, scene.centers, scene.normals)

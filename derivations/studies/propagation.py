@@ -11,6 +11,8 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from algebroproj import critical
+from algebroproj_derivations.studies.stereo.chain import Chain, Images, from_images, images
+from algebroproj_derivations.studies.stereo.configurations import near_critical
 from algebroproj_sym.study import sampling
 from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.datasets import variable
@@ -18,8 +20,6 @@ from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.precision import Numbers, apply
 from algebroproj_sym.study.propagation import first_order, intervals, principal, second_order
-from algebroproj_sym.study.stereo.chain import Chain, Images, from_images, images
-from algebroproj_sym.study.stereo.configurations import near_critical
 from algebroproj_sym.study.taylor import gradient, hessian, taylor, variables
 
 IMAGE_COORDINATES = 20

@@ -9,9 +9,9 @@ import xarray
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
+from algebroproj_derivations.studies.stereo.quadric import kind, surface
+from algebroproj_derivations.studies.stereo.scenes import Scene
 from algebroproj_sym.study.figures import COLOURS, GREY, INK, PAGE, figure, style
-from algebroproj_sym.study.stereo.quadric import kind, surface
-from algebroproj_sym.study.stereo.scenes import Scene
 
 Numbers = NDArray[np.float64]
 

@@ -11,6 +11,10 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from algebroproj import correlation
+from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
+from algebroproj_derivations.studies.stereo.chain import Configuration, images
+from algebroproj_derivations.studies.stereo.configurations import near_critical, ordinary
+from algebroproj_derivations.studies.stereo.indicators import indicators
 from algebroproj_sym.study import sampling
 from algebroproj_sym.study.arithmetics import double_double
 from algebroproj_sym.study.datasets import variable
@@ -18,10 +22,6 @@ from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.ladder import climb
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply
-from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF
-from algebroproj_sym.study.stereo.chain import Configuration, images
-from algebroproj_sym.study.stereo.configurations import near_critical, ordinary
-from algebroproj_sym.study.stereo.indicators import Indicators, indicators
 
 ACCURACY = 1e-19
 """Of the certified values that errors are measured against."""
@@ -233,5 +233,3 @@ STUDY = Study(
     check=check,
     shown=1_000_000,
 )
-
-__all__ = ["STUDY", "Indicators", "fits"]

@@ -11,15 +11,15 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from algebroproj import space
+from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
+from algebroproj_derivations.studies.stereo.chain import Chain, Configuration, Images, from_images, images, normal
+from algebroproj_derivations.studies.stereo.configurations import ordinary
 from algebroproj_sym.study import sampling
 from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, PAGE, figure, style
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply, lift
-from algebroproj_sym.study.stereo.accuracy import UNIT_ROUNDOFF
-from algebroproj_sym.study.stereo.chain import Chain, Configuration, Images, from_images, images, normal
-from algebroproj_sym.study.stereo.configurations import ordinary
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
 FURTHER = 8

@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 
 import algebroproj
 from algebroproj import DoubleDouble
+from algebroproj_derivations.studies.stereo.accuracy import lost_digits, matrix_error
+from algebroproj_derivations.studies.stereo.quadric import critical_quadric, surface
+from algebroproj_derivations.studies.stereo.scenes import Scene, images, require_eight, with_points
 from algebroproj_sym.study.datasets import variable
-from algebroproj_sym.study.stereo.accuracy import lost_digits, matrix_error
-from algebroproj_sym.study.stereo.quadric import critical_quadric, surface
-from algebroproj_sym.study.stereo.scenes import Scene, images, require_eight, with_points
 
 Numbers = NDArray[np.float64]
 

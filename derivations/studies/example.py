@@ -20,6 +20,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 from numpy.typing import NDArray
 
+from algebroproj_derivations.studies.stereo.chain import Chain, Images, from_images
+from algebroproj_derivations.studies.stereo.scenes import Scene, images, require_scene
 from algebroproj_sym.study.arithmetics import double_double, float64
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
@@ -27,8 +29,6 @@ from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figu
 from algebroproj_sym.study.precision import nearest
 from algebroproj_sym.study.reductions import parts
 from algebroproj_sym.study.sampling import uniform
-from algebroproj_sym.study.stereo.chain import Chain, Images, from_images
-from algebroproj_sym.study.stereo.scenes import Scene, images, require_scene
 
 Numbers = NDArray[np.float64]
 

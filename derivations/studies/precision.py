@@ -12,6 +12,8 @@ import xarray
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from algebroproj_derivations.studies.stereo.chain import Configuration, simulated
+from algebroproj_derivations.studies.stereo.configurations import near_critical, ordinary
 from algebroproj_sym.study.arithmetics import (
     arb,
     double_double,
@@ -24,8 +26,6 @@ from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.precision import Arithmetic, Numbers, radius
-from algebroproj_sym.study.stereo.chain import Configuration, simulated
-from algebroproj_sym.study.stereo.configurations import near_critical, ordinary
 
 ARITHMETICS = (
     float64(),

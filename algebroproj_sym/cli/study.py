@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from algebroproj_sym.study import Option, Study
     from algebroproj_sym.study.sweeping import Sweep
 
-MODULES = ("xarray", "h5netcdf", "h5py", "dask", "matplotlib", "scipy", "SALib")
+MODULES = ("xarray", "h5netcdf", "h5py", "dask", "matplotlib", "scipy")
 REQUIREMENT = "algebroproj-sym[study]"
 CONNECTING = "10s"
 CHUNKS_PER_WORKER = 2

@@ -6,8 +6,7 @@ which a report (`reductions`) and figures (`figures`) are made.  `precision` eva
 arithmetic.  The studies themselves are not here: `discovery` finds them, as files.
 
 Numbers come from `precision` (any generated function in any arithmetic), `ladder` (certified values for a batch),
-`taylor` and `conditioning` (exact derivatives, condition numbers), `propagation` and `sensitivity` (errors of the
-input).
+`taylor` and `conditioning` (exact derivatives, condition numbers), `propagation` (errors of the input).
 
 The core of the package needs none of this: what is here needs the extra `study`.
 """

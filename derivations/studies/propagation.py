@@ -20,7 +20,7 @@ from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.precision import Numbers, apply
 from algebroproj_sym.study.propagation import first_order, intervals, principal, second_order
-from algebroproj_sym.study.taylor import gradient, hessian, taylor, variables
+from algebroproj_sym.study.taylor import composed, gradient, hessian, taylor, variables
 
 IMAGE_COORDINATES = 20
 THRESHOLDS = (0.01, 0.05, 0.15)
@@ -161,12 +161,7 @@ def _direction(epipole: Numbers) -> Numbers:
     u = [series.join(epipole[:, k]) for k in (0, 1)]
     square = u[0] * u[0] + u[1] * u[1] + 1
     root = square.value**-0.5
-    inverse = type(square)(
-        root,
-        -0.5 * root / square.value * square.first,
-        -0.5 * root / square.value * square.second
-        + 0.75 * root / square.value**2 * square.first[:, None] * square.first[None],
-    )
+    inverse = composed(square, root, -0.5 * root / square.value, 0.75 * root / square.value**2)
     return np.stack([np.stack(series.split(part)) for part in (inverse, u[0] * inverse, u[1] * inverse)], axis=-1)
 
 

@@ -19,7 +19,7 @@ from algebroproj_derivations.studies.stereo.layouts import homogeneous_rows
 from algebroproj_derivations.studies.stereo.quadric import gradients
 from algebroproj_derivations.studies.stereo.rounding import bound_of_correlation, bound_of_epipoles
 from algebroproj_sym.study.arithmetics import float64
-from algebroproj_sym.study.conditioning import condition_numbers, smallest_singular_values
+from algebroproj_sym.study.conditioning import condition_numbers
 from algebroproj_sym.study.precision import apply
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
@@ -161,8 +161,14 @@ def eight_point_matrix(left: Array, right: Array) -> Array:
 def _singular_values(left: Array, right: Array) -> tuple[Array, Array, Array]:
     """Return the smallest singular value of the five equations, also relative, and the eighth of the eight."""
     matrix, _ = correlation.system(left, right)
-    _, relative_8 = smallest_singular_values(eight_point_matrix(left, right), rank=8)
-    return *smallest_singular_values(matrix), relative_8
+    five, eight = _all_singular_values(matrix), _all_singular_values(eight_point_matrix(left, right))
+    with np.errstate(all="ignore"):
+        return five[..., -1], five[..., -1] / five[..., 0], eight[..., 7] / eight[..., 0]
+
+
+def _all_singular_values(matrices: Array) -> Array:
+    regular = np.isfinite(matrices).all(axis=(-2, -1))[..., None]
+    return np.where(regular, np.linalg.svd(np.where(regular[..., None], matrices, 0.0), compute_uv=False), np.nan)
 
 
 def _distances(configuration: Configuration) -> tuple[Array, Array]:

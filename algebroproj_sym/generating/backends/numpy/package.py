@@ -72,15 +72,10 @@ def render(
         for name, group in modules.items()
     }
     files |= {driver.source.name: driver.source.read_text(encoding="utf-8") for driver in drivers}
-<<<<<<< HEAD:algebroproj_sym/generating/package.py
     files["__init__.py"] = _TEMPLATES.get_template("init.py.j2").render(
         notice=NOTICE, version=__version__, modules=sorted(modules)
     )
-    files |= {path.name: _with_notice(path.read_text(encoding="utf-8")) for path in runtime_modules()}
-=======
-    files["__init__.py"] = _TEMPLATES.get_template("init.py.j2").render(notice=NOTICE, modules=sorted(modules))
     files |= {f"_runtime/{path.name}": _with_notice(path.read_text(encoding="utf-8")) for path in runtime_modules()}
->>>>>>> program:algebroproj_sym/generating/backends/numpy/package.py
     files["py.typed"] = ""
     every = [low for group in modules.values() for low in group]
     files |= {f"_c/{name}": text for name, text in (c_files(every, NOTICE) | plain_files(every, NOTICE)).items()}

@@ -19,4 +19,5 @@ from ._runtime.hypotheses import hypotheses
 from ._runtime.plain import plain
 from ._runtime.precision import bounds, dd
 
+__version__ = "0.1.0"
 __all__ = ["DoubleDouble", "backend", "bounds", "dd", "hypotheses", "plain", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]

@@ -8,7 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Part, as_declared, bibtex, quotations
+from algebroproj_sym.declaring import bibtex, quotations
 from algebroproj_sym.reporting.site.addresses import claim_record_file, errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
@@ -24,6 +24,7 @@ from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.reporting.site.formulas import Form, block, described, listed
 from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.templating import page
+from algebroproj_sym.showing import Part, as_declared
 
 
 def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: Mapping[str, Any]) -> dict[str, str]:

@@ -12,6 +12,7 @@ import numpy as np
 import sympy
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from algebroproj_sym import __version__
 from algebroproj_sym.declaring import LINEAR, PRIMITIVES, Driver, Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, divided, entries
 from algebroproj_sym.generating import runtime
@@ -71,7 +72,9 @@ def render(
         for name, group in modules.items()
     }
     files |= {driver.source.name: driver.source.read_text(encoding="utf-8") for driver in drivers}
-    files["__init__.py"] = _TEMPLATES.get_template("init.py.j2").render(notice=NOTICE, modules=sorted(modules))
+    files["__init__.py"] = _TEMPLATES.get_template("init.py.j2").render(
+        notice=NOTICE, version=__version__, modules=sorted(modules)
+    )
     files |= {f"_runtime/{path.name}": _with_notice(path.read_text(encoding="utf-8")) for path in runtime_modules()}
     files["py.typed"] = ""
     every = [low for group in modules.values() for low in group]

@@ -4,39 +4,34 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
+from weakref import WeakKeyDictionary
 
-from algebroproj_sym.declaring.claim import Claim
-from algebroproj_sym.declaring.display import markdown
-from algebroproj_sym.declaring.judging import judge
-
-if TYPE_CHECKING:
-    from algebroproj_sym.declaring.section import Section
+from algebroproj_sym.declaring import Claim, Section, judge
+from algebroproj_sym.showing.display import markdown
 
 METADATA = "algebroproj"
 """Under this key the output of a claim names the claim."""
 
 
-def show_in_notebook(section: Section) -> None:
+def show_claims_of_cells() -> None:
     """Let IPython, if it runs, show after each cell what has been declared in the notebook's own section.
 
-    Parameters
-    ----------
-    section : Section
-        The one that the notebook calls ``section``; those of imported modules stay silent.
+    It is the one that the notebook calls ``section``; those of imported modules stay silent.
     """
-    shell = _running_shell()
+    shell: Any = sys.modules["IPython"].get_ipython()
     if shell is None:
         return
-    shown = 0
+    shown: WeakKeyDictionary[Section, int] = WeakKeyDictionary()
 
     def declared_by_the_cell() -> Sequence[Claim]:
-        return section.claims[shown:] if shell.user_ns.get("section") is section else ()
+        section = shell.user_ns.get("section")
+        return section.claims[shown.get(section, 0) :] if isinstance(section, Section) else ()
 
     def show_claims(_: object) -> None:
-        nonlocal shown
         for claim in declared_by_the_cell():
-            shown += 1
+            section = shell.user_ns["section"]
+            shown[section] = shown.get(section, 0) + 1
             _publish(claim)
 
     def show_value(claim: Claim) -> None:
@@ -45,11 +40,6 @@ def show_in_notebook(section: Section) -> None:
 
     shell.events.register("post_run_cell", show_claims)
     shell.display_formatter.ipython_display_formatter.for_type(Claim, show_value)
-
-
-def _running_shell() -> Any:
-    interactive = sys.modules.get("IPython")
-    return interactive.get_ipython() if interactive else None
 
 
 def _publish(claim: Claim) -> None:

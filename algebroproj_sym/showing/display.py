@@ -9,13 +9,13 @@ from itertools import accumulate
 
 import sympy
 
-from algebroproj_sym.declaring.arranging import Part, arranged, as_declared, shown
 from algebroproj_sym.declaring.claim import Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement
-from algebroproj_sym.declaring.latex import latex
-from algebroproj_sym.declaring.naming import Meaning, Named, in_names, latex_of_name, named_latex
 from algebroproj_sym.expressions import Expression, assumption, decimals, evaluate, leading, size
-from algebroproj_sym.proving import reduced
+from algebroproj_sym.showing.arranging import Part, arranged, as_declared, shown
+from algebroproj_sym.showing.forms import derived_form
+from algebroproj_sym.showing.latex import latex
+from algebroproj_sym.showing.naming import Meaning, Named, in_names, latex_of_name, named_latex
 
 LONGEST = 400
 """Symbols and numbers of the largest expression that is shown as a formula."""
@@ -174,10 +174,9 @@ def _side(claim: Claim, part: Part) -> str:
 
 def _form(claim: Claim, part: Part) -> Statement | None:
     """Return a form of a claim as it is declared; what is derived in lowest terms."""
-    form = getattr(claim, part)
-    if part != "derived" or form is None or claim.kind in ("count", "rank") or size(form, LARGEST) > LARGEST:
+    if part != "derived" or claim.derived is None or size(claim.derived, LARGEST) > LARGEST:
         return as_declared(claim, part)
-    lowest: Expression = arranged(reduced(form))
+    lowest: Expression = arranged(derived_form(claim))
     return lowest
 
 

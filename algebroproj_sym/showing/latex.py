@@ -13,9 +13,9 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring.arranging import arranged
-from algebroproj_sym.declaring.names import latex_name, parts
 from algebroproj_sym.expressions import over
+from algebroproj_sym.showing.arranging import arranged
+from algebroproj_sym.showing.names import latex_name, parts
 
 MARK = "differs"
 _TIMES = " "

@@ -9,12 +9,12 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring.arranging import Part
 from algebroproj_sym.declaring.claim import Claim, expressions_of
-from algebroproj_sym.declaring.names import latex_name, parts
-from algebroproj_sym.declaring.names import letter as letter_of
 from algebroproj_sym.declaring.source import Source
 from algebroproj_sym.expressions import free_symbols, size
+from algebroproj_sym.showing.arranging import Part
+from algebroproj_sym.showing.names import latex_name, parts
+from algebroproj_sym.showing.names import letter as letter_of
 
 LONGEST = 300
 """Characters of the longest text that still reads as a formula of names."""

@@ -1,16 +1,14 @@
-"""The derived form of a claim, in lowest terms; computed once for ledger, report and site."""
+"""The derived form of a claim, in lowest terms; computed once."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from functools import cache
 
 from algebroproj_sym.declaring import Claim
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.proving import reduced
 
 AS_WRITTEN = ("count", "rank")
-
-_KNOWN: dict[Expression, Expression] = {}
 
 
 def derived_form(claim: Claim) -> Expression | None:
@@ -24,14 +22,6 @@ def derived_form(claim: Claim) -> Expression | None:
     return _reduced(claim.derived)
 
 
-def remember(claims: Iterable[Claim], forms: Iterable[Expression | None]) -> None:
-    """Take over derived forms that were computed elsewhere, such as in a worker process."""
-    for claim, form in zip(claims, forms, strict=True):
-        if claim.derived is not None and form is not None and claim.kind not in AS_WRITTEN:
-            _KNOWN[claim.derived] = form
-
-
+@cache
 def _reduced(expression: Expression) -> Expression:
-    if expression not in _KNOWN:
-        _KNOWN[expression] = reduced(expression)
-    return _KNOWN[expression]
+    return reduced(expression)

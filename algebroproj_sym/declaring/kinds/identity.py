@@ -19,21 +19,19 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
 
 
 def decided(claim: Claim, left: Any, right: Any, engine: str, nonzero: Sequence[Scalar] = ()) -> Proof:
-    """Decide an equality where the conditions of a claim hold, and others; thoroughly if nothing less decides it.
+    """Decide an equality where the conditions of a claim hold, and others.
 
     A counterexample of a claim is rational: what differs at irrational points only stays open.
     """
-    conditions: dict[str, Any] = {
-        "constraints": claim.constraints,
-        "nonzero": (*claim.nonzero, *nonzero),
-        "witness": claim.witness,
-        "engine": engine,
-        "assumptions": claim.assumed,
-    }
-    proof = prove(left, right, **conditions)
-    if proof.verdict != "open" or not claim.constraints:
-        return proof
-    proof = prove(left, right, **conditions, thorough=True)
+    proof = prove(
+        left,
+        right,
+        constraints=claim.constraints,
+        nonzero=(*claim.nonzero, *nonzero),
+        witness=claim.witness,
+        engine=engine,
+        assumptions=claim.assumed,
+    )
     point = proof.counterexample or {}
     if all(isinstance(value, Fraction) for value in point.values()):
         return proof

@@ -19,7 +19,7 @@ from algebroproj_sym.cli.steps import (
 )
 from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import derivations_of, drivers, kernels, quotes_of, select
-from algebroproj_sym.generating import measured_errors, render, write
+from algebroproj_sym.generating import render, write
 from algebroproj_sym.reporting import (
     findings,
     ledger_of,
@@ -61,8 +61,8 @@ def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engin
     write(files, out / package)
     verifications = verified(lowered, out, samples, engine, jobs, package)
     record = verification_record(verifications)
-    write_json(record, out / "accuracy.json")
-    write(render(lowered, drivers(sources), measured_errors(record)), out / package)
+    for folder in (out, out / package):
+        write_json(record, folder / "accuracy.json")
     write_text(report(judgements, lowered, verifications), out / "report.md")
     show(verification_table(verifications))
     console().print(f"written to {out}: ledger.json, findings.md, {package}/, accuracy.json, report.md")

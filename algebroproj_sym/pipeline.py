@@ -17,7 +17,7 @@ from algebroproj_sym.processes import in_processes, mapped
 from algebroproj_sym.reporting import Notebook, Quotes, claim_record, run_notebook
 from algebroproj_sym.verifying import Verification, load_package, verify
 
-EMITTED = ("proved", "misprint", "illegible")
+EMITTED = ("proved", "misprint", "error", "illegible")
 
 
 class UnprovedError(ValueError):

@@ -138,7 +138,7 @@ def _require_complete(claim: Claim, where: str) -> None:
             raise DeclarationError(f"{where}, {name}: expected text on one line, got {given!r}")
     if claim.expected not in VERDICTS or claim.expected == "open":
         raise DeclarationError(f"{where}: expected one of the verdicts {VERDICTS} but open, got {claim.expected!r}")
-    if claim.expected in ("misprint", "illegible") and claim.corrected is None:
+    if claim.expected in ("misprint", "error", "illegible") and claim.corrected is None:
         raise DeclarationError(f"{where}: a claim expected to be {claim.expected} needs its corrected form")
     if claim.expected == "false" and not claim.instead:
         raise DeclarationError(f"{where}: a claim expected to be false needs `instead`, the number of what is true")

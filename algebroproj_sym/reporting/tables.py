@@ -15,6 +15,7 @@ from algebroproj_sym.verifying import BOUND, Verification
 COLORS = {
     "proved": "green",
     "misprint": "yellow",
+    "error": "bright_red",
     "false": "red",
     "illegible": "magenta",
     "definition": "cyan",

@@ -109,7 +109,7 @@ def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, M
     """Return what to mark in the forms of a claim: where the printed one differs from the right one."""
     none: Mapping[Part, Marks] = {"printed": NOTHING, "derived": NOTHING, "corrected": NOTHING}
     claim = judgement.claim
-    if judgement.verdict not in ("misprint", "false") or claim.printed is None:
+    if judgement.verdict not in ("misprint", "error", "false") or claim.printed is None:
         return none
     if isinstance(claim.printed, Decimal):
         if not isinstance(claim.corrected, Decimal):
@@ -132,7 +132,7 @@ def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, M
 def _table(judgement: Judgement, forms: Mapping[Part, Any]) -> Table | None:
     """Return the entries that differ, in words, for those who do not see the marks."""
     claim = judgement.claim
-    if judgement.verdict not in ("misprint", "false") or claim.kind != "identity":
+    if judgement.verdict not in ("misprint", "error", "false") or claim.kind != "identity":
         return None
     if not isinstance(claim.printed, sympy.MatrixBase):
         return None

@@ -146,16 +146,16 @@ def _require_complete(claim: Claim, where: str) -> None:
         raise DeclarationError(f"{where}: printed is missing exactly if the claim is expected to be illegible")
     if (claim.derived is None) != kind.is_notation:
         raise DeclarationError(f"{where}: derived is missing exactly if the claim is a definition")
-    for form in (claim.printed, claim.corrected):
-        if kind.one_shape and form is not None and _shape(form) != _shape(claim.derived):
-            raise DeclarationError(
-                f"{where}: expected two sides of one shape, got {_shape(form)} and {_shape(claim.derived)}"
-            )
     for field in fields(Claim):
         is_given = getattr(claim, field.name) not in (field.default, ())
         if is_given and field.name in FIELDS and field.name not in kind.takes:
             takers = ", ".join(sorted(other.name for other in KINDS.values() if field.name in other.takes))
             raise DeclarationError(f"{where}: expected {field.name} for {takers}, got it for {claim.kind}")
+    for form in (claim.printed, claim.corrected):
+        if kind.one_shape and form is not None and _shape(form) != _shape(claim.derived):
+            raise DeclarationError(
+                f"{where}: expected two sides of one shape, got {_shape(form)} and {_shape(claim.derived)}"
+            )
     if claim.rounding not in ROUNDINGS:
         raise DeclarationError(f"{where}, rounding: expected one of {ROUNDINGS}, got {claim.rounding!r}")
     if kind.require is not None:

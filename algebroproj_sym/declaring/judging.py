@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import sympy
@@ -13,6 +14,7 @@ import sympy
 from algebroproj_sym.declaring.claim import Claim, Statement, Verdict, expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import free_symbols, symbols_of, values_of
+from algebroproj_sym.processes import mapped
 from algebroproj_sym.proving import Proof, UndefinedError
 
 
@@ -88,6 +90,17 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
         engine=engine,
         seconds=time.perf_counter() - start,
     )
+
+
+def judge_all(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iterator[Judgement]:
+    """Decide claims in some processes, in order; the judgements have the very claims that were given."""
+    for claim, found in zip(claims, mapped(partial(_found, engine=engine), claims, jobs), strict=True):
+        yield Judgement(claim=claim, **found)
+
+
+def _found(claim: Claim, engine: str) -> dict[str, Any]:
+    """Return a judgement without its claim, whose forms take longer to be sent than to be judged."""
+    return {name: value for name, value in vars(judge(claim, engine)).items() if name != "claim"}
 
 
 def _compared(claim: Claim, form: Statement | None, engine: str) -> Proof | None:

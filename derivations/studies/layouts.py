@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -36,13 +37,11 @@ def chunk(indices: Indices, seed: int, *, digits: float) -> xarray.Dataset:
     """Move the points of the layouts, which take turns, at random, and look what becomes of the equations."""
     layout = indices % len(LAYOUTS)
     moved = 10.0 ** -(1 + (digits - 1) * uniform(seed, indices, stream=DISTANCES))
-    scenes = [layout_.scene() for layout_ in LAYOUTS]
-    points, centers, normals = (
-        np.array([getattr(scene, part) for scene in scenes]).astype(np.float64)[layout]
-        for part in ("points", "centers", "normals")
-    )
-    points = points + moved[:, None, None] * normal(seed, indices, points.shape[1:], DIRECTIONS)
-    data = {"layout": layout, "moved": moved, **_measured(Scene(points, centers, normals))}
+    exact = [each.scene() for each in LAYOUTS]
+    parts = ([getattr(each, part) for each in exact] for part in ("points", "centers", "planes"))
+    scene = Scene(*(np.array(part, dtype=np.float64) for part in parts))[layout]
+    points = scene.points + moved[:, None, None] * normal(seed, indices, scene.points.shape[1:], DIRECTIONS)
+    data = {"layout": layout, "moved": moved, **_measured(replace(scene, points=points))}
     about = {
         "layout": "number of the layout",
         "moved": "standard deviation of the changes of coordinates",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -63,7 +64,7 @@ def chunk(indices: Indices, seed: int, *, digits: float, **geometry: Any) -> xar
     scene = aerial(seed, indices, **geometry)
     distances = 10.0 ** -(digits * uniform(seed, indices, stream=DISTANCES))
     with np.errstate(all="ignore"):
-        moved = Scene(_near_quadric(scene, distances), scene.centers, scene.normals)
+        moved = replace(scene, points=_near_quadric(scene, distances))
         values = _members(moved)
     values["intended"] = distances
     about = {
@@ -201,14 +202,13 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
 
 def _typical() -> dict[str, Figure]:
     """Draw the critical quadric of one stereo pair, and its maps over the ground and over the left image."""
-    batch = aerial(TYPICAL, [0])
-    scene = Scene(batch.points[0], batch.centers[0], batch.normals[0])
+    scene = aerial(TYPICAL, [0])[0]
     form = critical_quadric(scene.points[:MOVED], scene.centers)
     ground = over_plane(scene, [0, 0, 0], [1.5, 0, 0], [0, 1.5, 0])
     ground = ground.assign_coords(s=1.5 * ground.s, t=1.5 * ground.t)
     seen = over_image(scene, 0.0, reach=0.6)
     return {
-        "quadric": quadric_in_space(Scene(scene.points[:MOVED], scene.centers, scene.normals), form),
+        "quadric": quadric_in_space(replace(scene, points=scene.points[:MOVED]), form),
         "map-of-the-ground": map_of_lost_digits(ground, "eighth point on the ground, $x_3 = 0$", "$x_1$", "$x_2$"),
         "map-of-the-image": map_of_lost_digits(seen, "eighth point in the left image", "$x$", "$y$"),
     }

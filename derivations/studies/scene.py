@@ -17,7 +17,7 @@ from algebroproj_derivations.studies.stereo.layouts import examine
 from algebroproj_derivations.studies.stereo.maps import lost_homogeneous, over_plane
 from algebroproj_derivations.studies.stereo.quadric import conditions, critical_quadric, equation, kind
 from algebroproj_derivations.studies.stereo.scene_files import SceneFile, read_scene
-from algebroproj_derivations.studies.stereo.scenes import Scene
+from algebroproj_derivations.studies.stereo.scenes import Scene, with_points
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.reductions import parts
@@ -43,16 +43,13 @@ def chunk(indices: Indices, seed: int, *, file: Path, moved: float) -> xarray.Da
     """Move the eight points at random, and count the digits that are lost."""
     given = read_scene(file)
     points = given.scene.points + moved * normal(seed, indices, (8, 3))
-    centers, normals = (
-        np.broadcast_to(part, (len(points), 2, 3)) for part in (given.scene.centers, given.scene.normals)
-    )
-    batch = Scene(points, centers, normals)
+    batch = with_points(given.scene, points)
     data = {
         "strength": variable([MEMBER], strength(batch), about="smallest singular value of the homogeneous equations"),
         "lost": variable([MEMBER], lost_homogeneous(batch), about="lost decimal digits of Z, images rounded"),
         "points": variable(["point", "axis"], given.scene.points, given.unit, "the eight points of the file"),
         "centers": variable(["side", "axis"], given.scene.centers, given.unit, "both centers"),
-        "normals": variable(["side", "axis"], given.scene.normals, about="directions of the optical axes"),
+        "normals": variable(["side", "axis"], given.scene.planes, about="directions of the optical axes"),
         "candidates": variable(["candidate", "axis"], given.candidates, given.unit, "further points"),
         "name": variable(["named"], np.array(given.names, dtype=object), about="names of points and candidates"),
     }

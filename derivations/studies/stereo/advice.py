@@ -106,7 +106,7 @@ def exchanges(scene: Scene, candidates: Any) -> list[Exchange]:
     --------
     >>> from algebroproj_derivations.studies.stereo.layouts import LAYOUTS
     >>> exact = {layout.name: layout for layout in LAYOUTS}["seven coplanar"].scene()
-    >>> scene = Scene(*(part.astype(float) for part in (exact.points, exact.centers, exact.normals)))
+    >>> scene = exact.each(lambda part: part.astype(float))
     >>> best, *_ = exchanges(scene, [[0.5, 0.5, 0.0], [0.5, 0.5, 0.2]])
     >>> best.candidate, bool(best.before < 1e-15), bool(best.after > 1e-4)
     (1, True, True)
@@ -149,7 +149,7 @@ def moves(scene: Scene, length: float) -> list[Move]:
     --------
     >>> from algebroproj_derivations.studies.stereo.layouts import LAYOUTS
     >>> exact = {layout.name: layout for layout in LAYOUTS}["two columns"].scene()
-    >>> scene = Scene(*(part.astype(float) for part in (exact.points, exact.centers, exact.normals)))
+    >>> scene = exact.each(lambda part: part.astype(float))
     >>> best, *_ = moves(scene, 0.25)
     >>> abs(best.movement).round(6).tolist(), bool(best.before < 1e-15), bool(best.after > 1e-3)
     ([0.25, 0.0, 0.0], True, True)

@@ -77,9 +77,9 @@ def closest_critical(scene: Scene, *, moving_centers: bool = True) -> ClosestCri
     --------
     >>> from algebroproj_derivations.studies.stereo.layouts import LAYOUTS
     >>> exact = {layout.name: layout for layout in LAYOUTS}["two columns"].scene()
-    >>> points, centers, normals = (part.astype(float) for part in (exact.points, exact.centers, exact.normals))
-    >>> points[7] += [0.001, 0.0, 0.0]
-    >>> found = closest_critical(Scene(points, centers, normals))
+    >>> scene = exact.each(lambda part: part.astype(float))
+    >>> scene.points[7] += [0.001, 0.0, 0.0]
+    >>> found = closest_critical(scene)
     >>> bool(found.distance < 0.001), bool(found.angle < 1e-6)
     (True, True)
     """
@@ -99,7 +99,7 @@ def closest_critical(scene: Scene, *, moving_centers: bool = True) -> ClosestCri
     best = min(stationary, key=lambda move: float(np.linalg.norm(move)))
     remainder, angle = _certificate(normalised, moving, best)
     moved = places + size * best
-    critical = Scene(moved[:LEAST_POINTS], moved[LEAST_POINTS:], scene.normals)
+    critical = Scene(moved[:LEAST_POINTS], moved[LEAST_POINTS:], scene.planes)
     form = _at_places(condition(normalised + best)[2], middle, size)
     return ClosestCritical(critical, form, size * float(np.linalg.norm(best)), size * best, remainder, angle)
 

@@ -95,7 +95,7 @@ def over_image(scene: Scene, height: float, size: int = 121, reach: float = 1.0)
         As for `over_plane`, or if a place of the image does not see the plane.
     """
     x = np.linspace(-reach, reach, size)
-    center, normal = (np.asarray(part[0], dtype=np.float64) for part in (scene.centers, scene.normals))
+    center, normal = (np.asarray(part[0], dtype=np.float64) for part in (scene.centers, scene.planes))
     axis = normal / np.linalg.norm(normal)
     first = np.array([1.0, 0.0, 0.0]) - axis[0] * axis
     first /= np.linalg.norm(first)

@@ -47,7 +47,7 @@ def test_an_epipole_is_the_image_of_the_other_center(scene, exact):
 def test_a_model_is_projectively_the_object(scene, exact, made):
     model = exact.model
     if made != "chain":
-        model = normal(EXACT, images(EXACT, scene), exact, made).model
+        model = normal(EXACT, images(EXACT, scene), exact, made)
     fifth = apply(EXACT, space.mu_from_fifth_point, model[:, 1], lift(EXACT, scene.points[4]))
     mapped = apply(EXACT, space.map_points, fifth[:, None], model[:, 1:])
     wanted = [[Fraction(float(x)) for x in point] for point in scene.points[4:]]

@@ -290,7 +290,7 @@ def test_the_advised_move_is_the_best_of_all_and_of_its_length():
     best, *others = moves(scene, 0.1)
     assert len(others) == 15
     assert best.after == max(move.after for move in (best, *others)) > best.before
-    assert np.isclose(np.linalg.norm(best.movement), 0.1)
+    assert np.isclose(np.linalg.norm(best.place - scene.points[best.point]), 0.1)
 
 
 def test_the_measure_does_not_depend_on_order_unit_or_origin():

@@ -12,10 +12,9 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 import algebroproj
-from algebroproj import DoubleDouble
-from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits
+from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF, lost_digits, matrix_error
 from algebroproj_derivations.studies.stereo.layouts import LAYOUTS, examine, homogeneous_rows
-from algebroproj_derivations.studies.stereo.scenes import Scene, images
+from algebroproj_derivations.studies.stereo.scenes import Scene, images, sides
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, PAGE, figure, style
@@ -60,21 +59,16 @@ def _measured(scene: Scene) -> dict[str, NDArray[Any]]:
     with np.errstate(all="ignore"):
         wide = images(scene, wide=True)
         u = wide.hi
-        left, right = (DoubleDouble(wide.hi[:, side], wide.lo[:, side]) for side in range(2))
-        reference = _flat(algebroproj.dd(correlation.general_correlation_matrix)(left, right))
+        reference = algebroproj.dd(correlation.general_correlation_matrix)(*sides(wide))
         five = correlation.correlation_matrix(u[:, 0, 3:], u[:, 1, 3:])
         eight = correlation.general_correlation_matrix(u[:, 0], u[:, 1])
         rows_of_five = correlation.system(u[:, 0, 3:], u[:, 1, 3:])[0]
         return {
             "smallest_of_five": _smallest(rows_of_five),
             "smallest_of_eight": _smallest(homogeneous_rows(u[:, 0], u[:, 1])),
-            "lost_divided": lost_digits(error_up_to_scale(five.reshape(-1, 9), reference)),
-            "lost_homogeneous": lost_digits(error_up_to_scale(eight.reshape(-1, 9), reference)),
+            "lost_divided": lost_digits(matrix_error(five, reference)),
+            "lost_homogeneous": lost_digits(matrix_error(eight, reference)),
         }
-
-
-def _flat(matrices: DoubleDouble) -> DoubleDouble:
-    return DoubleDouble(matrices.hi.reshape(-1, 9), matrices.lo.reshape(-1, 9))
 
 
 def _smallest(rows: NDArray[np.float64]) -> NDArray[np.float64]:

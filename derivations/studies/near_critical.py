@@ -18,7 +18,7 @@ from algebroproj_derivations.studies.stereo.aerial import aerial
 from algebroproj_derivations.studies.stereo.drawings import map_of_lost_digits, quadric_in_space
 from algebroproj_derivations.studies.stereo.maps import over_image, over_plane
 from algebroproj_derivations.studies.stereo.quadric import critical_quadric, gradients
-from algebroproj_derivations.studies.stereo.scenes import Scene, affine, images
+from algebroproj_derivations.studies.stereo.scenes import Scene, affine, images, sides
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
@@ -97,7 +97,7 @@ def _cameras(scene: Scene) -> tuple[DoubleDouble, ...]:
     y0 = affine(scene.centers, scene.points[:, None, :4], wide=True)
     fourth = DoubleDouble(u.hi[:, :, 3], u.lo[:, :, 3])
     mu = algebroproj.dd(algebroproj.projection.mu_from_center)(y0, fourth)
-    return tuple(DoubleDouble(part.hi[:, side], part.lo[:, side]) for side in range(2) for part in (mu, fourth))
+    return tuple(part for both in zip(sides(mu), sides(fourth), strict=True) for part in both)
 
 
 def _quadric(scene: Scene) -> DoubleDouble:

@@ -96,8 +96,8 @@ def _model(arithmetic: Arithmetic, both: Images, chain: Chain, way: str, y_a: Ar
     if way == "direct":
         return chain.model
     if way == "centers":
-        return normal(arithmetic, both, chain, "centers", y_a, u_n31).model
-    return normal(arithmetic, both, chain, "correlation", y_a).model
+        return normal(arithmetic, both, chain, "centers", y_a, u_n31)
+    return normal(arithmetic, both, chain, "correlation", y_a)
 
 
 def _lost(found: Array, y: Array) -> Array:

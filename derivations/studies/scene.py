@@ -15,7 +15,7 @@ from algebroproj_derivations.studies.stereo.closest import closest_critical
 from algebroproj_derivations.studies.stereo.drawings import map_of_lost_digits, quadric_in_space
 from algebroproj_derivations.studies.stereo.layouts import examine
 from algebroproj_derivations.studies.stereo.maps import lost_homogeneous, over_plane
-from algebroproj_derivations.studies.stereo.quadric import conditions, critical_quadric, equation, kind
+from algebroproj_derivations.studies.stereo.quadric import conditions, critical_quadric, equation, kind, terms
 from algebroproj_derivations.studies.stereo.scene_files import SceneFile, read_scene
 from algebroproj_derivations.studies.stereo.scenes import Scene, with_points
 from algebroproj_sym.study.datasets import variable
@@ -82,7 +82,7 @@ def report(dataset: xarray.Dataset) -> str:
     ]
     size = float(np.ptp(scene.points, axis=0).max())
     best = moves(scene, 0.1 * size)[0]
-    direction = ", ".join(f"{x:.3g}" for x in best.movement)
+    direction = ", ".join(f"{x:.3g}" for x in best.place - scene.points[best.point])
     lines.append(
         f"Best movement by {0.1 * size:.3g} {unit}: {given.names[best.point]} by ({direction}), to {best.after:.2g}."
     )
@@ -107,13 +107,8 @@ def _rounded(form: Any) -> str:
     largest = max(abs(int(cell)) for cell in form.reshape(-1))
     if largest < 10**6:
         return equation(form)
-    scaled = np.array([[float(cell / largest) for cell in row] for row in form])
-    terms = [
-        (scaled[i, j] * (1 if i == j else 2), "*".join(filter(None, (("", "x1", "x2", "x3")[k] for k in (i, j)))))
-        for i in range(4)
-        for j in range(i, 4)
-    ]
-    return " ".join(f"{value:+.4g}{'*' if product else ''}{product}" for value, product in terms if value) + " = 0"
+    written = [(float(coefficient / largest), product) for coefficient, product in terms(form)]
+    return " ".join(f"{number:+.4g}{'*' if product else ''}{product}" for number, product in written if number) + " = 0"
 
 
 def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:

@@ -20,7 +20,7 @@ from algebroproj_derivations.studies.stereo.scenes import BASIC, Scene
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply, lift
 from algebroproj_sym.study.taylor import taylor, variables
 
-__all__ = ["Chain", "Images", "NormalCase", "differentiable", "from_images", "images", "normal", "simulated"]
+__all__ = ["Chain", "Images", "differentiable", "from_images", "images", "normal", "simulated"]
 
 CORRELATION_POINTS = 5
 BASIC_POINTS = 3
@@ -56,25 +56,6 @@ class Chain(NamedTuple):
     center_left: Numbers
     mu_right: Numbers
     center_right: Numbers
-    model: Numbers
-
-
-class NormalCase(NamedTuple):
-    """A normal case of stereo-photogrammetry, and the model that is reconstructed from it.
-
-    Attributes
-    ----------
-    tau_left, tau_right : ndarray, shape (parts, ..., 3)
-        Parameters of the transformation of the images.
-    left, right : ndarray, shape (parts, ..., n, 2)
-        The transformed image points.
-    model : ndarray, shape (parts, ..., n, 3)
-    """
-
-    tau_left: Numbers
-    tau_right: Numbers
-    left: Numbers
-    right: Numbers
     model: Numbers
 
 
@@ -205,8 +186,8 @@ def normal(
     transformation: Literal["centers", "correlation"],
     y_a: ArrayLike = AXIS_POINT,
     u_n31: ArrayLike | None = None,
-) -> NormalCase:
-    """Transform the images to a normal case, and reconstruct the model from it.
+) -> Numbers:
+    """Transform the images to a normal case, and return the model that is reconstructed from it.
 
     Parameters
     ----------
@@ -227,7 +208,7 @@ def normal(
 
     Returns
     -------
-    NormalCase
+    ndarray, shape (parts, ..., n, 3)
 
     Raises
     ------
@@ -240,8 +221,7 @@ def normal(
     >>> from algebroproj_derivations.studies.stereo.configurations import ordinary
     >>> both = images(float64(), ordinary(1))
     >>> chain = from_images(float64(), both)
-    >>> case = normal(float64(), both, chain, "centers")
-    >>> bool(abs(case.model - chain.model).max() < 1e-9)
+    >>> bool(abs(normal(float64(), both, chain, "centers") - chain.model).max() < 1e-9)
     True
     """
     axis = lift(arithmetic, _axis_point(y_a))
@@ -264,8 +244,7 @@ def normal(
         mu_right = apply(arithmetic, normal_case.mu_right, axis, center, n3_right, z_n)
     else:
         raise ValueError(f"normal: expected the transformation centers or correlation, got {transformation!r}")
-    model = _model(arithmetic, left, right, mu_left, n3_left, mu_right, n3_right)
-    return NormalCase(tau_left, tau_right, left, right, model)
+    return _model(arithmetic, left, right, mu_left, n3_left, mu_right, n3_right)
 
 
 def _with_first(arithmetic: Arithmetic, u3: Numbers, first: ArrayLike) -> Numbers:

@@ -173,14 +173,14 @@ def images(scene: Scene, *, wide: bool = False) -> Any:
     [Fraction(1, 1), Fraction(1, 1)]
     """
     points, centers, normals = (np.asarray(part) for part in (scene.points, scene.centers, scene.planes))
-    center, axis = (components(part[..., :, None, :], wide=wide) for part in (centers, normals))
-    arms = [_less(components(points[..., None, None, i, :], wide=wide), center) for i in range(3)]
-    rays = _less(components(points[..., None, :, :], wide=wide), center)
+    center, axis = (_components(part[..., :, None, :], wide=wide) for part in (centers, normals))
+    arms = [_less(_components(points[..., None, None, i, :], wide=wide), center) for i in range(3)]
+    rays = _less(_components(points[..., None, :, :], wide=wide), center)
     weights = [
         _dot(rays, _cross(arms[j], arms[k])) * _dot(arms[i], axis) for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1))
     ]
     total = weights[0] + weights[1] + weights[2]
-    return together([weights[1] / total, weights[2] / total])
+    return _together([weights[1] / total, weights[2] / total])
 
 
 def pictures(scene: Scene) -> Numbers:
@@ -211,19 +211,22 @@ def pictures(scene: Scene) -> Numbers:
     return np.asarray(-np.stack([x, y], axis=-1) / depth[..., None])
 
 
-def components(value: Any, *, wide: bool = False) -> list[Any]:
-    """Return the entries along the last dimension, as double-double numbers if the value is one or that is wanted."""
-    if isinstance(value, DoubleDouble):
-        tails = components(np.zeros_like(value.hi) if value.lo is None else value.lo)
-        return [DoubleDouble(head, tail) for head, tail in zip(components(value.hi), tails, strict=True)]
-    entries = list(np.moveaxis(np.asarray(value), -1, 0))
+def sides(numbers: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
+    """Return what belongs to the left and to the right image, of double-double numbers of shape (n, 2, ...)."""
+    left, right = (DoubleDouble(numbers.hi[:, side], numbers.lo[:, side]) for side in (0, 1))
+    return left, right
+
+
+def _components(array: Any, *, wide: bool) -> list[Any]:
+    """Return the entries along the last dimension, as double-double numbers if that is wanted."""
+    entries = list(np.moveaxis(array, -1, 0))
     return [DoubleDouble(entry) for entry in entries] if wide else entries
 
 
-def together(entries: Sequence[Any]) -> Any:
-    """Put entries along a new last dimension: the inverse of `components`."""
+def _together(entries: Sequence[Any]) -> Any:
+    """Put entries along a new last dimension: the inverse of `_components`."""
     if isinstance(entries[0], DoubleDouble):
-        return DoubleDouble(together([entry.hi for entry in entries]), together([entry.lo for entry in entries]))
+        return DoubleDouble(_together([entry.hi for entry in entries]), _together([entry.lo for entry in entries]))
     return np.stack(np.broadcast_arrays(*entries), axis=-1)
 
 

@@ -8,7 +8,6 @@ import pytest
 from algebroproj import correlation, metric, optics
 from algebroproj_derivations.studies.stereo.chain import simulated
 from algebroproj_derivations.studies.stereo.scenes import affine_scene
-from algebroproj_sym.study.arithmetics import double_double_balls, float64, float64_balls
 from algebroproj_sym.study.ladder import SINGULAR, certified, climb
 
 
@@ -110,5 +109,3 @@ def test_bad_input_is_named():
         certified(optics.scale, [np.nan], [2.0])
     with pytest.raises(ValueError, match="at least one member, got 0"):
         climb(lambda arithmetic, members: {}, 0)
-    with pytest.raises(ValueError, match="rungs with enclosures, got float64"):
-        climb(lambda arithmetic, members: {}, 3, rungs=(float64_balls(), float64(), double_double_balls()))

@@ -132,7 +132,7 @@ def join(paths: Sequence[Path], dimension: str, attributes: Mapping[str, str], p
         whole = path.with_suffix(".nc")
         join(paths, dimension, attributes, whole)
         with read(whole) as dataset, dask.config.set(scheduler="synchronous"):
-            texts = {name: each.astype(object) for name, each in dataset.variables.items() if each.dtype.kind == "U"}
+            texts = {name: each.astype(object).load() for name, each in dataset.variables.items() if each.dtype.kind == "U"}
             dataset.assign(texts).drop_encoding().to_zarr(temporary, mode="w", consolidated=False)
         whole.unlink()
     else:

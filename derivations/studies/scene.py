@@ -20,7 +20,6 @@ from algebroproj_derivations.studies.stereo.scene_files import SceneFile, read_s
 from algebroproj_derivations.studies.stereo.scenes import Scene, with_points
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
-from algebroproj_sym.study.reductions import parts
 from algebroproj_sym.study.sampling import normal
 
 REACH = 1.5
@@ -70,7 +69,7 @@ def report(dataset: xarray.Dataset) -> str:
     given = _given(dataset)
     scene, unit = given.scene, given.unit
     found, nearest = examine(scene), closest_critical(scene)
-    lost = np.concatenate([part.lost.values for part in parts(dataset[["lost"]])])
+    lost = dataset.lost.values
     finite = lost[np.isfinite(lost)]
     lines = [
         f"Points {', '.join(given.names[:8])}: {found.verdict}; rank {found.rank_of_eight} of the eight equations.",

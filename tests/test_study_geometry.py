@@ -221,26 +221,23 @@ def test_criticality_does_not_depend_on_the_order_of_the_points(order, name):
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
-@pytest.mark.parametrize("moving_centers", [True, False])
-def test_no_small_change_of_the_closest_configuration_is_critical_and_closer(seed, moving_centers):
+def test_no_small_change_of_the_closest_configuration_is_critical_and_closer(seed):
     scene = single(seed)
-    found = closest_critical(scene, moving_centers=moving_centers)
+    found = closest_critical(scene)
     places = np.concatenate([scene.points, scene.centers])
     moved = np.concatenate([found.scene.points, found.scene.centers])
     homogeneous = np.concatenate([np.ones((10, 1)), moved], axis=1)
     assert np.abs(np.einsum("ni,ij,nj->n", homogeneous, found.quadric, homogeneous)).max() < 1e-10
     assert np.isclose(found.distance, np.linalg.norm(moved - places))
-    assert np.array_equal(scene.centers, found.scene.centers) == (not moving_centers)
     assert max(found.angle, found.remainder) < 1e-8
 
     rng = np.random.default_rng(seed)
-    free = slice(0, 10 if moving_centers else 8)
     for _ in range(30):
         trial = moved.copy()
-        trial[free] += 0.02 * found.distance * rng.normal(size=trial[free].shape)
+        trial += 0.02 * found.distance * rng.normal(size=trial.shape)
         for _ in range(20):
             size, gradient, _ = condition(trial)
-            trial[free] -= size * gradient[free] / np.sum(gradient[free] ** 2)
+            trial -= size * gradient / np.sum(gradient**2)
         assert np.linalg.norm(trial - places) >= found.distance * (1 - 1e-9)
 
 

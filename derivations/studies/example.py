@@ -160,7 +160,8 @@ class Spread:
 def spread(dataset: xarray.Dataset, name: str) -> Spread:
     """Return how much a result changes: means over the members whose results are finite."""
     changes = dataset[f"{name}_change"]
-    finite = np.isfinite(changes).all(changes.dims[1:])
+    regular: Any = np.isfinite(changes)
+    finite = regular.all(changes.dims[1:])
     kept = changes.where(finite)
     centred = kept - kept.mean(MEMBER)
     covariance = (centred * centred.rename({changes.dims[-1]: "other"})).mean(MEMBER)

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import judge, select
-from algebroproj_sym.declaring.claim import declared
+from algebroproj_sym.declaring.declaration import declared
 from algebroproj_sym.expressions import Matrix, over, text, vector
 from algebroproj_sym.replaying import NotReplayable, Rejected, declaration_digest, replay
 from algebroproj_sym.replaying import replay_claim as replay_entry
@@ -89,6 +89,7 @@ def every_kind():
     section.reference("1.25", "reference", printed="1.3.8", meant="1.3.8")
     section.reference("1.26", "wrong reference", printed="1.3.8", meant="1.3.9")
     section.definition("1.27", "definition", printed=vector(x / (y - 1), a), where={a: x**2})
+    section.identity("1.28", "error", printed=y / x, derived=over(x, y), corrected=x / y, expect="error")
     return ledger([judge(claim) for claim in section.claims], timed=False)
 
 
@@ -121,7 +122,7 @@ def test_every_kind_and_verdict_is_replayed(small):
     results = list(replay(small))
     assert [(r.number, r.status, r.reason) for r in results] == [(r.number, "replayed", "") for r in results]
     assert len({r.kind for r in results}) == 11
-    assert {r.verdict for r in results} == {"proved", "misprint", "false", "illegible", "definition"}
+    assert {r.verdict for r in results} == {"proved", "misprint", "error", "false", "illegible", "definition"}
 
 
 def test_real_sections_are_replayed(real):
@@ -323,7 +324,7 @@ def reread(record):
         options["witness"] = {symbols[n]: Fraction(v) for n, v in record["counterexample"].items() if n in symbols}
     printed, derived, corrected = (read(record[key]) for key in ("printed", "derived", "corrected"))
     if record["kind"] == "numeric":
-        from algebroproj_sym.declaring.claim import decimal
+        from algebroproj_sym.declaring.kinds.numeric import decimal
 
         printed, derived = decimal(printed, "printed"), sympy.sympify(derived)
         corrected = None if corrected is None else decimal(corrected, "corrected")

@@ -17,20 +17,20 @@ from algebroproj_sym.declaring.discovery import (
     derivations,
     derivations_of,
     drivers,
-    installed_papers,
     kernels,
     located,
     numbered_with,
-    paper_folders,
     quotes_of,
     select,
     split,
 )
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
-from algebroproj_sym.declaring.importing import BrokenModuleError, import_root, makes_section
-from algebroproj_sym.declaring.judging import Judgement, judge
+from algebroproj_sym.declaring.importing import BrokenModuleError, import_root
+from algebroproj_sym.declaring.judging import Judgement, judge, judge_all
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
+from algebroproj_sym.declaring.kind import Kind
+from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.declaring.quotes import UNPARSED, UNQUOTED, Quotations, Quote, quotations
 from algebroproj_sym.declaring.section import Section
 from algebroproj_sym.declaring.stage import (
@@ -44,8 +44,10 @@ from algebroproj_sym.declaring.stage import (
     null_vector,
     solution,
 )
+from algebroproj_sym.papers import installed_papers
 
 __all__ = [
+    "KINDS",
     "LINEAR",
     "PRIMITIVES",
     "UNPARSED",
@@ -61,6 +63,7 @@ __all__ = [
     "Identity",
     "Judgement",
     "Kernel",
+    "Kind",
     "MalformedFileError",
     "Primitive",
     "Publication",
@@ -84,13 +87,12 @@ __all__ = [
     "in_derived_terms",
     "installed_papers",
     "judge",
+    "judge_all",
     "kernels",
     "let",
     "located",
-    "makes_section",
     "null_vector",
     "numbered_with",
-    "paper_folders",
     "publication",
     "quotations",
     "quotes_of",

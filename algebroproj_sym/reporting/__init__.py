@@ -12,11 +12,8 @@ from algebroproj_sym.reporting.audits import (
 )
 from algebroproj_sym.reporting.explaining import explanation, failure_text, form_lines
 from algebroproj_sym.reporting.ledger import (
-    Quotes,
-    claim_record,
     declaration,
     ledger,
-    ledger_of,
     summary,
     write_json,
     write_text,
@@ -34,7 +31,6 @@ from algebroproj_sym.reporting.tables import (
 __all__ = [
     "Notebook",
     "NotebookError",
-    "Quotes",
     "answers_record",
     "answers_summary",
     "answers_table",
@@ -43,7 +39,6 @@ __all__ = [
     "audit_record",
     "audit_table",
     "audited_share",
-    "claim_record",
     "claims_table",
     "coverage_lines",
     "coverage_record",
@@ -54,7 +49,6 @@ __all__ = [
     "findings",
     "form_lines",
     "ledger",
-    "ledger_of",
     "operations_table",
     "report",
     "run_notebook",

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim
+from algebroproj_sym.declaring.kind import Declaring, Kind, Options
 from algebroproj_sym.expressions import Scalar
 from algebroproj_sym.proving import Proof, prove
 
@@ -37,3 +38,29 @@ def decided(claim: Claim, left: Any, right: Any, engine: str, nonzero: Sequence[
     shown = ", ".join(f"{symbol} = {value}" for symbol, value in point.items())
     reason = f"the sides differ where {shown}, but no rational counterexample was found"
     return replace(proof, verdict="open", certificate={"method": "none", "reason": reason}, counterexample=None)
+
+
+def identity(
+    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+) -> Claim:
+    """Declare that two scalars, vectors or matrices are equal, wherever the constraints hold."""
+    kind = CONSTRAINED if options.get("constraints") else IDENTITY
+    return section.declare(kind, number, title, printed, derived, **options)
+
+
+IDENTITY = Kind(
+    "identity",
+    identity,
+    compare,
+    "Both sides are equal wherever they are defined.",
+    takes=("nonzero", "assumed"),
+    one_shape=True,
+    is_equality=True,
+    is_marked=True,
+)
+CONSTRAINED = replace(
+    IDENTITY,
+    name="identity under constraints",
+    says="Both sides are equal wherever the constraints hold.",
+    takes=("constraints", "nonzero", "assumed"),
+)

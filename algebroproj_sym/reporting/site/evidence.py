@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Claim, Judgement
+from algebroproj_sym.declaring import KINDS, Claim, Judgement
 from algebroproj_sym.declaring.claim import in_derived_terms
 from algebroproj_sym.expressions import evaluate, shape, text
 from algebroproj_sym.reporting.site.formulas import bullet, symbol
@@ -37,7 +37,6 @@ METHODS = {
     "divergence": "The expression has a pole there.",
 }
 _SHOWN_ELSEWHERE = ("method", "reason", "refutation", "entries", "left", "right", "witness", "point", "instance")
-_WITH_VALUES = ("identity", "identity under constraints", "identity up to scale")
 
 
 @dataclass(frozen=True)
@@ -83,7 +82,7 @@ def _sentences(judgement: Judgement, certificate: Mapping[str, Any], refutation:
     if method == "none":
         return (f"Undecided: {certificate['reason']}.",)
     found = METHODS.get(method, method)
-    if judgement.verdict == "misprint":
+    if judgement.verdict in ("misprint", "error"):
         return f"The printed form: {_lowered(METHODS.get(refutation.get('method', ''), ''))}", (
             f"The corrected form: {_lowered(found)}"
         )
@@ -110,7 +109,7 @@ def _counterexample(judgement: Judgement) -> list[Table]:
 
 
 def _values(claim: Claim, point: Mapping[sympy.Symbol, Fraction]) -> list[tuple[Markup | str, ...]]:
-    if claim.kind not in _WITH_VALUES or claim.printed is None or claim.derived is None:
+    if not KINDS[claim.kind].is_equality or claim.printed is None or claim.derived is None:
         return []
     printed: Any = in_derived_terms(claim.printed, claim.where)
     try:

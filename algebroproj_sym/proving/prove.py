@@ -41,6 +41,7 @@ Decision = Literal["proved", "refuted", "open"]
 
 FILTER_POINTS = 3
 SEARCH_POINTS = 400
+FILLINGS = 100
 
 Witness = Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str]
 
@@ -250,14 +251,20 @@ class _Question:
         return islice(rational_points(self.symbols, self.seed, self.values), SEARCH_POINTS)
 
     def given_witnesses(self) -> list[Point]:
-        """Return the given witness, if there is one and hypotheses hold there; what it has no value for is random."""
+        """Return points with the given coordinates, if there are any, at which hypotheses hold; others are random."""
         if self.witness is None:
             return []
-        point = next(rational_points(self.symbols, self.seed, self.values)) | self.witness
-        for constraint in self.constraints:
-            if not _vanishes(constraint, point):
-                raise ValueError(f"witness: expected a point with {constraint} = 0, got {dict(self.witness)}")
-        return [point] if self.differs_at(point) is not None else []
+        found = list[Point]()
+        for place, filling in enumerate(islice(rational_points(self.symbols, self.seed, self.values), FILLINGS)):
+            point = filling | self.witness
+            wrong = next((constraint for constraint in self.constraints if not _vanishes(constraint, point)), None)
+            if wrong is not None and place == 0:
+                raise ValueError(f"witness: expected a point with {wrong} = 0, got {dict(self.witness)}")
+            if wrong is None and self.differs_at(point) is not None:
+                found.append({symbol: point[symbol] for symbol in self.symbols})
+            if self.witness.keys() >= {*self.symbols}:
+                break
+        return found
 
 
 def _witness(given: Witness) -> Point:

@@ -20,8 +20,11 @@ LONGEST_VALUE = 1200
 
 METHODS = {
     "normal form": "Both sides have the same normal form in the field of rational functions over Q.",
-    "ideal membership": "The numerator of the difference, times a power of the multiplier, is a combination of the "
-    "constraints: the cofactors are below, and multiplied out they give it.",
+    "ideal membership": "The numerator of the difference, times the multiplier, is a combination of the constraints: "
+    "the cofactors are below, and multiplied out they give it.",
+    "radical membership": "A power of the numerator of the difference is a combination of the constraints.",
+    "sums of squares": "Squares that add up to zero are zero over the reals; then the numerator of the difference is.",
+    "case distinction": "The numerator of the difference is zero in each of some cases, one of which always holds.",
     "exact rounding": "The exact number, rounded as declared, was compared with the printed one.",
     "rank at a point and kernel vectors": "From below by the exact rank at a rational point, from above by vectors "
     "that are taken to zero.",
@@ -145,14 +148,16 @@ def _points(certificate: Mapping[str, Any]) -> list[Table]:
 
 
 def _cofactors(claim: Claim, certificate: Mapping[str, Any]) -> list[Table]:
-    rows = [
-        (f"entry {k + 1}, constraint {i + 1}", str(entry["power"]), _code(cofactor))
-        for k, entry in enumerate(certificate.get("entries", ()))
-        for i, cofactor in enumerate(entry["cofactors"])
-    ]
+    rows = []
+    for k, entry in enumerate(certificate.get("entries", ()), 1):
+        if "steps" in entry or "cases" in entry:
+            rows.append((f"entry {k}", "in steps", _code(str(entry))))
+        elif "cofactors" in entry:
+            for place, cofactor in entry["cofactors"].items():
+                rows.append((f"entry {k}, constraint {int(place) + 1}", _code(entry["multiplier"]), _code(cofactor)))
     if not rows:
         return []
-    return [Table("Cofactors of the constraints", ("of", "power of the multiplier", "cofactor"), rows)]
+    return [Table("Cofactors of the constraints", ("of", "multiplier", "cofactor"), rows)]
 
 
 def _rest(certificate: Mapping[str, Any], judgement: Judgement) -> Mapping[str, Any]:

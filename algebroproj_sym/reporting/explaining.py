@@ -90,12 +90,12 @@ def form_lines(claim: Claim, part: Part, most: int, *, full: bool = False) -> li
         Whether to show it whatever its length.
     """
     form = arranged(derived_form(claim)) if part == "derived" else as_declared(claim, part)
-    rows = _rows(form)
+    rows = plain_rows(form)
     if full or sum(map(len, rows)) <= most:
         return rows
     named = in_names(claim, part)
     if named is None:
-        return _shared_out(rows, most)
+        return shared_out(rows, most)
     return [named.text, f"… {_size(form, rows)}", *(f"where {meaning}" for meaning in _meanings(named))]
 
 
@@ -116,7 +116,7 @@ def finding_line(judgement: Judgement) -> str:
 def _text_of(claim: Claim, part: Part) -> str:
     if claim.kind == "reference":
         return ".".join(map(str, getattr(claim, part)))
-    return ", ".join(_rows(as_declared(claim, part)))
+    return ", ".join(plain_rows(as_declared(claim, part)))
 
 
 def apart(left: str, right: str, most: int) -> tuple[str, str]:
@@ -154,7 +154,7 @@ def _about(judgement: Judgement, *, full: bool) -> Iterator[Line]:
             seen |= {line for line in lines if line.startswith("where ")}
     yield from _labelled("differs", _differing(claim, full))
     where = [f"{symbol} = {shown(arranged(reduced(value)))}" for symbol, value in claim.where.items()]
-    yield from _labelled("where", where if full else _shared_out(where, LONGEST_LIST))
+    yield from _labelled("where", where if full else shared_out(where, LONGEST_LIST))
     yield from _labelled("difference", _difference(judgement, full))
     yield from _labelled("evidence", evidence_lines(judgement, full=full))
     yield from _labelled("", _values(judgement, full))
@@ -173,14 +173,14 @@ def _cut(text: str, full: bool, most: int = LONGEST_MEANING) -> str:
     return text if full else folded(text, most)
 
 
-def _shared_out(lines: Sequence[str], most: int) -> list[str]:
+def shared_out(lines: Sequence[str], most: int) -> list[str]:
     """Return some lines in so many characters: the first ones, each at least as long as a row."""
     count = min(len(lines), most // ROW)
     more = [f"… and {len(lines) - count} more"] if count < len(lines) else []
     return [*(folded(line, max(most // count, ROW)) for line in lines[:count]), *more]
 
 
-def _rows(form: Any) -> list[str]:
+def plain_rows(form: Any) -> list[str]:
     """Return a form as text, a row of a matrix in each line."""
     if not isinstance(form, sympy.MatrixBase):
         return [_text(form)]
@@ -200,7 +200,7 @@ def _size(form: Any, rows: Sequence[str]) -> str:
 def _meanings(named: Named) -> Iterator[str]:
     for meaning in named.meanings:
         written = meaning.written
-        value = ast.unparse(written) if written is not None else ", ".join(_rows(arranged(meaning.value)))
+        value = ast.unparse(written) if written is not None else ", ".join(plain_rows(arranged(meaning.value)))
         yield f"{meaning.name} = {folded(value, LONGEST_MEANING)}"
 
 

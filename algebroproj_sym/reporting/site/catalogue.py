@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -11,7 +11,6 @@ from algebroproj_sym.generating import Lowered
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.notebooks import Notebook
 from algebroproj_sym.reporting.site.addresses import claim_page, function_page, notebook_page, slug
-from algebroproj_sym.reporting.site.records import Speed, Timing
 from algebroproj_sym.verifying import Verification
 
 
@@ -125,17 +124,11 @@ class Catalogue:
         In the order of the kernels.
     notebooks : tuple of Notebook
         The derivations, run; none unless they are wanted.
-    checked : set of pair of str
-        Paper and number of the claims that the kernel of a proof assistant has accepted.
-    speed : Speed or None
-        How long the functions take, if it was measured.
     """
 
     papers: tuple[Paper, ...]
     functions: tuple[Function, ...]
     notebooks: tuple[Notebook, ...] = ()
-    checked: Set[tuple[str, str]] = frozenset()
-    speed: Speed | None = None
 
     @property
     def entries(self) -> tuple[Entry, ...]:
@@ -152,14 +145,6 @@ class Catalogue:
         module = entry.derivation.module
         ran = any(notebook.module == module for notebook in self.notebooks)
         return f"{notebook_page(module)}#{slug(entry.number)}" if ran else None
-
-    def is_checked(self, entry: Entry) -> bool:
-        """Whether the kernel of a proof assistant has accepted a claim."""
-        return (entry.paper, entry.number) in self.checked
-
-    def timings(self, function: Function) -> tuple[Timing, ...]:
-        """Return how long a function takes, as far as it was measured."""
-        return self.speed.functions.get(function.name, ()) if self.speed else ()
 
     def functions_on(self, entry: Entry) -> tuple[Function, ...]:
         """Return the functions that rest on a claim."""
@@ -180,8 +165,6 @@ def catalogue(
     derivations: Sequence[Derivation],
     functions: Sequence[Function] = (),
     notebooks: Sequence[Notebook] = (),
-    checked: Set[tuple[str, str]] = frozenset(),
-    speed: Speed | None = None,
 ) -> Catalogue:
     """Return what the site is about.
 
@@ -195,15 +178,11 @@ def catalogue(
         The generated functions.
     notebooks : sequence of Notebook
         The derivations, run.
-    checked : set of pair of str
-        Paper and number of the claims that the kernel of a proof assistant has accepted.
-    speed : Speed, optional
-        How long the functions take.
     """
     entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
     groups = _grouped(sorted(entries, key=_place), lambda entry: entry.paper)
     papers = tuple(Paper(publication(key), _chapters(group)) for key, group in groups)
-    return Catalogue(papers, tuple(functions), tuple(notebooks), checked, speed)
+    return Catalogue(papers, tuple(functions), tuple(notebooks))
 
 
 def _place(entry: Entry) -> tuple[str, str, int]:

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
-from typing import Any
-
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import Part, as_declared, bibtex, quotations
-from algebroproj_sym.reporting.site.addresses import claim_record_file, errata_page, paper_page
+from algebroproj_sym.reporting.site.addresses import errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
     comparison,
-    conditions,
     forms_of,
     marks_of,
     reference_text,
@@ -21,53 +16,43 @@ from algebroproj_sym.reporting.site.comparison import (
     where,
 )
 from algebroproj_sym.reporting.site.evidence import evidence
-from algebroproj_sym.reporting.site.formulas import Form, block, described, listed
+from algebroproj_sym.reporting.site.formulas import block, described, listed
 from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.templating import page
 
 
-def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: Mapping[str, Any]) -> dict[str, str]:
-    """Return the page of a claim, and its record in the ledger if something was too long for the page."""
+def claim_html(catalogue: Catalogue, paper: Paper, place: int) -> str:
+    """Return the page of a claim."""
     entry = paper.entries[place]
     claim = entry.judgement.claim
-    forms, found = comparison(entry.judgement), evidence(entry.judgement)
-    meanings = where(claim)
-    instead = catalogue.by_number.get((entry.paper, claim.instead))
-    complete = forms.complete and found.complete and all(form.complete for _, form in meanings)
-    record = None if complete else claim_record_file(entry.paper, entry.number)
-    html = page(
+    sides, differences = comparison(entry.judgement)
+    sentences, tables = evidence(entry.judgement)
+    return page(
         "claim",
         entry.page,
         entry=entry,
         claim=claim,
         paper=paper,
         relation=relation(claim),
-        comparison=forms,
-        conditions=conditions(entry.judgement),
-        where=meanings,
-        constraints=[block(expression) for expression in claim.constraints],
-        nonzero=[block(expression) for expression in claim.nonzero],
-        evidence=found,
+        sides=sides,
+        differences=differences,
+        where=where(claim),
+        sentences=sentences,
+        tables=tables,
         note=linked(claim.note, entry.paper, entry.page, catalogue),
-        instead=instead,
-        instead_conditions=conditions(instead.judgement) if instead else "",
+        instead=catalogue.by_number.get((entry.paper, claim.instead)),
         functions=catalogue.functions_on(entry),
         quote=quotations(entry.derivation.path.parent).quotes.get(entry.number),
         cell=catalogue.cell_of(entry),
-        checked=catalogue.is_checked(entry),
         previous=paper.entries[place - 1] if place else None,
         following=paper.entries[place + 1] if place + 1 < len(paper.entries) else None,
-        record=record,
     )
-    if record is None:
-        return {entry.page: html}
-    return {entry.page: html, record: json.dumps(ledger_record, indent=1, ensure_ascii=False) + "\n"}
 
 
 def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
     """Return the pages that list the claims of a paper: all of them, and the errata."""
     address = paper_page(paper.key)
-    files = {address: page("paper", address, paper=paper, line=_line, conditions=conditions)}
+    files = {address: page("paper", address, paper=paper, line=_line)}
     address = errata_page(paper.key)
 
     def note(entry: Entry) -> Markup:
@@ -82,7 +67,6 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
         paper=paper,
         bibtex=bibtex(paper.about),
         forms=_erratum,
-        conditions=conditions,
         stated=_stated,
         note=note,
         instead=instead,
@@ -117,22 +101,18 @@ def _summary(statement: object) -> Markup:
     return Markup('<span class="summary">{}</span>').format(described(statement))
 
 
-def _erratum(entry: Entry) -> tuple[Form, Form]:
+def _erratum(entry: Entry) -> tuple[Markup, ...]:
     """Return the printed and the corrected form of a misprint, the difference marked."""
     claim = entry.judgement.claim
     if claim.kind == "reference":
         pair = (reference_text(claim.printed), reference_text(claim.derived))
-        return Form(Markup('<p class="number">{}</p>').format(pair[0])), Form(
-            Markup('<p class="number">{}</p>').format(pair[1])
-        )
+        return tuple(Markup('<p class="number">{}</p>').format(number) for number in pair)
     forms = forms_of(claim)
     marks = marks_of(entry.judgement, forms)
-    printed, corrected = (
-        block(forms[part], marks[part], f"{part} form", ordered=False) for part in ("printed", "corrected")
-    )
-    return printed, corrected
+    parts: tuple[Part, ...] = ("printed", "corrected")
+    return tuple(block(forms[part], marks[part], f"{part} form", ordered=False) for part in parts)
 
 
-def _stated(entry: Entry) -> Form:
+def _stated(entry: Entry) -> Markup:
     part: Part = "corrected" if entry.judgement.claim.printed is None else "printed"
     return block(as_declared(entry.judgement.claim, part), label="form", ordered=False)

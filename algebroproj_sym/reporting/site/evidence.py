@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -13,7 +12,7 @@ from markupsafe import Markup
 from algebroproj_sym.declaring import Claim, Judgement
 from algebroproj_sym.declaring.claim import in_derived_terms
 from algebroproj_sym.expressions import evaluate, shape, text
-from algebroproj_sym.reporting.site.formulas import bullet, symbol
+from algebroproj_sym.reporting.site.formulas import folded, symbol
 from algebroproj_sym.reporting.site.tables import Table
 
 LONGEST_VALUE = 1200
@@ -37,30 +36,8 @@ _SHOWN_ELSEWHERE = ("method", "reason", "refutation", "entries", "left", "right"
 _WITH_VALUES = ("identity", "identity under constraints", "identity up to scale")
 
 
-@dataclass(frozen=True)
-class Evidence:
-    """The evidence for a verdict.
-
-    Attributes
-    ----------
-    sentences : tuple of str
-        How the verdict was found.
-    hypotheses : tuple of Markup
-        What must not vanish.
-    tables : tuple of Table
-        Points, values and certificates.
-    complete : bool
-        Whether nothing was too long to be shown.
-    """
-
-    sentences: tuple[str, ...]
-    hypotheses: tuple[Markup, ...]
-    tables: tuple[Table, ...]
-    complete: bool
-
-
-def evidence(judgement: Judgement) -> Evidence:
-    """Return the evidence for a verdict."""
+def evidence(judgement: Judgement) -> tuple[tuple[str, ...], list[Table]]:
+    """Return the evidence for a verdict: sentences on how it was found; points, values and certificates as tables."""
     certificate: Mapping[str, Any] = judgement.certificate or {}
     refutation: Mapping[str, Any] = certificate.get("refutation") or {}
     tables = [
@@ -70,9 +47,7 @@ def evidence(judgement: Judgement) -> Evidence:
         *_cofactors(judgement.claim, certificate),
         *_data("Certificate", _rest(certificate, judgement)),
     ]
-    hypotheses = tuple(map(bullet, judgement.hypotheses))
-    cut = [cell for table in tables for row in table.rows for cell in row if "…" in cell]
-    return Evidence(_sentences(judgement, certificate, refutation), hypotheses, tuple(tables), not cut)
+    return _sentences(judgement, certificate, refutation), tables
 
 
 def _sentences(judgement: Judgement, certificate: Mapping[str, Any], refutation: Mapping[str, Any]) -> tuple[str, ...]:
@@ -185,8 +160,5 @@ def _items(values: Iterable[Any]) -> Markup:
 
 
 def _code(text: str) -> Markup:
-    return Markup("<code>{}</code>").format(_cut(text))
-
-
-def _cut(text: str) -> str:
-    return text if len(text) <= LONGEST_VALUE else f"{text[:LONGEST_VALUE]} … ({len(text)} characters)"
+    code = Markup("<code>{}</code>").format(text)
+    return code if len(text) <= LONGEST_VALUE else folded(f"{len(text):,} characters", code)

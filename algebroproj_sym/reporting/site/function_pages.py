@@ -14,10 +14,8 @@ from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
-from algebroproj_sym.reporting.site.comparison import conditions
-from algebroproj_sym.reporting.site.formulas import block, bullet, equation, inline
+from algebroproj_sym.reporting.site.formulas import block, equation, inline
 from algebroproj_sym.reporting.site.plots import accuracy_plot
-from algebroproj_sym.reporting.site.records import Timing
 from algebroproj_sym.reporting.site.tables import Table
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.verifying import BOUND, Stratum, Verification
@@ -73,15 +71,12 @@ def _page(catalogue: Catalogue, function: Function) -> str:
         arguments=_arguments(kernel),
         results=[(result.name, _batched(result.shape)) for result in kernel.results],
         formulas=formulas_of(kernel),
-        singular=[bullet(factor) for factor in low.hypotheses],
+        singular=low.hypotheses,
         claims=[(number, _claim(catalogue, kernel, number)) for number in kernel.claims],
-        conditions=conditions,
         figures=figures,
         accuracy=_accuracy(figures),
         plot=accuracy_plot(figures.accuracy),
         operations=_operations(low),
-        speed=_speed(catalogue.timings(function)),
-        machine=catalogue.speed.machine if catalogue.speed else "",
         bound=f"{BOUND:g}",
     )
 
@@ -117,7 +112,7 @@ def _stage(stage: Stage) -> list[Markup]:
     if stage.primitive == "let":
         return [equation(latex(s), entry) for s, entry in zip(stage.results, entries(stage.form), strict=True)]
     names = Markup(", ").join(inline(symbol) or Markup() for symbol in stage.results)
-    return [Markup("<p>{} {}</p>{}").format(names, _PRIMITIVES[stage.primitive], block(stage.form).html)]
+    return [Markup("<p>{} {}</p>{}").format(names, _PRIMITIVES[stage.primitive], block(stage.form))]
 
 
 def _accuracy(figures: Verification) -> Table:
@@ -136,11 +131,6 @@ def _figures(stratum: Stratum) -> tuple[str, ...]:
         f"{stratum.max_ratio:.2f}",
         str(stratum.undetermined),
     )
-
-
-def _speed(timings: Sequence[Timing]) -> Table | None:
-    rows = [(f"{timing.batch:,}", f"{timing.nanoseconds:,.0f}") for timing in timings]
-    return Table("Time", ("formulas in a call", "nanoseconds a formula"), rows, numeric=True) if rows else None
 
 
 def _operations(low: Lowered) -> Table:

@@ -10,6 +10,8 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.reporting.site import addresses
+from algebroproj_sym.reporting.site.comparison import conditions
+from algebroproj_sym.reporting.site.formulas import block, bullet
 
 FONT = "stix-two-math.woff2"
 FORMULAS = "Formulas"
@@ -30,7 +32,9 @@ _TEMPLATES = Environment(
     lstrip_blocks=True,
     keep_trailing_newline=True,
 )
-_TEMPLATES.globals.update(addresses=addresses, verdict_meaning=VERDICT_MEANING)
+_TEMPLATES.globals.update(
+    addresses=addresses, verdict_meaning=VERDICT_MEANING, conditions=conditions, block=block, bullet=bullet
+)
 
 
 def page(template: str, address: str, **content: Any) -> str:

@@ -461,7 +461,7 @@ def test_the_command_fails_for_a_slip_and_for_a_quote_of_nothing(folder):
     quotes.write_text(QUOTES.replace('"1.1"', '"1.1", "1.2"'), encoding="utf-8")
     result = run(folder)
     assert result.exit_code == 1
-    assert "quoted, but no claim: 1.2" in result.output
+    assert "quotes that belong to no claim: 1.2" in result.output
 
 
 def test_explain_shows_the_quote(folder):

@@ -78,7 +78,9 @@ def test_another_number_is_refused(number):
 
 @pytest.mark.parametrize("verdict", ["misprint", "illegible"])
 def test_a_misprint_or_an_illegible_formula_needs_its_corrected_form(verdict):
-    with pytest.raises(DeclarationError, match=rf"claim demo:1\.1: .*{verdict} needs its corrected form"):
+    with pytest.raises(
+        DeclarationError, match=rf"claim demo:1\.1, corrected: expected a form for a claim declared {verdict}"
+    ):
         identity(expect=verdict, printed=None if verdict == "illegible" else x)
 
 
@@ -88,21 +90,21 @@ def test_a_false_statement_needs_what_is_true_instead():
 
 
 def test_a_missing_print_is_for_illegible_formulas_only():
-    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: printed is missing exactly if"):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, printed: expected "):
         identity(printed=None)
-    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: printed is missing exactly if"):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, printed: expected "):
         identity(printed=x, corrected=y, expect="illegible")
     assert identity(printed=None, corrected=y, expect="illegible").printed is None
 
 
 def test_only_a_definition_has_no_derived_form():
-    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: derived is missing exactly if"):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, derived: expected "):
         identity(derived=None)
 
 
 @pytest.mark.parametrize("verdict", ["open", "true", "", "Proved"])
 def test_an_expected_verdict_is_one_of_those_that_can_be_expected(verdict):
-    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: expected one of the verdicts") as raised:
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, expect: expected one of proved, ") as raised:
         identity(expect=verdict)
     assert repr(verdict) in str(raised.value)
 

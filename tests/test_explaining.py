@@ -112,8 +112,8 @@ def test_a_refuted_identity_shows_the_difference_and_both_values_at_the_countere
     for text in (explained(claim), failure_text(judge(claim))):
         assert "difference  printed - derived = 2*y\n" in text
         assert "counterexample: " in text
-        assert "there printed = " in text
-        assert "there derived = " in text
+        assert "at this point printed = " in text
+        assert "at this point derived = " in text
 
 
 def test_the_entries_that_differ_are_shown_as_they_are_declared(section):

@@ -249,7 +249,7 @@ def test_kinds_that_do_not_look_at_assumptions_refuse_them(kind):
         }
         return getattr(section, kind)(number, "t", **parts[kind])
 
-    with pytest.raises(DeclarationError, match=f"expected plain or real symbols for {kind}.*s is positive"):
+    with pytest.raises(DeclarationError, match=f"expected plain or real ones, got s is positive.*{kind}"):
         declare("1.1", s)
     assert judge(declare("1.2", real)).verdict in ("proved", "definition")
 

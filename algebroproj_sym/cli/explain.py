@@ -22,8 +22,8 @@ def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) ->
 
     SELECTOR names a claim, such as okamoto1981:24, or a section, module or folder, as for check.
 
-    A long form is shown by the names of what it is made of, or by its beginning and its size. The option --full shows
-    all of it. The exit status is 1 if a verdict is not the declared one.
+    A long form is shown by the names of its parts, or by its beginning and its size. The option --full shows all of it.
+    The exit status is 1 if a verdict is not the declared one.
     """
     claims = select(selectors)
     found = numbered_with([split(selector)[0] for selector in selectors])

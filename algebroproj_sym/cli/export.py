@@ -1,4 +1,4 @@
-"""algebroproj export: theorems for a proof assistant."""
+"""algebroproj export: write theorems for a proof assistant."""
 
 from __future__ import annotations
 
@@ -122,7 +122,7 @@ def _require_compiler() -> None:
 
 
 def _ledger(path: Path) -> dict[str, Any]:
-    """Return a ledger; a file that is none is wrong usage."""
+    """Read a ledger; another kind of file is wrong usage."""
     try:
         found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
@@ -145,9 +145,9 @@ def _say(claims: Sequence[Exported], out: Path) -> None:
     missing = sum(1 for claim in claims if not claim.theorems)
     trivial = sum(claim.trivial for claim in claims)
     console().print(
-        f"{sum(claim.equations for claim in claims)} equations, of which {trivial} read a = a, see {out / CONVENTIONS}"
+        f"{sum(claim.equations for claim in claims)} equations; {trivial} of them read a = a, see {out / CONVENTIONS}"
     )
-    console().print(f"written to {out}: {total} theorems; {missing} claims without, see {out / UNEXPORTED}")
+    console().print(f"written to {out}: {total} theorems; {missing} claims have none, see {out / UNEXPORTED}")
 
 
 def _require_accepted(program: str, results: Sequence[Compiled]) -> None:

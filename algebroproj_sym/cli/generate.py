@@ -39,8 +39,8 @@ def generate(sources: tuple[str, ...], out: Path, package: str, only_check: bool
     changed = drift(files, folder)
     if only_check and changed:
         raise click.ClickException(
-            f"{folder} is not what the derivations generate: {', '.join(changed)}\n"
-            "Bring it up to date with the same command without --check."
+            f"{folder} is out of date. These files differ from what the derivations generate: {', '.join(changed)}\n"
+            "To write them again, run the same command without --check."
         )
     if not only_check:
         require_room(files, folder, sources)

@@ -1,4 +1,4 @@
-"""The group of commands: their order, and what a reader is told when one cannot go on."""
+"""The group of commands: their order, and the messages of their errors."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ atexit.register(gc.freeze)  # a process that ends does not look for cycles among
 
 
 class Group(click.Group):
-    """Commands in the order in which one needs them, whose known errors are messages and not tracebacks."""
+    """Commands in the order in which a reader needs them.  A known error is a message, not a traceback."""
 
     def list_commands(self, context: click.Context) -> list[str]:
         """Return the commands in the order in which they were added."""

@@ -1,4 +1,4 @@
-"""algebroproj mutate: see whether the checks notice single changes."""
+"""algebroproj mutate: test whether the checks notice single changes."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def mutate(
         _print_functions(functions)
     stale = superfluous(claims, explanations())
     for entry in stale:
-        echo(f"{entry.claim}  {entry.form}: is explained, but does not survive", err=True)
+        echo(f"{entry.claim}  {entry.form}: survivors.toml lists this change, but the checks notice it", err=True)
     if stale or _survivors(claims) or any(_unnoticed(function) for function in functions):
         raise SystemExit(1)
 
@@ -122,8 +122,8 @@ def _print_claims(claims: Sequence[MutatedClaim]) -> None:
     console().print(table)
     counts = Counter(fate.fate for claim in claims for fate in claim.fates)
     wrong = counts["refuted"] + counts["undefined"] + counts["survived"]
-    told = f"{counts['equivalent']} are equivalent, {counts['explained']} survive for a known reason"
-    console().print(f"{wrong - counts['survived']} of {wrong} changed statements refuted; {told}")
+    told = f"{counts['equivalent']} changes are equivalent, {counts['explained']} survive for a known reason"
+    console().print(f"{wrong - counts['survived']} of {wrong} changed statements are refuted; {told}")
 
 
 def _print_functions(functions: Sequence[MutatedKernel]) -> None:
@@ -140,10 +140,12 @@ def _print_functions(functions: Sequence[MutatedKernel]) -> None:
             console().print(f"{name}  {fate.change}: {fate.line}: not noticed by the numbers")
     console().print(table)
     by_proof, by_numbers, equivalent, worse, same = _counts([fate for each in functions for fate in each.fates])
-    console().print(f"{by_proof} changed sources compute something else: {by_numbers} noticed by numbers, all by proof")
     console().print(
-        f"{equivalent} compute the same real numbers: {worse} with digits so much worse that numbers notice, "
-        f"{same} with the same bits"
+        f"{by_proof} changed sources compute something else: the proof notices all, the numbers {by_numbers}"
+    )
+    console().print(
+        f"{equivalent} compute the same real numbers: {same} the same bits, "
+        f"{worse} with errors so large that the numbers notice"
     )
 
 

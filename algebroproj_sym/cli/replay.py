@@ -34,7 +34,7 @@ STATUSES: tuple[Status, ...] = get_args(Status)
     "sources",
     multiple=True,
     metavar="SELECTOR",
-    help="With --derivations: where the claims are declared, instead of all installed papers. May be repeated.",
+    help="Compare with these derivations, not with all installed papers. Needs --derivations. May be repeated.",
 )
 @options.jobs
 @options.output_format
@@ -49,7 +49,7 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
     if an entry is rejected, cannot be replayed, or differs from its declaration.
     """
     if sources and not comparing:
-        raise click.UsageError("--source: expected it together with --derivations")
+        raise click.UsageError("--source: expected also --derivations")
     ledger = _read(path)
     try:
         found = replay(ledger, jobs)
@@ -80,7 +80,7 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
 
 
 def _read(path: Path) -> dict[str, Any]:
-    """Return a ledger; a file that is none is wrong usage."""
+    """Read a ledger; another kind of file is wrong usage."""
     try:
         ledger = json.loads(path.read_text(encoding="utf-8"))
     except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
@@ -113,7 +113,7 @@ def _compared(
     compared = []
     for result, entry in zip(results, ledger["claims"], strict=True):
         digest = declared.get((result.paper, result.number))
-        reason = "the derivations declare no such claim" if digest is None else "the derivations declare it otherwise"
+        reason = "no derivation declares this claim" if digest is None else "the derivations declare something else"
         wrong = result.status == "replayed" and digest != entry["declaration"]
         compared.append(replace(result, status="rejected", reason=reason) if wrong else result)
     listed = {(result.paper, result.number) for result in results}
@@ -122,11 +122,11 @@ def _compared(
 
 def _said_of_declarations(comparing: bool, missing: Sequence[str]) -> str:
     if not comparing:
-        return "The texts of the ledger were judged; --derivations compares them with the derivations."
+        return "Only the ledger was checked. With --derivations it is also compared with the derivations."
     return (
         f"The derivations declare {len(missing)} claims that the ledger lacks."
         if missing
-        else ("The ledger is that of the derivations.")
+        else ("The ledger agrees with the derivations.")
     )
 
 

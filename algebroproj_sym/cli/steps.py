@@ -19,14 +19,14 @@ from algebroproj_sym.verifying import Verification
 
 SITE_MODULES = ("latex2mathml",)
 ADVICE = (
-    "Try another form of the kernel: declare section.kernel(..., form=...) with an equal expression that cancels\n"
-    "less, or several of them with alternatives=..., of which the generator takes the most accurate one."
+    "Try another form of the kernel. Declare section.kernel(..., form=...) with an equal expression in which less\n"
+    "cancels. Or declare several with alternatives=...; then the generator takes the most accurate one."
 )
 NOTEBOOK_MODULES = ("ipykernel", "jupytext", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
 
 
 def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = True) -> list[Judgement]:
-    """Judge claims, in order; unless it is to be done afresh, only those that have changed since an earlier run."""
+    """Judge claims, in order; without `fresh`, only those that have changed since an earlier run."""
     return list(progressing(pipeline.check(claims, engine, jobs, _memory(fresh)), len(claims), "checking"))
 
 

@@ -1,7 +1,7 @@
 """Terminal output and progress: results on standard output, progress on standard error, and none in a pipe.
 
-What comes from files and derivations may hold characters that a terminal obeys or does not show: escape sequences,
-marks that turn the direction of writing.  Every output passes through `visible`, which writes them as JSON does.
+Text from files and derivations may have characters that a terminal obeys or hides: escape sequences, or marks that
+change the direction of writing.  Every output passes through `visible`, which writes them as JSON does.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _HIDDEN = re.compile(
 
 
 def visible(text: str, *, line: bool = False) -> str:
-    r"""Return a text in which what a terminal would obey, or not show, is written as JSON does; on one line if asked.
+    r"""Return a text with JSON escapes for the characters that a terminal obeys or hides; on one line if `line`.
 
     Examples
     --------
@@ -99,7 +99,7 @@ def show(table: Table) -> None:
 
 
 def progressing(items: Iterable[Item], total: int, what: str, *, ticking: bool = True) -> Iterator[Item]:
-    """Yield items, with a progress bar while standard error is a terminal; say how long it took if asked for.
+    """Yield items, with a progress bar if standard error is a terminal, and the time with --verbose.
 
     The bar is drawn at each item, and by a thread of its own between them if it is `ticking`.
     """

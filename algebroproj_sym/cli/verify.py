@@ -1,4 +1,4 @@
-"""algebroproj verify: hold the generated functions against the derivations."""
+"""algebroproj verify: compare the generated functions with the derivations."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ _NUMBER = re.compile(r"(table:)?\d+[a-z]?(\.\d+)*(/[^\s/#]+)*(#[^\s/#]+)?")
 
 
 class DeclarationError(ValueError):
-    """A claim or kernel is declared in a way that cannot be judged."""
+    """The declaration of a claim or kernel is wrong or incomplete."""
 
 
 class Options(TypedDict, total=False):
@@ -232,8 +232,8 @@ def _with_plain_symbols(claim: Claim, symbols: set[sympy.Symbol], where: str) ->
     given = tuple(symbol for symbol in plain if not is_plain(symbol))
     if given and claim.kind not in _ASSUMING:
         raise DeclarationError(
-            f"{where}: expected plain or real symbols for {claim.kind}, whose evidence does not look at assumptions; "
-            f"got {'; '.join(map(assumption, given))}"
+            f"{where}, symbols: expected plain or real ones, got {'; '.join(map(assumption, given))}; "
+            f"a proof of kind {claim.kind} uses no other assumptions"
         )
     if all(symbol == kept for symbol, kept in plain.items()):
         return claim
@@ -298,17 +298,22 @@ def _require_complete(claim: Claim, where: str) -> None:
         if not isinstance(given, str) or not given.isprintable():
             raise DeclarationError(f"{where}, {name}: expected text on one line, got {given!r}")
     if claim.expected not in VERDICTS or claim.expected == "open":
-        raise DeclarationError(f"{where}: expected one of the verdicts {VERDICTS} but open, got {claim.expected!r}")
+        allowed = ", ".join(verdict for verdict in VERDICTS if verdict != "open")
+        raise DeclarationError(f"{where}, expect: expected one of {allowed}, got {claim.expected!r}")
     if claim.expected in ("misprint", "illegible") and claim.corrected is None:
-        raise DeclarationError(f"{where}: a claim expected to be {claim.expected} needs its corrected form")
+        raise DeclarationError(f"{where}, corrected: expected a form for a claim declared {claim.expected}, got none")
     if claim.expected == "false" and not claim.instead:
-        raise DeclarationError(f"{where}: a claim expected to be false needs `instead`, the number of what is true")
+        raise DeclarationError(f"{where}, instead: expected the number of the true claim for a false one, got none")
     if (claim.printed is None) != (claim.expected == "illegible"):
-        raise DeclarationError(f"{where}: printed is missing exactly if the claim is expected to be illegible")
+        wanted = "a form, got None" if claim.printed is None else "None for a claim declared illegible, got a form"
+        raise DeclarationError(f"{where}, printed: expected {wanted}")
     if (claim.derived is None) != (claim.kind == "definition"):
-        raise DeclarationError(f"{where}: derived is missing exactly if the claim is a definition")
+        wanted = "a form, got None" if claim.derived is None else "None for a definition, got a form"
+        raise DeclarationError(f"{where}, derived: expected {wanted}")
     if claim.constraints and not claim.kind.startswith("identity"):
-        raise DeclarationError(f"{where}: expected constraints for an identity, got them for {claim.kind}")
+        raise DeclarationError(
+            f"{where}, constraints: expected none for a claim of kind {claim.kind}; only identities have them"
+        )
     for form in (claim.printed, claim.corrected):
         if claim.kind in _ENTRYWISE and form is not None and _shape(form) != _shape(claim.derived):
             raise DeclarationError(
@@ -319,7 +324,7 @@ def _require_complete(claim: Claim, where: str) -> None:
     if claim.rounding not in (ROUNDINGS if claim.kind == "numeric" else ("nearest",)):
         raise DeclarationError(f"{where}, rounding: expected one of {ROUNDINGS} for a number, got {claim.rounding!r}")
     if claim.nonzero and claim.kind not in _RESTRICTED:
-        raise DeclarationError(f"{where}: expected nonzero for an identity or vanishing, got it for {claim.kind}")
+        raise DeclarationError(f"{where}, nonzero: expected none for a claim of kind {claim.kind}")
     _require_witness(claim, where)
 
 
@@ -332,7 +337,7 @@ def _require_witness(claim: Claim, where: str) -> None:
     known = {s.name for form in forms for expression in expressions_of(form) for s in free_symbols(expression)}
     unknown = [key for key in claim.witness if isinstance(key, str) and key not in known]
     if unknown:
-        raise DeclarationError(f"{where}, witness: expected values for symbols that occur, got one for {unknown[0]!r}")
+        raise DeclarationError(f"{where}, witness: expected symbols that occur in the claim, got {unknown[0]!r}")
 
 
 def expressions_of(form: Statement | None) -> tuple[Expression, ...]:

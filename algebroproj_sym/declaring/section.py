@@ -50,7 +50,7 @@ class Section:
         return self._declare(kind, number, title, printed, derived, **options)
 
     def up_to_scale(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
-        """Declare that two vectors or matrices are equal but for a common factor."""
+        """Declare that two vectors or matrices are equal up to a common factor."""
         return self._declare("identity up to scale", number, title, printed, derived, **options)
 
     def structure(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
@@ -84,7 +84,7 @@ class Section:
         return self._declare("numeric", number, title, decimal(printed, f"{where}, printed"), derived, **options)
 
     def reference(self, number: str, title: str, *, printed: str, meant: str, **options: Unpack[Options]) -> Claim:
-        """Declare what a reference within the paper, such as "2.3.3", must point to; a wrong one is a misprint."""
+        """Declare which formula a reference such as "2.3.3" means; a wrong reference is a misprint."""
         where = f"claim {self.paper}:{number}"
         right = reference(meant, f"{where}, meant")
         if printed != meant:
@@ -105,7 +105,7 @@ class Section:
         kernel = declared_kernel(self.paper, self.number, qualified_name, summary, **parts)
         self.kernels.append(kernel)
         if jacobian:
-            about = f"Derivatives of the entries of `{kernel.name}`, row by row, by those of its arguments, in order."
+            about = f"Derivatives of `{kernel.name}`: rows for the entries of the result, columns for those of the arguments."
             slopes = jacobian_parts(kernel)
             self.kernels.append(declared_kernel(self.paper, self.number, f"{qualified_name}_jacobian", about, **slopes))
         return kernel
@@ -116,7 +116,7 @@ class Section:
 
     def _declare(self, kind: Kind, number: str, title: str, printed: Any, derived: Any, **options: Any) -> Claim:
         if any(claim.number == number for claim in self.claims):
-            raise DeclarationError(f"claim {self.paper}:{number}: expected a number of its own, it is declared twice")
+            raise DeclarationError(f"claim {self.paper}:{number}: expected each number once, got this one twice")
         source = calling(depth=2)
         provenance.declare((self.paper, number), derived)
         claim = declared(self.paper, self.number, number, title, kind, printed, derived, source=source, **options)

@@ -41,7 +41,7 @@ LONGEST_QUOTE = 5 * ROW
 LONGEST_ENTRY = ROW - 20
 """Characters of what is not shortened: forms and lists, values of names, quotes, entries that differ."""
 MOST_DIFFERING = 4
-FULL = "What is shortened here is shown in full with --full."
+FULL = "To see everything in full, add --full."
 
 Line = tuple[str, str]
 
@@ -240,4 +240,4 @@ def _values(judgement: Judgement, full: bool) -> Iterator[str]:
         pair for pair in zip(*sides, strict=True) if pair[0] != pair[1] or claim.kind == "identity up to scale"
     ]
     for label, values in zip(("printed", "derived"), zip(*different, strict=True), strict=True):
-        yield f"there {label} = {_cut(', '.join(map(str, values)), full)}"
+        yield f"at this point {label} = {_cut(', '.join(map(str, values)), full)}"

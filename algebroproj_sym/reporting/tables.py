@@ -76,7 +76,7 @@ def failed_function(verification: Verification) -> str:
     if not verification.proved:
         reasons.append("its source is not proved to give the derivation")
     if verification.silent:
-        reasons.append(f"its result is finite where this is zero: {', '.join(map(str, verification.silent))}")
+        reasons.append(f"its result is finite although this is zero: {', '.join(map(str, verification.silent))}")
     if not verification.accuracy.within_bound:
         overall = verification.accuracy.overall
         reasons.append(

@@ -32,22 +32,22 @@ from algebroproj_sym.reporting.site.tables import Table
 
 _RELATIONS = {
     "identity": "Both sides are equal wherever they are defined.",
-    "identity up to scale": "Both sides are equal but for a common factor.",
+    "identity up to scale": "Both sides are equal up to a common factor.",
     "identity under constraints": "Both sides are equal wherever the constraints hold.",
     "structure": "The pattern says which entries are zero, equal or opposite.",
     "vanishing": "The expression is zero exactly where one of the printed factors is.",
-    "rank": "The rank that the matrix has in general.",
-    "count": "How many of the functions are independent.",
+    "rank": "The generic rank of the matrix.",
+    "count": "The number of independent functions.",
     "limit": "The limit of the expression.",
-    "reference": "Where the reference points.",
+    "reference": "The formula that the reference names.",
     "definition": "It introduces a notation.",
 }
 _ROUNDINGS = {
-    "nearest": "The printed number is the nearest to the exact one with as many decimals.",
-    "cut": "The printed number is the exact one, with its further digits cut off.",
+    "nearest": "The printed number is the exact one, rounded to the nearest.",
+    "cut": "The printed number is the exact one, with further digits cut off.",
 }
 _DERIVED = {
-    "identity up to scale": "Derived, but for a factor",
+    "identity up to scale": "Derived, up to a factor",
     "vanishing": "Derived: the expression",
     "rank": "Derived: the matrix",
     "count": "Derived: the functions",

@@ -20,17 +20,17 @@ LONGEST_VALUE = 1200
 METHODS = {
     "normal form": "Both sides have the same normal form in the field of rational functions over Q.",
     "ideal membership": "The numerator of the difference, times a power of the multiplier, is a combination of the "
-    "constraints: the cofactors are below, and multiplied out they give it.",
+    "constraints. The cofactors are below; multiplying them out shows it.",
     "exact rounding": "The exact number, rounded as declared, was compared with the printed one.",
-    "rank at a point and kernel vectors": "From below by the exact rank at a rational point, from above by vectors "
-    "that are taken to zero.",
+    "rank at a point and kernel vectors": "The exact rank at a rational point bounds the rank from below. Independent "
+    "vectors in the kernel bound it from above.",
     "factorisation": "The irreducible factors of the numerator were compared with the printed ones.",
-    "instance": "The notation is well-formed; one exact instance is below.",
-    "comparison of references": "The reference was compared with what it must point to.",
-    "counterexample": "At an exact rational point it does not hold.",
+    "instance": "The notation is well-formed. One exact instance is below.",
+    "comparison of references": "The printed number was compared with the number of the formula that is meant.",
+    "counterexample": "It fails at a rational point, computed exactly.",
     "leading coefficients": "The limit is the quotient of the coefficients of the lowest powers.",
-    "kernel vectors": "Vectors that are taken to zero bound the rank from above.",
-    "divergence": "The expression has a pole there.",
+    "kernel vectors": "Independent vectors in the kernel bound the rank from above.",
+    "divergence": "The expression has a pole where the variable goes to zero.",
 }
 _SHOWN_ELSEWHERE = ("method", "reason", "refutation", "entries", "left", "right", "witness", "point", "instance")
 _WITH_VALUES = ("identity", "identity under constraints", "identity up to scale")
@@ -110,7 +110,7 @@ def _fraction(value: Fraction, marked: bool = False) -> Markup | str:
 def _points(certificate: Mapping[str, Any]) -> list[Table]:
     captions = {
         "witness": "Witness: a point that satisfies constraints and hypotheses",
-        "point": "The point from below",
+        "point": "Point with this rank",
         "instance": "Instance",
     }
     return [

@@ -21,10 +21,10 @@ from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.verifying import BOUND, Stratum, Verification
 
 _PRIMITIVES = {
-    "cos_sin": "are cosine and sine of",
-    "arctan2": "is the angle of the direction with the ordinate and abscissa",
-    "solve": "solve the linear system of the coefficients and, in the last column, the right side",
-    "null_vector": "span the null space, with a largest component 1, of",
+    "cos_sin": "are cosine and sine of this angle:",
+    "arctan2": "is the angle of the direction (x, y) with these y and x:",
+    "solve": "solve the linear system with this matrix. Its last column is the right side:",
+    "null_vector": "span the null space of this matrix, scaled so that the largest component is 1:",
 }
 
 
@@ -139,7 +139,7 @@ def _operations(low: Lowered) -> Table:
     listed = ", ".join(f"{count} {kind}" for kind, count in sorted(by_kind.items(), key=str) if count)
     rows = [
         ("the derived expression as written", str(counts.derived), ""),
-        ("after common subexpressions of SymPy", str(counts.sympy_cse), ""),
+        ("after cse of SymPy", str(counts.sympy_cse), ""),
         ("the generated program", str(counts.program), listed),
     ]
     return Table("Operations", ("of", "count", "which"), rows)

@@ -17,10 +17,10 @@ FONT = "stix-two-math.woff2"
 FORMULAS = "Formulas"
 VERDICT_MEANING = {
     "proved": "The printed statement holds wherever its hypotheses do.",
-    "misprint": "The printed form is refuted; the corrected form is proved.",
+    "misprint": "The printed form is refuted. The corrected form is proved.",
     "false": "The statement is refuted, and no local correction makes it true.",
-    "illegible": "The scan does not preserve it; a reconstruction is proved.",
-    "definition": "It introduces notation; it is well-formed.",
+    "illegible": "The scan does not preserve it. A reconstruction is proved.",
+    "definition": "It introduces notation and is well-formed.",
     "open": "Undecided.",
 }
 

@@ -27,10 +27,10 @@ import algebroproj
 from algebroproj_sym.declaring import Kernel, kernels
 from algebroproj_sym.expressions import divided, entries
 from algebroproj_sym.generating import Lowered, lower
-from algebroproj_sym.generating.c_elimination import solve_once_body
-from algebroproj_sym.generating.c_source import statements
+from algebroproj_sym.generating.backends.c.elimination import solve_once_body
+from algebroproj_sym.generating.backends.c.plain import solved_once
+from algebroproj_sym.generating.backends.c.printer import statements
 from algebroproj_sym.generating.expansion import expanded
-from algebroproj_sym.generating.plain_source import solved_once
 from algebroproj_sym.verifying import function_of, without_twin
 
 KERNELS = (

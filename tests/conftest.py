@@ -1,4 +1,3 @@
-import os
 from functools import cache
 from pathlib import Path
 
@@ -16,16 +15,6 @@ settings.load_profile("repeatable")
 
 def pytest_addoption(parser):
     parser.addoption("--site", type=Path, help="Check every page of this site in the browser, not of a small one.")
-
-
-@pytest.fixture(scope="session", autouse=True)
-def memory(tmp_path_factory):
-    """Begin the session with an empty memory of its own, which the workers of the session share."""
-    folder = tmp_path_factory.getbasetemp()
-    shared = folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("ALGEBROPROJ_CACHE", str(shared / "memory"))
-        yield
 
 
 @pytest.fixture(scope="session")

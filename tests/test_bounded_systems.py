@@ -6,16 +6,16 @@ import flint
 import numpy as np
 import pytest
 
-from algebroproj_sym.generating.runtime._bounded_primitives import (
+from algebroproj_sym.generating.runtime.bounded_primitives import (
     arctan2_with_bound,
     cos_sin_with_bounds,
     null_vector_with_bounds,
     solution_with_bounds,
 )
-from algebroproj_sym.generating.runtime._double_double import DoubleDouble
-from algebroproj_sym.generating.runtime._error_bounds import Bounded
-from algebroproj_sym.generating.runtime._pair_systems import null_vector_of_pairs, solution_of_pairs
-from algebroproj_sym.generating.runtime._primitives import arctan2, cos_sin, null_vector, solve
+from algebroproj_sym.generating.runtime.double_double import DoubleDouble
+from algebroproj_sym.generating.runtime.error_bounds import Bounded
+from algebroproj_sym.generating.runtime.pair_systems import null_vector_of_pairs, solution_of_pairs
+from algebroproj_sym.generating.runtime.primitives import arctan2, cos_sin, null_vector, solve
 
 BATCH = 12
 nearness = pytest.mark.parametrize("nearness", [1.0, 1e-4, 1e-9])

@@ -15,7 +15,7 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import over, vector
 from algebroproj_sym.generating import PACKAGE, Program, Step, c_files, c_name, lower
-from algebroproj_sym.generating.c_source import LONGEST, stamped, statements
+from algebroproj_sym.generating.backends.c.printer import LONGEST, stamped, statements
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, kernel_outputs, source_of
 from algebroproj_sym.verifying.proof_of_c_source import (
@@ -103,7 +103,7 @@ def test_a_planted_error_in_a_kernel_is_found(old, new):
         example={"p": ("0.5", "0.25")},
         describe={"p": "A point."},
     )
-    text = c_files([lower(kernel)], "")["_kernels.h"]
+    text = c_files([lower(kernel)], "")["kernels.h"]
     assert kernel_is_proved(kernel, source_of(text))
     wrong = changed(text, old, new)
     try:
@@ -259,7 +259,7 @@ def test_a_package_without_its_c_source_is_not_proved(tmp_path):
 
 def test_names_that_c_does_not_leave_free_are_changed():
     kernel = demonstration(symbols="double value_0")
-    text = c_files([lower(kernel)], "")["_kernels.h"]
+    text = c_files([lower(kernel)], "")["kernels.h"]
     assert "const real double" not in text
     assert kernel_is_proved(kernel, source_of(text))
 

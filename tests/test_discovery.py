@@ -1,7 +1,6 @@
 """Selectors name the claims of the contract, and derivations that refer to nothing are refused."""
 
 import itertools
-import subprocess
 import sys
 from pathlib import Path
 
@@ -16,8 +15,6 @@ from algebroproj_sym.declaring import (
     discovery,
     installed_papers,
     kernels,
-    modules_of_papers,
-    needed_by,
     select,
 )
 
@@ -220,17 +217,3 @@ def test_every_derivation_module_of_the_papers_declares_a_section(repository):
     found = {derivation.module.rpartition(".")[2] for derivation in derivations(PAPER)}
     files = {path.stem for path in Path(repository / "derivations" / PAPER).glob("s[0-9]*.py")}
     assert found == files - {"s4_example"}
-
-
-def test_the_modules_of_papers_are_known_without_importing_them(repository):
-    papers = installed_papers()
-    named = [derivation.module for paper in papers for derivation in derivations(paper)]
-    assert list(modules_of_papers(papers)) == named
-
-
-def test_what_a_module_needs_is_what_importing_it_loads():
-    name = "algebroproj_derivations.fundamentals1996.s2_2_correlation"
-    script = f"import sys, {name}; print(*(n for n in sys.modules if n.startswith('algebroproj_derivations.')))"
-    loaded = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout.split()
-    packages = {"algebroproj_derivations.fundamentals1996"}
-    assert needed_by(name).keys() == {*loaded} - packages

@@ -8,7 +8,7 @@ import pytest
 import sympy
 
 from algebroproj_sym import Section
-from algebroproj_sym.declaring import VERDICTS, abridged, judge, select
+from algebroproj_sym.declaring import VERDICTS, judge, select
 from algebroproj_sym.expressions import over, vector
 from algebroproj_sym.proving import ENGINES
 
@@ -189,10 +189,3 @@ def test_vectors_are_judged_entry_by_entry():
     section = Section("demo", "1", "Squares")
     claim = section.identity("1.1", "squares", printed=vector(x**2, WRONG), derived=vector(x * x, SQUARE))
     assert judge(claim).verdict == "false"
-
-
-def test_what_is_sent_from_a_worker_has_no_expressions():
-    judgement = square(WRONG, corrected=TRUE, expect="misprint")
-    sent = abridged(judgement)
-    assert (sent.verdict, sent.as_declared, sent.seconds) == (judgement.verdict, True, judgement.seconds)
-    assert (sent.claim.printed, sent.claim.derived, sent.claim.corrected, sent.certificate) == (None,) * 4

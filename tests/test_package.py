@@ -12,13 +12,13 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import drivers, kernels
 from algebroproj_sym.expressions import over, vector
 from algebroproj_sym.generating import PACKAGE, Measured, drift, lower, recorded_errors, render, write
-from algebroproj_sym.generating.package import LONGEST_FACTOR, runtime_modules
+from algebroproj_sym.generating.backends.numpy.package import LONGEST_FACTOR, runtime_modules
 
 SHARED = {
     *("__init__.py", "drivers.py", "py.typed"),
-    *("_compiled.c", "_calls.h", "_kernels.h", "_systems.h", "_moves.h", "_loops.h", "_fours.h"),
-    *("_plain_kernels.h", "_plain_loops.h"),
-    *(path.name for path in runtime_modules()),
+    *(f"_c/{name}" for name in ("compiled.c", "calls.h", "kernels.h", "systems.h", "moves.h", "loops.h", "fours.h")),
+    *("_c/plain_kernels.h", "_c/plain_loops.h"),
+    *(f"_runtime/{path.name}" for path in runtime_modules()),
 }
 MEASURED = recorded_errors(Path(__file__).resolve().parent.parent / "generated" / "accuracy.json")
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
@@ -53,8 +53,13 @@ def functions_of(text):
     return [n for n in ast.parse(text).body if isinstance(n, ast.FunctionDef) and not n.name.startswith("_")]
 
 
+def file_of(name, node):
+    """Return the file that a file of the package imports from."""
+    return (Path(name).parent / f"{node.module.replace('.', '/')}.py").as_posix()
+
+
 def names_in(folder):
-    return {path.name for path in folder.iterdir()}
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
 
 
 def test_every_module_of_the_kernels_is_a_file(rendered):
@@ -96,7 +101,7 @@ def test_every_module_imports_numpy_and_its_own_package_only(rendered):
                     name
                 )
             elif isinstance(node, ast.ImportFrom):
-                own = node.level == 1 and (node.module is None or f"{node.module}.py" in rendered)
+                own = node.level and (node.module is None or file_of(name, node) in rendered)
                 assert own or node.level == 0, name
                 assert own or node.module.partition(".")[0] in {"numpy", *sys.stdlib_module_names}, name
 
@@ -105,7 +110,7 @@ def test_every_imported_name_of_the_own_package_exists(rendered):
     imported = [n for n in ast.parse(rendered["__init__.py"]).body if isinstance(n, ast.ImportFrom)]
     modules = {f"{alias.name}.py" for node in imported if node.module is None for alias in node.names}
     assert modules == set(rendered) - SHARED
-    assert {f"{node.module}.py" for node in imported if node.module is not None} <= SHARED
+    assert {file_of("__init__.py", node) for node in imported if node.module is not None} <= SHARED
 
 
 def test_every_file_says_that_it_is_generated(rendered):
@@ -198,7 +203,7 @@ def test_drift_of_a_folder_that_does_not_exist_is_everything(files, tmp_path):
     assert drift(files, tmp_path / "nowhere") == sorted(files)
 
 
-@pytest.mark.parametrize("name", ["first.py", "__init__.py", "_evaluation.py", "py.typed"])
+@pytest.mark.parametrize("name", ["first.py", "__init__.py", "_runtime/evaluation.py", "py.typed"])
 def test_drift_finds_a_changed_and_a_missing_file(files, tmp_path, name):
     write(files, tmp_path)
     (tmp_path / name).write_text(files[name] + "\n")

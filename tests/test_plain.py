@@ -18,8 +18,8 @@ import algebroproj
 from algebroproj import correlation, normal_case, optics, projection
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating import PACKAGE, c_name, plain_files, run
-from algebroproj_sym.generating.runtime._primitives import null_vector_once, solve_once
-from algebroproj_sym.generating.runtime._tape import recorded
+from algebroproj_sym.generating.runtime.primitives import null_vector_once, solve_once
+from algebroproj_sym.generating.runtime.tape import recorded
 from algebroproj_sym.verifying import call, function_of, source_is_proved, stratified, truths, without_twin
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, plain_outputs, source_of
 from algebroproj_sym.verifying.identity import SPECIAL, same_bits
@@ -28,7 +28,7 @@ from algebroproj_sym.verifying.proof_of_c_source import plain_kernel_is_proved, 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 RATIONAL = [name for name, kernel in KERNELS.items() if {s.primitive for s in kernel.stages} <= {"let"}]
 FOLDER = Path(__file__).resolve().parent.parent / "generated" / PACKAGE
-SOURCE = source_of((FOLDER / "_plain_kernels.h").read_text(encoding="utf-8"))
+SOURCE = source_of((FOLDER / "_c" / "plain_kernels.h").read_text(encoding="utf-8"))
 DTYPES = (np.float32, np.float64, np.longdouble)
 every_kernel = pytest.mark.parametrize("name", list(KERNELS))
 compiled = pytest.mark.skipif(algebroproj.backend() != "compiled", reason="the package was built without a C compiler")
@@ -330,7 +330,7 @@ def is_accepted(kernel, source):
     "name", ["correlation.correlation_matrix", "projection.projection_matrix", "critical.determinant"]
 )
 def test_each_exchange_of_an_operator_or_of_two_rows_or_entries_is_found(name, lowered):
-    source = source_of(plain_files([lowered(name)], "")["_plain_kernels.h"])
+    source = source_of(plain_files([lowered(name)], "")["plain_kernels.h"])
     ((kernel, body),) = source.plains.items()
     operators = list(re.finditer(r"(?<== )(\w+) ([-+*/]) (\w+)(?=;)", body))
     rows = list(
@@ -409,7 +409,7 @@ def test_two_functions_of_one_name_are_refused():
     ],
 )
 def test_entries_are_copied_and_vectors_are_long_where_there_is_enough_to_compute(name, head, copied, lowered):
-    text = plain_files([lowered(name)], "")["_plain_kernels.h"]
+    text = plain_files([lowered(name)], "")["plain_kernels.h"]
     assert f"\n{head}({name.replace('.', '_')})(" in text
     assert ("real rows[" in text) == copied
 

@@ -21,10 +21,8 @@ from fontTools.ttLib import TTFont
 
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
-from algebroproj_sym.declaring import Derivation, arranged, derivations, judge, kernels, publication, select
+from algebroproj_sym.declaring import Derivation, derivations, judge, kernels, publication, select
 from algebroproj_sym.declaring.bibliography import bibtex
-from algebroproj_sym.declaring.latex import latex
-from algebroproj_sym.declaring.names import latex_name, plain_name
 from algebroproj_sym.expressions import Matrix, entries, evaluate, over, symbols_of, vector
 from algebroproj_sym.reporting.site import OccupiedError, catalogue, render_site, replace
 from algebroproj_sym.reporting.site.addresses import claim_page, slug
@@ -32,6 +30,9 @@ from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.function_pages import formulas_of
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.search import search_index
+from algebroproj_sym.showing import arranged
+from algebroproj_sym.showing.latex import latex
+from algebroproj_sym.showing.names import latex_name, plain_name
 
 SELECTORS = ("fundamentals1996:1.2", "fundamentals1996:2.2", "rhodos1990")
 VOID = {"meta", "link", "input", "br", "hr", "img"}

@@ -9,7 +9,6 @@ import click
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import (
-    derived,
     judged,
     lowered_after,
     require_as_declared,
@@ -23,8 +22,9 @@ from algebroproj_sym.declaring import derivations_of, drivers, kernels, quotes_o
 from algebroproj_sym.generating import measured_errors, render, write
 from algebroproj_sym.reporting import (
     findings,
-    ledger,
+    ledger_of,
     report,
+    summary,
     summary_text,
     verification_table,
     write_json,
@@ -40,17 +40,16 @@ from algebroproj_sym.verifying import verification_record
 @options.samples
 @options.engine
 @options.jobs
-@options.fresh
-def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int, fresh: bool) -> None:
+def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int) -> None:
     """Prove everything, generate and verify the functions, write ledger and report.
 
     This writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
     """
     claims, chosen = select(sources), kernels((), sources)
     elsewhere = [claim for claim in pipeline.claims_of(chosen, sources) if claim not in claims]
-    judgements = judged(claims, engine, jobs, fresh=fresh)
-    derived(claims, jobs)
-    write_json(ledger(judgements, quotes_of(derivations_of(sources)), timed=False), out / "ledger.json")
+    judgements = judged(claims, engine, jobs)
+    records = pipeline.records(judgements, quotes_of(derivations_of(sources)), timed=False, jobs=jobs)
+    write_json(ledger_of([*records], summary(judgements)), out / "ledger.json")
     console().print(summary_text(judgements))
     write_text(findings(judgements), out / "findings.md")
     say_what_is_wrong(judgements)

@@ -8,8 +8,9 @@ from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import require_as_declared
 from algebroproj_sym.cli.terminal import console, echo
-from algebroproj_sym.declaring import markdown, numbered_with, quotations, select, split
+from algebroproj_sym.declaring import numbered_with, quotations, select, split
 from algebroproj_sym.reporting import explanation
+from algebroproj_sym.showing import markdown
 
 
 @click.command()

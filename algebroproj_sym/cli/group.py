@@ -31,7 +31,8 @@ NEXT: dict[type[Exception], str] = {
 }
 _KNOWN = tuple(NEXT)
 
-atexit.register(gc.freeze)  # a process that ends does not look for cycles among the expressions that it leaves
+gc.set_threshold(200_000, 50, 50)  # expressions make few cycles, and looking for them takes time
+atexit.register(gc.freeze)
 
 
 class Group(click.Group):

@@ -36,7 +36,6 @@ def output_as(*forms: str, help: str = "Format of the output.") -> Callable[[Any
 
 
 output_format = output_as("text", "json")
-fresh = click.option("--fresh", is_flag=True, help="Prove everything again, without the cache.")
 seconds = click.option(
     "--seconds",
     type=click.FloatRange(min=0, min_open=True),

@@ -11,7 +11,6 @@ from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import (
     NOTEBOOK_MODULES,
     SITE_MODULES,
-    derived,
     judged,
     lowered_after,
     require_as_declared,
@@ -40,7 +39,6 @@ from algebroproj_sym.reporting.site import (
 @options.samples
 @options.engine
 @options.jobs
-@options.fresh
 @click.option("--notebooks", is_flag=True, help="Run the derivations as notebooks, and add them to the site.")
 def report(
     selectors: tuple[str, ...],
@@ -49,7 +47,6 @@ def report(
     engine: str,
     jobs: int,
     notebooks: bool,
-    fresh: bool,
 ) -> None:
     """Prove everything, generate and verify the functions, write a site to DIR.
 
@@ -68,9 +65,8 @@ def report(
         require_free(out)
     except OccupiedError as error:
         raise click.UsageError(f"--out: {error}") from error
-    judgements = judged(claims, engine, jobs, fresh=fresh)
+    judgements = judged(claims, engine, jobs)
     console().print(summary_text(judgements))
-    derived(claims, jobs)
     say_what_is_wrong(judgements)
     numbers = {(claim.paper, claim.number) for claim in claims}
     chosen = [k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}]

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
 import click
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli.terminal import echo, progressing
-from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, modules_of_papers, require_consistent
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
-from algebroproj_sym.remembering import Memory, cache_folder
-from algebroproj_sym.reporting import Notebook, failed_function, failure_text, remember
+from algebroproj_sym.reporting import Notebook, failed_function, failure_text
 from algebroproj_sym.verifying import Verification
 
 SITE_MODULES = ("latex2mathml",)
@@ -25,34 +23,9 @@ ADVICE = (
 NOTEBOOK_MODULES = ("ipykernel", "jupytext", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
 
 
-def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = True) -> list[Judgement]:
-    """Judge claims, in order; without `fresh`, only those that have changed since an earlier run."""
-    return list(progressing(pipeline.check(claims, engine, jobs, _memory(fresh)), len(claims), "checking"))
-
-
-def judged_where_declared(
-    papers: Sequence[str], engine: str, jobs: int, *, fresh: bool, recorded: bool = False
-) -> tuple[list[Judgement], list[dict[str, Any]]]:
-    """Judge all claims of installed papers in the processes that import them; `recorded` gives the ledger's entries."""
-    names = modules_of_papers(papers)
-    modules = pipeline.check_modules(names, engine, jobs, _memory(fresh), recorded=recorded)
-    checked = sorted(
-        progressing(modules, len(names), "checking modules", ticking=False), key=lambda module: names.index(module.name)
-    )
-    require_consistent([outline for module in checked for outline in module.outlines])
-    judgements = [judgement for module in checked for judgement in module.judgements]
-    return judgements, [record for module in checked for record in module.records]
-
-
-def _memory(fresh: bool) -> Memory:
-    memory = Memory(cache_folder(), fresh)
-    memory.forget_what_is_old()
-    return memory
-
-
-def derived(claims: Sequence[Claim], jobs: int) -> None:
-    """Write what is derived in lowest terms, for all that is shown later."""
-    remember(claims, progressing(pipeline.derived_forms(claims, jobs), len(claims), "reducing"))
+def judged(claims: Sequence[Claim], engine: str, jobs: int) -> list[Judgement]:
+    """Judge claims, in order."""
+    return list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
 
 
 def require_kernels(chosen: Sequence[Kernel]) -> None:

@@ -98,14 +98,14 @@ def show(table: Table) -> None:
     out.print(table)
 
 
-def progressing(items: Iterable[Item], total: int, what: str, *, ticking: bool = True) -> Iterator[Item]:
+def progressing(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
     """Yield items, with a progress bar if standard error is a terminal, and the time with --verbose.
 
-    The bar is drawn at each item, and by a thread of its own between them if it is `ticking`.
+    The bar is drawn at each item, and by no thread between them: what has threads is not safe to fork.
     """
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     hidden = not sys.stderr.isatty() or verbosity() == "quiet"
-    bar = Progress(*columns, console=Console(stderr=True), transient=True, disable=hidden, auto_refresh=ticking)
+    bar = Progress(*columns, console=Console(stderr=True), transient=True, disable=hidden, auto_refresh=False)
     start = time.perf_counter()
     with bar:
         yield from bar.track(items, total=total, description=what)

@@ -151,12 +151,6 @@ class Claim:
     assumed: tuple[sympy.Symbol, ...] = ()
     source: Source | None = field(default=None, compare=False, repr=False)
 
-    def _repr_markdown_(self) -> str:
-        from algebroproj_sym.declaring.display import markdown
-        from algebroproj_sym.declaring.judging import judge
-
-        return markdown(judge(self))
-
 
 def declared(
     paper: str, section: str, number: str, title: str, kind: Kind, printed: Any, derived: Any, **options: Any

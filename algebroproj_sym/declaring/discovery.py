@@ -17,9 +17,8 @@ from pathlib import Path
 from types import ModuleType
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.dependencies import derivation_names
 from algebroproj_sym.declaring.driver import Driver
-from algebroproj_sym.declaring.importing import import_at, is_package, modules_in
+from algebroproj_sym.declaring.importing import import_at, is_package, makes_section, modules_in
 from algebroproj_sym.declaring.kernel import Kernel
 from algebroproj_sym.declaring.quotes import Quote, quotations
 from algebroproj_sym.declaring.section import Section
@@ -51,41 +50,10 @@ class Derivation:
     path: Path
 
 
-@dataclass(frozen=True)
-class Outline:
-    """What of a section must fit the other sections of its paper.
-
-    Attributes
-    ----------
-    paper : str
-        The paper key.
-    numbers : tuple of str
-        The numbers of its claims.
-    references : tuple of (str, str)
-        Which claim or kernel refers to which number.
-    """
-
-    paper: str
-    numbers: tuple[str, ...]
-    references: tuple[tuple[str, str], ...]
-
-
-def outline(section: Section) -> Outline:
-    """Return the numbers that a section declares, and those that it refers to."""
-    referred = [(claim.number, claim.instead) for claim in section.claims if claim.instead]
-    referred += [(kernel.qualified_name, number) for kernel in section.kernels for number in kernel.claims]
-    return Outline(section.paper, tuple(claim.number for claim in section.claims), tuple(referred))
-
-
 def installed_papers() -> tuple[str, ...]:
     """Return the keys of the installed papers, sorted."""
     package = importlib.import_module(PAPERS)
     return tuple(sorted(info.name for info in pkgutil.iter_modules(package.__path__) if info.ispkg))
-
-
-def modules_of_papers(papers: Sequence[str]) -> tuple[str, ...]:
-    """Return the names of the derivation modules of some installed papers, in order, without importing them."""
-    return tuple(name for paper in papers for name in derivation_names(f"{PAPERS}.{paper}"))
 
 
 @cache
@@ -97,14 +65,11 @@ def derivations(paper: str) -> tuple[Derivation, ...]:
     DeclarationError
         If a number is declared twice, or a claim or kernel refers to a number that is not declared.
     """
-    found = tuple(derivation for name in modules_of_papers([paper]) for derivation in derivations_in(name))
-    require_consistent([outline(derivation.section) for derivation in found])
+    files = sorted({path for folder in paper_folders(paper) for path in folder.glob("*.py") if makes_section(path)})
+    modules = [importlib.import_module(f"{PAPERS}.{paper}.{path.stem}") for path in files]
+    found = tuple(derivation for module in modules for derivation in _declared_by(module))
+    _require_consistent(found)
     return found
-
-
-def derivations_in(module: str) -> tuple[Derivation, ...]:
-    """Import a module by its name, and return what it declares; nothing if it has no section."""
-    return _declared_by(importlib.import_module(module))
 
 
 def derivation_at(path: Path, *, alone: bool = False) -> tuple[Derivation, ...]:
@@ -254,39 +219,37 @@ def suggestion(given: str, known: Iterable[str]) -> str:
 def _united(found: Sequence[Derivation]) -> tuple[Derivation, ...]:
     """Return each derivation once; what is numbered apart must not use the same numbers of the same paper."""
     united = tuple({derivation.path: derivation for derivation in found}.values())
-    for paper, outlines in _by_paper([outline(derivation.section) for derivation in united]).items():
-        _require_different_numbers(paper, outlines)
+    for paper, sections in _by_paper(united).items():
+        _require_different_numbers(paper, sections)
     return united
 
 
-def require_consistent(outlines: Sequence[Outline]) -> None:
-    """Refuse what is numbered together if a number is declared twice, or referred to and not declared.
-
-    Raises
-    ------
-    DeclarationError
-        Naming the paper, or what refers, and the number.
-    """
-    for paper, of_paper in _by_paper(outlines).items():
-        _require_different_numbers(paper, of_paper)
-        _require_references(of_paper)
+def _require_consistent(found: Sequence[Derivation]) -> None:
+    """Refuse what is numbered together if a number is declared twice, or referred to and not declared."""
+    for paper, sections in _by_paper(found).items():
+        _require_different_numbers(paper, sections)
+        _require_references(sections)
 
 
-def _by_paper(outlines: Sequence[Outline]) -> dict[str, list[Outline]]:
-    papers = dict.fromkeys(outline.paper for outline in outlines)
-    return {paper: [outline for outline in outlines if outline.paper == paper] for paper in papers}
+def _by_paper(found: Sequence[Derivation]) -> dict[str, list[Section]]:
+    papers: dict[str, list[Section]] = {}
+    for derivation in found:
+        papers.setdefault(derivation.section.paper, []).append(derivation.section)
+    return papers
 
 
-def _require_different_numbers(paper: str, outlines: Sequence[Outline]) -> None:
-    numbers = Counter(number for outline in outlines for number in outline.numbers)
+def _require_different_numbers(paper: str, sections: Sequence[Section]) -> None:
+    numbers = Counter(claim.number for section in sections for claim in section.claims)
     twice = sorted(number for number, count in numbers.items() if count > 1)
     if twice:
         raise DeclarationError(f"{paper}: expected numbers that are declared once, got {twice} twice")
 
 
-def _require_references(outlines: Sequence[Outline]) -> None:
-    numbers = {number for outline in outlines for number in outline.numbers}
-    for source, number in sorted({reference for outline in outlines for reference in outline.references}):
+def _require_references(sections: Sequence[Section]) -> None:
+    numbers = {claim.number for section in sections for claim in section.claims}
+    referred = {(claim.number, claim.instead) for section in sections for claim in section.claims if claim.instead}
+    referred |= {(k.qualified_name, number) for section in sections for k in section.kernels for number in k.claims}
+    for source, number in sorted(referred):
         if number not in numbers:
             raise DeclarationError(f"{source}: expected a reference to a declared claim, got {number}")
 
@@ -363,7 +326,7 @@ def _derivations_in(files: tuple[Path, ...], stamps: tuple[tuple[Path, int, int]
     others = [file for file in files if homes[file] is None]
     imported = {d.path: d for module in import_at(others) for d in _declared_by(module)}
     found = tuple((installed | imported)[file] for file in files if file in installed or file in imported)
-    require_consistent([outline(derivation.section) for derivation in found])
+    _require_consistent(found)
     return found
 
 

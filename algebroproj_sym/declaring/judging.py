@@ -100,24 +100,6 @@ def _compared(claim: Claim, form: Statement | None, engine: str) -> Proof | None
         raise UndefinedError(f"{where}: expected denominators that are not identically zero") from None
 
 
-def abridged(judgement: Judgement) -> Judgement:
-    """Return what a table shows of a judgement: the claim without its forms, the verdict without its evidence."""
-    claim = judgement.claim
-    named = Claim(
-        claim.paper,
-        claim.section,
-        claim.number,
-        claim.title,
-        claim.kind,
-        printed=None,
-        derived=None,
-        expected=claim.expected,
-        instead=claim.instead,
-        note=claim.note,
-    )
-    return replace(judgement, claim=named, hypotheses=(), certificate=None, counterexample=None)
-
-
 def _with_whole_witness(
     claim: Claim, verdict: Verdict, certificate: Mapping[str, Any] | None
 ) -> Mapping[str, Any] | None:

@@ -9,7 +9,6 @@ from algebroproj_sym.declaring.claim import Claim, DeclarationError, Kind, Optio
 from algebroproj_sym.declaring.driver import Driver, declared_driver
 from algebroproj_sym.declaring.jacobian import jacobian_parts
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, declared_kernel
-from algebroproj_sym.declaring.notebook import show_in_notebook
 from algebroproj_sym.declaring.source import calling
 from algebroproj_sym.expressions import provenance
 
@@ -42,7 +41,6 @@ class Section:
         self.claims: list[Claim] = []
         self.kernels: list[Kernel] = []
         self.drivers: list[Driver] = []
-        show_in_notebook(self)
 
     def identity(self, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]) -> Claim:
         """Declare that two scalars, vectors or matrices are equal, wherever the constraints hold."""
@@ -105,7 +103,7 @@ class Section:
         kernel = declared_kernel(self.paper, self.number, qualified_name, summary, **parts)
         self.kernels.append(kernel)
         if jacobian:
-            about = f"Derivatives of `{kernel.name}`: rows for the entries of the result, columns for those of the arguments."
+            about = f"Derivatives of `{kernel.name}`: rows are entries of the result, columns of the arguments."
             slopes = jacobian_parts(kernel)
             self.kernels.append(declared_kernel(self.paper, self.number, f"{qualified_name}_jacobian", about, **slopes))
         return kernel

@@ -12,7 +12,7 @@ from typing import Any
 
 from algebroproj_sym.declaring import LINEAR
 from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run, without_unused
-from algebroproj_sym.generating.runtime._compensated import Compensated
+from algebroproj_sym.generating.runtime.compensated import Compensated
 
 
 @cache

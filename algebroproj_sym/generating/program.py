@@ -14,8 +14,8 @@ from operator import add, mul, neg, sub, truediv
 from typing import Any, Literal, TypeAlias
 
 from algebroproj_sym.declaring import Primitive
-from algebroproj_sym.generating.runtime._compensated import rounded, rounded_twice, wide
-from algebroproj_sym.generating.runtime._double_double import product_error
+from algebroproj_sym.generating.runtime.compensated import rounded, rounded_twice, wide
+from algebroproj_sym.generating.runtime.double_double import product_error
 
 Operator = Literal["+", "-", "*", "/", "neg", "wide", "rounded", "rounded_twice", "product_error"]
 Operand: TypeAlias = "str | int"

@@ -11,8 +11,8 @@ from algebroproj_sym.reporting.audits import (
     coverage_record,
 )
 from algebroproj_sym.reporting.explaining import explanation, failure_text, form_lines
-from algebroproj_sym.reporting.forms import derived_form, remember
 from algebroproj_sym.reporting.ledger import (
+    Quotes,
     claim_record,
     declaration,
     ledger,
@@ -34,6 +34,7 @@ from algebroproj_sym.reporting.tables import (
 __all__ = [
     "Notebook",
     "NotebookError",
+    "Quotes",
     "answers_record",
     "answers_summary",
     "answers_table",
@@ -47,7 +48,6 @@ __all__ = [
     "coverage_lines",
     "coverage_record",
     "declaration",
-    "derived_form",
     "explanation",
     "failed_function",
     "failure_text",
@@ -56,7 +56,6 @@ __all__ = [
     "ledger",
     "ledger_of",
     "operations_table",
-    "remember",
     "report",
     "run_notebook",
     "summary",

@@ -9,27 +9,23 @@ from typing import Any
 import sympy
 from rich.text import Text
 
-from algebroproj_sym.declaring import (
-    Claim,
-    Judgement,
+from algebroproj_sym.declaring import Claim, Judgement, Quote, in_derived_terms, statement_text
+from algebroproj_sym.expressions import evaluate, size
+from algebroproj_sym.proving import reduced
+from algebroproj_sym.reporting.tables import verdict_text
+from algebroproj_sym.showing import (
+    LONG,
     Named,
     Part,
-    Quote,
     arranged,
     as_declared,
+    derived_form,
     differing_entries,
     evidence_lines,
     folded,
-    in_derived_terms,
     in_names,
     shown,
-    statement_text,
 )
-from algebroproj_sym.declaring.arranging import LONG
-from algebroproj_sym.expressions import evaluate, size
-from algebroproj_sym.proving import reduced
-from algebroproj_sym.reporting.forms import derived_form
-from algebroproj_sym.reporting.tables import verdict_text
 
 LABEL = 12
 """Width of the column of labels."""

@@ -11,8 +11,8 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj._double_double import DoubleDouble, Unrounded
-from algebroproj._error_bounds import Bounded
+from algebroproj._runtime.double_double import DoubleDouble, Unrounded
+from algebroproj._runtime.error_bounds import Bounded
 from algebroproj_sym.study.exact_systems import ARB, MPMATH, RATIONAL, UNCHANGED
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._evaluation import parts_of
+from algebroproj._runtime.evaluation import parts_of
 from algebroproj_sym.study.precision import apply
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 

@@ -14,7 +14,7 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj._compensated import DIGITS
+from algebroproj._runtime.compensated import DIGITS
 
 __all__ = ["ARB", "MPMATH", "RATIONAL"]
 

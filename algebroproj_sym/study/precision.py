@@ -19,8 +19,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._double_double import DoubleDouble
-from algebroproj._evaluation import Body, Signature, parts_of
+from algebroproj._runtime.double_double import DoubleDouble
+from algebroproj._runtime.evaluation import Body, Signature, parts_of
 
 __all__ = [
     "Arithmetic",

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._primitives import null_vector, solve
+from algebroproj._runtime.primitives import null_vector, solve
 from algebroproj_sym.study.exact_systems import UNCHANGED
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 

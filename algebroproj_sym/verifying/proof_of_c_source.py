@@ -35,8 +35,8 @@ from algebroproj_sym.verifying.c_execution import (
 )
 from algebroproj_sym.verifying.proof_of_source import expected_values
 
-KERNELS = ("_kernels.h", "_systems.h")
-PLAIN_KERNELS = ("_plain_kernels.h",)
+KERNELS = ("kernels.h", "systems.h")
+PLAIN_KERNELS = ("plain_kernels.h",)
 _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""
 
@@ -83,7 +83,7 @@ def plain_c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str 
 
 def _file_is_proved(kernel: Kernel, package: ModuleType, engine: str, *, once: bool) -> bool:
     """Whether a kernel, and what it calls, is proved in the file that solves linear systems once, or refines them."""
-    folder = Path(str(package.__file__)).parent
+    folder = Path(str(package.__file__)).parent / "_c"
     paths = [folder / name for name in (PLAIN_KERNELS if once else KERNELS)]
     if not all(path.is_file() for path in paths):
         return False

@@ -528,7 +528,7 @@ section.kernel(
 )
 section.kernel(
     "critical.invariants",
-    "Coefficients of the characteristic polynomials of a quadric and of its block at infinity, without the leading ones.",
+    "Coefficients below the leading ones in the characteristic polynomials of a quadric and its block at infinity.",
     arguments={"Q": Q},
     describe={
         "Q": "Symmetric matrix of a quadric in homogeneous coordinates (1, y1, y2, y3); the upper triangle is used."

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Part, as_declared, bibtex, quotations
+from algebroproj_sym.declaring import bibtex, quotations
 from algebroproj_sym.reporting.site.addresses import errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
@@ -19,6 +19,7 @@ from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.reporting.site.formulas import block, described, listed
 from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.templating import page
+from algebroproj_sym.showing import Part, as_declared
 
 
 def claim_html(catalogue: Catalogue, paper: Paper, place: int) -> str:

@@ -10,11 +10,9 @@ from typing import Any
 import sympy
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Claim, Judgement, Part, arranged, as_declared, differing_entries, in_names
-from algebroproj_sym.declaring.latex import NOTHING, WHOLE, Marks, latex
+from algebroproj_sym.declaring import Claim, Judgement
 from algebroproj_sym.expressions import assumption, evaluate, size
 from algebroproj_sym.reporting.explaining import apart, plain_rows
-from algebroproj_sym.reporting.forms import derived_form
 from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.formulas import (
     SMALL,
@@ -29,6 +27,8 @@ from algebroproj_sym.reporting.site.formulas import (
 )
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
+from algebroproj_sym.showing import Part, arranged, as_declared, derived_form, differing_entries, in_names
+from algebroproj_sym.showing.latex import NOTHING, WHOLE, Marks, latex
 
 _RELATIONS = {
     "identity": "Both sides are equal wherever they are defined.",

@@ -202,7 +202,7 @@ def kind(form: ArrayLike) -> Kind:
     Kind(name='one-sheeted hyperboloid', rank=4, signature=0, ruled=True, ambiguous=True)
     """
     numbers = exact(form)
-    found = algebroproj.critical.classify(numbers, tolerance=0)
+    found = algebroproj.critical.classify(numbers)
     determinant = _fraction(_matrix(numbers).det())
     rank, signature = int(found.rank), abs(int(found.signature))
     return Kind(str(found.kind), rank, signature, bool(found.ruled), determinant >= 0)

@@ -40,7 +40,8 @@ from algebroproj_sym.verifying import verification_record
 @options.samples
 @options.engine
 @options.jobs
-def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int) -> None:
+@options.full
+def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int, full: bool) -> None:
     """Prove everything, generate and verify the functions, write ledger and report.
 
     This writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
@@ -64,6 +65,6 @@ def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engin
     write_json(record, out / "accuracy.json")
     write(render(lowered, drivers(sources), measured_errors(record)), out / package)
     write_text(report(judgements, lowered, verifications), out / "report.md")
-    show(verification_table(verifications))
+    show(verification_table(verifications, full=full))
     console().print(f"written to {out}: ledger.json, findings.md, {package}/, accuracy.json, report.md")
     require_as_declared(judgements, verifications, out / "report.md")

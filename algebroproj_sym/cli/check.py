@@ -35,8 +35,9 @@ from algebroproj_sym.reporting import (
 @options.engine
 @options.jobs
 @options.output_format
+@options.full
 @options.seconds
-def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, seconds: float) -> None:
+def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, full: bool, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
     A SELECTOR is a paper (okamoto1981), a section (okamoto1981:2.1), a number (okamoto1981:24), or the path of
@@ -58,7 +59,7 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, secon
         records = pipeline.records(judgements, quotes_of(derivation for derivation, _ in found), jobs=jobs)
         echo_json(ledger_of([*records], summary(judgements)))
     else:
-        show(claims_table(judgements))
+        show(claims_table(judgements, full=full))
         console().print(summary_text(judgements))
     if verbosity() == "quiet":
         say_what_is_wrong(judgements)

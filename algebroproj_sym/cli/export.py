@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import click
-from rich.table import Table
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import judged
@@ -33,6 +32,7 @@ from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import Rejected, Replayed, replay
 from algebroproj_sym.reporting import ledger
+from algebroproj_sym.reporting.tables import table_of
 
 
 @click.group(name="export")
@@ -133,9 +133,7 @@ def _ledger(path: Path) -> dict[str, Any]:
 
 
 def _say(claims: Sequence[Exported], out: Path) -> None:
-    table = Table("kind", box=None, pad_edge=False)
-    for heading in ("claims", "exported", "theorems"):
-        table.add_column(heading, justify="right")
+    table = table_of("kind", numbers=("claims", "exported", "theorems"))
     for kind in sorted({claim.kind for claim in claims}):
         of_kind = [claim for claim in claims if claim.kind == kind]
         shown = sum(1 for claim in of_kind if claim.theorems)

@@ -21,9 +21,12 @@ from algebroproj_sym.reporting import operations_table
 @click.option(
     "--check", "only_check", is_flag=True, help="Write nothing. Exit with 1 if the package is not up to date."
 )
+@options.full
 @options.engine
 @options.jobs
-def generate(sources: tuple[str, ...], out: Path, package: str, only_check: bool, engine: str, jobs: int) -> None:
+def generate(
+    sources: tuple[str, ...], out: Path, package: str, only_check: bool, full: bool, engine: str, jobs: int
+) -> None:
     """Generate the functions, and write them to DIR/NAME.
 
     A function is written only if the claims behind it are proved.  Its docstring shows the errors in
@@ -45,5 +48,5 @@ def generate(sources: tuple[str, ...], out: Path, package: str, only_check: bool
     if not only_check:
         require_room(files, folder, sources)
         write(files, folder)
-        show(operations_table(lowered))
+        show(operations_table(lowered, full=full))
     console().print(f"{folder}: {len(lowered)} functions, {len(changed)} files {'differ' if only_check else 'changed'}")

@@ -17,6 +17,7 @@ from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, 
 from algebroproj_sym.declaring import located, quotes_of
 from algebroproj_sym.replaying import Rejected, Replayed, Status, replay
 from algebroproj_sym.reporting import declaration
+from algebroproj_sym.reporting.tables import SCREEN, table_of
 
 STATUSES: tuple[Status, ...] = get_args(Status)
 
@@ -62,10 +63,12 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
     if output == "json":
         echo_json(_record(results))
     else:
-        for result in results:
-            if result.status != "replayed":
-                told = f"{result.paper}:{result.number}  {result.status}: {result.reason}"
-                console().print(visible(told, line=True))
+        wrong = [result for result in results if result.status != "replayed"]
+        for result in wrong[:SCREEN]:
+            told = f"{result.paper}:{result.number}  {result.status}: {result.reason}"
+            console().print(visible(told, line=True))
+        if len(wrong) > SCREEN:
+            console().print(f"… and {len(wrong) - SCREEN} more; --format json shows all")
         show(_table(results))
         counts = Counter(result.status for result in results)
         listed = ", ".join(
@@ -141,9 +144,7 @@ def _record(results: Sequence[Replayed]) -> dict[str, Any]:
 
 def _table(results: Sequence[Replayed]) -> Table:
     """Return a row for each kind: how many certificates were replayed."""
-    table = Table("kind", box=None, pad_edge=False)
-    for heading in STATUSES:
-        table.add_column(heading, justify="right")
+    table = table_of("kind", numbers=STATUSES)
     counts = Counter((result.kind, result.status) for result in results)
     for kind in dict.fromkeys(sorted(result.kind for result in results)):
         table.add_row(visible(kind, line=True), *(str(counts[kind, status]) for status in STATUSES))

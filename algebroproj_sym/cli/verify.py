@@ -34,6 +34,7 @@ from algebroproj_sym.verifying import BOUND, verification_record
     metavar="DIR",
     help="Also write the errors to DIR/accuracy.json.",
 )
+@options.full
 @options.output_format
 def verify(
     functions: tuple[str, ...],
@@ -44,6 +45,7 @@ def verify(
     engine: str,
     jobs: int,
     out: Path | None,
+    full: bool,
     output: str,
 ) -> None:
     """Prove the source of generated functions, and measure their errors.
@@ -61,7 +63,7 @@ def verify(
     if output == "json":
         echo_json(record)
     else:
-        show(verification_table(verifications))
+        show(verification_table(verifications, full=full))
         passed = sum(verification.passed for verification in verifications)
         console().print(f"{passed} of {len(verifications)} functions verified; bound of error/(cond u): {BOUND:g}")
     require_as_declared((), verifications)

@@ -310,7 +310,7 @@ def test_every_entry_of_a_system_is_compared(place):
     derived = Matrix([[x, y], [1, x - y]])
     lower(of_xy(u, [solution([u, v], derived, vector(x, y), form=Matrix(2, 3, form))]))
     form[place] = form[place] + x
-    with pytest.raises(LoweringError, match=f"entry {place} of its form"):
+    with pytest.raises(LoweringError, match=f"entry {place} differs"):
         lower(of_xy(u, [solution([u, v], derived, vector(x, y), form=Matrix(2, 3, form))]))
 
 

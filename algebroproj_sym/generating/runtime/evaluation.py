@@ -8,7 +8,7 @@ libraries go through it whole.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, is_dataclass
+from dataclasses import dataclass
 from functools import lru_cache
 from importlib import import_module
 from itertools import product
@@ -135,7 +135,7 @@ def parts_of(function: Callable[..., Any], asked: str) -> tuple[Signature, Body]
     names = getattr(function, "__globals__", {})
     name = getattr(function, "__name__", repr(function))
     signature: Any = names.get(f"_{name.upper()}_SIGNATURE")
-    if type(signature).__name__ != Signature.__name__ or not is_dataclass(signature):
+    if type(signature).__name__ != Signature.__name__:
         raise TypeError(f"{asked}: expected a generated function, got {name}")
     body: Body = names[f"_{name}"]
     return signature, body if isinstance(signature, Signature) else _brought_here(body)

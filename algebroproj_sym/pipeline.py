@@ -14,7 +14,8 @@ from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, judg
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
 from algebroproj_sym.processes import in_processes, mapped
-from algebroproj_sym.reporting import Notebook, Quotes, claim_record, run_notebook
+from algebroproj_sym.reporting.ledger import Quotes, claim_record
+from algebroproj_sym.reporting.notebooks import Notebook, run_notebook
 from algebroproj_sym.verifying import Verification, load_package, verify
 
 EMITTED = ("proved", "misprint", "illegible")

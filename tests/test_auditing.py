@@ -31,7 +31,7 @@ from algebroproj_sym.declaring import DeclarationError, Quotations, Quote, locat
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving import prove
-from algebroproj_sym.reporting import audit_counts, audit_record, audited_share
+from algebroproj_sym.reporting.audits import audit_counts, audit_record, audited_share
 
 x, y, D, u1, u2, up1, upp31, mu1, mu2, y01, z11 = sympy.symbols("x y D u1 u2 up1 upp31 mu1 mu2 y01 z11")
 DEMO = Table(

@@ -15,7 +15,7 @@ from click.testing import CliRunner
 from algebroproj_sym.cli import main, steps
 from algebroproj_sym.declaring import derivation_at, select
 from algebroproj_sym.files import write_texts
-from algebroproj_sym.reporting import NotebookError, run_notebook
+from algebroproj_sym.reporting.notebooks import NotebookError, run_notebook
 from algebroproj_sym.scaffolding import create
 
 COLOR = re.compile(r"\x1b\[[0-9;]*3[0-7][0-9;]*m")

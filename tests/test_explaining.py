@@ -12,8 +12,10 @@ from algebroproj_sym.cli import main
 from algebroproj_sym.cli.terminal import show
 from algebroproj_sym.declaring import judge, located, quotations
 from algebroproj_sym.expressions import Matrix, size, vector
-from algebroproj_sym.reporting import answers_table, claims_table, explanation, failure_text, report
-from algebroproj_sym.reporting.tables import SCREEN
+from algebroproj_sym.reporting.answers import answers_table
+from algebroproj_sym.reporting.explaining import explanation, failure_text
+from algebroproj_sym.reporting.report import report
+from algebroproj_sym.reporting.tables import SCREEN, claims_table
 from algebroproj_sym.showing import markdown
 
 MOST_LINES = 60

@@ -22,7 +22,7 @@ from algebroproj_sym.replaying.evaluation import at_point, evaluate
 from algebroproj_sym.replaying.field import Field
 from algebroproj_sym.replaying.polynomial import Polynomial, constant, variables
 from algebroproj_sym.replaying.text import parse
-from algebroproj_sym.reporting import ledger
+from algebroproj_sym.reporting.ledger import ledger
 
 a, b, c, d, s, t, x, y, z = sympy.symbols("a b c d s t x y z")
 EXPRESSIONS = ("printed", "derived", "corrected", "where", "setting")

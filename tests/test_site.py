@@ -24,11 +24,13 @@ from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import Derivation, derivations, judge, kernels, publication, select
 from algebroproj_sym.declaring.bibliography import bibtex
 from algebroproj_sym.expressions import Matrix, entries, evaluate, over, symbols_of, vector
-from algebroproj_sym.reporting.site import OccupiedError, catalogue, render_site, replace
 from algebroproj_sym.reporting.site.addresses import claim_page, slug
+from algebroproj_sym.reporting.site.catalogue import catalogue
 from algebroproj_sym.reporting.site.differences import difference
+from algebroproj_sym.reporting.site.folder import OccupiedError, replace
 from algebroproj_sym.reporting.site.function_pages import formulas_of
 from algebroproj_sym.reporting.site.mathml import math
+from algebroproj_sym.reporting.site.pages import render_site
 from algebroproj_sym.reporting.site.search import search_index
 from algebroproj_sym.showing import arranged
 from algebroproj_sym.showing.latex import latex
@@ -497,7 +499,9 @@ def test_papers_are_in_their_own_order_whatever_the_selectors():
     claims = [(judge(claim), source) for source in reversed(found) for claim in source.section.claims[:2]]
     (paper,) = catalogue([judgement for judgement, _ in claims], [source for _, source in claims]).papers
     assert [chapter.number for chapter in paper.chapters] == ["1.1", "1.2"]
-    assert [entry.number for entry in paper.entries[:2]] == [claim.number for claim in found[0].section.claims[:2]]
+    assert [entry.claim.number for entry in paper.entries[:2]] == [
+        claim.number for claim in found[0].section.claims[:2]
+    ]
 
 
 def test_every_paper_is_known():

@@ -24,7 +24,8 @@ from algebroproj_sym.expressions import (
 )
 from algebroproj_sym.proving import prove
 from algebroproj_sym.replaying import replay
-from algebroproj_sym.reporting import explanation, ledger
+from algebroproj_sym.reporting.explaining import explanation
+from algebroproj_sym.reporting.ledger import ledger
 
 NAMES = (
     *("E", "I", "N", "O", "Q", "S", "beta", "gamma", "zeta", "pi", "oo", "nan", "lambda", "class", "None", "True"),

@@ -11,7 +11,7 @@ from algebroproj_sym.auditing import audit, coverage, stale
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show
 from algebroproj_sym.declaring import located
-from algebroproj_sym.reporting import audit_lines, audit_record, audit_table, coverage_lines, coverage_record
+from algebroproj_sym.reporting.audits import audit_lines, audit_record, audit_table, coverage_lines, coverage_record
 
 
 @click.command(name="audit")

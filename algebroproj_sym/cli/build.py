@@ -20,16 +20,9 @@ from algebroproj_sym.cli.steps import (
 from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import derivations_of, drivers, kernels, quotes_of, select
 from algebroproj_sym.generating import measured_errors, render, write
-from algebroproj_sym.reporting import (
-    findings,
-    ledger_of,
-    report,
-    summary,
-    summary_text,
-    verification_table,
-    write_json,
-    write_text,
-)
+from algebroproj_sym.reporting.ledger import ledger_of, summary, write_json, write_text
+from algebroproj_sym.reporting.report import findings, report
+from algebroproj_sym.reporting.tables import summary_text, verification_table
 from algebroproj_sym.verifying import verification_record
 
 

@@ -19,15 +19,9 @@ from algebroproj_sym.declaring import (
     quotes_of,
 )
 from algebroproj_sym.proving import outcomes
-from algebroproj_sym.reporting import (
-    answers_record,
-    answers_summary,
-    answers_table,
-    claims_table,
-    ledger_of,
-    summary,
-    summary_text,
-)
+from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
+from algebroproj_sym.reporting.ledger import ledger_of, summary
+from algebroproj_sym.reporting.tables import claims_table, summary_text
 
 
 @click.command()

@@ -9,7 +9,7 @@ from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import require_as_declared
 from algebroproj_sym.cli.terminal import console, echo
 from algebroproj_sym.declaring import numbered_with, quotations, select, split
-from algebroproj_sym.reporting import explanation
+from algebroproj_sym.reporting.explaining import explanation
 from algebroproj_sym.showing import markdown
 
 

@@ -31,7 +31,7 @@ from algebroproj_sym.exporting.files import CONVENTIONS, plain
 from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import Rejected, Replayed, replay
-from algebroproj_sym.reporting import ledger
+from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.tables import table_of
 
 

@@ -11,7 +11,7 @@ from algebroproj_sym.cli.steps import lowered_kernels, require_room
 from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import drivers, kernels
 from algebroproj_sym.generating import drift, recorded_errors, render, write
-from algebroproj_sym.reporting import operations_table
+from algebroproj_sym.reporting.tables import operations_table
 
 
 @click.command()

@@ -15,7 +15,7 @@ from algebroproj_sym.expressions import NotRationalError
 from algebroproj_sym.generating import LoweringError
 from algebroproj_sym.pipeline import UnprovedError
 from algebroproj_sym.proving import UndefinedError
-from algebroproj_sym.reporting import NotebookError
+from algebroproj_sym.reporting.notebooks import NotebookError
 from algebroproj_sym.verifying import NotShippedError
 
 INTERRUPTED = 130

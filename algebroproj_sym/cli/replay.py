@@ -16,7 +16,7 @@ from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show, visible
 from algebroproj_sym.declaring import located, quotes_of
 from algebroproj_sym.replaying import Rejected, Replayed, Status, replay
-from algebroproj_sym.reporting import declaration
+from algebroproj_sym.reporting.ledger import declaration
 from algebroproj_sym.reporting.tables import SCREEN, table_of
 
 STATUSES: tuple[Status, ...] = get_args(Status)

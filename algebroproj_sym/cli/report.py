@@ -22,15 +22,11 @@ from algebroproj_sym.cli.steps import (
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels, located, split
 from algebroproj_sym.generating import PACKAGE, render, write
-from algebroproj_sym.reporting import summary_text
-from algebroproj_sym.reporting.site import (
-    OccupiedError,
-    catalogue,
-    functions_of,
-    render_site,
-    replace,
-    require_free,
-)
+from algebroproj_sym.reporting.site.catalogue import catalogue
+from algebroproj_sym.reporting.site.folder import OccupiedError, replace, require_free
+from algebroproj_sym.reporting.site.function_pages import functions_of
+from algebroproj_sym.reporting.site.pages import render_site
+from algebroproj_sym.reporting.tables import summary_text
 
 
 @click.command()

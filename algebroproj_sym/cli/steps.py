@@ -12,7 +12,9 @@ from algebroproj_sym import pipeline
 from algebroproj_sym.cli.terminal import echo, progressing
 from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
-from algebroproj_sym.reporting import Notebook, failed_function, failure_text
+from algebroproj_sym.reporting.explaining import failure_text
+from algebroproj_sym.reporting.notebooks import Notebook
+from algebroproj_sym.reporting.tables import failed_function
 from algebroproj_sym.verifying import Verification
 
 SITE_MODULES = ("latex2mathml",)

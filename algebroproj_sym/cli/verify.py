@@ -10,7 +10,8 @@ from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels, require_as_declared, verified
 from algebroproj_sym.cli.terminal import console, echo_json, show
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.reporting import verification_table, write_json
+from algebroproj_sym.reporting.ledger import write_json
+from algebroproj_sym.reporting.tables import verification_table
 from algebroproj_sym.verifying import BOUND, verification_record
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
 from typing import Any
 
 import sympy
@@ -226,14 +227,18 @@ def _difference(judgement: Judgement, full: bool) -> Iterator[str]:
     yield f"printed - derived = {_cut(shown(arranged(reduced(printed - claim.derived))), full)}"
 
 
-def _values(judgement: Judgement, full: bool) -> Iterator[str]:
-    """Yield what both sides are at the counterexample, where they differ."""
+def sides_at_counterexample(judgement: Judgement) -> list[tuple[Fraction, Fraction]]:
+    """Return what is printed and what is derived at the counterexample of an equality, entry by entry."""
     claim, point = judgement.claim, judgement.counterexample
     if not point or not claim.kind.startswith("identity") or claim.printed is None or claim.derived is None:
-        return
+        return []
     sides = evaluate(in_derived_terms(claim.printed, claim.where), point), evaluate(claim.derived, point)
-    different = [
-        pair for pair in zip(*sides, strict=True) if pair[0] != pair[1] or claim.kind == "identity up to scale"
-    ]
-    for label, values in zip(("printed", "derived"), zip(*different, strict=True), strict=True):
+    return list(zip(*sides, strict=True))
+
+
+def _values(judgement: Judgement, full: bool) -> Iterator[str]:
+    """Yield what both sides are at the counterexample, where they differ."""
+    proportional = judgement.claim.kind == "identity up to scale"
+    different = [pair for pair in sides_at_counterexample(judgement) if pair[0] != pair[1] or proportional]
+    for label, values in zip(("printed", "derived"), zip(*different, strict=True), strict=False):
         yield f"at this point {label} = {_cut(', '.join(map(str, values)), full)}"

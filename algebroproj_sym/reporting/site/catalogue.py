@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from algebroproj_sym.declaring import Derivation, Judgement, Publication, publication
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Publication, publication
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.notebooks import Notebook
@@ -51,29 +51,14 @@ class Entry:
     derivation: Derivation
 
     @property
-    def paper(self) -> str:
-        """The paper key."""
-        return self.judgement.claim.paper
-
-    @property
-    def number(self) -> str:
-        """The paper's own number."""
-        return self.judgement.claim.number
-
-    @property
-    def title(self) -> str:
-        """What the claim says."""
-        return self.judgement.claim.title
-
-    @property
-    def verdict(self) -> str:
-        """The verdict."""
-        return self.judgement.verdict
+    def claim(self) -> Claim:
+        """What is declared."""
+        return self.judgement.claim
 
     @property
     def page(self) -> str:
         """The address of its page."""
-        return claim_page(self.paper, self.number)
+        return claim_page(self.claim.paper, self.claim.number)
 
 
 @dataclass(frozen=True)
@@ -92,11 +77,6 @@ class Paper:
     about: Publication
     chapters: tuple[Chapter, ...]
 
-    @property
-    def key(self) -> str:
-        """The paper key."""
-        return self.about.key
-
     @cached_property
     def entries(self) -> tuple[Entry, ...]:
         """All claims in the paper's order."""
@@ -107,9 +87,9 @@ class Paper:
         """How often each verdict occurs."""
         return summary([entry.judgement for entry in self.entries])
 
-    def with_verdict(self, *verdicts: str) -> tuple[Entry, ...]:
-        """Return the claims with one of some verdicts."""
-        return tuple(entry for entry in self.entries if entry.verdict in verdicts)
+    def with_verdict(self, verdict: str) -> tuple[Entry, ...]:
+        """Return the claims with a verdict."""
+        return tuple(entry for entry in self.entries if entry.judgement.verdict == verdict)
 
 
 @dataclass(frozen=True)
@@ -138,26 +118,18 @@ class Catalogue:
     @cached_property
     def by_number(self) -> Mapping[tuple[str, str], Entry]:
         """The claims by paper and number."""
-        return {(entry.paper, entry.number): entry for entry in self.entries}
+        return {(entry.claim.paper, entry.claim.number): entry for entry in self.entries}
 
     def cell_of(self, entry: Entry) -> str | None:
         """Return the address of the cell that derives a claim, if the notebook was run."""
         module = entry.derivation.module
         ran = any(notebook.module == module for notebook in self.notebooks)
-        return f"{notebook_page(module)}#{slug(entry.number)}" if ran else None
+        return f"{notebook_page(module)}#{slug(entry.claim.number)}" if ran else None
 
-    def functions_on(self, entry: Entry) -> tuple[Function, ...]:
+    def functions_on(self, claim: Claim) -> tuple[Function, ...]:
         """Return the functions that rest on a claim."""
-        return self._functions_by_claim.get((entry.paper, entry.number), ())
-
-    @cached_property
-    def _functions_by_claim(self) -> Mapping[tuple[str, str], tuple[Function, ...]]:
-        found: dict[tuple[str, str], tuple[Function, ...]] = {}
-        for function in self.functions:
-            kernel = function.lowered.kernel
-            for number in kernel.claims:
-                found[kernel.paper, number] = (*found.get((kernel.paper, number), ()), function)
-        return found
+        kernels = ((function, function.lowered.kernel) for function in self.functions)
+        return tuple(f for f, kernel in kernels if kernel.paper == claim.paper and claim.number in kernel.claims)
 
 
 def catalogue(
@@ -180,27 +152,27 @@ def catalogue(
         The derivations, run.
     """
     entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
-    groups = _grouped(sorted(entries, key=_place), lambda entry: entry.paper)
-    papers = tuple(Paper(publication(key), _chapters(group)) for key, group in groups)
+    groups = _grouped(sorted(entries, key=_place), lambda entry: entry.claim.paper)
+    papers = tuple(Paper(publication(key), _chapters(group)) for key, group in groups.items())
     return Catalogue(papers, tuple(functions), tuple(notebooks))
 
 
 def _place(entry: Entry) -> tuple[str, str, int]:
     """Return where a claim stands: paper, module, and place in the module."""
-    return entry.paper, entry.derivation.module, entry.derivation.section.claims.index(entry.judgement.claim)
+    return entry.claim.paper, entry.derivation.module, entry.derivation.section.claims.index(entry.claim)
 
 
 def _chapters(entries: Sequence[Entry]) -> tuple[Chapter, ...]:
-    sections = _grouped(entries, lambda entry: entry.judgement.claim.section)
-    return tuple(Chapter(number, _titles(group), tuple(group)) for number, group in sections)
+    sections = _grouped(entries, lambda entry: entry.claim.section)
+    return tuple(Chapter(number, _titles(group), tuple(group)) for number, group in sections.items())
 
 
-def _grouped(entries: Sequence[Entry], key: Callable[[Entry], str]) -> list[tuple[str, list[Entry]]]:
+def _grouped(entries: Sequence[Entry], key: Callable[[Entry], str]) -> Mapping[str, list[Entry]]:
     """Return the claims by a key, keys in the order of their first claims."""
     groups: dict[str, list[Entry]] = {}
     for entry in entries:
         groups.setdefault(key(entry), []).append(entry)
-    return list(groups.items())
+    return groups
 
 
 def _titles(entries: Sequence[Entry]) -> str:

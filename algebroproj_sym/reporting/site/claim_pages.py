@@ -25,7 +25,7 @@ from algebroproj_sym.showing import Part, as_declared
 def claim_html(catalogue: Catalogue, paper: Paper, place: int) -> str:
     """Return the page of a claim."""
     entry = paper.entries[place]
-    claim = entry.judgement.claim
+    claim = entry.claim
     sides, differences = comparison(entry.judgement)
     sentences, tables = evidence(entry.judgement)
     return page(
@@ -40,10 +40,10 @@ def claim_html(catalogue: Catalogue, paper: Paper, place: int) -> str:
         where=where(claim),
         sentences=sentences,
         tables=tables,
-        note=linked(claim.note, entry.paper, entry.page, catalogue),
-        instead=catalogue.by_number.get((entry.paper, claim.instead)),
-        functions=catalogue.functions_on(entry),
-        quote=quotations(entry.derivation.path.parent).quotes.get(entry.number),
+        note=linked(claim.note, entry.claim.paper, entry.page, catalogue),
+        instead=catalogue.by_number.get((entry.claim.paper, claim.instead)),
+        functions=catalogue.functions_on(entry.claim),
+        quote=quotations(entry.derivation.path.parent).quotes.get(entry.claim.number),
         cell=catalogue.cell_of(entry),
         previous=paper.entries[place - 1] if place else None,
         following=paper.entries[place + 1] if place + 1 < len(paper.entries) else None,
@@ -52,15 +52,15 @@ def claim_html(catalogue: Catalogue, paper: Paper, place: int) -> str:
 
 def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
     """Return the pages that list the claims of a paper: all of them, and the errata."""
-    address = paper_page(paper.key)
+    address = paper_page(paper.about.key)
     files = {address: page("paper", address, paper=paper, line=_line)}
-    address = errata_page(paper.key)
+    address = errata_page(paper.about.key)
 
     def note(entry: Entry) -> Markup:
-        return linked(entry.judgement.claim.note, paper.key, address, catalogue)
+        return linked(entry.claim.note, paper.about.key, address, catalogue)
 
     def instead(entry: Entry) -> Entry | None:
-        return catalogue.by_number.get((paper.key, entry.judgement.claim.instead))
+        return catalogue.by_number.get((paper.about.key, entry.claim.instead))
 
     files[address] = page(
         "errata",
@@ -77,7 +77,7 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
 
 def _line(entry: Entry) -> Markup:
     """Return what is printed, and what is right instead, as far as it fits into a line."""
-    claim = entry.judgement.claim
+    claim = entry.claim
     if claim.kind == "reference":
         printed, corrected = Markup(reference_text(claim.printed)), Markup(reference_text(claim.derived))
         return printed if claim.printed == claim.derived else _arrow(printed, corrected)
@@ -104,7 +104,7 @@ def _summary(statement: object) -> Markup:
 
 def _erratum(entry: Entry) -> tuple[Markup, ...]:
     """Return the printed and the corrected form of a misprint, the difference marked."""
-    claim = entry.judgement.claim
+    claim = entry.claim
     if claim.kind == "reference":
         pair = (reference_text(claim.printed), reference_text(claim.derived))
         return tuple(Markup('<p class="number">{}</p>').format(number) for number in pair)
@@ -115,5 +115,5 @@ def _erratum(entry: Entry) -> tuple[Markup, ...]:
 
 
 def _stated(entry: Entry) -> Markup:
-    part: Part = "corrected" if entry.judgement.claim.printed is None else "printed"
-    return block(as_declared(entry.judgement.claim, part), label="form", ordered=False)
+    part: Part = "corrected" if entry.claim.printed is None else "printed"
+    return block(as_declared(entry.claim, part), label="form", ordered=False)

@@ -6,12 +6,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-import sympy
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import Claim, Judgement
-from algebroproj_sym.declaring.claim import in_derived_terms
-from algebroproj_sym.expressions import evaluate, shape, text
+from algebroproj_sym.expressions import shape, text
+from algebroproj_sym.reporting.explaining import sides_at_counterexample
 from algebroproj_sym.reporting.site.formulas import folded, symbol
 from algebroproj_sym.reporting.site.tables import Table
 
@@ -33,7 +32,6 @@ METHODS = {
     "divergence": "The expression has a pole where the variable goes to zero.",
 }
 _SHOWN_ELSEWHERE = ("method", "reason", "refutation", "entries", "left", "right", "witness", "point", "instance")
-_WITH_VALUES = ("identity", "identity under constraints", "identity up to scale")
 
 
 def evidence(judgement: Judgement) -> tuple[tuple[str, ...], list[Table]]:
@@ -74,25 +72,18 @@ def _counterexample(judgement: Judgement) -> list[Table]:
         return []
     rows = [(symbol(key.name), _fraction(value)) for key, value in point.items()]
     tables = [Table("Counterexample: a point at which it fails", ("symbol", "value"), rows)]
-    values = _values(judgement.claim, point)
+    values = _values(judgement)
     if values:
         note = ", which are not proportional" if judgement.claim.kind == "identity up to scale" else ""
         tables.append(Table(f"Both sides at this point{note}", ("entry", "printed", "derived"), values))
     return tables
 
 
-def _values(claim: Claim, point: Mapping[sympy.Symbol, Fraction]) -> list[tuple[Markup | str, ...]]:
-    if claim.kind not in _WITH_VALUES or claim.printed is None or claim.derived is None:
-        return []
-    printed: Any = in_derived_terms(claim.printed, claim.where)
-    try:
-        pairs = list(zip(evaluate(printed, point), evaluate(claim.derived, point), strict=True))
-    except (KeyError, ZeroDivisionError):
-        return []
-    marked = claim.kind != "identity up to scale"
+def _values(judgement: Judgement) -> list[tuple[Markup | str, ...]]:
+    marked = judgement.claim.kind != "identity up to scale"
     return [
-        (_place(claim, k), _fraction(p, marked and p != d), _fraction(d, marked and p != d))
-        for k, (p, d) in enumerate(pairs)
+        (_place(judgement.claim, k), *(_fraction(value, marked and p != d) for value in (p, d)))
+        for k, (p, d) in enumerate(sides_at_counterexample(judgement))
     ]
 
 

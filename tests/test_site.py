@@ -420,7 +420,7 @@ def test_a_long_form_is_folded_with_its_size_and_its_beginning_and_all_of_it_is_
     text = demo["demo/1.6.html"]
     assert max(map(len, re.findall(r"<math.*?</math>", text))) < 2000
     size, beginning, whole = re.search(
-        r"of ([\d,]+) characters, which begins:</p><pre[^>]*>(.*?)</pre>"
+        r", ([\d,]+) characters. It begins:</p><pre[^>]*>(.*?)</pre>"
         r"<details><summary>All of it</summary><pre[^>]*>(.*?)</pre></details>",
         text,
         re.DOTALL,

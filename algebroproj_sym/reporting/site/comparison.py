@@ -11,7 +11,7 @@ import sympy
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import Claim, Judgement
-from algebroproj_sym.expressions import assumption, evaluate, size
+from algebroproj_sym.expressions import assumption, evaluate, shape, size
 from algebroproj_sym.reporting.explaining import apart, plain_rows
 from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.formulas import (
@@ -153,22 +153,26 @@ def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, M
 
 
 def _table(judgement: Judgement, forms: Mapping[Part, Any]) -> Table | None:
-    """Return the entries that differ, in words, for those who do not see the marks."""
+    """Return what differs, in words, for those who do not see the marks: entries, or the place in a long form."""
     claim = judgement.claim
     if judgement.verdict not in ("misprint", "false") or claim.kind != "identity":
         return None
-    if not isinstance(claim.printed, sympy.MatrixBase):
-        return None
-    width = claim.printed.cols
     right: Part = "derived" if claim.corrected is None else "corrected"
-    rows = [
-        (
-            f"row {place // width + 1}, column {place % width + 1}",
-            *_cells(forms["printed"][place], forms[right][place]),
-        )
-        for place, _, _ in differing_entries(claim)
-    ]
+    pair = forms["printed"], forms[right]
+    if isinstance(claim.printed, sympy.MatrixBase):
+        places = [place for place, _, _ in differing_entries(claim)]
+        rows = [(place_of(claim, place), *_cells(*(form[place] for form in pair))) for place in places]
+    else:
+        rows = [] if all(map(is_formula, pair)) else [(place_of(claim, 0), *_cells(*pair))]
     return Table("Entries that differ", ("entry", "printed", right), rows) if rows else None
+
+
+def place_of(claim: Claim, place: int) -> str:
+    """Return where an entry of a form stands."""
+    if not shape(claim.derived):
+        return "value"
+    row, column = divmod(place, claim.derived.cols)  # type: ignore[union-attr]
+    return f"row {row + 1}, column {column + 1}"
 
 
 def _cells(printed: Any, right: Any) -> tuple[Markup, ...]:

@@ -9,8 +9,9 @@ from typing import Any
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import Claim, Judgement
-from algebroproj_sym.expressions import shape, text
+from algebroproj_sym.expressions import text
 from algebroproj_sym.reporting.explaining import sides_at_counterexample
+from algebroproj_sym.reporting.site.comparison import place_of
 from algebroproj_sym.reporting.site.formulas import folded, symbol
 from algebroproj_sym.reporting.site.tables import Table
 
@@ -82,16 +83,9 @@ def _counterexample(judgement: Judgement) -> list[Table]:
 def _values(judgement: Judgement) -> list[tuple[Markup | str, ...]]:
     marked = judgement.claim.kind != "identity up to scale"
     return [
-        (_place(judgement.claim, k), *(_fraction(value, marked and p != d) for value in (p, d)))
+        (place_of(judgement.claim, k), *(_fraction(value, marked and p != d) for value in (p, d)))
         for k, (p, d) in enumerate(sides_at_counterexample(judgement))
     ]
-
-
-def _place(claim: Claim, place: int) -> str:
-    if not shape(claim.derived):
-        return "value"
-    width = claim.derived.cols  # type: ignore[union-attr]
-    return f"row {place // width + 1}, column {place % width + 1}"
 
 
 def _fraction(value: Fraction, marked: bool = False) -> Markup | str:

@@ -25,7 +25,7 @@ LARGEST_INLINE = 24
 LARGEST_FACTOR = 8
 SMALL = 6
 LONGEST_TEXT = 5000
-BEGINNING = 1000
+BEGINNING = 600
 """Characters of a text that is not folded, and of what is shown of one that is."""
 LONGEST_FRACTION = 40
 
@@ -236,7 +236,7 @@ def _as_text(statement: Any, label: str) -> Markup:
     length = sum(map(len, lines))
     if length <= LONGEST_TEXT:
         return whole
-    sentence = Markup("<p>{} of {:,} characters, which begins:</p>").format(described(statement).capitalize(), length)
+    sentence = Markup("<p>{}, {:,} characters. It begins:</p>").format(described(statement).capitalize(), length)
     return sentence + _text(shared_out(lines, BEGINNING), f"{label}, the beginning") + folded("All of it", whole)
 
 

@@ -5,6 +5,10 @@ from pathlib import Path
 
 from setuptools import find_packages, setup
 
+# pip asks for the extras before it compares versions of Python, and then names a requirement that it cannot find.
+if sys.version_info < (3, 11):  # noqa: UP036
+    sys.exit(f"algebroproj-sym needs Python 3.11 or later, and this is Python {sys.version.split()[0]}.")
+
 sys.path.insert(0, str(Path(__file__).parent / "generated"))
 from compiling import Build, extension
 

@@ -14,11 +14,11 @@ import mpmath
 import numpy as np
 
 from algebroproj import correlation
+from algebroproj_derivations.studies.stereo.chain import Configuration, images, simulated
+from algebroproj_derivations.studies.stereo.configurations import near_critical, ordinary
 from algebroproj_sym.study.arithmetics import arb, double_double_balls, float64_balls, mpmath_digits
 from algebroproj_sym.study.ladder import climb
 from algebroproj_sym.study.precision import apply, nearest, radius
-from algebroproj_sym.study.stereo.chain import Configuration, images, simulated
-from algebroproj_sym.study.stereo.configurations import near_critical, ordinary
 
 SAMPLE = 40
 CHECKED_BITS = 300

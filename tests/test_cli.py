@@ -183,6 +183,7 @@ def test_explain_shows_printed_derived_verdict_evidence_and_functions():
         assert part in output
 
 
+@pytest.mark.whole
 def test_generate_writes_the_package_and_check_finds_drift(tmp_path):
     out = tmp_path / "generated"
     assert run("generate", "--out", str(out)).exit_code == 0
@@ -203,6 +204,7 @@ def build(out, seed, jobs):
     return subprocess.run(command, env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True, text=True)
 
 
+@pytest.mark.whole
 def test_build_is_complete_and_repeatable_and_what_the_repository_says(tmp_path, repository):
     """Two builds, which take long: other hash seeds and numbers of workers give the same bytes."""
     folders = [tmp_path / "one", tmp_path / "two"]

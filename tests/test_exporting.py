@@ -320,6 +320,7 @@ def test_only_the_axioms_of_the_real_numbers_are_allowed():
     assert assumed(axioms("Warning: something\n"))
 
 
+@pytest.mark.whole
 @needs_coq
 def test_the_kernel_accepts_every_kind(records, library):
     found = library([*export(records)])
@@ -359,6 +360,7 @@ TAMPERED = [
 ]
 
 
+@pytest.mark.whole
 @needs_coq
 @pytest.mark.parametrize("change", TAMPERED, ids=lambda change: f"{change[0]}-{change[-1]}")
 def test_the_kernel_rejects_what_is_false(records, library, change):
@@ -368,6 +370,7 @@ def test_the_kernel_rejects_what_is_false(records, library, change):
     assert not claim.theorems or library([claim]).error
 
 
+@pytest.mark.whole
 @needs_coq
 def test_an_assumption_is_found_out(records, library):
     theorem = re.compile(r"Theorem claim_1_1 .*?Qed\.", flags=re.DOTALL)
@@ -378,12 +381,14 @@ def test_an_assumption_is_found_out(records, library):
     assert "claim_1_1; coqchk finds the axioms Algebroproj.s_demo_1.claim_1_1" in found.error
 
 
+@pytest.mark.whole
 @needs_coq
 def test_an_axiom_that_no_theorem_uses_is_found_out(records, library):
     found = library([exported(record_of(records, "1.1"))], lambda text: f"{text}\nAxiom evil : False.\n")
     assert found.error == "coqchk finds the axioms Algebroproj.s_demo_1.evil"
 
 
+@pytest.mark.whole
 @needs_coq
 def test_what_a_file_of_theorems_prints_is_not_believed(records, library):
     faked = "Axiom evil : False.\nTheorem claim_1_1 : 1 = 2.\nProof. destruct evil. Qed.\n"
@@ -524,6 +529,7 @@ def test_hostile_texts_in_many_fields_at_once(records, data):
     assert_harmless(render([translated(record)]))
 
 
+@pytest.mark.whole
 @needs_coq
 def test_hostile_titles_and_names_compile(records, library):
     claims = []
@@ -567,6 +573,7 @@ COMMANDS = {
 }
 
 
+@pytest.mark.whole
 @needs_coq
 def test_names_that_mean_something_in_coq_can_be_symbols(library):
     section = Section("demo", "1", "Names")
@@ -670,6 +677,7 @@ def test_objects_are_made_as_the_derivation_makes_them(objects):
     assert "1.11" in render(exported_claims.values())["conventions.txt"]
 
 
+@pytest.mark.whole
 @needs_coq
 def test_the_kernel_accepts_objects(objects, library):
     records, made = objects
@@ -687,6 +695,7 @@ def test_steps_that_make_another_form_are_noticed(objects):
     assert claim.why == "the steps of the derivation make another form than the ledger has"
 
 
+@pytest.mark.whole
 @needs_coq
 def test_the_kernel_rejects_an_object_that_is_made_otherwise(objects, library):
     records, made = objects

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import judge, select
-from algebroproj_sym.declaring.claim import declared
+from algebroproj_sym.declaring.declaration import declared
 from algebroproj_sym.expressions import Matrix, over, text, vector
 from algebroproj_sym.replaying import NotReplayable, Rejected, declaration_digest, replay
 from algebroproj_sym.replaying import replay_claim as replay_entry
@@ -323,7 +323,7 @@ def reread(record):
         options["witness"] = {symbols[n]: Fraction(v) for n, v in record["counterexample"].items() if n in symbols}
     printed, derived, corrected = (read(record[key]) for key in ("printed", "derived", "corrected"))
     if record["kind"] == "numeric":
-        from algebroproj_sym.declaring.claim import decimal
+        from algebroproj_sym.declaring.kinds.numeric import decimal
 
         printed, derived = decimal(printed, "printed"), sympy.sympify(derived)
         corrected = None if corrected is None else decimal(corrected, "corrected")

@@ -17,7 +17,6 @@ from xml.etree import ElementTree
 import pytest
 import sympy
 from click.testing import CliRunner
-from fontTools.ttLib import TTFont
 
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
@@ -194,7 +193,10 @@ def test_no_formula_of_any_function_shows_markup_as_text():
         require_no_markup("".join(formulas_of(kernel)), kernel.qualified_name)
 
 
+@pytest.mark.extra("dev")
 def test_the_font_of_the_formulas_is_in_the_site_with_its_licence_and_has_what_the_pages_show(files):
+    from fontTools.ttLib import TTFont
+
     font = TTFont(BytesIO(b64decode(re.search(r"url\(data:font/woff2;base64,([^)]*)\)", files["style.css"]).group(1))))
     assert "MATH" in font
     assert "SIL OPEN FONT LICENSE" in files["font-licence.txt"]

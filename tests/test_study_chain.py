@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from algebroproj import projection, space
+from algebroproj_derivations.studies.stereo.chain import Configuration, Images, from_images, images, normal, simulated
 from algebroproj_sym.study.arithmetics import arb, double_double_balls, float64, float64_balls, rational
 from algebroproj_sym.study.precision import apply, lift, nearest, radius
-from algebroproj_sym.study.stereo.chain import Configuration, Images, from_images, images, normal, simulated
 
 EXACT = rational()
 

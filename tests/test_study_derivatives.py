@@ -4,11 +4,11 @@ import mpmath
 import numpy as np
 import pytest
 
+from algebroproj_derivations.studies.stereo.chain import Images, from_images, images
+from algebroproj_derivations.studies.stereo.configurations import ordinary
+from algebroproj_derivations.studies.stereo.derivatives import chain_derivatives
 from algebroproj_sym.study.arithmetics import float64, mpmath_digits
 from algebroproj_sym.study.precision import lift
-from algebroproj_sym.study.stereo.chain import Images, from_images, images
-from algebroproj_sym.study.stereo.configurations import ordinary
-from algebroproj_sym.study.stereo.derivatives import chain_derivatives
 
 
 @pytest.fixture(scope="module")

@@ -9,12 +9,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import algebroproj
-from algebroproj_sym.study.stereo.advice import exchanges, moves, strength
-from algebroproj_sym.study.stereo.aerial import aerial
-from algebroproj_sym.study.stereo.closest import closest_critical, condition
-from algebroproj_sym.study.stereo.layouts import LAYOUTS, examine, homogeneous_rows
-from algebroproj_sym.study.stereo.maps import lost_homogeneous, over_image, over_plane
-from algebroproj_sym.study.stereo.quadric import (
+from algebroproj_derivations.studies.stereo.advice import exchanges, moves, strength
+from algebroproj_derivations.studies.stereo.aerial import aerial
+from algebroproj_derivations.studies.stereo.closest import closest_critical, condition
+from algebroproj_derivations.studies.stereo.layouts import LAYOUTS, examine, homogeneous_rows
+from algebroproj_derivations.studies.stereo.maps import lost_homogeneous, over_image, over_plane
+from algebroproj_derivations.studies.stereo.quadric import (
     conditions,
     critical_quadric,
     equation,
@@ -24,7 +24,14 @@ from algebroproj_sym.study.stereo.quadric import (
     through,
     value,
 )
-from algebroproj_sym.study.stereo.scenes import DegenerateSceneError, Scene, affine, images, pictures, require_scene
+from algebroproj_derivations.studies.stereo.scenes import (
+    DegenerateSceneError,
+    Scene,
+    affine,
+    images,
+    pictures,
+    require_scene,
+)
 
 small = st.integers(-6, 6)
 rationals = st.builds(Fraction, small, st.integers(1, 4))

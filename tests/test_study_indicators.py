@@ -8,13 +8,18 @@ import numpy as np
 import pytest
 
 from algebroproj import DoubleDouble, correlation, critical
+from algebroproj_derivations.studies.stereo.accuracy import matrix_error
+from algebroproj_derivations.studies.stereo.chain import images
+from algebroproj_derivations.studies.stereo.configurations import BASIC, critical_quadric, near_critical, ordinary
+from algebroproj_derivations.studies.stereo.indicators import (
+    _singular_values,
+    diagnosis,
+    eight_point_matrix,
+    indicators,
+)
+from algebroproj_derivations.studies.stereo.rounding import bound_of_correlation, bound_of_epipoles
 from algebroproj_sym.study.arithmetics import arb, float64, rational
 from algebroproj_sym.study.precision import apply, lift
-from algebroproj_sym.study.stereo.accuracy import matrix_error
-from algebroproj_sym.study.stereo.chain import images
-from algebroproj_sym.study.stereo.configurations import BASIC, critical_quadric, near_critical, ordinary
-from algebroproj_sym.study.stereo.indicators import diagnosis, eight_point_matrix, indicators
-from algebroproj_sym.study.stereo.rounding import bound_of_correlation, bound_of_epipoles
 
 
 def test_the_critical_quadric_goes_through_centers_and_points():
@@ -131,6 +136,15 @@ def test_the_bound_is_the_mixed_condition_to_first_order():
     ratio = found.z_bound / found.z_mixed
     assert np.median(ratio) == pytest.approx(1, abs=0.6)
     assert (ratio > 0.99).all()
+
+
+def test_singular_values_of_what_is_no_number_are_none_and_spoil_no_others():
+    left, right = np.random.default_rng(6).uniform(-1, 1, (2, 3, 5, 2))
+    left[1], right[1], left[2] = left[1, :1], right[1, :1], np.nan
+    smallest, relative, eighth = _singular_values(left, right)
+    for values in (smallest, relative, eighth):
+        assert np.isnan(values).tolist() == [False, False, True]
+    assert relative[1] < 1e-15
 
 
 def test_a_singular_pair_has_no_bound():

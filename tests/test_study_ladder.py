@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from algebroproj import correlation, metric, optics
+from algebroproj_derivations.studies.stereo.chain import Configuration, simulated
 from algebroproj_sym.study.arithmetics import double_double_balls, float64, float64_balls
 from algebroproj_sym.study.ladder import SINGULAR, certified, climb
-from algebroproj_sym.study.stereo.chain import Configuration, simulated
 
 
 def exact_z(left, right):

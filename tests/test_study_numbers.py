@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from algebroproj_derivations.studies import indicators, normal_case, precision, propagation
+from algebroproj_derivations.studies.stereo.chain import Images, images
+from algebroproj_derivations.studies.stereo.configurations import ordinary
 from algebroproj_sym.study import sweeping
 from algebroproj_sym.study.arithmetics import float64
-from algebroproj_sym.study.stereo.chain import Images, images
-from algebroproj_sym.study.stereo.configurations import ordinary
-from algebroproj_sym.study.studies import indicators, normal_case, precision, propagation
 
 SMALL = {indicators: {}, propagation: {"draws": 1000}, precision: {"timed": False}, normal_case: {}}
 MEMBERS = {indicators: 600, propagation: 25, precision: 24, normal_case: 40}

@@ -11,15 +11,16 @@ from click.testing import CliRunner
 from matplotlib.figure import Figure
 
 from algebroproj_derivations.fundamentals1996 import s4_a_coordinates as printed
+from algebroproj_derivations.studies import example as example_study
+from algebroproj_derivations.studies import near_critical
+from algebroproj_derivations.studies.stereo.aerial import aerial
+from algebroproj_derivations.studies.stereo.quadric import conditions, critical_quadric, exact, value
+from algebroproj_derivations.studies.stereo.scenes import Scene, images, pictures
 from algebroproj_sym.cli import main
 from algebroproj_sym.study import MEMBER
-from algebroproj_sym.study.stereo.aerial import aerial
-from algebroproj_sym.study.stereo.quadric import conditions, critical_quadric, exact, value
-from algebroproj_sym.study.stereo.scenes import Scene, images, pictures
-from algebroproj_sym.study.studies import STUDIES, near_critical
-from algebroproj_sym.study.studies import example as example_study
+from algebroproj_sym.study.discovery import studies
 
-BY_NAME = {study.name: study for study in STUDIES}
+BY_NAME = {study.name: study for study in studies()}
 OWN = ("near-critical", "layouts", "example")
 MEMBERS = {"near-critical": 600, "layouts": 1100, "example": 400}
 

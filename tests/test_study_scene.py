@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from algebroproj_derivations.studies.stereo.aerial import aerial
+from algebroproj_derivations.studies.stereo.scene_files import read_scene
 from algebroproj_sym.cli import main
-from algebroproj_sym.study.stereo.aerial import aerial
-from algebroproj_sym.study.stereo.scene_files import read_scene
 
 
 def table(name, rows, unit):

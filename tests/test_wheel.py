@@ -123,6 +123,7 @@ def test_what_cannot_be_built_in_parallel_is_built_in_one_piece(built, monkeypat
     assert built(5) == 5
 
 
+@pytest.mark.whole
 def test_without_a_c_compiler_it_is_built_all_the_same_and_runs_the_numpy_source(repository, tmp_path):
     tree = shutil.copytree(
         repository / "generated", tmp_path / "tree", ignore=shutil.ignore_patterns("*.so", "*.pyd", "__pycache__")

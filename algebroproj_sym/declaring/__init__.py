@@ -31,6 +31,8 @@ from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFile
 from algebroproj_sym.declaring.importing import BrokenModuleError, import_root, makes_section
 from algebroproj_sym.declaring.judging import Judgement, judge
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
+from algebroproj_sym.declaring.kind import Kind
+from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.declaring.quotes import UNPARSED, UNQUOTED, Quotations, Quote, quotations
 from algebroproj_sym.declaring.section import Section
 from algebroproj_sym.declaring.stage import (
@@ -46,6 +48,7 @@ from algebroproj_sym.declaring.stage import (
 )
 
 __all__ = [
+    "KINDS",
     "LINEAR",
     "PRIMITIVES",
     "UNPARSED",
@@ -61,6 +64,7 @@ __all__ = [
     "Identity",
     "Judgement",
     "Kernel",
+    "Kind",
     "MalformedFileError",
     "Primitive",
     "Publication",

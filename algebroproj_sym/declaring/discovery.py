@@ -7,7 +7,6 @@ numbered together, an installed paper or the modules of one folder, is imported 
 from __future__ import annotations
 
 import importlib
-import pkgutil
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -51,9 +50,15 @@ class Derivation:
 
 
 def installed_papers() -> tuple[str, ...]:
-    """Return the keys of the installed papers, sorted."""
-    package = importlib.import_module(PAPERS)
-    return tuple(sorted(info.name for info in pkgutil.iter_modules(package.__path__) if info.ispkg))
+    """Return the keys of the installed papers, sorted: the packages that hold a derivation module."""
+    return _papers_of(PAPERS)
+
+
+@cache
+def _papers_of(package: str) -> tuple[str, ...]:
+    folders = [Path(folder) for folder in importlib.import_module(package).__path__]
+    inside = (child for folder in folders for child in folder.iterdir() if is_package(child))
+    return tuple(sorted(child.name for child in inside if any(map(makes_section, sorted(child.glob("*.py"))))))
 
 
 @cache

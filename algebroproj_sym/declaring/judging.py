@@ -94,7 +94,7 @@ def _compared(claim: Claim, form: Statement | None, engine: str) -> Proof | None
     if form is None:
         return None
     try:
-        return KINDS[claim.kind](claim, in_derived_terms(form, claim.where), engine)
+        return KINDS[claim.kind].compare(claim, in_derived_terms(form, claim.where), engine)
     except ZeroDivisionError:
         where = f"claim {claim.paper}:{claim.number}"
         raise UndefinedError(f"{where}: expected denominators that are not identically zero") from None
@@ -130,7 +130,7 @@ def _verdict(claim: Claim, printed: Proof | None, corrected: Proof | None) -> Ve
     if printed is None:
         return "illegible" if corrected_holds else "open"
     if printed.verdict == "proved":
-        return "definition" if claim.kind == "definition" else "proved"
+        return KINDS[claim.kind].when_it_holds
     if printed.verdict == "refuted" and corrected is None:
         return "false"
     return "misprint" if printed.verdict == "refuted" and corrected_holds else "open"

@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 from rich.text import Text
 
-from algebroproj_sym.declaring import Claim, Judgement, Quote, in_derived_terms, statement_text
+from algebroproj_sym.declaring import KINDS, Claim, Judgement, Quote, in_derived_terms, statement_text
 from algebroproj_sym.expressions import evaluate, size
 from algebroproj_sym.proving import reduced
 from algebroproj_sym.reporting.tables import verdict_text
@@ -111,8 +111,8 @@ def finding_line(judgement: Judgement) -> str:
 
 
 def _text_of(claim: Claim, part: Part) -> str:
-    if claim.kind == "reference":
-        return ".".join(map(str, getattr(claim, part)))
+    if as_text := KINDS[claim.kind].text:
+        return as_text(getattr(claim, part))
     return ", ".join(plain_rows(as_declared(claim, part)))
 
 
@@ -221,7 +221,7 @@ def _differing(claim: Claim, full: bool) -> list[str]:
 def _difference(judgement: Judgement, full: bool) -> Iterator[str]:
     claim = judgement.claim
     scalar = isinstance(claim.printed, sympy.Expr) and not isinstance(claim.printed, sympy.MatrixBase)
-    if not judgement.counterexample or not claim.kind.startswith("identity") or not scalar:
+    if not judgement.counterexample or not KINDS[claim.kind].is_equality or not scalar:
         return
     printed: Any = in_derived_terms(claim.printed, claim.where)
     yield f"printed - derived = {_cut(shown(arranged(reduced(printed - claim.derived))), full)}"
@@ -230,7 +230,7 @@ def _difference(judgement: Judgement, full: bool) -> Iterator[str]:
 def sides_at_counterexample(judgement: Judgement) -> list[tuple[Fraction, Fraction]]:
     """Return what is printed and what is derived at the counterexample of an equality, entry by entry."""
     claim, point = judgement.claim, judgement.counterexample
-    if not point or not claim.kind.startswith("identity") or claim.printed is None or claim.derived is None:
+    if not point or not KINDS[claim.kind].is_equality or claim.printed is None or claim.derived is None:
         return []
     sides = evaluate(in_derived_terms(claim.printed, claim.where), point), evaluate(claim.derived, point)
     return list(zip(*sides, strict=True))

@@ -11,6 +11,7 @@ import sympy
 
 from algebroproj_sym.declaring.claim import Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement
+from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import Expression, assumption, decimals, evaluate, leading, size
 from algebroproj_sym.showing.arranging import Part, arranged, as_declared, shown
 from algebroproj_sym.showing.forms import derived_form
@@ -26,8 +27,6 @@ LONGEST_LIST = 272
 """Characters of the longest expression, and of the longest list of expressions, in a line of evidence."""
 
 _MARKDOWN = re.compile(r"[\\`*_\[\]<>#$|~]")
-_RELATION = {"identity up to scale": r"\sim", "vanishing": r"= 0 \iff", "numeric": r"\approx"}
-_NEGATED = {"identity up to scale": r"\nsim", "vanishing": r"= 0 \nLeftrightarrow", "numeric": r"\not\approx"}
 
 
 def markdown(judgement: Judgement) -> str:
@@ -159,12 +158,14 @@ def _verdict(judgement: Judgement) -> str:
 def _formula(claim: Claim, verdict: Verdict) -> str:
     if claim.derived is None:
         return _side(claim, "printed")
-    derived = _applied(claim, _side(claim, "derived"))
-    if claim.kind == "vanishing":
-        return f"{derived} {_relation(claim, verdict)} {_side(claim, 'printed')}"
+    kind = KINDS[claim.kind]
+    variable = "" if claim.variable is None else _latex(claim.variable)
+    derived = kind.applied % {"derived": _side(claim, "derived"), "variable": variable}
     if claim.printed is None:
         return derived
-    return f"{_side(claim, 'printed')} {_relation(claim, verdict)} {derived}"
+    relation = kind.negated if verdict in ("misprint", "false") else kind.relation
+    sides = (derived, _side(claim, "printed")) if kind.derived_first else (_side(claim, "printed"), derived)
+    return f"{sides[0]} {relation} {sides[1]}"
 
 
 def _side(claim: Claim, part: Part) -> str:
@@ -195,20 +196,6 @@ def _meanings(claim: Claim) -> list[str]:
 
 def _value(meaning: Meaning, named: Named) -> str:
     return named_latex(meaning.written, named.source.names) if meaning.written else _latex(arranged(meaning.value))
-
-
-def _applied(claim: Claim, derived: str) -> str:
-    """Return what is compared with the printed form: of a rank, a count and a limit not the derived form itself."""
-    if claim.kind == "limit":
-        return rf"\lim_{{{_latex(claim.variable)} \to 0}} \left({derived}\right)"
-    operators = {"rank": r"\operatorname{rank} ", "count": r"\operatorname{rank} \partial "}
-    return operators.get(claim.kind, "") + derived
-
-
-def _relation(claim: Claim, verdict: Verdict) -> str:
-    if verdict in ("misprint", "false"):
-        return _NEGATED.get(claim.kind, r"\neq")
-    return _RELATION.get(claim.kind, "=")
 
 
 def _latex(statement: Statement | None) -> str:

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 
-from algebroproj_sym.declaring import Claim
+from algebroproj_sym.declaring import KINDS, Claim
 from algebroproj_sym.expressions import Expression
 from algebroproj_sym.proving import reduced
-
-AS_WRITTEN = ("count", "rank")
 
 
 def derived_form(claim: Claim) -> Expression | None:
@@ -17,7 +15,7 @@ def derived_form(claim: Claim) -> Expression | None:
     Functions that are counted, and matrices whose rank is claimed, are returned as they are: no verdict needs them
     expanded, and expanded they may be too large for any memory.
     """
-    if claim.derived is None or claim.kind in AS_WRITTEN:
+    if claim.derived is None or not KINDS[claim.kind].is_reduced:
         return claim.derived
     return _reduced(claim.derived)
 

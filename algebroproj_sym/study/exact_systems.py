@@ -1,4 +1,4 @@
-"""The primitive functions of generated programs, for numbers that are Python objects: mpmath, Arb balls, rationals.
+"""The primitive functions of generated programs, for numbers that are Python objects: mpmath numbers and Arb balls.
 
 A system that cannot be solved (singular, or not provably regular) has solutions that are not numbers, in its place in
 the batch.
@@ -14,9 +14,7 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj._runtime.compensated import DIGITS
-
-__all__ = ["ARB", "MPMATH", "RATIONAL"]
+__all__ = ["ARB", "MPMATH"]
 
 Solver = Callable[[list[list[Any]]], list[Any]]
 Meanings = Mapping[str, Callable[..., Any]]
@@ -81,21 +79,7 @@ def _arb_solution(rows: list[list[Any]]) -> list[Any]:
     return [solution[i, 0] for i in range(size)]
 
 
-def _rational_solution(rows: list[list[Any]]) -> list[Any]:
-    matrix = flint.fmpq_mat(len(rows), len(rows), [flint.fmpq(entry) for row in rows for entry in row[:-1]])
-    solution = matrix.solve(flint.fmpq_mat(len(rows), 1, [flint.fmpq(row[-1]) for row in rows]))
-    return [solution[i, 0] for i in range(len(rows))]
-
-
-def _same(number: Any) -> Any:
-    return number
-
-
-UNCHANGED: Meanings = dict.fromkeys(DIGITS, _same)
-"""What the words for digits mean where every number has the same."""
-
 MPMATH: Meanings = {
-    **UNCHANGED,
     "solve": _systems(_mpmath_solution),
     "null_vector": _null_spaces(_mpmath_solution, lambda number: bool(abs(number) <= 1), mpmath.mpf(1), mpmath.nan),
     "cos_sin": np.frompyfunc(lambda angle: (mpmath.cos(angle), mpmath.sin(angle)), 1, 2),
@@ -103,11 +87,8 @@ MPMATH: Meanings = {
 }
 
 ARB: Meanings = {
-    **UNCHANGED,
     "solve": _systems(_arb_solution),
     "null_vector": _null_spaces(_arb_solution, lambda ball: bool(abs(ball) < 1), flint.arb(1), flint.arb.nan()),
     "cos_sin": np.frompyfunc(lambda angle: (angle.cos(), angle.sin()), 1, 2),
     "arctan2": np.frompyfunc(lambda y, x: flint.arb.atan2(y, x), 2, 1),
 }
-
-RATIONAL: Meanings = {**UNCHANGED, "solve": _systems(_rational_solution)}

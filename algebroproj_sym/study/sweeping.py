@@ -121,7 +121,7 @@ def prepare(sweep: Sweep) -> None:
         If the folder cannot be written to.
     """
     (sweep.folder / CHUNKS).mkdir(parents=True, exist_ok=True)
-    manifest = {"arguments": arguments(sweep), "provenance": provenance()}
+    manifest = {"arguments": arguments(sweep), "provenance": provenance(sweep.study.source)}
     path = sweep.folder / MANIFEST
     if path.exists():
         _require_equal(json.loads(path.read_text(encoding="utf-8")), manifest, sweep.folder)
@@ -206,7 +206,7 @@ def assemble(sweep: Sweep) -> xarray.Dataset:
     """
     if not sweep.result.exists():
         paths = [sweep.path(chunk) for chunk in range(sweep.count)]
-        join(paths, MEMBER, attributes(sweep.study.summary, arguments(sweep)), sweep.result)
+        join(paths, MEMBER, attributes(sweep.study.summary, arguments(sweep), sweep.study.source), sweep.result)
     shutil.rmtree(sweep.folder / CHUNKS, ignore_errors=True)
     return read(sweep.result)
 

@@ -261,7 +261,7 @@ def _spans(source: Source, name: str, system: _System, meaning: Meaning) -> bool
 def _meaning(system: _System, finite: bool) -> Meaning:
     exchanges = iter(system.exchanges)
     return Meaning(
-        is_greater=lambda candidate, _: next(exchanges, candidate == 1),
+        is_larger=lambda candidate, _: next(exchanges, candidate == 1),
         equal=lambda left, right: finite,
     )
 

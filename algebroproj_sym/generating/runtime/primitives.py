@@ -7,7 +7,7 @@ linear systems are given row by row, and broadcast; the results have the shape t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -18,11 +18,13 @@ from .bounded_primitives import (
     solution_with_bounds,
 )
 from .compensated import Compensated, double_double
-from .double_double import DoubleDouble, Unrounded, two_product, two_sum
+from .double_double import DoubleDouble, Unrounded
 from .elementary import arctan2_of_pair, cos_sin_of_pair
+from .elimination import null_vector_of, solution_of
 from .error_bounds import Bounded
 from .namespace import namespace
-from .pair_systems import null_vector_of_pairs, solution_of_pairs
+
+Rows: TypeAlias = Sequence[Sequence[Any]]
 
 __all__ = ["arctan2", "cos_sin", "null_vector", "null_vector_once", "solve", "solve_once"]
 
@@ -72,20 +74,9 @@ def solve(*rows: Sequence[Any]) -> tuple[Any, ...]:
     >>> float(x), float(y)
     (2.0, 1.0)
     """
-    kinds = _kinds(rows)
-    if Bounded in kinds:
+    if _have_bounds(rows):
         return tuple(solution_with_bounds(rows, solve))
-    if Unrounded in kinds:
-        return tuple(solution_of_pairs(rows))
-    xp, system, rest = _stacked_pairs(rows)
-    steps, unknowns = _solution(xp, system)
-    if _is_refinable(xp, system):
-        with np.errstate(all="ignore"):
-            left = _residual(system, rest, unknowns, (system[:, -1, ...], rest[:, -1, ...]))
-            residual = _substituted_forwards(xp, steps, left)
-            corrections = _substituted_backwards([step.head[:-1] for step in steps], residual)
-            unknowns = _refined(xp, unknowns, corrections)
-    return tuple(unknowns)
+    return tuple(solution_of(*_with_rests(rows)))
 
 
 def solve_once(*rows: Sequence[Any]) -> tuple[Any, ...]:
@@ -107,13 +98,9 @@ def solve_once(*rows: Sequence[Any]) -> tuple[Any, ...]:
     >>> float(x), float(y)
     (2.0, 1.0)
     """
-    kinds = _kinds(rows)
-    if Bounded in kinds:
+    if _have_bounds(rows):
         return tuple(solution_with_bounds(rows, solve_once))
-    if Unrounded in kinds:
-        return tuple(solution_of_pairs(rows))
-    _, unknowns = _solution(*_stacked(rows))
-    return tuple(unknowns)
+    return tuple(solution_of(_of_one_kind(rows)))
 
 
 def null_vector(*rows: Sequence[Any]) -> tuple[Any, ...]:
@@ -137,21 +124,9 @@ def null_vector(*rows: Sequence[Any]) -> tuple[Any, ...]:
     >>> float(x), float(y)
     (1.0, -0.25)
     """
-    kinds = _kinds(rows)
-    if Bounded in kinds:
+    if _have_bounds(rows):
         return tuple(null_vector_with_bounds(rows, null_vector, solve))
-    if Unrounded in kinds:
-        return tuple(null_vector_of_pairs(rows))
-    xp, matrix, rest = _stacked_pairs(rows)
-    steps, vector = _spanning(xp, matrix)
-    if _is_refinable(xp, matrix):
-        with np.errstate(all="ignore"):
-            zero = matrix[0, 0, ...] * 0
-            nothing = xp.stack([zero] * len(rows))
-            residual = _residual(matrix, rest, vector, (nothing, nothing))
-            residual = _substituted_forwards(xp, [step._replace(swaps=[]) for step in steps], residual)
-            vector = _refined(xp, vector, _substituted_in_order(xp, steps, residual, zero))
-    return _scaled(xp, vector)
+    return tuple(null_vector_of(*_with_rests(rows)))
 
 
 def null_vector_once(*rows: Sequence[Any]) -> tuple[Any, ...]:
@@ -173,66 +148,24 @@ def null_vector_once(*rows: Sequence[Any]) -> tuple[Any, ...]:
     >>> float(x), float(y)
     (1.0, -0.25)
     """
-    kinds = _kinds(rows)
-    if Bounded in kinds:
+    if _have_bounds(rows):
         return tuple(null_vector_with_bounds(rows, null_vector_once, solve_once))
-    if Unrounded in kinds:
-        return tuple(null_vector_of_pairs(rows))
-    xp, matrix = _stacked(rows)
-    _, vector = _spanning(xp, matrix)
-    return _scaled(xp, vector)
+    return tuple(null_vector_of(_of_one_kind(rows)))
 
 
-class _Step(NamedTuple):
-    """A step of elimination: which lines were swapped with the first one, the multiples taken off, the pivot's row."""
-
-    swaps: list[Any]
-    factors: list[Any]
-    head: list[Any]
+def _have_bounds(rows: Rows) -> bool:
+    return any(isinstance(entry, Bounded) for row in rows for entry in row)
 
 
-def _kinds(rows: Sequence[Sequence[Any]]) -> set[type]:
-    return {type(entry) for row in rows for entry in row}
-
-
-def _solution(xp: Any, system: Any) -> tuple[list[_Step], list[Any]]:
-    """Return the steps of elimination, and the unknowns of a system of shape (n, n + 1, ...)."""
-    steps = _rows_eliminated(xp, [system[i, ...] for i in range(system.shape[0])])
-    return steps, _substituted_backwards([step.head[:-1] for step in steps], [step.head[-1] for step in steps])
-
-
-def _spanning(xp: Any, matrix: Any) -> tuple[list[_Step], list[Any]]:
-    """Return the steps of elimination, and a vector that spans the null space of a matrix of shape (n, n + 1, ...)."""
-    zero = matrix[0, 0, ...] * 0
-    steps = _columns_pivoted(xp, [matrix[:, j, ...] for j in range(matrix.shape[1])])
-    return steps, _substituted_in_order(xp, steps, [zero] * len(steps), zero + 1)
-
-
-def _scaled(xp: Any, vector: Sequence[Any]) -> tuple[Any, ...]:
-    """Return a vector divided by its largest component."""
-    largest = vector[0]
-    for component in vector[1:]:
-        largest = xp.where(abs(component) > abs(largest), component, largest)
-    return tuple(component / largest for component in vector)
-
-
-def _stacked_pairs(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any, Any]:
-    """Return the array library of the entries, and their two parts as arrays of shape (rows, columns, ...)."""
-    entries = [_two_parts(entry) for row in rows for entry in row]
-    xp, both = _stacked([[entry.hi for entry in entries], [0 if entry.lo is None else entry.lo for entry in entries]])
-    parts = xp.reshape(both, (2, len(rows), len(rows[0]), *both.shape[2:]))
-    return xp, parts[0, ...], parts[1, ...]
-
-
-def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any]:
-    """Return the array library of the entries, and the entries as an array of shape (rows, columns, ...)."""
-    entries = [entry for row in rows for entry in row]
-    xp = namespace(entries)
-    dtype = _dtype(xp, entries)
-    if _is_objects(dtype):
-        entries = _of_one_kind(entries)
-    arrays = xp.broadcast_arrays(*(xp.asarray(entry, dtype=dtype) for entry in entries))
-    return xp, xp.reshape(xp.stack(arrays), (len(rows), len(rows[0]), *arrays[0].shape))
+def _with_rests(rows: Rows) -> tuple[Rows, Rows | None]:
+    """Return the entries as numbers of one kind, and what rounding took from those whose errors can be split off."""
+    if any(isinstance(entry, Unrounded) for row in rows for entry in row):
+        return _of_one_kind(rows), None
+    pairs = [[_two_parts(entry) for entry in row] for row in rows]
+    heads = _of_one_kind([[pair.hi for pair in row] for row in pairs])
+    if not _is_refinable(heads[0][0]):
+        return heads, None
+    return heads, [[0 if pair.lo is None else pair.lo for pair in row] for row in pairs]
 
 
 def _two_parts(number: Any) -> Compensated | DoubleDouble:
@@ -242,122 +175,33 @@ def _two_parts(number: Any) -> Compensated | DoubleDouble:
     return number if isinstance(number, DoubleDouble) else DoubleDouble(number)
 
 
-def _dtype(xp: Any, entries: Sequence[Any]) -> Any:
-    """Return the dtype of some entries, in which the integers of a formula do not count."""
+def _of_one_kind(rows: Rows) -> Rows:
+    """Return the entries as numbers of one kind, in which the integers of a formula do not count."""
+    entries = [entry for row in rows for entry in row]
+    pair = next((type(entry) for entry in entries if isinstance(entry, DoubleDouble)), None)
+    if pair is not None:
+        return [[entry if isinstance(entry, DoubleDouble) else pair(entry) for entry in row] for row in rows]
     counting = [entry for entry in entries if not isinstance(entry, int)]
+    xp = namespace(entries)
     dtypes = {entry.dtype if hasattr(entry, "dtype") else np.asarray(entry).dtype for entry in counting}
     dtype = xp.result_type(*dtypes) if dtypes else np.dtype(np.float64)
-    return np.dtype(np.float64) if xp is np and dtype.kind in "biu" else dtype
+    if _is_objects(dtype):
+        zero = counting[0] * 0
+        return [[zero + entry if isinstance(entry, int) else entry for entry in row] for row in rows]
+    dtype = np.dtype(np.float64) if xp is np and dtype.kind in "biu" else dtype
+    return [[_as_dtype(xp, entry, dtype) for entry in row] for row in rows]
 
 
-def _of_one_kind(entries: Sequence[Any]) -> list[Any]:
-    """Return entries whose integers are of the kind of the others, so that none are divided as integers are."""
-    zero = next(entry for entry in entries if not isinstance(entry, int)) * 0
-    return [zero + entry if isinstance(entry, int) else entry for entry in entries]
+def _as_dtype(xp: Any, entry: Any, dtype: Any) -> Any:
+    return entry if hasattr(entry, "dtype") and entry.dtype == dtype else xp.asarray(entry, dtype=dtype)[()]
 
 
-def _is_refinable(xp: Any, value: Any) -> bool:
-    """Whether a value is of real floating-point numbers, whose errors can be split off."""
-    return not _is_of_objects(value) and bool(xp.isdtype(value.dtype, "real floating"))
-
-
-def _is_of_objects(value: Any) -> bool:
-    return not hasattr(value, "dtype") or _is_objects(value.dtype)
+def _is_refinable(number: Any) -> bool:
+    """Whether a number is a real floating-point one, whose errors can be split off."""
+    if not hasattr(number, "dtype") or _is_objects(number.dtype):
+        return False
+    return bool(namespace([number]).isdtype(number.dtype, "real floating"))
 
 
 def _is_objects(dtype: Any) -> bool:
     return getattr(dtype, "kind", "") == "O"
-
-
-def _rows_eliminated(xp: Any, rows: list[Any]) -> list[_Step]:
-    """Eliminate the first entries of the rows below the one that has the largest, again and again."""
-    steps = []
-    while rows:
-        (pivot, *below), swaps = _pivoted(xp, rows)
-        factors = [row[0, ...] / pivot[0, ...] for row in below]
-        rows = [row[1:, ...] - factor * pivot[1:, ...] for row, factor in zip(below, factors, strict=True)]
-        steps.append(_Step(swaps, factors, [pivot[j, ...] for j in range(pivot.shape[0])]))
-    return steps
-
-
-def _columns_pivoted(xp: Any, columns: list[Any]) -> list[_Step]:
-    """Eliminate the entries below the first row, by the column that has its largest entry, again and again."""
-    steps = []
-    while columns[0].shape[0]:
-        columns, swaps = _pivoted(xp, columns)
-        factors = columns[0][1:, ...] / columns[0][0, ...]
-        steps.append(_Step(swaps, [factors[i, ...] for i in range(factors.shape[0])], [c[0, ...] for c in columns]))
-        columns = [column[1:, ...] - factors * column[0, ...] for column in columns[1:]]
-    return steps
-
-
-def _pivoted(xp: Any, lines: list[Any]) -> tuple[list[Any], list[Any]]:
-    """Bring the line whose first entry is the largest to the top; return the lines, and which were swapped with it."""
-    first, *others = lines
-    swapped, swaps = [], []
-    for line in others:
-        swap = _is_better_pivot(line[0, ...], first[0, ...])
-        first, line = xp.where(swap, line, first), xp.where(swap, first, line)
-        swapped.append(line)
-        swaps.append(swap)
-    return [first, *swapped], swaps
-
-
-def _is_better_pivot(candidate: Any, pivot: Any) -> Any:
-    if _is_of_objects(pivot):
-        return (candidate != 0) & (pivot == 0)
-    return abs(candidate) > abs(pivot)
-
-
-def _substituted_forwards(xp: Any, steps: Sequence[_Step], right: Any) -> list[Any]:
-    """Do to a right side what elimination did to the rows."""
-    values, done = [right[i, ...] for i in range(len(steps))], []
-    for step in steps:
-        for i, swap in enumerate(step.swaps, start=1):
-            values[0], values[i] = xp.where(swap, values[i], values[0]), xp.where(swap, values[0], values[i])
-        first, *others = values
-        done.append(first)
-        values = [value - factor * first for value, factor in zip(others, step.factors, strict=True)]
-    return done
-
-
-def _substituted_backwards(heads: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
-    unknowns: list[Any] = []
-    for head, value in zip(reversed(heads), reversed(right), strict=True):
-        unknowns = [_solved(head, value, unknowns), *unknowns]
-    return unknowns
-
-
-def _substituted_in_order(xp: Any, steps: Sequence[_Step], right: Sequence[Any], last: Any) -> list[Any]:
-    """Substitute backwards, the last unknown being given, and put the unknowns where their columns were."""
-    unknowns = [last]
-    for step, value in zip(reversed(steps), reversed(right), strict=True):
-        unknowns = [_solved(step.head, value, unknowns), *unknowns]
-        for j, swap in reversed(list(enumerate(step.swaps, start=1))):
-            first, other = unknowns[0], unknowns[j]
-            unknowns[0], unknowns[j] = xp.where(swap, other, first), xp.where(swap, first, other)
-    return unknowns
-
-
-def _solved(head: Sequence[Any], value: Any, unknowns: Sequence[Any]) -> Any:
-    """Solve one equation for its first unknown."""
-    pivot, *entries = head
-    for entry, unknown in zip(entries, unknowns, strict=True):
-        value = value - entry * unknown
-    return value / pivot
-
-
-def _residual(matrix: Any, rest: Any, unknowns: Sequence[Any], right: tuple[Any, Any]) -> Any:
-    """Return right - (matrix + rest) * unknowns, computed with about twice the digits."""
-    high, low = right
-    for j, unknown in enumerate(unknowns):
-        product, error = two_product(matrix[:, j, ...], unknown)
-        high, rounding = two_sum(high, -product)
-        low = low + (rounding - (error + rest[:, j, ...] * unknown))
-    return high + low
-
-
-def _refined(xp: Any, values: Sequence[Any], corrections: Sequence[Any]) -> list[Any]:
-    """Add corrections where the sum is finite."""
-    sums = [value + correction for value, correction in zip(values, corrections, strict=True)]
-    return [xp.where(xp.isfinite(total), total, value) for total, value in zip(sums, values, strict=True)]

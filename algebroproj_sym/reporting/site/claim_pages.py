@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import bibtex, quotations
+from algebroproj_sym.declaring import KINDS, bibtex, quotations
 from algebroproj_sym.reporting.site.addresses import errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
     comparison,
     forms_of,
     marks_of,
-    reference_text,
     relation,
     where,
 )
@@ -78,8 +77,8 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
 def _line(entry: Entry) -> Markup:
     """Return what is printed, and what is right instead, as far as it fits into a line."""
     claim = entry.claim
-    if claim.kind == "reference":
-        printed, corrected = Markup(reference_text(claim.printed)), Markup(reference_text(claim.derived))
+    if as_text := KINDS[claim.kind].text:
+        printed, corrected = (Markup("({})").format(as_text(form)) for form in (claim.printed, claim.derived))
         return printed if claim.printed == claim.derived else _arrow(printed, corrected)
     forms = forms_of(claim)
     marks = marks_of(entry.judgement, forms)
@@ -105,9 +104,9 @@ def _summary(statement: object) -> Markup:
 def _erratum(entry: Entry) -> tuple[Markup, ...]:
     """Return the printed and the corrected form of a misprint, the difference marked."""
     claim = entry.claim
-    if claim.kind == "reference":
-        pair = (reference_text(claim.printed), reference_text(claim.derived))
-        return tuple(Markup('<p class="number">{}</p>').format(number) for number in pair)
+    if as_text := KINDS[claim.kind].text:
+        as_number = Markup('<p class="number">({})</p>')
+        return as_number.format(as_text(claim.printed)), as_number.format(as_text(claim.derived))
     forms = forms_of(claim)
     marks = marks_of(entry.judgement, forms)
     parts: tuple[Part, ...] = ("printed", "corrected")

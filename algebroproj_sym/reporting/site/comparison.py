@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Claim, Judgement
+from algebroproj_sym.declaring import KINDS, Claim, Judgement
 from algebroproj_sym.expressions import assumption, evaluate, shape, size
 from algebroproj_sym.reporting.explaining import apart, plain_rows
 from algebroproj_sym.reporting.site.differences import difference
@@ -30,43 +30,11 @@ from algebroproj_sym.reporting.site.tables import Table
 from algebroproj_sym.showing import Part, arranged, as_declared, derived_form, differing_entries, in_names
 from algebroproj_sym.showing.latex import NOTHING, WHOLE, Marks, latex
 
-_RELATIONS = {
-    "identity": "Both sides are equal wherever they are defined.",
-    "identity up to scale": "Both sides are equal up to a common factor.",
-    "identity under constraints": "Both sides are equal wherever the constraints hold.",
-    "structure": "The pattern says which entries are zero, equal or opposite.",
-    "vanishing": "The expression is zero exactly where one of the printed factors is.",
-    "rank": "The generic rank of the matrix.",
-    "count": "The number of independent functions.",
-    "limit": "The limit of the expression.",
-    "reference": "The formula that the reference names.",
-    "definition": "It introduces a notation.",
-}
-_ROUNDINGS = {
-    "nearest": "The printed number is the exact one, rounded to the nearest.",
-    "cut": "The printed number is the exact one, with further digits cut off.",
-}
-_DERIVED = {
-    "identity up to scale": "Derived, up to a factor",
-    "vanishing": "Derived: the expression",
-    "rank": "Derived: the matrix",
-    "count": "Derived: the functions",
-    "limit": "Derived: the expression",
-    "reference": "Meant",
-}
-_PRINTED = {
-    "vanishing": "Printed: where it is zero",
-    "rank": "Printed: the rank",
-    "count": "Printed: how many are independent",
-    "limit": "Printed: the limit",
-    "structure": "Printed: the pattern",
-}
 MOST = 6
 """How many conditions are shown in a line."""
 LARGEST_CELL = 60
 LONGEST_CELL = 160
 """Symbols and numbers of the largest formula in a table, and characters of the longest text there."""
-_ENTRYWISE = ("identity", "identity up to scale", "identity under constraints", "limit", "reference")
 
 
 def comparison(judgement: Judgement) -> tuple[list[tuple[str, Markup]], Table | None]:
@@ -74,22 +42,23 @@ def comparison(judgement: Judgement) -> tuple[list[tuple[str, Markup]], Table | 
     claim = judgement.claim
     forms = forms_of(claim)
     marks = marks_of(judgement, forms)
+    kind = KINDS[claim.kind]
     captions: dict[Part, str] = {
-        "printed": _PRINTED.get(claim.kind, "Printed"),
-        "derived": _DERIVED.get(claim.kind, "Derived"),
+        "printed": kind.printed,
+        "derived": kind.derived,
         "corrected": "Reconstructed" if claim.printed is None else "Corrected",
     }
     sides = [
         (caption, _form(claim, part, forms[part], marks[part]))
         for part, caption in captions.items()
-        if part == "printed" or (forms[part] is not None and (part, claim.kind) != ("corrected", "reference"))
+        if part == "printed" or (forms[part] is not None and not (part == "corrected" and kind.text))
     ]
     return sides, _table(judgement, forms)
 
 
 def relation(claim: Claim) -> str:
     """Return how the printed form is compared with the derived one."""
-    return _ROUNDINGS[claim.rounding] if claim.kind == "numeric" else _RELATIONS[claim.kind]
+    return KINDS[claim.kind].sentence(claim)
 
 
 def forms_of(claim: Claim) -> Mapping[Part, Any]:
@@ -101,21 +70,10 @@ def forms_of(claim: Claim) -> Mapping[Part, Any]:
     }
 
 
-def reference_text(statement: Any) -> str:
-    """Return a reference that is declared as numbers in a row.
-
-    Examples
-    --------
-    >>> reference_text(sympy.Matrix([[1, 3, 8]]))
-    '(1.3.8)'
-    """
-    return f"({'.'.join(map(str, statement))})"
-
-
 def _form(claim: Claim, part: Part, form: Any, marks: Marks) -> Markup:
-    if claim.kind == "reference":
-        return Markup('<p class="number">{}</p>').format(reference_text(form))
-    if claim.kind == "numeric" and part == "derived":
+    if as_text := KINDS[claim.kind].text:
+        return Markup('<p class="number">({})</p>').format(as_text(form))
+    if isinstance(claim.printed, Decimal) and part == "derived":
         return derived_number(claim, _exact(claim.derived))
     label = "reconstructed form" if part == "corrected" and claim.printed is None else f"{part} form"
     whole = block(form, marks, label, ordered=False)
@@ -139,7 +97,7 @@ def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, M
             return {**none, "printed": WHOLE}
         printed, corrected = digits_that_differ(claim.printed, claim.corrected)
         return {**none, "printed": printed, "corrected": corrected}
-    if claim.kind not in _ENTRYWISE:
+    if not KINDS[claim.kind].is_marked:
         return none
     right: Part = "derived" if claim.corrected is None else "corrected"
     left_marks, right_marks = difference(forms["printed"], forms[right])

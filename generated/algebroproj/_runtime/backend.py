@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "8a2b4278399db079"
+DIGEST = "b235fe497acafad1"
 """What identifies the C source that belongs to this package."""
 
 

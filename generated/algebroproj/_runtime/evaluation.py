@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from .backend import evaluated
 from .namespace import is_foreign, namespace
-from .tape import recorded
+from .tape import tape_of
 
 __all__ = ["Signature", "evaluate"]
 
@@ -269,7 +269,7 @@ def _fill(
     entries = [entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)]
     targets = [to for array, core in zip(results, signature.results, strict=True) for to in _entries(array, core)]
     if signature.recordable and dtype.kind in "fc" and all(entry.shape == batch for entry in entries):
-        tape = recorded(body, len(entries))
+        tape = tape_of(body, len(entries))
         for block in _blocks(batch, tape.block):
             whole = [entry[block].astype(dtype, order="C", copy=False) for entry in entries]
             tape.run(whole, [target[block] for target in targets])

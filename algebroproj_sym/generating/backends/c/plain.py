@@ -14,17 +14,17 @@ from dataclasses import replace
 from math import prod
 
 from algebroproj_sym.declaring import LINEAR, Kernel
-from algebroproj_sym.generating.backends.c.elimination import null_vector_once_body, solve_once_body
 from algebroproj_sym.generating.backends.c.printer import (
     c_name,
     c_operand,
     core_shapes,
     is_compiled_plain,
     rendered,
+    solvers_of,
     statements,
 )
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.program import Call, Operand
+from algebroproj_sym.generating.runtime.program import Call, Operand
 
 INTERLEAVED = (1, 2, 3, 4, 8)
 """Of how many entries compilers read or write several points at a time."""
@@ -42,8 +42,6 @@ ORDERING = 6
 """How many operations an entry make long vectors worth while, where operands have more entries than two."""
 
 POINTS = "const npy_intp points"
-
-_SOLVERS = {"solve": solve_once_body, "null_vector": null_vector_once_body}
 
 
 def plain_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
@@ -63,22 +61,12 @@ def plain_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
         of the ufuncs.
     """
     compiled = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
-    calls = [step for low in compiled for step in low.plain.steps if isinstance(step, Call)]
-    solvers = sorted({(call.primitive, len(call.rows)) for call in calls if call.primitive in LINEAR})
     return {
         "plain_kernels.h": rendered(
             "plain_kernels.h.j2",
             notice=notice,
             strip=STRIP,
-            solvers=[
-                {
-                    "name": name,
-                    "height": height,
-                    "width": height + (name == "null_vector"),
-                    "body": _SOLVERS[name](height),
-                }
-                for name, height in solvers
-            ],
+            solvers=solvers_of([low.plain for low in compiled], refined=False),
             kernels=[_function(low) for low in compiled],
         ),
         "plain_loops.h": rendered("plain_loops.h.j2", notice=notice),

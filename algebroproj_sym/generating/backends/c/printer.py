@@ -16,16 +16,17 @@ from collections.abc import Callable, Mapping, Sequence
 from hashlib import sha256
 from itertools import chain, count
 from math import prod
+from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.declaring import LINEAR, Kernel
 from algebroproj_sym.expressions import entries
-from algebroproj_sym.generating.backends.c.elimination import null_vector_body, solve_body
 from algebroproj_sym.generating.backends.c.fours import reads, writes
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.program import Call, Operand, Program, Step
+from algebroproj_sym.generating.runtime.program import Call, Operand, Program, Step
+from algebroproj_sym.generating.systems import system_program
 
 COMPILED = ("let", *LINEAR)
 """The primitive functions of which there is a compiled version."""
@@ -76,12 +77,21 @@ TYPES = (
 BLOCK = 64
 """How many points are gathered at a time: few enough that all entries of a kernel stay in the first-level cache."""
 
-_SOLVERS = {"solve": solve_body, "null_vector": null_vector_body}
+CONDITIONS = ("is_larger", "is_finite")
+"""The operators whose results are no numbers."""
+
+_PATTERNS = {
+    "neg": "-{0}",
+    "product_error": "product_error({0}, {1}, {2})",
+    "is_larger": "is_larger({0}, {1})",
+    "is_finite": "{0} - {0} == 0",
+    "selected": "{0} ? {1} : {2}",
+}
 
 _WORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    in out i points real range ranges variant absolute headroom isgreater multiply_add product_error splitter
+    in out i points real range ranges variant absolute headroom is_larger multiply_add product_error splitter
     constant within
 """
 _RESERVED = frozenset(_WORDS.split())
@@ -114,7 +124,6 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     both = [*compiled, *plain]
     of_operations = [low for low in compiled if not low.kernel.solves_systems]
     of_systems = [low for low in compiled if low.kernel.solves_systems]
-    solvers = {(call.primitive, len(call.rows)) for low in of_systems for call in _calls(low.program)}
     return {
         "kernels.h": rendered(
             "kernels.h.j2",
@@ -125,16 +134,7 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
         "systems.h": rendered(
             "systems.h.j2",
             notice=notice,
-            solvers=[
-                {
-                    "name": name,
-                    "height": height,
-                    "width": height + (name == "null_vector"),
-                    "body": _SOLVERS[name](height),
-                }
-                for name, height in sorted(solvers)
-                if name in LINEAR
-            ],
+            solvers=solvers_of([low.program for low in of_systems], refined=True),
             kernels=list(map(_function, of_systems)),
         ),
         "loops.h": rendered("loops.h.j2", notice=notice),
@@ -158,6 +158,28 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             inputs=max((len(low.kernel.symbols) for low in both), default=1),
             outputs=max((len(entries(low.kernel.form)) for low in both), default=1),
         ),
+    }
+
+
+def solvers_of(programs: Sequence[Program], refined: bool) -> list[dict[str, object]]:
+    """Return the parts of the functions that solve the linear systems of some programs, one for each size."""
+    calls = [step for program in programs for step in program.steps if isinstance(step, Call)]
+    sizes = sorted({(call.primitive, len(call.rows)) for call in calls if call.primitive in LINEAR})
+    return [solver(primitive, height, refined) for primitive, height in sizes]
+
+
+def solver(primitive: str, height: int, refined: bool) -> dict[str, Any]:
+    """Return the parts of the function that solves the linear systems of one size."""
+    program = system_program(primitive, height, refined)
+    columns = len(program.inputs) // height
+    entries = [f"system[{place // columns}][{place % columns}]" for place in range(len(program.inputs))]
+    solution = [f"solution[{place}]" for place in range(len(program.outputs))]
+    body = statements(program, entries, solution)
+    return {
+        "name": primitive,
+        "height": height,
+        "width": len(program.outputs),
+        "body": [*body, *guards(program), "return range;"] if refined else body,
     }
 
 
@@ -252,7 +274,8 @@ def statements(
         if used.isdisjoint(step.names):
             continue
         if isinstance(step, Step):
-            lines.append(f"const real {names[step.name]} = {_operation(step, names)};")
+            kind = "int" if step.operator in CONDITIONS else "real"
+            lines.append(f"const {kind} {names[step.name]} = {_operation(step, names)};")
         elif step.primitive == "let":
             lines += [
                 f"const real {names[n]} = {_assigned(operand, names)};"
@@ -321,9 +344,9 @@ def _solve(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
 
 def _operation(step: Step, names: Mapping[Operand, str]) -> str:
     operands = [c_operand(operand, names) for operand in step.operands]
-    if step.operator == "product_error":
-        return f"product_error({', '.join(operands)})"
-    return f"-{operands[0]}" if step.operator == "neg" else f" {step.operator} ".join(operands)
+    if step.operator in _PATTERNS:
+        return _PATTERNS[step.operator].format(*operands)
+    return f" {step.operator} ".join(operands)
 
 
 def c_operand(operand: Operand, names: Mapping[Operand, str]) -> str:
@@ -349,10 +372,6 @@ def _c_names(program: Program) -> dict[Operand, str]:
 def _is_free(name: str) -> bool:
     taken = name in _RESERVED or _OPERAND.fullmatch(name) or name.startswith(("system", "solution"))
     return name.isascii() and not taken
-
-
-def _calls(program: Program) -> list[Call]:
-    return [step for step in program.steps if isinstance(step, Call)]
 
 
 def core_shapes(kernel: Kernel) -> list[tuple[int, ...]]:

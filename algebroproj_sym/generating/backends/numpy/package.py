@@ -23,9 +23,9 @@ from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.measured import Measured
 from algebroproj_sym.generating.operation_counts import operation_counts
-from algebroproj_sym.generating.program import Call, Step, run
 from algebroproj_sym.generating.runtime import primitives as primitives
 from algebroproj_sym.generating.runtime.compensated import DIGITS
+from algebroproj_sym.generating.runtime.program import Call, Step, run
 from algebroproj_sym.generating.writing import NOTICE
 
 LONGEST_FACTOR = 240

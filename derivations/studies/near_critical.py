@@ -158,7 +158,7 @@ def report(dataset: xarray.Dataset) -> str:
     lines = [
         f"{members} stereo pairs of eight points. One is near the quadric through the other seven and the centers.",
         f"{100 * ruled:.0f} % of the critical quadrics are ruled.",
-        "Decimal digits lost: medians at some distances from the quadric, in half widths of the model. Then a line over",
+        "Decimal digits lost: medians at distances from the quadric, in half widths of the model. Then a line over",
         "log10(distance) from 1e-12 to 1e-2: its slope and the scatter about it. At last the pairs without a result.",
         "",
         f"{'':<34}" + "".join(f"{f'1e{exponent}':>7}" for exponent in SHOWN) + "  slope  scatter  none",

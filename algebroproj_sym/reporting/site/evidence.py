@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Claim, Judgement
+from algebroproj_sym.declaring import Judgement
 from algebroproj_sym.expressions import text
 from algebroproj_sym.reporting.explaining import sides_at_counterexample
 from algebroproj_sym.reporting.site.comparison import place_of
@@ -19,8 +20,12 @@ LONGEST_VALUE = 1200
 
 METHODS = {
     "normal form": "Both sides have the same normal form in the field of rational functions over Q.",
-    "ideal membership": "The numerator of the difference, times a power of the multiplier, is a combination of the "
+    "ideal membership": "The numerator of the difference, times the multiplier, is a combination of the constraints. "
+    "The cofactors are below; multiplying them out shows it.",
+    "radical membership": "A power of the numerator of the difference, times the multiplier, is a combination of the "
     "constraints. The cofactors are below; multiplying them out shows it.",
+    "sums of squares": "The difference vanishes where a sum of squares does, which the constraints make zero.",
+    "case distinction": "The difference vanishes in each of the cases below.",
     "exact rounding": "The exact number, rounded as declared, was compared with the printed one.",
     "rank at a point and kernel vectors": "The exact rank at a rational point bounds the rank from below. Independent "
     "vectors in the kernel bound it from above.",
@@ -43,7 +48,7 @@ def evidence(judgement: Judgement) -> tuple[tuple[str, ...], list[Table]]:
         *_counterexample(judgement),
         *_data("Refutation of the printed form", _rest(refutation, judgement)),
         *(_points(certificate)),
-        *_cofactors(judgement.claim, certificate),
+        *_cofactors(certificate),
         *_data("Certificate", _rest(certificate, judgement)),
     ]
     return _sentences(judgement, certificate, refutation), tables
@@ -105,15 +110,18 @@ def _points(certificate: Mapping[str, Any]) -> list[Table]:
     ]
 
 
-def _cofactors(claim: Claim, certificate: Mapping[str, Any]) -> list[Table]:
+def _cofactors(certificate: Mapping[str, Any]) -> list[Table]:
+    entries = [(f"entry {k}", entry) for k, entry in enumerate(certificate.get("entries", ()), 1)]
     rows = [
-        (f"entry {k + 1}, constraint {i + 1}", str(entry["power"]), _code(cofactor))
-        for k, entry in enumerate(certificate.get("entries", ()))
-        for i, cofactor in enumerate(entry["cofactors"])
+        (f"{name}, constraint {int(i) + 1}", str(entry["exponent"]), _code(entry["multiplier"]), _code(cofactor))
+        for name, entry in entries
+        for i, cofactor in entry.get("cofactors", {}).items()
+        if "steps" not in entry
     ]
-    if not rows:
-        return []
-    return [Table("Cofactors of the constraints", ("of", "power of the multiplier", "cofactor"), rows)]
+    cases = [(name, _code(json.dumps(e))) for name, e in entries if "steps" in e or "cofactors" not in e]
+    headings = ("of", "power of the difference", "multiplier", "cofactor")
+    tables = (Table("Cofactors of the constraints", headings, rows), Table("Proof by steps", ("of", "steps"), cases))
+    return [table for table in tables if table.rows]
 
 
 def _rest(certificate: Mapping[str, Any], judgement: Judgement) -> Mapping[str, Any]:

@@ -155,11 +155,11 @@ def test_a_printed_number_is_compared_with_a_number(derived):
         numeric("1", derived)
 
 
-@pytest.mark.parametrize("kind", ["structure", "vanishing"])
-def test_constraints_are_for_identities(kind):
+@pytest.mark.parametrize(("kind", "derived"), [("structure", vector(y)), ("vanishing", y)])
+def test_constraints_are_for_identities(kind, derived):
     declare = getattr(Section("demo", "1", "Demonstration"), kind)
     with pytest.raises(DeclarationError, match=r"claim demo:1\.1, constraints: expected none"):
-        declare("1.1", "a title", printed=vector(x), derived=y, constraints=[z])
+        declare("1.1", "a title", printed=vector(x), derived=derived, constraints=[z])
 
 
 FORMS = pytest.mark.parametrize("form", ["printed", "derived", "where", "constraints", "nonzero"])

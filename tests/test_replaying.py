@@ -89,6 +89,7 @@ def every_kind():
     section.reference("1.25", "reference", printed="1.3.8", meant="1.3.8")
     section.reference("1.26", "wrong reference", printed="1.3.8", meant="1.3.9")
     section.definition("1.27", "definition", printed=vector(x / (y - 1), a), where={a: x**2})
+    section.identity("1.28", "error", printed=y / x, derived=over(x, y), corrected=x / y, expect="error")
     return ledger([judge(claim) for claim in section.claims], timed=False)
 
 
@@ -121,7 +122,7 @@ def test_every_kind_and_verdict_is_replayed(small):
     results = list(replay(small))
     assert [(r.number, r.status, r.reason) for r in results] == [(r.number, "replayed", "") for r in results]
     assert len({r.kind for r in results}) == 11
-    assert {r.verdict for r in results} == {"proved", "misprint", "false", "illegible", "definition"}
+    assert {r.verdict for r in results} == {"proved", "misprint", "error", "false", "illegible", "definition"}
 
 
 def test_real_sections_are_replayed(real):

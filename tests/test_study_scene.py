@@ -24,7 +24,7 @@ def written(folder, change=lambda points: None, unit="m", unit_of_centers="m", c
     path.write_text(
         table("points", points, unit)
         + table("centers", dict(zip(centers, 300 * batch.centers[0], strict=True)), unit_of_centers)
-        + table("axes", dict(zip(("left", "right"), batch.normals[0], strict=True)), None)
+        + table("axes", dict(zip(("left", "right"), batch.planes[0], strict=True)), None)
     )
     return path
 

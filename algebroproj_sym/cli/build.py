@@ -8,19 +8,12 @@ import click
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import (
-    judged,
-    lowered_after,
-    require_as_declared,
-    require_kernels,
-    require_room,
-    say_what_is_wrong,
-    verified,
-)
+from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
+from algebroproj_sym.cli.steps import lowered_after, require_kernels, require_room, verified
 from algebroproj_sym.cli.terminal import console, show
-from algebroproj_sym.declaring import derivations_of, drivers, kernels, quotes_of, select
+from algebroproj_sym.declaring import derivations_of, drivers, judge_all, kernels, quotes_of, select
 from algebroproj_sym.generating import measured_errors, render, write
-from algebroproj_sym.reporting.ledger import ledger_of, summary, write_json, write_text
+from algebroproj_sym.reporting.ledger import ledger, write_json, write_text
 from algebroproj_sym.reporting.report import findings, report
 from algebroproj_sym.reporting.tables import summary_text, verification_table
 from algebroproj_sym.verifying import verification_record
@@ -42,13 +35,13 @@ def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engin
     claims, chosen = select(sources), kernels((), sources)
     elsewhere = [claim for claim in pipeline.claims_of(chosen, sources) if claim not in claims]
     judgements = judged(claims, engine, jobs)
-    records = pipeline.records(judgements, quotes_of(derivations_of(sources)), timed=False, jobs=jobs)
-    write_json(ledger_of([*records], summary(judgements)), out / "ledger.json")
+    quotes = quotes_of(derivations_of(sources))
+    write_json(ledger(judgements, quotes, timed=False, jobs=jobs), out / "ledger.json")
     console().print(summary_text(judgements))
     write_text(findings(judgements), out / "findings.md")
     say_what_is_wrong(judgements)
     require_kernels(chosen)
-    support = [*judgements, *pipeline.check(elsewhere, engine, jobs)]
+    support = [*judgements, *judge_all(elsewhere, engine, jobs)]
     lowered = lowered_after(support, chosen, engine, jobs)
     files = render(lowered, drivers(sources))
     require_room(files, out / package, sources)

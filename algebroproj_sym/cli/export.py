@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import judged
+from algebroproj_sym.cli.judging import judged
 from algebroproj_sym.cli.terminal import console, echo, progressing, show
 from algebroproj_sym.declaring import installed_papers
 from algebroproj_sym.exporting import (

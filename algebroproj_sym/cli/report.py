@@ -8,15 +8,13 @@ from tempfile import TemporaryDirectory
 import click
 
 from algebroproj_sym.cli import options
+from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
 from algebroproj_sym.cli.steps import (
     NOTEBOOK_MODULES,
     SITE_MODULES,
-    judged,
     lowered_after,
-    require_as_declared,
     require_modules,
     run_notebooks,
-    say_what_is_wrong,
     verified,
 )
 from algebroproj_sym.cli.terminal import console

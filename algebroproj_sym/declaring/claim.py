@@ -18,7 +18,7 @@ from algebroproj_sym.expressions import (
     text,
 )
 
-Verdict = Literal["proved", "misprint", "false", "illegible", "definition", "open"]
+Verdict = Literal["proved", "misprint", "error", "false", "illegible", "definition", "open"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 
 Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"

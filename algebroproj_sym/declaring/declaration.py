@@ -139,7 +139,7 @@ def _require_complete(claim: Claim, where: str) -> None:
     if claim.expected not in VERDICTS or claim.expected == "open":
         allowed = ", ".join(verdict for verdict in VERDICTS if verdict != "open")
         raise DeclarationError(f"{where}, expect: expected one of {allowed}, got {claim.expected!r}")
-    if claim.expected in ("misprint", "illegible") and claim.corrected is None:
+    if claim.expected in ("misprint", "error", "illegible") and claim.corrected is None:
         raise DeclarationError(f"{where}, corrected: expected a form for a claim declared {claim.expected}, got none")
     if claim.expected == "false" and not claim.instead:
         raise DeclarationError(f"{where}, instead: expected the number of the true claim for a false one, got none")
@@ -149,17 +149,17 @@ def _require_complete(claim: Claim, where: str) -> None:
     if (claim.derived is None) != kind.is_notation:
         wanted = "a form, got None" if claim.derived is None else "None for a definition, got a form"
         raise DeclarationError(f"{where}, derived: expected {wanted}")
-    for form in (claim.printed, claim.corrected):
-        if kind.one_shape and form is not None and _shape(form) != _shape(claim.derived):
-            raise DeclarationError(
-                f"{where}: expected two sides of one shape, got {_shape(form)} and {_shape(claim.derived)}"
-            )
     for field in fields(Claim):
         is_given = getattr(claim, field.name) not in (field.default, ())
         if is_given and field.name in FIELDS and field.name not in kind.takes:
             takers = ", ".join(sorted(other.name for other in KINDS.values() if field.name in other.takes))
             raise DeclarationError(
                 f"{where}, {field.name}: expected none for a claim of kind {claim.kind}; only {takers} takes it"
+            )
+    for form in (claim.printed, claim.corrected):
+        if kind.one_shape and form is not None and _shape(form) != _shape(claim.derived):
+            raise DeclarationError(
+                f"{where}: expected two sides of one shape, got {_shape(form)} and {_shape(claim.derived)}"
             )
     if claim.rounding not in ROUNDINGS:
         raise DeclarationError(f"{where}, rounding: expected one of {ROUNDINGS}, got {claim.rounding!r}")

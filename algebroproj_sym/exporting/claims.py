@@ -520,8 +520,8 @@ def theorems(record: Mapping[str, Any], made: Object | None = None) -> Proved:
         found |= about(statement, "printed" if verdict == "proved" else "corrected", made)
     elif verdict != "false":
         found |= _translated(PROOFS, kind)(statement, "printed" if verdict == "proved" else "corrected", certificate)
-    if verdict in ("misprint", "false"):
-        refutation = certificate["refutation"] if verdict == "misprint" else certificate
+    if verdict in ("misprint", "error", "false"):
+        refutation = certificate if verdict == "false" else certificate["refutation"]
         found |= _translated(REFUTATIONS, kind)(statement, "printed", refutation)
     if not found:
         raise Silent("the matrix has too few rows or columns, which can be seen without a theorem")

@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import astuple
 from itertools import groupby
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from rich.table import Table
 from rich.text import Text
 
 from algebroproj_sym.declaring import Claim, Judgement
-from algebroproj_sym.generating import Lowered, operation_counts
 from algebroproj_sym.reporting.ledger import summary
-from algebroproj_sym.verifying import BOUND, Verification
+
+if TYPE_CHECKING:
+    from algebroproj_sym.generating import Lowered
+    from algebroproj_sym.verifying import Verification
 
 Item = TypeVar("Item")
 
@@ -22,6 +24,7 @@ SCREEN = 30
 COLORS = {
     "proved": "green",
     "misprint": "yellow",
+    "error": "bright_red",
     "false": "red",
     "illegible": "magenta",
     "definition": "cyan",
@@ -149,6 +152,8 @@ def summary_text(judgements: Sequence[Judgement]) -> Text:
 
 def failed_function(verification: Verification) -> str:
     """Return which function is not verified, and why."""
+    from algebroproj_sym.verifying import BOUND
+
     reasons = []
     if not verification.proved:
         reasons.append("its source is not proved to give the derivation")
@@ -165,6 +170,7 @@ def failed_function(verification: Verification) -> str:
 
 def operations_table(lowered: Sequence[Lowered], *, full: bool = False) -> Table:
     """Return a row for each kernel, or module: operations as derived, after SymPy's cse, in our program."""
+    from algebroproj_sym.generating import operation_counts
 
     def cells(group: Sequence[Lowered]) -> list[str]:
         counts = [astuple(operation_counts(low)) for low in group]

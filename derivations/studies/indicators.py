@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from algebroproj import correlation
 from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
-from algebroproj_derivations.studies.stereo.chain import Configuration, images
-from algebroproj_derivations.studies.stereo.configurations import near_critical, ordinary
+from algebroproj_derivations.studies.stereo.chain import images
+from algebroproj_derivations.studies.stereo.configurations import near_critical
 from algebroproj_derivations.studies.stereo.indicators import indicators
+from algebroproj_derivations.studies.stereo.scenes import Scene
 from algebroproj_sym.study import sampling
 from algebroproj_sym.study.arithmetics import double_double
 from algebroproj_sym.study.datasets import variable
@@ -58,12 +59,7 @@ def check(**options: Any) -> None:
 
 def chunk(indices: Indices, seed: int, *, replicas: int, nearest: float, farthest: float) -> xarray.Dataset:
     """Compute some members: one in four is anywhere, the others have a point near the critical quadric."""
-    near = near_critical(indices, seed, farthest, nearest)
-    anywhere = ordinary(indices, seed)
-    chosen = (np.asarray(indices) % 4 == 0)[:, None, None]
-    scene = Configuration(
-        np.where(chosen, anywhere.y, near.y), near.y0_left, near.y0_right, near.u3_left, near.u3_right
-    )
+    scene = near_critical(indices, seed, farthest, nearest, np.asarray(indices) % 4 != 0)
     values = indicators(scene)._asdict()
     errors = _errors(scene, seed, indices, replicas)
     data = {name: variable([MEMBER], value, "1", WORDS[name]) for name, value in values.items()}
@@ -71,7 +67,7 @@ def chunk(indices: Indices, seed: int, *, replicas: int, nearest: float, farthes
     return xarray.Dataset(data, coords={MEMBER: indices})
 
 
-def _errors(scene: Configuration, seed: int, indices: Indices, replicas: int) -> dict[str, Array]:
+def _errors(scene: Scene, seed: int, indices: Indices, replicas: int) -> dict[str, Array]:
     """Return errors of float64 results for images rounded to float64, in units of roundoff.
 
     The exact images are one of many sets that round to the same numbers; the root mean square is over others too.

@@ -12,8 +12,8 @@ import xarray
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from algebroproj_derivations.studies.stereo.chain import Configuration, simulated
-from algebroproj_derivations.studies.stereo.configurations import near_critical, ordinary
+from algebroproj_derivations.studies.stereo.chain import simulated
+from algebroproj_derivations.studies.stereo.configurations import near_critical
 from algebroproj_sym.study.arithmetics import (
     arb,
     double_double,
@@ -53,9 +53,7 @@ def check(**options: Any) -> None:
 def chunk(indices: Indices, seed: int, *, timed: bool, nearest: float, farthest: float) -> xarray.Dataset:
     """Compute some members in every arithmetic: every other one has a point near the critical quadric."""
     odd = np.asarray(indices) % 2 == 1
-    near, anywhere = near_critical(indices, seed, farthest, nearest), ordinary(indices, seed)
-    y = np.where(odd[:, None, None], near.y, anywhere.y)
-    scene = Configuration(y, near.y0_left, near.y0_right, near.u3_left, near.u3_right)
+    scene = near_critical(indices, seed, farthest, nearest, odd)
     truth = simulated(arb(TRUTH_BITS), scene)._asdict()
     errors: dict[str, list[Array]] = {name: [] for name in OUTPUTS}
     bounds: dict[str, list[Array]] = {name: [] for name in OUTPUTS}

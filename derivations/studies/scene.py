@@ -15,12 +15,11 @@ from algebroproj_derivations.studies.stereo.closest import closest_critical
 from algebroproj_derivations.studies.stereo.drawings import map_of_lost_digits, quadric_in_space
 from algebroproj_derivations.studies.stereo.layouts import examine
 from algebroproj_derivations.studies.stereo.maps import lost_homogeneous, over_plane
-from algebroproj_derivations.studies.stereo.quadric import conditions, critical_quadric, equation, kind
+from algebroproj_derivations.studies.stereo.quadric import conditions, critical_quadric, equation, kind, terms
 from algebroproj_derivations.studies.stereo.scene_files import SceneFile, read_scene
-from algebroproj_derivations.studies.stereo.scenes import Scene
+from algebroproj_derivations.studies.stereo.scenes import Scene, with_points
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
-from algebroproj_sym.study.reductions import parts
 from algebroproj_sym.study.sampling import normal
 
 REACH = 1.5
@@ -43,16 +42,13 @@ def chunk(indices: Indices, seed: int, *, file: Path, moved: float) -> xarray.Da
     """Move the eight points at random, and count the digits that are lost."""
     given = read_scene(file)
     points = given.scene.points + moved * normal(seed, indices, (8, 3))
-    centers, normals = (
-        np.broadcast_to(part, (len(points), 2, 3)) for part in (given.scene.centers, given.scene.normals)
-    )
-    batch = Scene(points, centers, normals)
+    batch = with_points(given.scene, points)
     data = {
         "strength": variable([MEMBER], strength(batch), about="smallest singular value of the homogeneous equations"),
         "lost": variable([MEMBER], lost_homogeneous(batch), about="lost decimal digits of Z, images rounded"),
         "points": variable(["point", "axis"], given.scene.points, given.unit, "the eight points of the file"),
         "centers": variable(["side", "axis"], given.scene.centers, given.unit, "both centers"),
-        "normals": variable(["side", "axis"], given.scene.normals, about="directions of the optical axes"),
+        "normals": variable(["side", "axis"], given.scene.planes, about="directions of the optical axes"),
         "candidates": variable(["candidate", "axis"], given.candidates, given.unit, "further points"),
         "name": variable(["named"], np.array(given.names, dtype=object), about="names of points and candidates"),
     }
@@ -73,7 +69,7 @@ def report(dataset: xarray.Dataset) -> str:
     given = _given(dataset)
     scene, unit = given.scene, given.unit
     found, nearest = examine(scene), closest_critical(scene)
-    lost = np.concatenate([part.lost.values for part in parts(dataset[["lost"]])])
+    lost = dataset.lost.values
     finite = lost[np.isfinite(lost)]
     lines = [
         f"Points {', '.join(given.names[:8])}: {found.verdict}; rank {found.rank_of_eight} of the eight equations.",
@@ -85,7 +81,7 @@ def report(dataset: xarray.Dataset) -> str:
     ]
     size = float(np.ptp(scene.points, axis=0).max())
     best = moves(scene, 0.1 * size)[0]
-    direction = ", ".join(f"{x:.3g}" for x in best.movement)
+    direction = ", ".join(f"{x:.3g}" for x in best.place - scene.points[best.point])
     lines.append(
         f"Best movement by {0.1 * size:.3g} {unit}: {given.names[best.point]} by ({direction}), to {best.after:.2g}."
     )
@@ -110,13 +106,8 @@ def _rounded(form: Any) -> str:
     largest = max(abs(int(cell)) for cell in form.reshape(-1))
     if largest < 10**6:
         return equation(form)
-    scaled = np.array([[float(cell / largest) for cell in row] for row in form])
-    terms = [
-        (scaled[i, j] * (1 if i == j else 2), "*".join(filter(None, (("", "x1", "x2", "x3")[k] for k in (i, j)))))
-        for i in range(4)
-        for j in range(i, 4)
-    ]
-    return " ".join(f"{value:+.4g}{'*' if product else ''}{product}" for value, product in terms if value) + " = 0"
+    written = [(float(coefficient / largest), product) for coefficient, product in terms(form)]
+    return " ".join(f"{number:+.4g}{'*' if product else ''}{product}" for number, product in written if number) + " = 0"
 
 
 def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:

@@ -59,7 +59,7 @@ def _sentences(judgement: Judgement, certificate: Mapping[str, Any], refutation:
     if method == "none":
         return (f"Undecided: {certificate['reason']}.",)
     found = METHODS.get(method, method)
-    if judgement.verdict == "misprint":
+    if judgement.verdict in ("misprint", "error"):
         return f"The printed form: {_lowered(METHODS.get(refutation.get('method', ''), ''))}", (
             f"The corrected form: {_lowered(found)}"
         )

@@ -87,9 +87,9 @@ class Paper:
         """How often each verdict occurs."""
         return summary([entry.judgement for entry in self.entries])
 
-    def with_verdict(self, verdict: str) -> tuple[Entry, ...]:
-        """Return the claims with a verdict."""
-        return tuple(entry for entry in self.entries if entry.judgement.verdict == verdict)
+    def with_verdict(self, *verdicts: str) -> tuple[Entry, ...]:
+        """Return the claims with one of some verdicts."""
+        return tuple(entry for entry in self.entries if entry.judgement.verdict in verdicts)
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,12 @@
-"""What a run of the tests includes: by default what is quick, with ``--whole`` everything, as in CI."""
+"""What a run of the tests includes.
 
+By default it is what is quick.  ``--part rest`` is what that leaves out: builds and other long tests, tests that need
+an extra, and properties again with all their examples.  ``--part all`` is both.  CI runs both, with every extra.
+"""
+
+import os
+import subprocess
+import sys
 from functools import cache
 from importlib.metadata import PackageNotFoundError, distribution, requires
 from pathlib import Path
@@ -28,38 +35,54 @@ settings.register_profile("whole", REPEATABLE)
 
 
 def pytest_addoption(parser):
-    parser.addoption("--whole", action="store_true", help="Run every test and every example; no extra may be absent.")
+    parser.addoption("--part", choices=("quick", "rest", "all"), default="quick", help="Which tests to run.")
+    parser.addoption(
+        "--built", type=Path, help="The folder that `algebroproj build` has written; built anew otherwise."
+    )
     parser.addoption("--site", type=Path, help="Check every page of this site in the browser, not of a small one.")
 
 
 def pytest_configure(config):
-    config.addinivalue_line("markers", "whole: what takes long, such as a build; it runs with --whole.")
+    config.addinivalue_line("markers", "whole: what takes long, such as a build.")
     config.addinivalue_line("markers", "extra(name): the test needs this extra.")
-    settings.load_profile("whole" if config.getoption("whole") else "quick")
+    settings.load_profile("quick" if config.getoption("part") == "quick" else "whole")
 
 
 def pytest_collection_modifyitems(config, items):
-    if not config.getoption("whole"):
-        config.hook.pytest_deselected(items=[item for item in items if item.get_closest_marker("whole")])
-        items[:] = [item for item in items if not item.get_closest_marker("whole")]
+    part = config.getoption("part")
+    if part != "all":
+        chosen = is_quick if part == "quick" else is_rest
+        config.hook.pytest_deselected(items=[item for item in items if not chosen(item)])
+        items[:] = filter(chosen, items)
+
+
+def is_quick(item):
+    return item.get_closest_marker("whole") is None
+
+
+def is_rest(item):
+    """Whether a quick run leaves a test out, skips it without an extra, or gives it fewer examples."""
+    needs_extra = extra_of(item) is not None or item.get_closest_marker("extra") is not None
+    return not is_quick(item) or needs_extra or hasattr(getattr(item, "obj", None), "hypothesis")
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_make_collect_report(collector):
-    if not isinstance(collector, pytest.File):
-        return None
-    extras = {extra for beginning, extra in IMPORTS.items() if collector.nodeid.startswith(beginning)}
-    reason = next(filter(None, map(absent, sorted(extras))), None)
-    if reason is None or collector.config.getoption("whole"):
-        return None
-    return pytest.CollectReport(collector.nodeid, "skipped", (collector.nodeid, 0, reason), [])
+    """Skip a file, before it is imported, that needs an extra which is absent."""
+    extra = extra_of(collector) if isinstance(collector, pytest.File) else None
+    reason = extra and collector.config.getoption("part") == "quick" and absent(extra)
+    return pytest.CollectReport(collector.nodeid, "skipped", (collector.nodeid, 0, reason), []) if reason else None
 
 
 def pytest_runtest_setup(item):
     for mark in item.iter_markers("extra"):
-        reason = absent(*mark.args)
-        if reason and not item.config.getoption("whole"):
+        reason = item.config.getoption("part") == "quick" and absent(*mark.args)
+        if reason:
             pytest.skip(reason)
+
+
+def extra_of(node):
+    return next((extra for place, extra in IMPORTS.items() if node.nodeid.startswith(place)), None)
 
 
 @cache
@@ -90,6 +113,17 @@ def is_installed(name):
 @pytest.fixture(scope="session")
 def repository() -> Path:
     return Path(__file__).resolve().parent
+
+
+@pytest.fixture(scope="session")
+def built(request, tmp_path_factory):
+    """Return the folder of a build of everything."""
+    folder = request.config.getoption("built")
+    if folder is None:
+        folder = tmp_path_factory.mktemp("built")
+        command = [sys.executable, "-m", "algebroproj_sym", "build", "--out", str(folder), "--jobs", "2"]
+        subprocess.run(command, env=os.environ | {"PYTHONHASHSEED": "1"}, capture_output=True, check=True)
+    return folder
 
 
 @pytest.fixture(scope="session")

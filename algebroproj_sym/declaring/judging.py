@@ -118,7 +118,7 @@ def _with_whole_witness(
 ) -> Mapping[str, Any] | None:
     if certificate is None or "witness" not in certificate:
         return certificate
-    form = claim.corrected if verdict in ("misprint", "illegible") else claim.printed
+    form = claim.corrected if verdict in ("misprint", "error", "illegible") else claim.printed
     witness = {sympy.Symbol(name): value for name, value in certificate["witness"].items()}
     completed = _completed(claim, form, witness) or {}
     return {**certificate, "witness": {symbol.name: str(value) for symbol, value in completed.items()}}
@@ -146,15 +146,17 @@ def _verdict(claim: Claim, printed: Proof | None, corrected: Proof | None) -> Ve
         return KINDS[claim.kind].when_it_holds
     if printed.verdict == "refuted" and corrected is None:
         return "false"
-    return "misprint" if printed.verdict == "refuted" and corrected_holds else "open"
+    if printed.verdict == "refuted" and corrected_holds:
+        return "error" if claim.expected == "error" else "misprint"
+    return "open"
 
 
 def _evidence(verdict: Verdict, printed: Proof | None, corrected: Proof | None) -> Proof:
     """Return the proof of what is true: of the corrected form where the printed one is refuted or missing."""
-    chosen = corrected if verdict in ("misprint", "illegible") else printed
+    chosen = corrected if verdict in ("misprint", "error", "illegible") else printed
     evidence = chosen or corrected
     assert evidence is not None
-    if verdict == "misprint" and printed is not None:
+    if verdict in ("misprint", "error") and printed is not None:
         refutation = {"refutation": printed.certificate}
         return replace(evidence, certificate={**(evidence.certificate or {}), **refutation})
     return evidence

@@ -1,6 +1,7 @@
 """The wheel built from the tree works in an empty environment, from another directory, and adds no generic name."""
 
 import json
+import runpy
 import subprocess
 import sys
 import venv
@@ -44,6 +45,12 @@ def python(tmp_path_factory, wheel):
 
 def run(python, *arguments, cwd):
     return subprocess.run([str(python), *arguments], cwd=cwd, capture_output=True, text=True, check=True).stdout
+
+
+def test_an_older_python_is_refused_in_one_sentence(repository, monkeypatch):
+    monkeypatch.setattr(sys, "version_info", (3, 10, 13))
+    with pytest.raises(SystemExit, match=r"^algebroproj-sym needs Python 3\.11 or later, and this is Python "):
+        runpy.run_path(str(repository / "setup.py"))
 
 
 @pytest.mark.whole

@@ -1,4 +1,4 @@
-"""The pipeline: claims → verdicts → programs → package → figures.
+"""From verdicts to programs, mutants, notebooks and figures.
 
 Each step takes what the one before it gave; `jobs` worker processes change the time a step takes, never its result.
 """
@@ -8,16 +8,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
 
-from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, judge, numbered_with
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, numbered_with
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
 from algebroproj_sym.processes import in_processes, mapped
-from algebroproj_sym.reporting import Notebook, Quotes, claim_record, run_notebook
+from algebroproj_sym.reporting.notebooks import Notebook, run_notebook
 from algebroproj_sym.verifying import Verification, load_package, verify
 
-EMITTED = ("proved", "misprint", "illegible")
+EMITTED = ("proved", "misprint", "error", "illegible")
 
 
 class UnprovedError(ValueError):
@@ -32,34 +31,6 @@ class UnprovedError(ValueError):
     def __init__(self, kernel: Kernel, number: str, verdict: str) -> None:
         super().__init__(f"kernel {kernel.qualified_name}: expected claim {number} to prove it, got {verdict}")
         self.selector = f"{kernel.paper}:{number}"
-
-
-def check(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iterator[Judgement]:
-    """Judge claims, in order.
-
-    Parameters
-    ----------
-    claims : sequence of Claim
-        As selected.
-    engine : {"flint", "sympy"}
-        The library for polynomials.
-    jobs : int
-        The number of processes.
-
-    Yields
-    ------
-    Judgement
-        With the very claims that were given.
-    """
-    for claim, found in zip(claims, mapped(partial(_found, engine=engine), claims, jobs), strict=True):
-        yield Judgement(claim=claim, **found)
-
-
-def records(
-    judgements: Sequence[Judgement], quotes: Quotes, *, timed: bool = True, jobs: int = 1
-) -> Iterator[dict[str, Any]]:
-    """Write the entries of the ledger, in order, with what the papers print."""
-    return mapped(partial(claim_record, quotes=quotes, timed=timed), judgements, jobs)
 
 
 def claims_of(chosen: Sequence[Kernel], sources: Sequence[str] = ()) -> tuple[Claim, ...]:
@@ -157,11 +128,6 @@ def mutated_kernels(
 def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Notebook]:
     """Run derivations as notebooks, each in a process of its own."""
     return in_processes(run_notebook, derivations, jobs)
-
-
-def _found(claim: Claim, engine: str) -> dict[str, Any]:
-    """Return a judgement without its claim, whose forms take longer to be sent than to be judged."""
-    return {name: value for name, value in vars(judge(claim, engine)).items() if name != "claim"}
 
 
 def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine: str) -> MutatedKernel:

@@ -58,6 +58,14 @@ def test_what_fails_with_a_correction_that_holds_is_a_misprint(engine):
     assert (result.verdict, result.as_declared) == ("misprint", True)
 
 
+def test_a_refuted_form_is_an_error_where_the_paper_shows_that_it_is_no_slip(engine):
+    result = square(WRONG, engine, expect="error", corrected=TRUE)
+    assert (result.verdict, result.as_declared) == ("error", True)
+    assert result.certificate["refutation"]["method"] == "counterexample"
+    assert square(TRUE, engine, expect="error", corrected=TRUE).verdict == "proved"
+    assert square(WRONG, engine, expect="error", corrected=WRONG).verdict == "open"
+
+
 def test_the_evidence_of_a_misprint_is_a_counterexample_and_the_proof_of_the_correction(engine):
     result = square(WRONG, engine, expect="misprint", corrected=TRUE)
     at = {x: sympy.Rational(result.counterexample[x])}

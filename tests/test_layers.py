@@ -9,6 +9,7 @@ import pytest
 STAGES = (
     *(
         "files",
+        "papers",
         "replaying",
         "expressions",
         "proving",

@@ -11,10 +11,10 @@ import time
 
 import pytest
 
-from algebroproj_sym import pipeline
 from algebroproj_sym.cli.terminal import progressing
-from algebroproj_sym.declaring import located, quotes_of
+from algebroproj_sym.declaring import judge_all, located, quotes_of
 from algebroproj_sym.processes import in_processes, mapped
+from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.showing import as_declared, shown
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
@@ -125,9 +125,9 @@ def test_claims_are_judged_alike_by_any_number_of_processes(way):
     claims, quotes = [claim for _, claim in found], quotes_of(derivation for derivation, _ in found)
 
     def records(jobs):
-        judgements = [*pipeline.check(claims, jobs=jobs)]
+        judgements = [*judge_all(claims, jobs=jobs)]
         forms = [shown(as_declared(j.claim, "derived")) for j in judgements if j.claim.derived is not None]
-        return json.dumps([*pipeline.records(judgements, quotes, timed=False, jobs=jobs)]), forms
+        return json.dumps(ledger(judgements, quotes, timed=False, jobs=jobs)), forms
 
     alone = records(1)
     assert records(2) == alone

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from algebroproj_sym.study.datasets import provenance, read, variable, write
-from algebroproj_sym.study.reductions import joint, parts, thinned
+from algebroproj_sym.study.reductions import joint, thinned
 
 
 def through_a_file(dataset, folder):
@@ -47,7 +47,7 @@ def test_quantiles_and_lines_of_counts_are_those_of_the_values():
     rng = np.random.default_rng(3)
     x = rng.uniform(0, 4, 40_000)
     y = 2 * x + rng.normal(0, 0.5, x.shape)
-    dataset = xarray.Dataset({"x": ("member", x), "y": ("member", y)})
+    dataset = xarray.Dataset({"x": ("member", x), "y": ("member", y)}).chunk(member=7_000)
     counted = joint(dataset, "x", "y", np.linspace(0, 4, 81), np.linspace(-4, 12, 1601))
     slope, intercept, scatter = counted.line(0.5, 3.5)
     inside = (x > 0.5) & (x < 3.5)
@@ -57,13 +57,6 @@ def test_quantiles_and_lines_of_counts_are_those_of_the_values():
     middle = (x >= 2) & (x < 2.05)
     assert np.allclose(counted.quantiles([0.25, 0.5])[:, 40], np.quantile(y[middle], [0.25, 0.5]), atol=0.03)
     assert counted.outside == 0
-
-
-def test_parts_cover_a_dataset_once():
-    dataset = xarray.Dataset({"x": ("member", np.arange(25.0))}).chunk(member=4)
-    pieces = list(parts(dataset, 10))
-    assert [piece.sizes["member"] for piece in pieces] == [10, 10, 5]
-    assert np.array_equal(np.concatenate([piece.x for piece in pieces]), np.arange(25.0))
 
 
 @given(members=st.integers(1, 60), most=st.integers(1, 70))

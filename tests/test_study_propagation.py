@@ -64,7 +64,7 @@ def test_second_order_terms_are_those_of_a_sample():
     lens = np.concatenate([c[None], np.zeros(series.parts - 1)])
     model = apply(series, metric.reconstruct, *numbers, lens)
     sigma = 0.01
-    found = second_order(gradient(series, model, 4), hessian(series, model, 4), sigma**2 * np.eye(4))
+    found = second_order(gradient(model, 4), hessian(model, 4), sigma**2 * np.eye(4))
     draws = sigma * GENERATOR.normal(size=(400_000, 4))
     sample = metric.reconstruct(left + draws[:, :2], right + draws[:, 2:], c)
     np.testing.assert_allclose(sample.mean(axis=0) - model[0], found.shift, atol=0.05 * abs(found.shift).max())

@@ -78,7 +78,7 @@ def test_digits_lost_are_those_of_exact_images_solved_with_fifty_digits():
     scenes = aerial(5, indices, **{name: arguments[name] for name in ("base", "height", "relief", "tilt")})
     points = near_critical._near_quadric(scenes, found.intended.values)
     for member in indices:
-        parts = (exact(part) for part in (points[member], scenes.centers[member], scenes.normals[member]))
+        parts = (exact(part) for part in (points[member], scenes.centers[member], scenes.planes[member]))
         u = images(Scene(*parts))
         rounded = exact(u.astype(float))
         with mpmath.workdps(50):
@@ -132,7 +132,7 @@ def test_the_data_of_the_example_are_the_printed_ones():
         assert example.scene.centers[side].tolist() == [float(cell) for cell in printed.CARTESIAN[name]]
     assert example.names[:4] == printed.BASIC
     axes = [[float(cell) for cell in matrix[2]] for matrix in (printed.R_LEFT, printed.R_RIGHT)]
-    assert example.scene.normals.tolist() == axes
+    assert example.scene.planes.tolist() == axes
 
 
 def test_the_unrounded_results_of_the_example_are_the_printed_ones(datasets):
@@ -214,7 +214,7 @@ def test_the_command_writes_dataset_figures_and_report(tmp_path):
 def test_conditions_count_ten_for_what_is_not_critical():
     scene = aerial(2, [0])
     assert conditions(np.concatenate([scene.points[0], scene.centers[0]])) == 10
-    single = Scene(scene.points[0], scene.centers[0], scene.normals[0])
+    single = scene[0]
     form = critical_quadric(single.points[:7], single.centers)
     assert all(number == 0 for number in value(form, np.vectorize(sympy.Rational)(single.points[:7])))
     assert np.isfinite(pictures(single)).all()

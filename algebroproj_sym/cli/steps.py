@@ -9,23 +9,15 @@ from pathlib import Path
 import click
 
 from algebroproj_sym import pipeline
-from algebroproj_sym.cli.terminal import echo, progressing
-from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel
+from algebroproj_sym.cli.judging import judged
+from algebroproj_sym.cli.terminal import progressing
+from algebroproj_sym.declaring import Derivation, Judgement, Kernel
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
-from algebroproj_sym.reporting import Notebook, failed_function, failure_text
+from algebroproj_sym.reporting.notebooks import Notebook
 from algebroproj_sym.verifying import Verification
 
 SITE_MODULES = ("latex2mathml",)
-ADVICE = (
-    "Try another form of the kernel: declare section.kernel(..., form=...) with an equal expression that cancels\n"
-    "less, or several of them with alternatives=..., of which the generator takes the most accurate one."
-)
 NOTEBOOK_MODULES = ("ipykernel", "jupytext", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
-
-
-def judged(claims: Sequence[Claim], engine: str, jobs: int) -> list[Judgement]:
-    """Judge claims, in order."""
-    return list(progressing(pipeline.check(claims, engine, jobs), len(claims), "checking"))
 
 
 def require_kernels(chosen: Sequence[Kernel]) -> None:
@@ -80,35 +72,3 @@ def missing_modules(names: Sequence[str]) -> list[str]:
 def run_notebooks(derivations: Collection[Derivation], jobs: int) -> list[Notebook]:
     """Run derivations as notebooks."""
     return list(progressing(pipeline.notebooks(tuple(derivations), jobs), len(derivations), "running notebooks"))
-
-
-def say_what_is_wrong(judgements: Sequence[Judgement]) -> None:
-    """Say, on standard error, why claims are not as declared."""
-    wrong = [judgement for judgement in judgements if not judgement.as_declared]
-    if wrong:
-        echo("\n\n".join(map(failure_text, wrong)), err=True)
-
-
-def require_as_declared(
-    judgements: Sequence[Judgement], verifications: Sequence[Verification] = (), details: Path | None = None
-) -> None:
-    """Leave with exit status 1 unless every verdict is the declared one and every function has passed.
-
-    Parameters
-    ----------
-    judgements : sequence of Judgement
-        The verdicts.
-    verifications : sequence of Verification
-        The figures of the functions.
-    details : Path, optional
-        Where to read more.
-    """
-    failed = [v for v in verifications if not v.passed]
-    if failed:
-        echo("\n".join(map(failed_function, failed)), err=True)
-        if not all(v.accuracy.within_bound for v in failed):
-            echo(ADVICE, err=True)
-        if details:
-            echo(f"All figures are in {details}.", err=True)
-    if failed or not all(judgement.as_declared for judgement in judgements):
-        raise SystemExit(1)

@@ -17,19 +17,17 @@ from algebroproj_sym.declaring.discovery import (
     derivations,
     derivations_of,
     drivers,
-    installed_papers,
     kernels,
     located,
     numbered_with,
-    paper_folders,
     quotes_of,
     select,
     split,
 )
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
-from algebroproj_sym.declaring.importing import BrokenModuleError, import_root, makes_section
-from algebroproj_sym.declaring.judging import Judgement, judge
+from algebroproj_sym.declaring.importing import BrokenModuleError, import_root
+from algebroproj_sym.declaring.judging import Judgement, judge, judge_all
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.kind import Kind
 from algebroproj_sym.declaring.kinds import KINDS
@@ -46,6 +44,7 @@ from algebroproj_sym.declaring.stage import (
     null_vector,
     solution,
 )
+from algebroproj_sym.papers import installed_papers
 
 __all__ = [
     "KINDS",
@@ -88,13 +87,12 @@ __all__ = [
     "in_derived_terms",
     "installed_papers",
     "judge",
+    "judge_all",
     "kernels",
     "let",
     "located",
-    "makes_section",
     "null_vector",
     "numbered_with",
-    "paper_folders",
     "publication",
     "quotations",
     "quotes_of",

@@ -18,14 +18,14 @@ from algebroproj_sym.expressions import (
     text,
 )
 
-Verdict = Literal["proved", "misprint", "false", "illegible", "definition", "open"]
+Verdict = Literal["proved", "misprint", "error", "false", "illegible", "definition", "open"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 
 Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
 
 
 class DeclarationError(ValueError):
-    """A claim or kernel is declared in a way that cannot be judged."""
+    """The declaration of a claim or kernel is wrong or incomplete."""
 
 
 @dataclass(frozen=True)

@@ -15,15 +15,15 @@ from functools import cache
 from pathlib import Path
 from types import ModuleType
 
+from algebroproj_sym import papers
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.driver import Driver
-from algebroproj_sym.declaring.importing import import_at, is_package, makes_section, modules_in
+from algebroproj_sym.declaring.importing import import_at
 from algebroproj_sym.declaring.kernel import Kernel
 from algebroproj_sym.declaring.quotes import Quote, quotations
 from algebroproj_sym.declaring.section import Section
 from algebroproj_sym.expressions import provenance
-
-PAPERS = "algebroproj_derivations"
+from algebroproj_sym.papers import installed_papers, is_package, modules_in, paper_folders
 
 
 class UnknownSelectorError(ValueError):
@@ -49,18 +49,6 @@ class Derivation:
     path: Path
 
 
-def installed_papers() -> tuple[str, ...]:
-    """Return the keys of the installed papers, sorted: the packages that hold a derivation module."""
-    return _papers_of(PAPERS)
-
-
-@cache
-def _papers_of(package: str) -> tuple[str, ...]:
-    folders = [Path(folder) for folder in importlib.import_module(package).__path__]
-    inside = (child for folder in folders for child in folder.iterdir() if is_package(child))
-    return tuple(sorted(child.name for child in inside if any(map(makes_section, sorted(child.glob("*.py"))))))
-
-
 @cache
 def derivations(paper: str) -> tuple[Derivation, ...]:
     """Import the derivation modules of an installed paper, in the order of their names.
@@ -70,11 +58,14 @@ def derivations(paper: str) -> tuple[Derivation, ...]:
     DeclarationError
         If a number is declared twice, or a claim or kernel refers to a number that is not declared.
     """
-    files = sorted({path for folder in paper_folders(paper) for path in folder.glob("*.py") if makes_section(path)})
-    modules = [importlib.import_module(f"{PAPERS}.{paper}.{path.stem}") for path in files]
-    found = tuple(derivation for module in modules for derivation in _declared_by(module))
+    found = _imported(paper, papers.module_files(paper))
     _require_consistent(found)
     return found
+
+
+def _imported(paper: str, files: Sequence[Path]) -> tuple[Derivation, ...]:
+    modules = [importlib.import_module(f"{papers.PAPERS}.{paper}.{file.stem}") for file in files]
+    return tuple(derivation for module in modules for derivation in _declared_by(module))
 
 
 def derivation_at(path: Path, *, alone: bool = False) -> tuple[Derivation, ...]:
@@ -136,9 +127,15 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
 
 
 def located(selectors: Sequence[str] = ()) -> tuple[tuple[Derivation, Claim], ...]:
-    """Return the claims that some selectors name, as `select` does, each with the derivation that declares it."""
+    """Return the claims that some selectors name, as `select` does, each with the derivation that declares it.
+
+    For a section or number of an installed paper, only the modules that name it are imported.  The others are imported
+    if that finds nothing.
+    """
     chosen = [found for selector in selectors or installed_papers() for found in _located(selector)]
-    derivations_of([split(selector)[0] for selector in selectors])
+    sources = [split(selector)[0] for selector in selectors]
+    if not {*sources} <= {*installed_papers()}:
+        derivations_of(sources)
     return tuple({(claim.paper, claim.number): (source, claim) for source, claim in chosen}.values())
 
 
@@ -259,6 +256,7 @@ def _require_references(sections: Sequence[Section]) -> None:
             raise DeclarationError(f"{source}: expected a reference to a declared claim, got {number}")
 
 
+@cache
 def _declared_by(module: ModuleType) -> tuple[Derivation, ...]:
     section = getattr(module, "section", None)
     if not isinstance(section, Section):
@@ -325,8 +323,8 @@ def _stamp(file: Path) -> tuple[Path, int, int]:
 @cache
 def _derivations_in(files: tuple[Path, ...], stamps: tuple[tuple[Path, int, int], ...]) -> tuple[Derivation, ...]:
     """Import modules; `stamps` tell whether anything beside them has changed since the last time."""
-    papers = {paper: paper_folders(paper) for paper in installed_papers()}
-    homes = {file: next((paper for paper in papers if file.parent in papers[paper]), None) for file in files}
+    folders = {paper: paper_folders(paper) for paper in installed_papers()}
+    homes = {file: next((paper for paper in folders if file.parent in folders[paper]), None) for file in files}
     installed = {d.path: d for paper in dict.fromkeys(homes.values()) if paper for d in derivations(paper)}
     others = [file for file in files if homes[file] is None]
     imported = {d.path: d for module in import_at(others) for d in _declared_by(module)}
@@ -335,22 +333,24 @@ def _derivations_in(files: tuple[Path, ...], stamps: tuple[tuple[Path, int, int]
     return found
 
 
-def paper_folders(paper: str) -> set[Path]:
-    """Return where the modules of a paper are, without importing them."""
-    folders = importlib.import_module(PAPERS).__path__
-    return {(Path(folder) / paper).resolve() for folder in folders}
-
-
 def _located(selector: str) -> list[tuple[Derivation, Claim]]:
     source, part = split(selector)
-    found = [(derivation, c) for derivation in _modules_of(source, selector) for c in derivation.section.claims]
-    named = [(derivation, claim) for derivation, claim in found if not part or _names(part, claim)]
+    if part and source in installed_papers():
+        files = [file for file in papers.module_files(source) if papers.may_name(file.read_text("utf-8"), part)]
+        if named := _named(part, _imported(source, files)):
+            return named
+    found = _modules_of(source, selector)
+    named = _named(part, found)
     if part and not named:
-        known = {name for _, claim in found for name in (claim.section, claim.number)}
+        known = {name for derivation in found for c in derivation.section.claims for name in (c.section, c.number)}
         raise UnknownSelectorError(
             f"selector: expected a section or number of {source}, got {part!r}{suggestion(part, known)}"
         )
     return named
+
+
+def _named(part: str, found: Sequence[Derivation]) -> list[tuple[Derivation, Claim]]:
+    return [(derivation, c) for derivation in found for c in derivation.section.claims if not part or _names(part, c)]
 
 
 def _names(part: str, claim: Claim) -> bool:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rich.table import Table
 
-from algebroproj_sym.auditing import Finding, Line, ranges
 from algebroproj_sym.declaring import UNPARSED, UNQUOTED
 from algebroproj_sym.reporting.tables import table_of
+
+if TYPE_CHECKING:
+    from algebroproj_sym.auditing import Finding, Line
 
 OUTCOMES = {
     "equal": "parsed, equal",
@@ -87,6 +89,8 @@ def coverage_lines(found: Mapping[str, Sequence[Line]]) -> list[str]:
       displays that no claim quotes, by first line: 6
       other lines that no claim quotes: 1
     """
+    from algebroproj_sym.auditing import ranges
+
     said = []
     for paper, lines in found.items():
         displays = {line.display for line in lines if line.display}

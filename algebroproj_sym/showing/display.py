@@ -163,7 +163,7 @@ def _formula(claim: Claim, verdict: Verdict) -> str:
     derived = kind.applied % {"derived": _side(claim, "derived"), "variable": variable}
     if claim.printed is None:
         return derived
-    relation = kind.negated if verdict in ("misprint", "false") else kind.relation
+    relation = kind.negated if verdict in ("misprint", "error", "false") else kind.relation
     sides = (derived, _side(claim, "printed")) if kind.derived_first else (_side(claim, "printed"), derived)
     return f"{sides[0]} {relation} {sides[1]}"
 

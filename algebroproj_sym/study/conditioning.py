@@ -107,7 +107,7 @@ def _differentiated(function: Callable[..., Any], arguments: Sequence[ArrayLike]
     returned = apply(arithmetic, function, *numbers)
     results = returned if isinstance(returned, tuple) else (returned,)
     flat = _flat(results, signature.results)
-    return flat[0], gradient(arithmetic, flat, count), _flat([number[0] for number in numbers], cores)
+    return flat[0], gradient(flat, count), _flat([number[0] for number in numbers], cores)
 
 
 def _flat(arrays: Sequence[Array], cores: Sequence[tuple[int, ...]]) -> Array:

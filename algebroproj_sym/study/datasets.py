@@ -132,8 +132,9 @@ def join(paths: Sequence[Path], dimension: str, attributes: Mapping[str, str], p
         whole = path.with_suffix(".nc")
         join(paths, dimension, attributes, whole)
         with read(whole) as dataset, dask.config.set(scheduler="synchronous"):
-            texts = {name: each.astype(object) for name, each in dataset.variables.items() if each.dtype.kind == "U"}
-            dataset.assign(texts).drop_encoding().to_zarr(temporary, mode="w", consolidated=False)
+            texts = [name for name, each in dataset.variables.items() if each.dtype.kind == "U"]
+            whole_texts = dataset[texts].astype(object).load()
+            dataset.assign(whole_texts).drop_encoding().to_zarr(temporary, mode="w", consolidated=False)
         whole.unlink()
     else:
         _join(paths, dimension, attributes, temporary)

@@ -43,10 +43,6 @@ class Option:
     help: str
 
 
-def _accept(**options: Any) -> None:
-    """Accept all options."""
-
-
 @dataclass(frozen=True)
 class Study:
     """A numerical experiment of many independent members.
@@ -83,7 +79,7 @@ class Study:
     chunk: Callable[..., xarray.Dataset]
     report: Callable[[xarray.Dataset], str]
     figures: Callable[[xarray.Dataset], Mapping[str, Figure]]
-    check: Callable[..., None] = _accept
+    check: Callable[..., None] = lambda **options: None
     shown: int | None = None
 
     @property

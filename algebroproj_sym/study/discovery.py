@@ -12,8 +12,8 @@ from pathlib import Path
 from pkgutil import iter_modules
 from types import ModuleType
 
-from algebroproj_sym.declaring.discovery import PAPERS
 from algebroproj_sym.declaring.importing import BrokenModuleError, import_root
+from algebroproj_sym.papers import PAPERS
 from algebroproj_sym.study.declaration import Study
 
 INSTALLED = f"{PAPERS}.studies"

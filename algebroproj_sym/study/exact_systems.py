@@ -31,29 +31,21 @@ def _in_places(solver: Solver, rows: Sequence[Sequence[Any]], unknowns: int) -> 
     return tuple(results[k] if shape else results[k, ...][()] for k in range(unknowns))
 
 
-def _systems(solver: Solver) -> Callable[..., tuple[Any, ...]]:
-    def solve(*rows: Sequence[Any]) -> tuple[Any, ...]:
-        return _in_places(solver, rows, len(rows))
+def _meanings(solver: Solver, one: Any, nan: Any, is_below_one: Callable[[Any], Any]) -> Meanings:
+    """Return what solves systems, and what spans null spaces by vectors whose largest component is 1.
 
-    return solve
-
-
-def _null_spaces(
-    solver: Solver, is_below_one: Callable[[Any], bool], one: Any, nan: Any
-) -> Callable[..., tuple[Any, ...]]:
-    """Span null spaces by vectors whose largest component is 1, or not a number where it is not clear which that is."""
+    Such a vector is not a number where it is not clear which component is the largest.
+    """
 
     def spanned(rows: list[list[Any]]) -> list[Any]:
         last = _largest_component(np.array([[float(entry) for entry in row] for row in rows]))
         others = solver([[*row[:last], *row[last + 1 :], -row[last]] for row in rows])
-        if not all(map(is_below_one, others)):
-            return [nan] * len(rows[0])
-        return [*others[:last], one, *others[last:]]
+        return [*others[:last], one, *others[last:]] if all(map(is_below_one, others)) else [nan] * len(rows[0])
 
-    def null_vector(*rows: Sequence[Any]) -> tuple[Any, ...]:
-        return _in_places(spanned, rows, len(rows) + 1)
-
-    return null_vector
+    return {
+        "solve": lambda *rows: _in_places(solver, rows, len(rows)),
+        "null_vector": lambda *rows: _in_places(spanned, rows, len(rows) + 1),
+    }
 
 
 def _largest_component(matrix: NDArray[np.float64]) -> int:
@@ -70,25 +62,22 @@ def _mpmath_solution(rows: list[list[Any]]) -> list[Any]:
 
 
 def _arb_solution(rows: list[list[Any]]) -> list[Any]:
-    size = len(rows)
     matrix = flint.arb_mat([row[:-1] for row in rows])
     try:
         solution = matrix.solve(flint.arb_mat([row[-1:] for row in rows]))
     except ZeroDivisionError:
-        return [flint.arb.nan()] * size
-    return [solution[i, 0] for i in range(size)]
+        return [flint.arb.nan()] * len(rows)
+    return [solution[i, 0] for i in range(len(rows))]
 
 
 MPMATH: Meanings = {
-    "solve": _systems(_mpmath_solution),
-    "null_vector": _null_spaces(_mpmath_solution, lambda number: bool(abs(number) <= 1), mpmath.mpf(1), mpmath.nan),
+    **_meanings(_mpmath_solution, mpmath.mpf(1), mpmath.nan, lambda number: abs(number) <= 1),
     "cos_sin": np.frompyfunc(lambda angle: (mpmath.cos(angle), mpmath.sin(angle)), 1, 2),
     "arctan2": np.frompyfunc(mpmath.atan2, 2, 1),
 }
 
 ARB: Meanings = {
-    "solve": _systems(_arb_solution),
-    "null_vector": _null_spaces(_arb_solution, lambda ball: bool(abs(ball) < 1), flint.arb(1), flint.arb.nan()),
+    **_meanings(_arb_solution, flint.arb(1), flint.arb.nan(), lambda ball: abs(ball) < 1),
     "cos_sin": np.frompyfunc(lambda angle: (angle.cos(), angle.sin()), 1, 2),
     "arctan2": np.frompyfunc(lambda y, x: flint.arb.atan2(y, x), 2, 1),
 }

@@ -154,7 +154,8 @@ def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iter
     """
     if executor is None:
         for chunk in missing(sweep):
-            yield keep(sweep, chunk, _task(sweep, chunk)())
+            write(_task(sweep, chunk)(), sweep.path(chunk))
+            yield chunk
         return
     waiting = iter(missing(sweep))
     running: dict[Future[xarray.Dataset], int] = {}
@@ -166,7 +167,9 @@ def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iter
                 return
             done, _ = wait(running, return_when=FIRST_COMPLETED)
             for task in sorted(done, key=running.__getitem__):
-                yield keep(sweep, running.pop(task), task.result())
+                chunk = running.pop(task)
+                write(task.result(), sweep.path(chunk))
+                yield chunk
     finally:
         for task in running:
             task.cancel()
@@ -186,12 +189,6 @@ def computed(
     if MEMBER not in dataset.coords or not np.array_equal(dataset[MEMBER].values, indices):
         raise RuntimeError(f"study: expected the members {indices[0]} to {indices[-1]} in order, got others")
     return dataset
-
-
-def keep(sweep: Sweep, chunk: int, dataset: xarray.Dataset) -> int:
-    """Write a chunk, whole or not at all, and return its number."""
-    write(dataset, sweep.path(chunk))
-    return chunk
 
 
 def assemble(sweep: Sweep) -> xarray.Dataset:

@@ -164,7 +164,7 @@ def variables(arithmetic: Arithmetic, values: ArrayLike, start: int = 0, core: i
     >>> from algebroproj_sym.study.precision import apply
     >>> two = taylor(2)
     >>> found = apply(two, optics.scale, variables(two, 1.0, 0, 0), variables(two, 2.0, 1, 0))
-    >>> gradient(two, found, 2).round(4).tolist()
+    >>> gradient(found, 2).round(4).tolist()
     [0.2222, -0.1111]
     """
     array = np.asarray(values, dtype=np.float64)
@@ -175,22 +175,25 @@ def variables(arithmetic: Arithmetic, values: ArrayLike, start: int = 0, core: i
     return numbers
 
 
-def gradient(arithmetic: Arithmetic, numbers: Numbers, count: int) -> Array:
-    """Return the first derivatives as the last axis: shape (..., count)."""
+def gradient(numbers: Numbers, count: int) -> Array:
+    """Return the derivatives of numbers by so many variables as the last axis: shape (..., count)."""
     return np.moveaxis(numbers[1 : 1 + count], 0, -1)
 
 
-def hessian(arithmetic: Arithmetic, numbers: Numbers, count: int) -> Array:
-    """Return the second derivatives as the last two axes: shape (..., count, count).
+def hessian(numbers: Numbers, count: int) -> Array:
+    """Return the second derivatives of numbers by so many variables as the last two axes: shape (..., count, count).
 
     Raises
     ------
     ValueError
-        If the arithmetic has first derivatives only.
+        If the numbers have other derivatives.
     """
-    if arithmetic.parts != 1 + count + count * count:
-        raise ValueError(f"hessian: expected second derivatives by {count} variables, got {arithmetic.name}")
-    return np.moveaxis(_second(numbers, count), (0, 1), (-2, -1))
+    second = _second(numbers, count)
+    if second is None or len(numbers) != 1 + count + count * count:
+        raise ValueError(
+            f"hessian: expected second derivatives by {count} variables, got {len(numbers) - 1} derivatives"
+        )
+    return np.moveaxis(second, (0, 1), (-2, -1))
 
 
 def inverses(matrices: Array) -> Array:

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,14 +20,15 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 from numpy.typing import NDArray
 
+from algebroproj import DoubleDouble
 from algebroproj_derivations.studies.stereo.chain import Chain, Images, from_images
-from algebroproj_derivations.studies.stereo.scenes import Scene, images, require_scene
+from algebroproj_derivations.studies.stereo.scene_files import read_scene
+from algebroproj_derivations.studies.stereo.scenes import Scene, images
 from algebroproj_sym.study.arithmetics import double_double, float64
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
-from algebroproj_sym.study.precision import nearest
-from algebroproj_sym.study.reductions import parts
+from algebroproj_sym.study.precision import Arithmetic, nearest
 from algebroproj_sym.study.sampling import uniform
 
 Numbers = NDArray[np.float64]
@@ -65,18 +66,12 @@ class Example:
         Of the object points; the basic points first, then the others that determine the correlation.
     scene : Scene
         The object.
-    axis_point : tuple of three float
-        The point assumed on the epipolar axis.
-    decimals : int
-        Of the printed image coordinates.
     printed : mapping of str to int
         How many decimals of the results are printed.
     """
 
     names: tuple[str, ...]
     scene: Scene
-    axis_point: tuple[float, float, float]
-    decimals: int
     printed: Mapping[str, int]
 
 
@@ -89,12 +84,11 @@ def example() -> Example:
     >>> example().names[:4], example().scene.points.shape
     (('1', '4', '5', '2'), (14, 3))
     """
-    data = tomllib.loads(files(__package__).joinpath("example.toml").read_text(encoding="utf-8"))
-    points, centers, axes = (np.array([*data[part].values()], dtype=float) for part in ("points", "centers", "axes"))
-    first, second, third = map(float, data["axis_point"])
-    scene = Scene(points, centers, axes)
-    require_scene(scene)
-    return Example(tuple(data["points"]), scene, (first, second, third), data["decimals"], data["printed"])
+    path = Path(__file__).with_suffix(".toml")
+    given = read_scene(path)
+    points = np.concatenate([given.scene.points, given.candidates])
+    printed = tomllib.loads(path.read_text(encoding="utf-8"))["printed"]
+    return Example(given.names, replace(given.scene, points=points), printed)
 
 
 def check(**options: Any) -> None:
@@ -125,13 +119,12 @@ def chunk(indices: Indices, seed: int, *, decimals: int, **axis: float) -> xarra
         found = _results(from_images(float64(), Images(changed[None, :, 0], changed[None, :, 1]), point), float64())
     reference = _results(_unrounded(point), double_double())
     data: dict[str, Any] = {"point": variable(["point"], np.array(example().names[FIRST:], dtype=object))}
-    for name, (high, low) in found.items():
-        true, rest = reference[name]
-        dimensions = [f"{name}_{k}" if name != "model" or k else "point" for k in range(true.ndim)]
-        about = QUANTITIES[name]
-        data[f"{name}_true"] = variable(dimensions, true, about=f"{about}, images not rounded")
-        data[f"{name}_true_lo"] = variable(dimensions, rest, about=f"second part of {name}_true, to be added to it")
-        changes = (high - true) - (rest - low)
+    for name, about in QUANTITIES.items():
+        value, true = found[name], reference[name]
+        dimensions = [f"{name}_{k}" if name != "model" or k else "point" for k in range(true.hi.ndim)]
+        data[f"{name}_true"] = variable(dimensions, true.hi, about=f"{about}, images not rounded")
+        data[f"{name}_true_lo"] = variable(dimensions, true.lo, about=f"second part of {name}_true, to be added to it")
+        changes = (value.hi - true.hi) - (true.lo - value.lo)
         data[f"{name}_change"] = variable([MEMBER, *dimensions], changes, about=f"change of: {about}")
     return xarray.Dataset(data, coords={MEMBER: indices})
 
@@ -143,24 +136,15 @@ def _unrounded(point: tuple[float, float, float]) -> Chain:
     return from_images(double_double(), Images(both[:, 0], both[:, 1]), point)
 
 
-def _results(chain: Chain, arithmetic: Any) -> dict[str, tuple[Numbers, Numbers]]:
+def _results(chain: Chain, arithmetic: Arithmetic) -> dict[str, DoubleDouble]:
     """Return the results of a chain, as sums of two numbers each."""
     pairs = {
-        "Z": (chain.Z,),
-        "epipole": (chain.epipole_left, chain.epipole_right),
-        "center": (chain.center_left, chain.center_right),
-        "model": (chain.model,),
+        "Z": chain.Z,
+        "epipole": np.stack([chain.epipole_left, chain.epipole_right], axis=-2),
+        "center": np.stack([chain.center_left, chain.center_right], axis=-2),
+        "model": chain.model,
     }
-    results = {}
-    for name, numbers in pairs.items():
-        words = [nearest(arithmetic, number) for number in numbers]
-        both = (np.stack([word.hi for word in words], axis=-2), np.stack([_low(word) for word in words], axis=-2))
-        results[name] = both if len(words) == 2 else (words[0].hi, _low(words[0]))
-    return results
-
-
-def _low(word: Any) -> Numbers:
-    return np.zeros_like(word.hi) if word.lo is None else np.asarray(word.lo)
+    return {name: nearest(arithmetic, numbers) for name, numbers in pairs.items()}
 
 
 @dataclass(frozen=True)
@@ -170,36 +154,26 @@ class Spread:
     deviation: Numbers
     covariance: Numbers
     largest: Numbers
-    members: int
     lost: int
 
 
 def spread(dataset: xarray.Dataset, name: str) -> Spread:
     """Return how much a result changes: means over the members whose results are finite."""
-    total: Any = 0.0
-    squares: Any = 0.0
-    products: Any = 0.0
-    largest: Any = 0.0
-    members = 0
-    for part in parts(dataset[[f"{name}_change"]]):
-        changes = part[f"{name}_change"].values
-        changes = changes[np.isfinite(changes).reshape(len(changes), -1).all(axis=1)]
-        members += len(changes)
-        total = total + changes.sum(axis=0)
-        squares = squares + (changes**2).sum(axis=0)
-        products = products + (changes[..., :, None] * changes[..., None, :]).sum(axis=0)
-        largest = np.maximum(largest, np.abs(changes).max(axis=0, initial=0.0))
-    mean = total / members
-    variance = squares / members - mean**2
-    covariance = products / members - mean[..., :, None] * mean[..., None, :]
-    return Spread(np.sqrt(variance), covariance, largest, members, dataset.sizes[MEMBER] - members)
+    changes = dataset[f"{name}_change"]
+    regular: Any = np.isfinite(changes)
+    finite = regular.all(changes.dims[1:])
+    kept = changes.where(finite)
+    centred = kept - kept.mean(MEMBER)
+    covariance = (centred * centred.rename({changes.dims[-1]: "other"})).mean(MEMBER)
+    lost = dataset.sizes[MEMBER] - int(finite.sum())
+    return Spread(kept.std(MEMBER).values, covariance.values, abs(kept).max(MEMBER).values, lost)
 
 
 def report(dataset: xarray.Dataset) -> str:
     """Return which decimals of each result are determined by those of the images."""
     lines = [
-        "Results of the example from images whose last decimal is rounded: standard deviation and largest change of",
-        "the element that changes most, decimals that hold in 95 % of the cases, and decimals that are printed.",
+        "The images vary at random within half a unit of the last printed decimal. For the element that changes most:",
+        "standard deviation, largest change, decimals that hold in 95 % of the cases, and decimals that are printed.",
         "",
         f"{'':<38}{'deviation':>11}{'largest':>11}{'decimals':>10}{'printed':>9}",
     ]

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from algebroproj import correlation
 from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
-from algebroproj_derivations.studies.stereo.chain import Configuration, images
-from algebroproj_derivations.studies.stereo.configurations import near_critical, ordinary
+from algebroproj_derivations.studies.stereo.chain import images
+from algebroproj_derivations.studies.stereo.configurations import near_critical
 from algebroproj_derivations.studies.stereo.indicators import indicators
+from algebroproj_derivations.studies.stereo.scenes import Scene
 from algebroproj_sym.study import sampling
 from algebroproj_sym.study.arithmetics import double_double
 from algebroproj_sym.study.datasets import variable
@@ -58,12 +59,7 @@ def check(**options: Any) -> None:
 
 def chunk(indices: Indices, seed: int, *, replicas: int, nearest: float, farthest: float) -> xarray.Dataset:
     """Compute some members: one in four is anywhere, the others have a point near the critical quadric."""
-    near = near_critical(indices, seed, farthest, nearest)
-    anywhere = ordinary(indices, seed)
-    chosen = (np.asarray(indices) % 4 == 0)[:, None, None]
-    scene = Configuration(
-        np.where(chosen, anywhere.y, near.y), near.y0_left, near.y0_right, near.u3_left, near.u3_right
-    )
+    scene = near_critical(indices, seed, farthest, nearest, np.asarray(indices) % 4 != 0)
     values = indicators(scene)._asdict()
     errors = _errors(scene, seed, indices, replicas)
     data = {name: variable([MEMBER], value, "1", WORDS[name]) for name, value in values.items()}
@@ -71,7 +67,7 @@ def chunk(indices: Indices, seed: int, *, replicas: int, nearest: float, farthes
     return xarray.Dataset(data, coords={MEMBER: indices})
 
 
-def _errors(scene: Configuration, seed: int, indices: Indices, replicas: int) -> dict[str, Array]:
+def _errors(scene: Scene, seed: int, indices: Indices, replicas: int) -> dict[str, Array]:
     """Return errors of float64 results for images rounded to float64, in units of roundoff.
 
     The exact images are one of many sets that round to the same numbers; the root mean square is over others too.
@@ -167,21 +163,21 @@ def fits(dataset: xarray.Dataset, output: str, error: str = "error") -> dict[str
 
 def report(dataset: xarray.Dataset) -> str:
     """Return how well each indicator predicts, and how tight the guaranteed bound is."""
-    lines = [f"{dataset.sizes[MEMBER]} stereo pairs; digits lost in float64 from images rounded to float64."]
+    lines = [f"{dataset.sizes[MEMBER]} stereo pairs. Digits lost in float64, with images rounded to float64."]
     for output, name in OUTPUTS.items():
         lines += [f"{name}:", f"  {'':44}slope  scatter  offset"]
         for indicator, fit in fits(dataset, output).items():
             words = f"  {WORDS[indicator]:44}"
             lines.append(f"{words}{fit['slope']:5.2f}{fit['scatter']:9.2f}{fit['offset']:8.2f}")
         single = fits(dataset, output, "single")[f"{output}_mean"]
-        lines.append(f"  one rounding instead of the mean of several: scatter {single['scatter']:.2f}")
+        lines.append(f"  with one rounding instead of the mean of several: scatter {single['scatter']:.2f}")
         bound, largest = dataset[f"{output}_bound"].values, dataset[f"{output}_largest"].values
         usable = np.isfinite(bound) & (bound < 1 / UNIT_ROUNDOFF)
         broken = int((largest[usable] > bound[usable]).sum())
         decade = float((bound[usable] <= 10 * largest[usable]).mean())
         lines.append(
-            f"  guaranteed bound: exists for {100 * usable.mean():.1f} %, broken {broken} times, "
-            f"within a decade of the largest error for {100 * decade:.0f} %"
+            f"  guaranteed bound: exists for {100 * usable.mean():.1f} %, exceeded {broken} times, "
+            f"at most ten times the largest error for {100 * decade:.0f} %"
         )
     return "\n".join(lines) + "\n"
 
@@ -220,7 +216,7 @@ def _short(name: str) -> str:
 
 STUDY = Study(
     name="indicators",
-    summary="Which indicator of nearness to criticality predicts how many digits are lost",
+    summary="Which indicator predicts best how many digits are lost near a critical configuration",
     options=(
         Option("replicas", int, 8, "Sets of images that round to the same numbers, over which errors are averaged."),
         Option("farthest", float, 1e-1, "Largest distance from the critical quadric, in units of the basic points."),

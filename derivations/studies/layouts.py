@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,10 +12,9 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 import algebroproj
-from algebroproj import DoubleDouble
-from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits
+from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF, lost_digits, matrix_error
 from algebroproj_derivations.studies.stereo.layouts import LAYOUTS, examine, homogeneous_rows
-from algebroproj_derivations.studies.stereo.scenes import Scene, images
+from algebroproj_derivations.studies.stereo.scenes import Scene, images, sides
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, PAGE, figure, style
@@ -36,13 +36,11 @@ def chunk(indices: Indices, seed: int, *, digits: float) -> xarray.Dataset:
     """Move the points of the layouts, which take turns, at random, and look what becomes of the equations."""
     layout = indices % len(LAYOUTS)
     moved = 10.0 ** -(1 + (digits - 1) * uniform(seed, indices, stream=DISTANCES))
-    scenes = [layout_.scene() for layout_ in LAYOUTS]
-    points, centers, normals = (
-        np.array([getattr(scene, part) for scene in scenes]).astype(np.float64)[layout]
-        for part in ("points", "centers", "normals")
-    )
-    points = points + moved[:, None, None] * normal(seed, indices, points.shape[1:], DIRECTIONS)
-    data = {"layout": layout, "moved": moved, **_measured(Scene(points, centers, normals))}
+    exact = [each.scene() for each in LAYOUTS]
+    parts = ([getattr(each, part) for each in exact] for part in ("points", "centers", "planes"))
+    scene = Scene(*(np.array(part, dtype=np.float64) for part in parts))[layout]
+    points = scene.points + moved[:, None, None] * normal(seed, indices, scene.points.shape[1:], DIRECTIONS)
+    data = {"layout": layout, "moved": moved, **_measured(replace(scene, points=points))}
     about = {
         "layout": "number of the layout",
         "moved": "standard deviation of the changes of coordinates",
@@ -61,21 +59,16 @@ def _measured(scene: Scene) -> dict[str, NDArray[Any]]:
     with np.errstate(all="ignore"):
         wide = images(scene, wide=True)
         u = wide.hi
-        left, right = (DoubleDouble(wide.hi[:, side], wide.lo[:, side]) for side in range(2))
-        reference = _flat(algebroproj.dd(correlation.general_correlation_matrix)(left, right))
+        reference = algebroproj.dd(correlation.general_correlation_matrix)(*sides(wide))
         five = correlation.correlation_matrix(u[:, 0, 3:], u[:, 1, 3:])
         eight = correlation.general_correlation_matrix(u[:, 0], u[:, 1])
         rows_of_five = correlation.system(u[:, 0, 3:], u[:, 1, 3:])[0]
         return {
             "smallest_of_five": _smallest(rows_of_five),
             "smallest_of_eight": _smallest(homogeneous_rows(u[:, 0], u[:, 1])),
-            "lost_divided": lost_digits(error_up_to_scale(five.reshape(-1, 9), reference)),
-            "lost_homogeneous": lost_digits(error_up_to_scale(eight.reshape(-1, 9), reference)),
+            "lost_divided": lost_digits(matrix_error(five, reference)),
+            "lost_homogeneous": lost_digits(matrix_error(eight, reference)),
         }
-
-
-def _flat(matrices: DoubleDouble) -> DoubleDouble:
-    return DoubleDouble(matrices.hi.reshape(-1, 9), matrices.lo.reshape(-1, 9))
 
 
 def _smallest(rows: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -110,9 +103,9 @@ def _only(dataset: xarray.Dataset, name: str, number: int) -> xarray.Dataset:
 def report(dataset: xarray.Dataset) -> str:
     """Return a table of the layouts: exact ranks, the quadric, and the slopes that are measured on the way."""
     lines = [
-        "Exact: rank of the 5 equations, rank of the 8 homogeneous ones, conditions of the 10 points on a quadric.",
-        "Measured: slope of log10 of the smallest singular value against log10 of a change of all points, 1e-9 to 1e-3",
-        "of the base, and decimal digits of Z that are lost at 1e-6.",
+        "Exact: ranks of the 5 equations and of the 8 homogeneous ones, conditions of the 10 points on a quadric.",
+        "Measured: all points change by 1e-9 to 1e-3 of the base. The slope is that of log10 of the smallest singular",
+        "value over log10 of the change. Lost are decimal digits of Z at a change of 1e-6.",
         "",
         f"{'layout':<28}{'of 5':>5}{'of 8':>5}{'of 10':>6}  {'verdict':<14}{'slope 5':>8}{'slope 8':>8}"
         f"{'lost 5':>8}{'lost 8':>8}  quadric",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,7 @@ from algebroproj_derivations.studies.stereo.aerial import aerial
 from algebroproj_derivations.studies.stereo.drawings import map_of_lost_digits, quadric_in_space
 from algebroproj_derivations.studies.stereo.maps import over_image, over_plane
 from algebroproj_derivations.studies.stereo.quadric import critical_quadric, gradients
-from algebroproj_derivations.studies.stereo.scenes import Scene, affine, images
+from algebroproj_derivations.studies.stereo.scenes import Scene, affine, images, sides
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
@@ -63,7 +64,7 @@ def chunk(indices: Indices, seed: int, *, digits: float, **geometry: Any) -> xar
     scene = aerial(seed, indices, **geometry)
     distances = 10.0 ** -(digits * uniform(seed, indices, stream=DISTANCES))
     with np.errstate(all="ignore"):
-        moved = Scene(_near_quadric(scene, distances), scene.centers, scene.normals)
+        moved = replace(scene, points=_near_quadric(scene, distances))
         values = _members(moved)
     values["intended"] = distances
     about = {
@@ -96,7 +97,7 @@ def _cameras(scene: Scene) -> tuple[DoubleDouble, ...]:
     y0 = affine(scene.centers, scene.points[:, None, :4], wide=True)
     fourth = DoubleDouble(u.hi[:, :, 3], u.lo[:, :, 3])
     mu = algebroproj.dd(algebroproj.projection.mu_from_center)(y0, fourth)
-    return tuple(DoubleDouble(part.hi[:, side], part.lo[:, side]) for side in range(2) for part in (mu, fourth))
+    return tuple(part for both in zip(sides(mu), sides(fourth), strict=True) for part in both)
 
 
 def _quadric(scene: Scene) -> DoubleDouble:
@@ -156,10 +157,10 @@ def report(dataset: xarray.Dataset) -> str:
     members = dataset.sizes[MEMBER]
     ruled = float(dataset.ruled.mean())
     lines = [
-        f"{members} stereo pairs of eight points, one of them near the quadric of the others and of the centers.",
-        f"Critical quadrics that are ruled: {100 * ruled:.0f} %.",
-        "Decimal digits lost: median at some distances from the quadric, in half widths of the model; slope against",
-        "log10(distance) and scatter about the line from 1e-12 to 1e-2; members without a number.",
+        f"{members} stereo pairs of eight points. One is near the quadric through the other seven and the centers.",
+        f"{100 * ruled:.0f} % of the critical quadrics are ruled.",
+        "Decimal digits lost: medians at distances from the quadric, in half widths of the model. Then a line over",
+        "log10(distance) from 1e-12 to 1e-2: its slope and the scatter about it. At last the pairs without a result.",
         "",
         f"{'':<34}" + "".join(f"{f'1e{exponent}':>7}" for exponent in SHOWN) + "  slope  scatter  none",
     ]
@@ -201,14 +202,13 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
 
 def _typical() -> dict[str, Figure]:
     """Draw the critical quadric of one stereo pair, and its maps over the ground and over the left image."""
-    batch = aerial(TYPICAL, [0])
-    scene = Scene(batch.points[0], batch.centers[0], batch.normals[0])
+    scene = aerial(TYPICAL, [0])[0]
     form = critical_quadric(scene.points[:MOVED], scene.centers)
     ground = over_plane(scene, [0, 0, 0], [1.5, 0, 0], [0, 1.5, 0])
     ground = ground.assign_coords(s=1.5 * ground.s, t=1.5 * ground.t)
     seen = over_image(scene, 0.0, reach=0.6)
     return {
-        "quadric": quadric_in_space(Scene(scene.points[:MOVED], scene.centers, scene.normals), form),
+        "quadric": quadric_in_space(replace(scene, points=scene.points[:MOVED]), form),
         "map-of-the-ground": map_of_lost_digits(ground, "eighth point on the ground, $x_3 = 0$", "$x_1$", "$x_2$"),
         "map-of-the-image": map_of_lost_digits(seen, "eighth point in the left image", "$x$", "$y$"),
     }

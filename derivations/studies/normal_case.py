@@ -12,15 +12,16 @@ from numpy.typing import NDArray
 
 from algebroproj import space
 from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
-from algebroproj_derivations.studies.stereo.chain import Chain, Configuration, Images, from_images, images, normal
+from algebroproj_derivations.studies.stereo.chain import Chain, Images, differentiable, from_images, images, normal
 from algebroproj_derivations.studies.stereo.configurations import ordinary
+from algebroproj_derivations.studies.stereo.scenes import BASIC
 from algebroproj_sym.study import sampling
 from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, PAGE, figure, style
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply, lift
-from algebroproj_sym.study.taylor import gradient, taylor, variables
+from algebroproj_sym.study.taylor import gradient
 
 FURTHER = 8
 CONTROL = slice(5, FURTHER)
@@ -53,6 +54,7 @@ def chunk(indices: Indices, seed: int, *, range: float, choices: int) -> xarray.
     """Compute some members: each a stereo pair with several axis points, and with several u_N31."""
     count = len(indices)
     scene = ordinary(np.repeat(indices, 2 * choices), seed, FURTHER)
+    y = scene.points[:, BASIC:]
     low, high = np.transpose(AXIS_BOX)
     axes = low + (high - low) * sampling.uniform(seed, indices, (choices, 3), stream=AXIS_STREAM)
     firsts = range * (2 * sampling.uniform(seed, indices, (choices,), stream=CHOICE_STREAM) - 1)
@@ -60,8 +62,8 @@ def chunk(indices: Indices, seed: int, *, range: float, choices: int) -> xarray.
     u_n31 = np.concatenate([np.repeat(firsts[:, :1], choices, axis=1), firsts], axis=1).reshape(-1)
     both = images(float64(), scene)
     with np.errstate(all="ignore"):
-        lost = np.stack([_lost(_object(float64(), both, way, scene, y_a, u_n31)[0], scene.y) for way in WAYS], axis=-1)
-        noise = _noise(both, scene, y_a, u_n31)
+        lost = np.stack([_lost(_object(float64(), both, way, y, y_a, u_n31)[0], y) for way in WAYS], axis=-1)
+        noise = _noise(both, y, y_a, u_n31)
     shape = count, 2 * choices
     dimensions = [MEMBER, CHOICE]
     data = {
@@ -80,11 +82,11 @@ def chunk(indices: Indices, seed: int, *, range: float, choices: int) -> xarray.
     return xarray.Dataset(data, coords=coordinates)
 
 
-def _object(arithmetic: Arithmetic, both: Images, way: str, scene: Configuration, y_a: Array, u_n31: Array) -> Numbers:
+def _object(arithmetic: Arithmetic, both: Images, way: str, y: Array, y_a: Array, u_n31: Array) -> Numbers:
     """Return the object points that a model gives, transformed by one point that is known."""
     chain = from_images(arithmetic, both, y_a)
     model = _model(arithmetic, both, chain, way, y_a, u_n31)
-    known = lift(arithmetic, scene.y[:, FIFTH - 1])
+    known = lift(arithmetic, y[:, FIFTH - 1])
     mu = apply(arithmetic, space.mu_from_fifth_point, model[..., FIFTH, :], known)
     mapped: Numbers = apply(arithmetic, space.map_points, mu[..., None, :], model)
     return mapped
@@ -94,8 +96,8 @@ def _model(arithmetic: Arithmetic, both: Images, chain: Chain, way: str, y_a: Ar
     if way == "direct":
         return chain.model
     if way == "centers":
-        return normal(arithmetic, both, chain, "centers", y_a, u_n31).model
-    return normal(arithmetic, both, chain, "correlation", y_a).model
+        return normal(arithmetic, both, chain, "centers", y_a, u_n31)
+    return normal(arithmetic, both, chain, "correlation", y_a)
 
 
 def _lost(found: Array, y: Array) -> Array:
@@ -105,16 +107,13 @@ def _lost(found: Array, y: Array) -> Array:
     return lost
 
 
-def _noise(both: Images, scene: Configuration, y_a: Array, u_n31: Array) -> Array:
+def _noise(both: Images, y: Array, y_a: Array, u_n31: Array) -> Array:
     """Return the standard deviation of the object points that are free, by exact derivatives."""
-    left, right = both.left[0], both.right[0]
-    half = 2 * left.shape[1]
-    series = taylor(2 * half)
-    moved = Images(variables(series, left, 0, 2), variables(series, right, half, 2))
+    series, moved = differentiable(both)
     deviations = []
     for way in WAYS:
-        found = _object(series, moved, way, scene, y_a, u_n31)[:, :, CONTROL]
-        derivatives = gradient(series, found, 2 * half)
+        found = _object(series, moved, way, y, y_a, u_n31)[:, :, CONTROL]
+        derivatives = gradient(found, series.parts - 1)
         deviations.append(np.sqrt((derivatives**2).sum(axis=(-1, -2)).mean(axis=-1)))
     return np.stack(deviations, axis=-1)
 
@@ -124,14 +123,14 @@ def report(dataset: xarray.Dataset) -> str:
     lost, noise = dataset.lost.values, np.log10(dataset.noise.values)
     pairs = f"{dataset.sizes[MEMBER]} stereo pairs, each with {dataset.sizes[CHOICE] // 2} axis points and u_N31"
     lines = [
-        f"{pairs}; three object points that were not used.",
+        f"{pairs}. The model is judged at three other object points.",
         f"  {'':52}{'5 %':>8}{'50 %':>8}{'95 %':>8}",
     ]
     for place, words in enumerate(WAYS.values()):
         lines.append(f"  {words + ': digits lost by rounding':52}{_quantiles(lost[..., place])}")
         if place:
             ratio = noise[..., place] - noise[..., 0]
-            lines.append(f"  {'  log10 of its noise over that without one':52}{_quantiles(ratio)}")
+            lines.append(f"  {'  log10 of noise, over that without a normal case':52}{_quantiles(ratio)}")
         for name, symbol in CHOICES.items():
             if name == "u_n31" and place != WAYS_OF_U:
                 continue
@@ -176,7 +175,7 @@ def _distribution(values: Array) -> tuple[Array, Array]:
 
 STUDY = Study(
     name="normal-case",
-    summary="What the choices of a normal case do to the accuracy of the model",
+    summary="How the choices of a normal case change the accuracy of the model",
     options=(
         Option("range", float, 1.0, "u_N31 is drawn from minus to plus this number."),
         Option("choices", int, 4, "Axis points, and numbers u_N31, for each stereo pair."),

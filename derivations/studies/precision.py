@@ -12,8 +12,8 @@ import xarray
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from algebroproj_derivations.studies.stereo.chain import Configuration, simulated
-from algebroproj_derivations.studies.stereo.configurations import near_critical, ordinary
+from algebroproj_derivations.studies.stereo.chain import simulated
+from algebroproj_derivations.studies.stereo.configurations import near_critical
 from algebroproj_sym.study.arithmetics import (
     arb,
     double_double,
@@ -53,9 +53,7 @@ def check(**options: Any) -> None:
 def chunk(indices: Indices, seed: int, *, timed: bool, nearest: float, farthest: float) -> xarray.Dataset:
     """Compute some members in every arithmetic: every other one has a point near the critical quadric."""
     odd = np.asarray(indices) % 2 == 1
-    near, anywhere = near_critical(indices, seed, farthest, nearest), ordinary(indices, seed)
-    y = np.where(odd[:, None, None], near.y, anywhere.y)
-    scene = Configuration(y, near.y0_left, near.y0_right, near.u3_left, near.u3_right)
+    scene = near_critical(indices, seed, farthest, nearest, odd)
     truth = simulated(arb(TRUTH_BITS), scene)._asdict()
     errors: dict[str, list[Array]] = {name: [] for name in OUTPUTS}
     bounds: dict[str, list[Array]] = {name: [] for name in OUTPUTS}
@@ -116,9 +114,9 @@ def report(dataset: xarray.Dataset) -> str:
     near = dataset.near.values
     head = "                                        ordinary           near-critical"
     lines = [
-        f"{dataset.sizes[MEMBER]} stereo pairs, object to model; medians of the relative errors.",
+        f"{dataset.sizes[MEMBER]} stereo pairs, from the object to the model. Errors are medians of relative errors.",
         f"{head:72}",
-        f"  {'':26}{'CPU us':>8}{'Z':>9}{'model':>9}{'Z':>11}{'model':>9}{'bound/error of Z':>18}{'without':>9}",
+        f"  {'':26}{'CPU us':>8}{'Z':>9}{'model':>9}{'Z':>11}{'model':>9}{'bound/error of Z':>18}{'no bound':>9}",
     ]
     for place, name in enumerate(dataset[ARITHMETIC].values):
         spent = f"{1e6 * np.median(dataset.time.values[:, place]):8.1f}" if "time" in dataset else f"{'':8}"

@@ -11,16 +11,16 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from algebroproj import critical
-from algebroproj_derivations.studies.stereo.chain import Chain, Images, from_images, images
+from algebroproj_derivations.studies.stereo.chain import Chain, Images, differentiable, from_images, images
 from algebroproj_derivations.studies.stereo.configurations import near_critical
 from algebroproj_sym.study import sampling
 from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
-from algebroproj_sym.study.precision import Numbers, apply
+from algebroproj_sym.study.precision import Arithmetic, Numbers, apply
 from algebroproj_sym.study.propagation import first_order, intervals, principal, second_order
-from algebroproj_sym.study.taylor import composed, gradient, hessian, taylor, variables
+from algebroproj_sym.study.taylor import composed, gradient, hessian
 
 IMAGE_COORDINATES = 20
 THRESHOLDS = (0.01, 0.05, 0.15)
@@ -134,30 +134,28 @@ def _derivatives(
     left: Array, right: Array
 ) -> tuple[dict[str, Array], dict[str, Array], dict[str, Array], dict[str, Array]]:
     """Return the outputs, their Jacobians and Hessians, and the logarithmic derivatives of what must not vanish."""
-    series = taylor(IMAGE_COORDINATES, 2)
-    both = Images(variables(series, left, 0, 2), variables(series, right, 10, 2))
+    series, both = differentiable(Images(left[None], right[None]), 2)
     chain = from_images(series, both)
     numbers = {
         "z": chain.Z.reshape(series.parts, 9)[:, [4, 5, 6, 7, 8]],
         "epipole": chain.epipole_left,
-        "direction": _direction(chain.epipole_left),
+        "direction": _direction(series, chain.epipole_left),
         "model": chain.model.reshape(series.parts, -1),
     }
     determinant = apply(series, critical.determinant, both.left, both.right)
     z = [[series.join(chain.Z[:, i, j]) for j in range(3)] for i in range(3)]
     minor = z[1][1] * z[2][2] - z[1][2] * z[2][1]
-    of_determinant = gradient(series, determinant, IMAGE_COORDINATES) / determinant[0]
+    of_determinant = gradient(determinant, IMAGE_COORDINATES) / determinant[0]
     of_minor = minor.first / minor.value
     singular = {"nu": of_determinant, "nu_epipole": of_minor + 2 * of_determinant}
     values = {name: number[0] for name, number in numbers.items()}
-    jacobians = {name: gradient(series, number, IMAGE_COORDINATES) for name, number in numbers.items()}
-    hessians = {name: hessian(series, number, IMAGE_COORDINATES) for name, number in numbers.items()}
+    jacobians = {name: gradient(number, IMAGE_COORDINATES) for name, number in numbers.items()}
+    hessians = {name: hessian(number, IMAGE_COORDINATES) for name, number in numbers.items()}
     return values, jacobians, hessians, singular
 
 
-def _direction(epipole: Numbers) -> Numbers:
+def _direction(series: Arithmetic, epipole: Numbers) -> Numbers:
     """Return the unit vector of (1, u1, u2) with its derivatives: 1 / length is the function f(s) = s^(-1/2)."""
-    series = taylor(IMAGE_COORDINATES, 2)
     u = [series.join(epipole[:, k]) for k in (0, 1)]
     square = u[0] * u[0] + u[1] * u[1] + 1
     root = square.value**-0.5
@@ -222,8 +220,9 @@ def _crossing(x: Array, y: Array, limit: float) -> float:
 def report(dataset: xarray.Dataset) -> str:
     """Return for each output which number tells when linear propagation fails, and its thresholds."""
     lines = [
-        f"{dataset.sizes[MEMBER]} stereo pairs; 68 % intervals of linear propagation against random samples.",
-        "Values of the dimensionless numbers at which the error reaches 1 %, 5 %, 15 % (median; in 90 % of the pairs):",
+        f"{dataset.sizes[MEMBER]} stereo pairs. 68 % intervals of linear propagation are compared with random samples.",
+        "At these values of the dimensionless numbers the error reaches 1 %, 5 % and 15 %: first its median over the",
+        "pairs, then its 90 % quantile.",
     ]
     for output, words in OUTPUTS.items():
         lines.append(f"{words}:")

@@ -15,12 +15,11 @@ from algebroproj_derivations.studies.stereo.closest import closest_critical
 from algebroproj_derivations.studies.stereo.drawings import map_of_lost_digits, quadric_in_space
 from algebroproj_derivations.studies.stereo.layouts import examine
 from algebroproj_derivations.studies.stereo.maps import lost_homogeneous, over_plane
-from algebroproj_derivations.studies.stereo.quadric import conditions, critical_quadric, equation, kind
+from algebroproj_derivations.studies.stereo.quadric import conditions, critical_quadric, equation, kind, terms
 from algebroproj_derivations.studies.stereo.scene_files import SceneFile, read_scene
-from algebroproj_derivations.studies.stereo.scenes import Scene
+from algebroproj_derivations.studies.stereo.scenes import Scene, with_points
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
-from algebroproj_sym.study.reductions import parts
 from algebroproj_sym.study.sampling import normal
 
 REACH = 1.5
@@ -43,16 +42,13 @@ def chunk(indices: Indices, seed: int, *, file: Path, moved: float) -> xarray.Da
     """Move the eight points at random, and count the digits that are lost."""
     given = read_scene(file)
     points = given.scene.points + moved * normal(seed, indices, (8, 3))
-    centers, normals = (
-        np.broadcast_to(part, (len(points), 2, 3)) for part in (given.scene.centers, given.scene.normals)
-    )
-    batch = Scene(points, centers, normals)
+    batch = with_points(given.scene, points)
     data = {
         "strength": variable([MEMBER], strength(batch), about="smallest singular value of the homogeneous equations"),
         "lost": variable([MEMBER], lost_homogeneous(batch), about="lost decimal digits of Z, images rounded"),
         "points": variable(["point", "axis"], given.scene.points, given.unit, "the eight points of the file"),
         "centers": variable(["side", "axis"], given.scene.centers, given.unit, "both centers"),
-        "normals": variable(["side", "axis"], given.scene.normals, about="directions of the optical axes"),
+        "normals": variable(["side", "axis"], given.scene.planes, about="directions of the optical axes"),
         "candidates": variable(["candidate", "axis"], given.candidates, given.unit, "further points"),
         "name": variable(["named"], np.array(given.names, dtype=object), about="names of points and candidates"),
     }
@@ -73,19 +69,19 @@ def report(dataset: xarray.Dataset) -> str:
     given = _given(dataset)
     scene, unit = given.scene, given.unit
     found, nearest = examine(scene), closest_critical(scene)
-    lost = np.concatenate([part.lost.values for part in parts(dataset[["lost"]])])
+    lost = dataset.lost.values
     finite = lost[np.isfinite(lost)]
     lines = [
         f"Points {', '.join(given.names[:8])}: {found.verdict}; rank {found.rank_of_eight} of the eight equations.",
         *_of_quadric(given),
-        f"Closest critical configuration: all movements together {nearest.distance:.3g} {unit}.",
-        f"Digits of Z lost, images rounded to float64: median {np.median(finite):.1f}, 95 % below "
-        f"{np.quantile(finite, 0.95):.1f}; no number {len(lost) - len(finite)} times of {len(lost)}.",
+        f"Closest critical configuration: the points move by {nearest.distance:.3g} {unit} in all.",
+        f"Digits of Z lost, with images rounded to float64: median {np.median(finite):.1f}, 95 % below "
+        f"{np.quantile(finite, 0.95):.1f}; no result in {len(lost) - len(finite)} of {len(lost)} cases.",
         f"Smallest singular value: {float(strength(scene)):.2g}.",
     ]
     size = float(np.ptp(scene.points, axis=0).max())
     best = moves(scene, 0.1 * size)[0]
-    direction = ", ".join(f"{x:.3g}" for x in best.movement)
+    direction = ", ".join(f"{x:.3g}" for x in best.place - scene.points[best.point])
     lines.append(
         f"Best movement by {0.1 * size:.3g} {unit}: {given.names[best.point]} by ({direction}), to {best.after:.2g}."
     )
@@ -99,7 +95,7 @@ def _of_quadric(given: SceneFile) -> list[str]:
     points, centers = given.scene.points, given.scene.centers
     count = conditions(np.concatenate([points[:7], centers]))
     if count < 9:
-        return [f"The others impose {count} conditions on a quadric: every place of {given.names[7]} is critical."]
+        return [f"The others impose {count} conditions on a quadric. {given.names[7]} is critical wherever it lies."]
     form = critical_quadric(points[:7], centers)
     name = given.names[7]
     return [f"{name} may not lie on this {kind(form).name}:", f"  {_rounded(form)}"]
@@ -110,13 +106,8 @@ def _rounded(form: Any) -> str:
     largest = max(abs(int(cell)) for cell in form.reshape(-1))
     if largest < 10**6:
         return equation(form)
-    scaled = np.array([[float(cell / largest) for cell in row] for row in form])
-    terms = [
-        (scaled[i, j] * (1 if i == j else 2), "*".join(filter(None, (("", "x1", "x2", "x3")[k] for k in (i, j)))))
-        for i in range(4)
-        for j in range(i, 4)
-    ]
-    return " ".join(f"{value:+.4g}{'*' if product else ''}{product}" for value, product in terms if value) + " = 0"
+    written = [(float(coefficient / largest), product) for coefficient, product in terms(form)]
+    return " ".join(f"{number:+.4g}{'*' if product else ''}{product}" for number, product in written if number) + " = 0"
 
 
 def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
@@ -139,7 +130,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
 
 STUDY = Study(
     name="scene",
-    summary="What is critical about a scene of your own, how near it is to it, and what helps",
+    summary="How near a scene of your own is to a critical configuration, and what helps",
     options=(
         Option("file", Path, None, "TOML file with points, centers and their units."),
         Option("moved", float, 0.0, "Standard deviation of random changes of the points, in the unit of the file."),

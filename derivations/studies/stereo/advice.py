@@ -22,41 +22,24 @@ Numbers = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Exchange:
-    """A point taken for another one.
+class Change:
+    """A point put in another place.
 
     Attributes
     ----------
     point : int
-        The one of the eight that is given up.
+        Which of the eight.
     candidate : int
-        The one of the candidates that is taken.
+        Which of the places that were tried for it.
+    place : ndarray, shape (3,)
+        This place.
     before, after : float
         The measure.
     """
 
     point: int
     candidate: int
-    before: float
-    after: float
-
-
-@dataclass(frozen=True)
-class Move:
-    """A point moved.
-
-    Attributes
-    ----------
-    point : int
-        Which of the eight.
-    movement : ndarray, shape (3,)
-        Along the normal of the critical quadric, in the unit of length of the scene.
-    before, after : float
-        The measure.
-    """
-
-    point: int
-    movement: Numbers
+    place: Numbers
     before: float
     after: float
 
@@ -82,7 +65,7 @@ def strength(scene: Scene) -> Numbers:
     return np.asarray(np.linalg.svd(rows, compute_uv=False)[..., LEAST_POINTS - 1])
 
 
-def exchanges(scene: Scene, candidates: Any) -> list[Exchange]:
+def exchanges(scene: Scene, candidates: Any) -> list[Change]:
     """Judge the exchange of each of eight points for each candidate, the best first.
 
     Parameters
@@ -94,7 +77,7 @@ def exchanges(scene: Scene, candidates: Any) -> list[Exchange]:
 
     Returns
     -------
-    list of Exchange
+    list of Change
         All 8 m of them.
 
     Raises
@@ -106,7 +89,7 @@ def exchanges(scene: Scene, candidates: Any) -> list[Exchange]:
     --------
     >>> from algebroproj_derivations.studies.stereo.layouts import LAYOUTS
     >>> exact = {layout.name: layout for layout in LAYOUTS}["seven coplanar"].scene()
-    >>> scene = Scene(*(part.astype(float) for part in (exact.points, exact.centers, exact.normals)))
+    >>> scene = exact.each(lambda part: part.astype(float))
     >>> best, *_ = exchanges(scene, [[0.5, 0.5, 0.0], [0.5, 0.5, 0.2]])
     >>> best.candidate, bool(best.before < 1e-15), bool(best.after > 1e-4)
     (1, True, True)
@@ -115,17 +98,10 @@ def exchanges(scene: Scene, candidates: Any) -> list[Exchange]:
     require_eight(scene)
     if others.ndim != 2 or others.shape[1] != 3 or not len(others):
         raise ValueError(f"candidates: expected the shape (m, 3) with m of at least 1, got {others.shape}")
-    pairs = [(point, candidate) for point in range(LEAST_POINTS) for candidate in range(len(others))]
-    points = np.repeat(np.asarray(scene.points, dtype=np.float64)[None], len(pairs), axis=0)
-    for place, (point, candidate) in enumerate(pairs):
-        points[place, point] = others[candidate]
-    before = float(strength(scene))
-    after = strength(with_points(scene, points))
-    found = [Exchange(*pair, before, float(value)) for pair, value in zip(pairs, after, strict=True)]
-    return sorted(found, key=lambda exchange: (-exchange.after, exchange.point, exchange.candidate))
+    return _judged(scene, np.broadcast_to(others, (LEAST_POINTS, *others.shape)))
 
 
-def moves(scene: Scene, length: float) -> list[Move]:
+def moves(scene: Scene, length: float) -> list[Change]:
     """Judge the movement of each of eight points along the normal of the quadric nearest to all, the best first.
 
     Parameters
@@ -137,7 +113,7 @@ def moves(scene: Scene, length: float) -> list[Move]:
 
     Returns
     -------
-    list of Move
+    list of Change
         All 16 of them.
 
     Raises
@@ -149,9 +125,9 @@ def moves(scene: Scene, length: float) -> list[Move]:
     --------
     >>> from algebroproj_derivations.studies.stereo.layouts import LAYOUTS
     >>> exact = {layout.name: layout for layout in LAYOUTS}["two columns"].scene()
-    >>> scene = Scene(*(part.astype(float) for part in (exact.points, exact.centers, exact.normals)))
+    >>> scene = exact.each(lambda part: part.astype(float))
     >>> best, *_ = moves(scene, 0.25)
-    >>> abs(best.movement).round(6).tolist(), bool(best.before < 1e-15), bool(best.after > 1e-3)
+    >>> abs(best.place - scene.points[best.point]).round(6).tolist(), bool(best.before < 1e-15), bool(best.after > 1e-3)
     ([0.25, 0.0, 0.0], True, True)
     """
     require_eight(scene)
@@ -162,11 +138,15 @@ def moves(scene: Scene, length: float) -> list[Move]:
     y = np.concatenate([np.ones((LEAST_POINTS, 1)), original], axis=-1)
     normals = (y @ form)[:, 1:]
     normals = normals / np.linalg.norm(normals, axis=-1, keepdims=True)
-    pairs = [(point, sign * length * normals[point]) for point in range(LEAST_POINTS) for sign in (1, -1)]
-    points = np.repeat(original[None], len(pairs), axis=0)
-    for place, (point, movement) in enumerate(pairs):
-        points[place, point] += movement
-    before = float(strength(scene))
-    after = strength(with_points(scene, points))
-    found = [Move(point, movement, before, float(value)) for (point, movement), value in zip(pairs, after, strict=True)]
-    return sorted(found, key=lambda move: (-move.after, move.point))
+    return _judged(scene, original[:, None] + np.stack([length * normals, -length * normals], axis=1))
+
+
+def _judged(scene: Scene, places: Numbers) -> list[Change]:
+    """Put each of eight points in some places, shape (8, m, 3), and return what that gives, the best first."""
+    pairs = list(np.ndindex(places.shape[:2]))
+    points = np.repeat(np.asarray(scene.points, dtype=np.float64)[None], len(pairs), axis=0)
+    for member, (point, candidate) in enumerate(pairs):
+        points[member, point] = places[point, candidate]
+    before, after = float(strength(scene)), strength(with_points(scene, points))
+    found = [Change(i, k, places[i, k], before, float(value)) for (i, k), value in zip(pairs, after, strict=True)]
+    return sorted(found, key=lambda change: (-change.after, change.point, change.candidate))

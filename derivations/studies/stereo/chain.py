@@ -10,89 +10,22 @@ determine the correlation.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from algebroproj import correlation, normal_case, orientation, projection
+from algebroproj_derivations.studies.stereo.scenes import BASIC, Scene
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply, lift
+from algebroproj_sym.study.taylor import taylor, variables
 
-__all__ = ["Chain", "Configuration", "Images", "NormalCase", "from_images", "images", "normal", "simulated"]
+__all__ = ["Chain", "Images", "differentiable", "from_images", "images", "normal", "simulated"]
 
 CORRELATION_POINTS = 5
 BASIC_POINTS = 3
 AXIS_POINT = (-1.0, 0.5, 3.5)
 """The point that is assumed on the epipolar axis in the example of the papers."""
-
-
-@dataclass(frozen=True)
-class Configuration:
-    """Object points and centers of projection, in affine coordinates; dimensionless.
-
-    Attributes
-    ----------
-    y : ndarray, shape (..., n, 3)
-        At least four points beside the four basic ones.
-    y0_left, y0_right : ndarray, shape (..., 3)
-        The centers of projection.
-    u3_left, u3_right : ndarray, shape (..., 2)
-        The images of the fourth basic point.  You may choose them: they set the orientation of the image planes.
-
-    Raises
-    ------
-    ValueError
-        If there are fewer than 8 points with the basic ones, a shape is wrong, a coordinate is not finite, or the
-        leading dimensions do not broadcast.
-
-    Examples
-    --------
-    >>> points = [[0.5, 0.2, 0.1], [0.9, 0.8, 0.3], [0.2, 0.9, 0.2], [0.6, 0.5, 0.4]]
-    >>> Configuration(points, [0.2, 0.3, 4.0], [0.8, 0.4, 4.2], [0.3, 0.1], [0.3, -0.2]).y.shape
-    (4, 3)
-    """
-
-    y: NDArray[np.float64]
-    y0_left: NDArray[np.float64]
-    y0_right: NDArray[np.float64]
-    u3_left: NDArray[np.float64]
-    u3_right: NDArray[np.float64]
-
-    def __post_init__(self) -> None:
-        for field in fields(self):
-            array = np.asarray(getattr(self, field.name), dtype=np.float64)
-            object.__setattr__(self, field.name, array)
-            last = 2 if field.name.startswith("u3") else 3
-            core = 2 if field.name == "y" else 1
-            if array.ndim < core or array.shape[-1] != last:
-                expected = f"(..., n, {last})" if core == 2 else f"(..., {last})"
-                raise ValueError(f"Configuration: expected {field.name} of shape {expected}, got shape {array.shape}")
-            if not np.isfinite(array).all():
-                raise ValueError(f"Configuration: expected finite {field.name}, got {array[~np.isfinite(array)][0]}")
-        points = self.y.shape[-2] + BASIC_POINTS + 1
-        if points < BASIC_POINTS + CORRELATION_POINTS:
-            raise ValueError(f"Configuration: expected at least 8 points with the four basic ones, got {points}")
-        leading = [array.shape[: -2 if name == "y" else -1] for name, array in vars(self).items()]
-        try:
-            np.broadcast_shapes(*leading)
-        except ValueError:
-            raise ValueError(f"Configuration: expected leading shapes that broadcast, got {leading}") from None
-
-    @property
-    def batch(self) -> tuple[int, ...]:
-        """The shape that the leading dimensions broadcast to."""
-        others = (self.y0_left, self.y0_right, self.u3_left, self.u3_right)
-        return np.broadcast_shapes(self.y.shape[:-2], *(array.shape[:-1] for array in others))
-
-    def __getitem__(self, members: slice | NDArray[np.intp] | NDArray[np.bool_]) -> Configuration:
-        """Return some members of a batch with one leading dimension."""
-        arrays = {
-            field.name: np.broadcast_to(array, self.batch + array.shape[-(2 if field.name == "y" else 1) :])[members]
-            for field in fields(self)
-            for array in [getattr(self, field.name)]
-        }
-        return replace(self, **arrays)
 
 
 class Images(NamedTuple):
@@ -126,55 +59,33 @@ class Chain(NamedTuple):
     model: Numbers
 
 
-class NormalCase(NamedTuple):
-    """A normal case of stereo-photogrammetry, and the model that is reconstructed from it.
-
-    Attributes
-    ----------
-    tau_left, tau_right : ndarray, shape (parts, ..., 3)
-        Parameters of the transformation of the images.
-    left, right : ndarray, shape (parts, ..., n, 2)
-        The transformed image points.
-    model : ndarray, shape (parts, ..., n, 3)
-    """
-
-    tau_left: Numbers
-    tau_right: Numbers
-    left: Numbers
-    right: Numbers
-    model: Numbers
-
-
-def images(arithmetic: Arithmetic, configuration: Configuration) -> Images:
+def images(arithmetic: Arithmetic, scene: Scene) -> Images:
     """Project the object into both images by (1.3.7) and (1.3.1).
 
     Parameters
     ----------
     arithmetic : Arithmetic
         The images are computed and rounded in this arithmetic.
-    configuration : Configuration
-        Points and centers.
+    scene : Scene
+        In affine coordinates.
 
     Returns
     -------
     Images
+        Of G3 and the points after it.
 
     Examples
     --------
+    >>> from algebroproj_derivations.studies.stereo.configurations import ordinary
     >>> from algebroproj_sym.study.arithmetics import float64
-    >>> both = images(float64(), _example())
-    >>> both.left.shape, both.left[0, 0].tolist()
-    ((1, 5, 2), [0.3, 0.1])
+    >>> scene = ordinary(1)
+    >>> both = images(float64(), scene)
+    >>> both.left.shape, bool((both.left[0, :, 0] == scene.planes[:, 0]).all())
+    ((1, 1, 5, 2), True)
     """
-    y = lift(arithmetic, configuration.y)
-    left, right = (
-        _image(arithmetic, y, lift(arithmetic, y0), lift(arithmetic, u3))
-        for y0, u3 in (
-            (configuration.y0_left, configuration.u3_left),
-            (configuration.y0_right, configuration.u3_right),
-        )
-    )
-    return Images(left, right)
+    y = lift(arithmetic, scene.points[..., BASIC:, :])
+    y0, u3 = lift(arithmetic, scene.centers), lift(arithmetic, scene.planes)
+    return Images(*(_image(arithmetic, y, y0[..., side, :], u3[..., side, :]) for side in (0, 1)))
 
 
 def _image(arithmetic: Arithmetic, y: Numbers, y0: Numbers, u3: Numbers) -> Numbers:
@@ -210,10 +121,10 @@ def from_images(arithmetic: Arithmetic, both: Images, y_a: ArrayLike = AXIS_POIN
     Examples
     --------
     >>> from algebroproj_sym.study.arithmetics import float64
-    >>> configuration = _example()
-    >>> chain = from_images(float64(), images(float64(), configuration))
-    >>> bool(abs(chain.Z[0, 1, 0] - 1) < 1e-15), chain.model.shape
-    (True, (1, 5, 3))
+    >>> from algebroproj_derivations.studies.stereo.configurations import ordinary
+    >>> chain = from_images(float64(), images(float64(), ordinary(2)))
+    >>> bool(abs(chain.Z[0, :, 1, 0] - 1).max() < 1e-15), chain.model.shape
+    (True, (1, 2, 5, 3))
     """
     _require_points(both)
     axis = lift(arithmetic, _axis_point(y_a))
@@ -229,18 +140,43 @@ def from_images(arithmetic: Arithmetic, both: Images, y_a: ArrayLike = AXIS_POIN
     return Chain(z, epipole_left, epipole_right, mu_left, center_left, mu_right, center_right, model)
 
 
-def simulated(arithmetic: Arithmetic, configuration: Configuration, y_a: ArrayLike = AXIS_POINT) -> Chain:
+def differentiable(both: Images, order: int = 1) -> tuple[Arithmetic, Images]:
+    """Return the arithmetic of derivatives by all image coordinates, the left ones first, and the images in it.
+
+    Parameters
+    ----------
+    both : Images
+        float64 image points.
+    order : {1, 2}
+        Of the highest derivatives.
+
+    Examples
+    --------
+    >>> from algebroproj_derivations.studies.stereo.configurations import ordinary
+    >>> from algebroproj_sym.study.arithmetics import float64
+    >>> from algebroproj_sym.study.taylor import gradient
+    >>> series, moved = differentiable(images(float64(), ordinary(3)))
+    >>> gradient(from_images(series, moved).model, 20).shape
+    (3, 5, 3, 20)
+    """
+    half = 2 * both.left.shape[-2]
+    series = taylor(2 * half, order)
+    return series, Images(variables(series, both.left[0], 0, 2), variables(series, both.right[0], half, 2))
+
+
+def simulated(arithmetic: Arithmetic, scene: Scene, y_a: ArrayLike = AXIS_POINT) -> Chain:
     """Project an object, and compute everything from its images, in one arithmetic.
 
     Examples
     --------
     >>> from algebroproj_sym.study.arithmetics import rational
     >>> from algebroproj_sym.study.precision import nearest
-    >>> exact = simulated(rational(), _example())
-    >>> float(nearest(rational(), exact.Z).hi[1, 1]).as_integer_ratio()[1] > 1
-    True
+    >>> from algebroproj_derivations.studies.stereo.configurations import ordinary
+    >>> exact = simulated(rational(), ordinary(1))
+    >>> nearest(rational(), exact.Z).hi[0, 1, 0]
+    np.float64(1.0)
     """
-    return from_images(arithmetic, images(arithmetic, configuration), y_a)
+    return from_images(arithmetic, images(arithmetic, scene), y_a)
 
 
 def normal(
@@ -250,8 +186,8 @@ def normal(
     transformation: Literal["centers", "correlation"],
     y_a: ArrayLike = AXIS_POINT,
     u_n31: ArrayLike | None = None,
-) -> NormalCase:
-    """Transform the images to a normal case, and reconstruct the model from it.
+) -> Numbers:
+    """Transform the images to a normal case, and return the model that is reconstructed from it.
 
     Parameters
     ----------
@@ -272,7 +208,7 @@ def normal(
 
     Returns
     -------
-    NormalCase
+    ndarray, shape (parts, ..., n, 3)
 
     Raises
     ------
@@ -282,10 +218,10 @@ def normal(
     Examples
     --------
     >>> from algebroproj_sym.study.arithmetics import float64
-    >>> both = images(float64(), _example())
+    >>> from algebroproj_derivations.studies.stereo.configurations import ordinary
+    >>> both = images(float64(), ordinary(1))
     >>> chain = from_images(float64(), both)
-    >>> case = normal(float64(), both, chain, "centers")
-    >>> bool(abs(case.model - chain.model).max() < 1e-9)
+    >>> bool(abs(normal(float64(), both, chain, "centers") - chain.model).max() < 1e-9)
     True
     """
     axis = lift(arithmetic, _axis_point(y_a))
@@ -308,8 +244,7 @@ def normal(
         mu_right = apply(arithmetic, normal_case.mu_right, axis, center, n3_right, z_n)
     else:
         raise ValueError(f"normal: expected the transformation centers or correlation, got {transformation!r}")
-    model = _model(arithmetic, left, right, mu_left, n3_left, mu_right, n3_right)
-    return NormalCase(tau_left, tau_right, left, right, model)
+    return _model(arithmetic, left, right, mu_left, n3_left, mu_right, n3_right)
 
 
 def _with_first(arithmetic: Arithmetic, u3: Numbers, first: ArrayLike) -> Numbers:
@@ -345,9 +280,3 @@ def _axis_point(y_a: ArrayLike) -> NDArray[np.float64]:
     if (point.sum(axis=-1) == 1).any():
         raise ValueError("y_a: expected a point that is not on the plane yA1 + yA2 + yA3 = 1, got one on it")
     return point
-
-
-def _example() -> Configuration:
-    """Return a configuration like the one of the papers' example, for the examples of this module."""
-    y = [[0.576, 0.149, 0.128], [0.392, 0.624, 0.209], [0.733, 0.865, 0.148], [0.998, 0.835, 0.121]]
-    return Configuration(y, [0.171, 0.395, 3.99], [0.68, 0.41, 4.07], [0.3, 0.1], [0.31, -0.23])  # type: ignore[arg-type]

@@ -36,7 +36,7 @@ class ClosestCritical:
     distance : float
         Root of the sum of the squares of all movements, in the unit of length of the scene.
     movements : ndarray, shape (10, 3)
-        Of the eight points and of both centers; zero for centers that are kept.
+        Of the eight points and of both centers.
     remainder : float
         How far, to first order and relative to the distance, the points are from a common quadric.
     angle : float
@@ -52,15 +52,13 @@ class ClosestCritical:
     angle: float
 
 
-def closest_critical(scene: Scene, *, moving_centers: bool = True) -> ClosestCritical:
+def closest_critical(scene: Scene) -> ClosestCritical:
     """Find the critical configuration that is closest to a given one.
 
     Parameters
     ----------
     scene : Scene
         A single one of eight points.
-    moving_centers : bool, optional
-        Whether the centers may move as well.
 
     Returns
     -------
@@ -77,9 +75,9 @@ def closest_critical(scene: Scene, *, moving_centers: bool = True) -> ClosestCri
     --------
     >>> from algebroproj_derivations.studies.stereo.layouts import LAYOUTS
     >>> exact = {layout.name: layout for layout in LAYOUTS}["two columns"].scene()
-    >>> points, centers, normals = (part.astype(float) for part in (exact.points, exact.centers, exact.normals))
-    >>> points[7] += [0.001, 0.0, 0.0]
-    >>> found = closest_critical(Scene(points, centers, normals))
+    >>> scene = exact.each(lambda part: part.astype(float))
+    >>> scene.points[7] += [0.001, 0.0, 0.0]
+    >>> found = closest_critical(scene)
     >>> bool(found.distance < 0.001), bool(found.angle < 1e-6)
     (True, True)
     """
@@ -87,19 +85,17 @@ def closest_critical(scene: Scene, *, moving_centers: bool = True) -> ClosestCri
     places = np.concatenate([scene.points, scene.centers]).astype(np.float64)
     middle, size = places.mean(axis=0), float(np.sqrt(np.mean(np.var(places, axis=0))))
     normalised = (places - middle) / size
-    moving = np.ones(len(places), dtype=bool)
-    moving[LEAST_POINTS:] = moving_centers
     value, _, form = condition(normalised)
     if abs(value) <= CRITICAL:
         return ClosestCritical(scene, _at_places(form, middle, size), 0.0, 0 * places, 0.0, 0.0)
-    candidates = [_descended(normalised, moving, start) for start in _starts(normalised, moving)]
-    stationary = [move for move in candidates if _is_stationary(normalised, moving, move)]
+    candidates = [_descended(normalised, start) for start in _starts(normalised)]
+    stationary = [move for move in candidates if _is_stationary(normalised, move)]
     if not stationary:
         raise ArithmeticError("closest_critical: expected a stationary point from one of the starts, found none")
     best = min(stationary, key=lambda move: float(np.linalg.norm(move)))
-    remainder, angle = _certificate(normalised, moving, best)
+    remainder, angle = _certificate(normalised, best)
     moved = places + size * best
-    critical = Scene(moved[:LEAST_POINTS], moved[LEAST_POINTS:], scene.normals)
+    critical = Scene(moved[:LEAST_POINTS], moved[LEAST_POINTS:], scene.planes)
     form = _at_places(condition(normalised + best)[2], middle, size)
     return ClosestCritical(critical, form, size * float(np.linalg.norm(best)), size * best, remainder, angle)
 
@@ -133,49 +129,45 @@ def condition(places: Numbers) -> tuple[float, Numbers, Numbers]:
     return sign * float(values[-1]), gradient, form
 
 
-def _starts(places: Numbers, moving: NDArray[np.bool_]) -> list[Numbers]:
+def _starts(places: Numbers) -> list[Numbers]:
     """Return movements to first order: of all places, and of each one alone."""
     value, gradient, _ = condition(places)
-    everything = np.where(moving[:, None], gradient, 0.0)
-    masks = [np.where(np.arange(len(places))[:, None] == k, gradient, 0.0) for k in np.flatnonzero(moving)]
-    starts = [-value * part / np.sum(part**2) for part in (everything, *masks) if np.any(part)]
+    alone = [np.where(np.arange(len(places))[:, None] == k, gradient, 0.0) for k in range(len(places))]
+    starts = [-value * part / np.sum(part**2) for part in (gradient, *alone) if np.any(part)]
     return [start * min(1.0, 1.0 / float(np.linalg.norm(start))) for start in starts]
 
 
-def _descended(places: Numbers, moving: NDArray[np.bool_], start: Numbers) -> Numbers:
+def _descended(places: Numbers, start: Numbers) -> Numbers:
     """Return a movement to a critical configuration that is stationary in size, if the descent finds one."""
-    projected = _projected(places, moving, start)
-    if _is_stationary(places, moving, projected):
+    projected = _projected(places, start)
+    if _is_stationary(places, projected):
         return projected
     unit = float(np.linalg.norm(start)) or 1.0
 
     def place(parameters: Numbers) -> Numbers:
-        movement = np.zeros_like(places)
-        movement[moving] = unit * parameters.reshape(-1, 3)
-        return movement
+        return unit * parameters.reshape(-1, 3)
 
     def scaled(parameters: Numbers) -> float:
         return condition(places + place(parameters))[0] / unit
 
     def derivative(parameters: Numbers) -> Numbers:
-        return condition(places + place(parameters))[1][moving].reshape(-1)
+        return condition(places + place(parameters))[1].reshape(-1)
 
     found = minimize(
         lambda parameters: 0.5 * float(parameters @ parameters),
-        (start[moving] / unit).reshape(-1),
+        (start / unit).reshape(-1),
         jac=lambda parameters: parameters,
         constraints={"type": "eq", "fun": scaled, "jac": derivative},
         method="SLSQP",
         options={"ftol": 1e-15, "maxiter": 100},
     )
-    return _projected(places, moving, place(found.x))
+    return _projected(places, place(found.x))
 
 
-def _projected(places: Numbers, moving: NDArray[np.bool_], movement: Numbers) -> Numbers:
+def _projected(places: Numbers, movement: Numbers) -> Numbers:
     """Repeat the projection on the linearised condition, which is exact where the quadric is flat."""
     for _ in range(STEPS):
-        value, gradient, _ = condition(places + movement)
-        normal = np.where(moving[:, None], gradient, 0.0)
+        value, normal, _ = condition(places + movement)
         following = normal * (np.sum(normal * movement) - value) / np.sum(normal**2)
         step = float(np.linalg.norm(following - movement))
         if not np.isfinite(step) or step > float(np.linalg.norm(movement)):
@@ -186,10 +178,9 @@ def _projected(places: Numbers, moving: NDArray[np.bool_], movement: Numbers) ->
     return movement
 
 
-def _certificate(places: Numbers, moving: NDArray[np.bool_], movement: Numbers) -> tuple[float, float]:
+def _certificate(places: Numbers, movement: Numbers) -> tuple[float, float]:
     """Return what is left of the condition, and the angle between the movement and its gradient."""
-    value, gradient, _ = condition(places + movement)
-    normal = np.where(moving[:, None], gradient, 0.0)
+    value, normal, _ = condition(places + movement)
     steepness, length = float(np.linalg.norm(normal)), float(np.linalg.norm(movement))
     if length == 0.0:
         return 0.0, 0.0
@@ -199,8 +190,8 @@ def _certificate(places: Numbers, moving: NDArray[np.bool_], movement: Numbers) 
     return remainder, float(np.arctan2(across, abs(along)))
 
 
-def _is_stationary(places: Numbers, moving: NDArray[np.bool_], movement: Numbers) -> bool:
-    return max(_certificate(places, moving, movement)) < CERTIFIED
+def _is_stationary(places: Numbers, movement: Numbers) -> bool:
+    return max(_certificate(places, movement)) < CERTIFIED
 
 
 def _at_places(form: Numbers, middle: Numbers, size: float) -> Numbers:

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from algebroproj import critical, projection
-from algebroproj_derivations.studies.stereo.chain import Configuration
 from algebroproj_derivations.studies.stereo.quadric import gradients
+from algebroproj_derivations.studies.stereo.scenes import BASIC, Scene, affine_scene
 from algebroproj_sym.study import sampling
 
 __all__ = ["critical_quadric", "near_critical", "ordinary"]
@@ -26,10 +26,8 @@ BASE = (0.4, 1.2), (-0.2, 0.2), (-0.3, 0.3)
 TILT = 0.3
 """How far the image of G3 is from where it would be in an image parallel to the ground."""
 
-BASIC = np.vstack([np.zeros(3), np.eye(3)])
 
-
-def ordinary(members: int | ArrayLike, seed: int = 0, further: int = FURTHER) -> Configuration:
+def ordinary(members: int | ArrayLike, seed: int = 0, further: int = FURTHER) -> Scene:
     """Return scenes whose points are anywhere over the ground.
 
     Parameters
@@ -43,12 +41,12 @@ def ordinary(members: int | ArrayLike, seed: int = 0, further: int = FURTHER) ->
 
     Returns
     -------
-    Configuration
-        With one leading dimension.
+    Scene
+        In affine coordinates, with one leading dimension.
 
     Examples
     --------
-    >>> bool((ordinary([7]).y == ordinary(10).y[7]).all())
+    >>> bool((ordinary([7]).points == ordinary(10).points[7]).all())
     True
     """
     indices = _indices(members)
@@ -56,12 +54,17 @@ def ordinary(members: int | ArrayLike, seed: int = 0, further: int = FURTHER) ->
     left = _between(LEFT_CENTER, sampling.uniform(seed, indices, (3,), stream=1))
     right = left + _between(BASE, sampling.uniform(seed, indices, (3,), stream=2))
     tilt = TILT * (2 * sampling.uniform(seed, indices, (2, 2), stream=3) - 1)
-    return Configuration(y, left, right, _level(left) + tilt[:, 0], _level(right) + tilt[:, 1])
+    centers = np.stack([left, right], axis=1)
+    return affine_scene(y, centers, _level(centers) + tilt)
 
 
 def near_critical(
-    members: int | ArrayLike, seed: int = 0, farthest: float = 1e-1, nearest: float = 1e-10, further: int = FURTHER
-) -> Configuration:
+    members: int | ArrayLike,
+    seed: int = 0,
+    farthest: float = 1e-1,
+    nearest: float = 1e-10,
+    chosen: ArrayLike = True,
+) -> Scene:
     """Return scenes whose fifth point of correlation is near the quadric through centers and other points.
 
     Parameters
@@ -72,13 +75,13 @@ def near_critical(
         The seed of the sweep.
     farthest, nearest : float
         The distance of the point from the quadric is between them, uniform in its logarithm.
-    further : int
-        How many points there are beside the four basic ones; at least 4.
+    chosen : array_like of bool, shape (n,)
+        Which of them; the others are ordinary ones.
 
     Returns
     -------
-    Configuration
-        With one leading dimension.
+    Scene
+        In affine coordinates, with one leading dimension.
 
     Raises
     ------
@@ -87,33 +90,33 @@ def near_critical(
 
     Examples
     --------
-    >>> near_critical(3, nearest=1e-6).y.shape
-    (3, 4, 3)
+    >>> near_critical(3, nearest=1e-6).points.shape
+    (3, 8, 3)
     """
     if not 0 < nearest <= farthest:
         raise ValueError(f"near_critical: expected 0 < nearest <= farthest, got {nearest} and {farthest}")
     indices = _indices(members)
-    scene = ordinary(indices, seed, further)
+    scene = ordinary(indices, seed)
     quadric = critical_quadric(scene)
     on_quadric = _moved_onto(quadric, scene)
     gradient = gradients(quadric, on_quadric)
     draw = sampling.uniform(seed, indices, (2,), stream=4)
     distance = farthest * (nearest / farthest) ** draw[:, 0] * np.where(draw[:, 1] < 0.5, -1, 1)
     steps = distance / np.linalg.norm(gradient, axis=-1)
-    y = scene.y.copy()
-    y[:, FURTHER - 1] = on_quadric + steps[:, None] * gradient
-    return replace(scene, y=y)
+    points = scene.points.copy()
+    points[:, -1] = np.where(np.reshape(chosen, (-1, 1)), on_quadric + steps[:, None] * gradient, points[:, -1])
+    return replace(scene, points=points)
 
 
-def critical_quadric(configuration: Configuration) -> NDArray[np.float64]:
+def critical_quadric(scene: Scene) -> NDArray[np.float64]:
     """Return the quadric through both centers, the basic points and the first three of the others.
 
     A fifth point of correlation on it makes the five equations singular (section 2.3).
 
     Parameters
     ----------
-    configuration : Configuration
-        Any leading dimensions.
+    scene : Scene
+        In affine coordinates, any leading dimensions.
 
     Returns
     -------
@@ -123,15 +126,13 @@ def critical_quadric(configuration: Configuration) -> NDArray[np.float64]:
     Examples
     --------
     >>> scene = ordinary(1)
-    >>> center = np.insert(scene.y0_right[0], 0, 1.0)
+    >>> center = np.insert(scene.centers[0, 1], 0, 1.0)
     >>> bool(abs(center @ critical_quadric(scene)[0] @ center) < 1e-12)
     True
     """
-    mu_left = projection.mu_from_center(configuration.y0_left, configuration.u3_left)
-    mu_right = projection.mu_from_center(configuration.y0_right, configuration.u3_right)
-    fourth = np.broadcast_to(BASIC[3], (*configuration.y.shape[:-2], 1, 3))
-    points = np.concatenate([fourth, configuration.y[..., : FURTHER - 1, :]], axis=-2)
-    quadric = critical.quadric(mu_left, configuration.u3_left, mu_right, configuration.u3_right, points)
+    mu = projection.mu_from_center(scene.centers, scene.planes)
+    left, right = ((mu[..., side, :], scene.planes[..., side, :]) for side in (0, 1))
+    quadric = critical.quadric(*left, *right, scene.points[..., BASIC - 1 : BASIC + FURTHER - 1, :])
     scaled: NDArray[np.float64] = quadric / abs(quadric).max(axis=(-2, -1), keepdims=True)
     return scaled
 
@@ -148,17 +149,16 @@ def _between(ranges: Sequence[tuple[float, float]], draw: NDArray[np.float64]) -
 
 def _level(center: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the image of G3 in an image that is parallel to the ground."""
-    level: NDArray[np.float64] = -center[:, :2] / (center[:, 2:] - 1)
+    level: NDArray[np.float64] = -center[..., :2] / (center[..., 2:] - 1)
     return level
 
 
-def _moved_onto(quadric: NDArray[np.float64], scene: Configuration) -> NDArray[np.float64]:
+def _moved_onto(quadric: NDArray[np.float64], scene: Scene) -> NDArray[np.float64]:
     """Move the last point onto a quadric, along the line to that point of the quadric from which it is nearest.
 
     A line through a point of the quadric meets it once more, where its parameter is a rational function.
     """
-    start = scene.y[:, FURTHER - 1]
-    anchors = np.concatenate([np.broadcast_to(BASIC, (len(start), 4, 3)), scene.y[:, : FURTHER - 1]], axis=1)
+    start, anchors = scene.points[:, -1], scene.points[:, :-1]
     directions = np.insert(start[:, None] - anchors, 0, 0.0, axis=-1)
     linear = np.einsum("nai,nij,naj->na", np.insert(anchors, 0, 1.0, axis=-1), quadric, directions)
     square = np.einsum("nai,nij,naj->na", directions, quadric, directions)

@@ -9,7 +9,7 @@ import xarray
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj_derivations.studies.stereo.quadric import kind, surface
+from algebroproj_derivations.studies.stereo.quadric import kind, scaled, value
 from algebroproj_derivations.studies.stereo.scenes import Scene
 from algebroproj_sym.study.figures import COLOURS, GREY, INK, PAGE, figure, style
 
@@ -99,7 +99,7 @@ def _section(axes: Any, form: ArrayLike, low: Numbers, high: Numbers, direction:
     meshes = np.meshgrid(np.linspace(low[first], high[first], MESH), np.linspace(low[second], high[second], MESH))
     place = np.empty((MESH, MESH, 3))
     place[..., direction], place[..., first], place[..., second] = level, *meshes
-    values, _ = surface(form)(place)
+    values = value(scaled(form), place)
     if values.min() < 0 < values.max():
         arguments = [*meshes]
         arguments.insert(direction, values)

@@ -13,15 +13,16 @@ from numpy.typing import NDArray
 
 from algebroproj import correlation, critical
 from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
-from algebroproj_derivations.studies.stereo.chain import CORRELATION_POINTS, Configuration, Images, images
+from algebroproj_derivations.studies.stereo.chain import CORRELATION_POINTS, Images, differentiable, images
 from algebroproj_derivations.studies.stereo.configurations import critical_quadric
 from algebroproj_derivations.studies.stereo.layouts import homogeneous_rows
 from algebroproj_derivations.studies.stereo.quadric import gradients
 from algebroproj_derivations.studies.stereo.rounding import bound_of_correlation, bound_of_epipoles
+from algebroproj_derivations.studies.stereo.scenes import LEAST_POINTS, Scene
 from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.conditioning import condition_numbers
 from algebroproj_sym.study.precision import apply
-from algebroproj_sym.study.taylor import gradient, taylor, variables
+from algebroproj_sym.study.taylor import gradient
 
 __all__ = ["Indicators", "diagnosis", "eight_point_matrix", "indicators"]
 
@@ -66,13 +67,13 @@ class Indicators(NamedTuple):
     epipole_bound: Array
 
 
-def indicators(configuration: Configuration) -> Indicators:
-    """Compute all indicators of some configurations.
+def indicators(scene: Scene) -> Indicators:
+    """Compute all indicators of some scenes.
 
     Parameters
     ----------
-    configuration : Configuration
-        With one leading dimension.
+    scene : Scene
+        In affine coordinates, with one leading dimension.
 
     Returns
     -------
@@ -85,9 +86,9 @@ def indicators(configuration: Configuration) -> Indicators:
     >>> bool((abs(near.sampson - 1e-6) < 1e-9).all())
     True
     """
-    both = images(float64(), configuration)
+    both = images(float64(), scene)
     left, right = both.left[0, :, :CORRELATION_POINTS], both.right[0, :, :CORRELATION_POINTS]
-    algebraic, sampson = _distances(configuration)
+    algebraic, sampson = _distances(scene)
     sigma_5, relative_5, relative_8 = _singular_values(left, right)
     return Indicators(
         algebraic,
@@ -167,14 +168,14 @@ def _singular_values(left: Array, right: Array) -> tuple[Array, Array, Array]:
 
 
 def _all_singular_values(matrices: Array) -> Array:
-    regular = np.isfinite(matrices).all(axis=(-2, -1))[..., None]
+    regular = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))[..., None]
     return np.where(regular, np.linalg.svd(np.where(regular[..., None], matrices, 0.0), compute_uv=False), np.nan)
 
 
-def _distances(configuration: Configuration) -> tuple[Array, Array]:
+def _distances(scene: Scene) -> tuple[Array, Array]:
     """Return the algebraic and the first-order distance of the last point from the critical quadric."""
-    quadric = critical_quadric(configuration)
-    point = configuration.y[:, CORRELATION_POINTS - 2]
+    quadric = critical_quadric(scene)
+    point = scene.points[:, LEAST_POINTS - 1]
     value = abs(critical.algebraic_distance(quadric, point))
     size = np.linalg.norm(quadric, axis=(-2, -1)) * (np.insert(point, 0, 1.0, axis=-1) ** 2).sum(axis=-1)
     with np.errstate(all="ignore"):
@@ -183,15 +184,14 @@ def _distances(configuration: Configuration) -> tuple[Array, Array]:
 
 def _conditions(left: Array, right: Array) -> tuple[Array, Array, Array, Array]:
     """Return the mixed and the mean condition number of Z and of the epipoles."""
-    series = taylor(IMAGE_COORDINATES)
-    u_left, u_right = variables(series, left, 0, 2), variables(series, right, IMAGE_COORDINATES // 2, 2)
-    z = apply(series, correlation.correlation_matrix, u_left, u_right)
+    series, moved = differentiable(Images(left[None], right[None]))
+    z = apply(series, correlation.correlation_matrix, *moved)
     x = np.concatenate([array.reshape(len(left), -1) for array in (left, right)], axis=1)
     flat = z.reshape(*z.shape[:2], 9)
-    of_z = condition_numbers(flat[0], gradient(series, flat, IMAGE_COORDINATES), x)
+    of_z = condition_numbers(flat[0], gradient(flat, IMAGE_COORDINATES), x)
     with np.errstate(all="ignore"):
         epipoles = apply(series, correlation.epipoles, z)
-        turned = [_turned(numbers[0], gradient(series, numbers, IMAGE_COORDINATES)) for numbers in epipoles]
+        turned = [_turned(numbers[0], gradient(numbers, IMAGE_COORDINATES)) for numbers in epipoles]
     value = np.ones((len(left), 1))
     found = [condition_numbers(value, jacobian, x) for jacobian in turned]
     mixed = np.maximum(*(one.mixed for one in found))

@@ -93,11 +93,11 @@ def examine(scene: Scene) -> Examination:
     >>> {layout.name: examine(layout.scene()).verdict for layout in LAYOUTS}["two columns"]
     'critical'
     """
-    points, centers = exact(scene.points), exact(scene.centers)
-    u = images(Scene(points, centers, exact(scene.normals)))
+    scene = scene.each(exact)
+    u = images(scene)
     five = rank(algebroproj.correlation.system(u[0, 3:], u[1, 3:])[0])
     eight = rank(homogeneous_rows(u[0], u[1]))
-    together = np.concatenate([points, centers])
+    together = np.concatenate([scene.points, scene.centers])
     quadrics = through(together)
     verdict: Verdict = "critical" if quadrics else "normalisation" if five < 5 else "regular"
     return Examination(five, eight, conditions(together), kind(quadrics[0]) if len(quadrics) == 1 else None, verdict)
@@ -167,7 +167,7 @@ LAYOUTS = (
     ),
     Layout(
         "two columns, centers moved",
-        "two columns with relief, the right center not above its own",
+        "two columns with relief, the right center not above its column",
         _ordered(TWO_COLUMNS, (0, 5, 1, 4, 2, 3, 6, 7)),
         ((0, 0, 2), ("9/8", "1/8", "17/8")),
     ),

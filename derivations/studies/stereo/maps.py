@@ -9,10 +9,9 @@ import xarray
 from numpy.typing import ArrayLike, NDArray
 
 import algebroproj
-from algebroproj import DoubleDouble
 from algebroproj_derivations.studies.stereo.accuracy import lost_digits, matrix_error
-from algebroproj_derivations.studies.stereo.quadric import critical_quadric, surface
-from algebroproj_derivations.studies.stereo.scenes import Scene, images, require_eight, with_points
+from algebroproj_derivations.studies.stereo.quadric import critical_quadric, scaled, value
+from algebroproj_derivations.studies.stereo.scenes import Scene, images, require_eight, sides, with_points
 from algebroproj_sym.study.datasets import variable
 
 Numbers = NDArray[np.float64]
@@ -36,8 +35,7 @@ def lost_homogeneous(scene: Scene) -> Numbers:
     general = algebroproj.correlation.general_correlation_matrix
     with np.errstate(all="ignore"):
         wide = images(scene, wide=True)
-        left, right = (DoubleDouble(wide.hi[:, side], wide.lo[:, side]) for side in range(2))
-        reference = algebroproj.dd(general)(left, right)
+        reference = algebroproj.dd(general)(*sides(wide))
         return lost_digits(matrix_error(general(wide.hi[:, 0], wide.hi[:, 1]), reference))
 
 
@@ -95,7 +93,7 @@ def over_image(scene: Scene, height: float, size: int = 121, reach: float = 1.0)
         As for `over_plane`, or if a place of the image does not see the plane.
     """
     x = np.linspace(-reach, reach, size)
-    center, normal = (np.asarray(part[0], dtype=np.float64) for part in (scene.centers, scene.normals))
+    center, normal = (np.asarray(part[0], dtype=np.float64) for part in (scene.centers, scene.planes))
     axis = normal / np.linalg.norm(normal)
     first = np.array([1.0, 0.0, 0.0]) - axis[0] * axis
     first /= np.linalg.norm(first)
@@ -108,7 +106,7 @@ def over_image(scene: Scene, height: float, size: int = 121, reach: float = 1.0)
 
 def _mapped(scene: Scene, places: Numbers, coordinates: dict[str, Numbers]) -> xarray.Dataset:
     require_eight(scene)
-    form, _ = surface(critical_quadric(scene.points[:-1], scene.centers))(places)
+    form = value(scaled(critical_quadric(scene.points[:-1], scene.centers)), places)
     flat = places.reshape(-1, 3)
     blocks = [lost_homogeneous(_moved(scene, flat[k : k + BLOCK])) for k in range(0, len(flat), BLOCK)]
     dimensions = list(coordinates)

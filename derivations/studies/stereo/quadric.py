@@ -10,7 +10,7 @@ Everything here is exact for rational numbers; floating-point numbers are the ra
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations_with_replacement
@@ -208,6 +208,18 @@ def kind(form: ArrayLike) -> Kind:
     return Kind(str(found.kind), rank, signature, bool(found.ruled), determinant >= 0)
 
 
+def scaled(form: ArrayLike) -> NDArray[np.float64]:
+    """Return a form divided by its largest element, in float64.
+
+    Examples
+    --------
+    >>> scaled([[0, 1], [1, 3]]).round(2).tolist()
+    [[0.0, 0.33], [0.33, 1.0]]
+    """
+    numbers: Any = exact(form)
+    return np.asarray(numbers / abs(numbers).max(), dtype=np.float64)
+
+
 def value(form: ArrayLike, points: ArrayLike) -> Any:
     """Return the value of a form at points, of any kind of number, shape (..., 3): zero on the quadric."""
     x = np.asarray(points)
@@ -257,16 +269,23 @@ def equation(form: ArrayLike, names: Sequence[str] = ("x1", "x2", "x3")) -> str:
     >>> equation([[-2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0], [0, 0, 0, -2]])
     'x1^2 + x2^2 - x3^2 - 1 = 0'
     """
-    numbers = exact(form)
-    variables = ("", *names)
-    terms = []
-    for i, j in combinations_with_replacement(range(len(variables)), 2):
-        product = f"{variables[i]}^2" if i == j and i else "*".join(filter(None, (variables[i], variables[j])))
-        terms.append((numbers[i, j] * (1 if i == j else 2), product, (i > 0) + (j > 0)))
-    terms.sort(key=lambda term: -term[2])
-    integers = _coprime([coefficient for coefficient, _, _ in terms])
-    written = [_term(integer, product) for integer, (_, product, _) in zip(integers, terms, strict=True) if integer]
+    found = terms(form, names)
+    integers = _coprime([coefficient for coefficient, _ in found])
+    written = [_term(integer, product) for integer, (_, product) in zip(integers, found, strict=True) if integer]
     return f"{' '.join(written).removeprefix('+ ')} = 0" if written else "0 = 0"
+
+
+def terms(form: ArrayLike, names: Sequence[str] = ("x1", "x2", "x3")) -> list[tuple[Any, str]]:
+    """Return the coefficients of a form with the products that they belong to, those of the highest degree first."""
+    numbers, variables = exact(form), ("", *names)
+    pairs = combinations_with_replacement(range(len(variables)), 2)
+    return [
+        (
+            numbers[i, j] * (1 if i == j else 2),
+            f"{variables[i]}^2" if i == j and i else "*".join(filter(None, (variables[i], variables[j]))),
+        )
+        for i, j in sorted(pairs, key=lambda pair: pair.count(0))
+    ]
 
 
 def _term(coefficient: int, product: str) -> str:
@@ -303,26 +322,3 @@ def _matrix(rows: Any) -> Any:
 
 def _fraction(number: Any) -> Fraction:
     return Fraction(int(number.p), int(number.q))
-
-
-def surface(form: ArrayLike) -> Callable[[NDArray[np.float64]], tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    """Return the function that gives values and gradients of a quadric at points of shape (..., 3), in float64.
-
-    The form is divided by its largest element.
-
-    Examples
-    --------
-    >>> value, gradient = surface([[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])(np.array([2.0, 0, 0]))
-    >>> float(value), gradient.tolist()
-    (3.0, [4.0, 0.0, 0.0])
-    """
-    numbers = exact(form)
-    largest = max(abs(number) for number in numbers.reshape(-1)) or Fraction(1)
-    scaled = (numbers / largest).astype(np.float64)
-
-    def of_points(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        y = np.concatenate([np.ones((*points.shape[:-1], 1)), points], axis=-1)
-        image = y @ scaled
-        return np.sum(image * y, axis=-1), 2 * image[..., 1:]
-
-    return of_points

@@ -1,18 +1,20 @@
-"""Scenes: object points, two centers of projection and the directions of two image planes.
+"""Scenes: object points, two centers of projection and the positions of two image planes.
 
 The first four points are the basic points G0 to G3: they carry the affine coordinates of space, and the images of
 the first three those of the images.  Numbers may be of any kind: float64, double-double, fractions.
+
+A scene is given in rectangular coordinates, or in affine ones, in which the basic points are the origin and the units.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 import algebroproj
 from algebroproj import DoubleDouble
@@ -20,6 +22,9 @@ from algebroproj import DoubleDouble
 Numbers = NDArray[np.float64]
 
 BASIC = 4
+TETRAHEDRON = np.vstack([np.zeros(3), np.eye(3)])
+"""The basic points in affine coordinates."""
+
 LEAST_POINTS = 8
 """What the linear determination of the correlation matrix needs."""
 
@@ -37,16 +42,38 @@ class Scene:
     Attributes
     ----------
     points : ndarray, shape (..., n, 3)
-        Object points in rectangular coordinates of any unit of length; the basic points first.
+        Object points, the basic points first.
     centers : ndarray, shape (..., 2, 3)
-        Left and right center of projection, in the same unit.
-    normals : ndarray, shape (..., 2, 3)
-        Directions of the optical axes, of any length: normals of the image planes.
+        Left and right center of projection, in the same coordinates.
+    planes : ndarray, shape (..., 2, 3) or (..., 2, 2)
+        How the image planes lie: in rectangular coordinates their normals, the optical axes, of any length; in affine
+        coordinates the images of G3, which may be chosen.
     """
 
     points: Any
     centers: Any
-    normals: Any
+    planes: Any
+
+    def __getitem__(self, members: Any) -> Scene:
+        """Return some members of a batch, or a single one."""
+        return self.each(lambda part: part[members])
+
+    def each(self, change: Callable[[Any], Any]) -> Scene:
+        """Return the scene whose points, centers and planes are changed in the same way."""
+        return Scene(change(self.points), change(self.centers), change(self.planes))
+
+
+def affine_scene(y: ArrayLike, centers: ArrayLike, planes: ArrayLike) -> Scene:
+    """Return the scene of points beside the basic ones, shape (..., n, 3), in affine coordinates.
+
+    Examples
+    --------
+    >>> affine_scene(np.full((4, 3), 0.5), np.ones((2, 3)), np.zeros((2, 2))).points.shape
+    (8, 3)
+    """
+    further = np.asarray(y, dtype=np.float64)
+    points = np.concatenate([np.broadcast_to(TETRAHEDRON, (*further.shape[:-2], BASIC, 3)), further], axis=-2)
+    return Scene(points, np.asarray(centers, dtype=np.float64), np.asarray(planes, dtype=np.float64))
 
 
 def require_scene(scene: Scene) -> None:
@@ -66,7 +93,7 @@ def require_scene(scene: Scene) -> None:
     algebroproj_derivations.studies.stereo.scenes.DegenerateSceneError: points: expected at least 8, got 7
     """
     points, centers, normals = (
-        np.asarray(part, dtype=np.float64) for part in (scene.points, scene.centers, scene.normals)
+        np.asarray(part, dtype=np.float64) for part in (scene.points, scene.centers, scene.planes)
     )
     if points.ndim != 2 or points.shape[1] != 3:
         raise DegenerateSceneError(f"points: expected the shape (n, 3), got {points.shape}")
@@ -96,8 +123,7 @@ def require_eight(scene: Scene) -> None:
 
 def with_points(scene: Scene, points: Numbers) -> Scene:
     """Return a batch of scenes that differ from a single one in their points, shape (n, 8, 3), alone."""
-    centers, normals = (np.broadcast_to(part, (len(points), 2, 3)) for part in (scene.centers, scene.normals))
-    return Scene(points, centers, normals)
+    return Scene(points, *(np.broadcast_to(part, (len(points), *part.shape)) for part in (scene.centers, scene.planes)))
 
 
 def affine(points: Any, basic: Any, *, wide: bool = False) -> Any:
@@ -146,15 +172,15 @@ def images(scene: Scene, *, wide: bool = False) -> Any:
     >>> images(Scene(points, exact([[1, 1, 4], [2, 1, 4]]), exact([[0, 0, 1], [0, 0, 1]])))[0, 4].tolist()
     [Fraction(1, 1), Fraction(1, 1)]
     """
-    points, centers, normals = (np.asarray(part) for part in (scene.points, scene.centers, scene.normals))
-    center, axis = (components(part[..., :, None, :], wide=wide) for part in (centers, normals))
-    arms = [_less(components(points[..., None, None, i, :], wide=wide), center) for i in range(3)]
-    rays = _less(components(points[..., None, :, :], wide=wide), center)
+    points, centers, normals = (np.asarray(part) for part in (scene.points, scene.centers, scene.planes))
+    center, axis = (_components(part[..., :, None, :], wide=wide) for part in (centers, normals))
+    arms = [_less(_components(points[..., None, None, i, :], wide=wide), center) for i in range(3)]
+    rays = _less(_components(points[..., None, :, :], wide=wide), center)
     weights = [
         _dot(rays, _cross(arms[j], arms[k])) * _dot(arms[i], axis) for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1))
     ]
     total = weights[0] + weights[1] + weights[2]
-    return together([weights[1] / total, weights[2] / total])
+    return _together([weights[1] / total, weights[2] / total])
 
 
 def pictures(scene: Scene) -> Numbers:
@@ -177,7 +203,7 @@ def pictures(scene: Scene) -> Numbers:
     <BLANKLINE>
            [[0.  , 0.5 ]]])
     """
-    axis = scene.normals / np.linalg.norm(scene.normals, axis=-1, keepdims=True)
+    axis = scene.planes / np.linalg.norm(scene.planes, axis=-1, keepdims=True)
     first = np.array([1.0, 0.0, 0.0]) - axis[..., :1] * axis
     first = first / np.linalg.norm(first, axis=-1, keepdims=True)
     rays = scene.points[..., None, :, :] - scene.centers[..., :, None, :]
@@ -185,19 +211,22 @@ def pictures(scene: Scene) -> Numbers:
     return np.asarray(-np.stack([x, y], axis=-1) / depth[..., None])
 
 
-def components(value: Any, *, wide: bool = False) -> list[Any]:
-    """Return the entries along the last dimension, as double-double numbers if the value is one or that is wanted."""
-    if isinstance(value, DoubleDouble):
-        tails = components(np.zeros_like(value.hi) if value.lo is None else value.lo)
-        return [DoubleDouble(head, tail) for head, tail in zip(components(value.hi), tails, strict=True)]
-    entries = list(np.moveaxis(np.asarray(value), -1, 0))
+def sides(numbers: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
+    """Return what belongs to the left and to the right image, of double-double numbers of shape (n, 2, ...)."""
+    left, right = (DoubleDouble(numbers.hi[:, side], numbers.lo[:, side]) for side in (0, 1))
+    return left, right
+
+
+def _components(array: Any, *, wide: bool) -> list[Any]:
+    """Return the entries along the last dimension, as double-double numbers if that is wanted."""
+    entries = list(np.moveaxis(array, -1, 0))
     return [DoubleDouble(entry) for entry in entries] if wide else entries
 
 
-def together(entries: Sequence[Any]) -> Any:
-    """Put entries along a new last dimension: the inverse of `components`."""
+def _together(entries: Sequence[Any]) -> Any:
+    """Put entries along a new last dimension: the inverse of `_components`."""
     if isinstance(entries[0], DoubleDouble):
-        return DoubleDouble(together([entry.hi for entry in entries]), together([entry.lo for entry in entries]))
+        return DoubleDouble(_together([entry.hi for entry in entries]), _together([entry.lo for entry in entries]))
     return np.stack(np.broadcast_arrays(*entries), axis=-1)
 
 

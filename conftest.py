@@ -22,7 +22,6 @@ PROJECT = "algebroproj-sym"
 # The extra that the modules of a file or folder import.  A test that needs one is marked with `extra`.
 IMPORTS = {
     "algebroproj_sym/study": "study",
-    "derivations/studies": "study",
     "tests/test_browser.py": "dev",
     "tests/test_docs.py": "docs",
     "tests/test_notebooks.py": "report",

@@ -255,6 +255,7 @@ def test_a_module_that_goes_wrong_is_an_error_with_a_name(tmp_path, cell, messag
     assert "Traceback" not in result.output
 
 
+@pytest.mark.extra("report")
 def test_an_exception_in_a_cell_is_an_error_that_names_the_cell(tmp_path):
     module = tmp_path / "mine.py"
     cell = "if 'IPython' in sys.modules: raise ValueError('only in a notebook')"

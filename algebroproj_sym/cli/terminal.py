@@ -63,11 +63,12 @@ def progressing(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
 
     The bar is drawn at each item, and by no thread between them: what has threads is not safe to fork.
     """
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    hidden = not sys.stderr.isatty() or verbosity() == "quiet"
-    bar = Progress(*columns, console=Console(stderr=True), transient=True, disable=hidden, auto_refresh=False)
     start = time.perf_counter()
-    with bar:
-        yield from bar.track(items, total=total, description=what)
+    if sys.stderr.isatty() and verbosity() != "quiet":
+        columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+        with Progress(*columns, console=Console(stderr=True), transient=True, auto_refresh=False) as bar:
+            yield from bar.track(items, total=total, description=what)
+    else:
+        yield from items
     if verbosity() == "verbose":
         echo(f"{what}: {total} in {time.perf_counter() - start:.1f} s", err=True)

@@ -12,7 +12,6 @@ from algebroproj_sym.generating.backends.numpy import render
 from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.lowering import Lowered, LoweringError
-from algebroproj_sym.generating.measured import Measured, measured_errors, recorded_errors
 from algebroproj_sym.generating.operation_counts import OperationCounts, operation_counts
 from algebroproj_sym.generating.runtime.program import Call, Program, Step, run
 from algebroproj_sym.generating.writing import PACKAGE, drift, superfluous, write
@@ -24,7 +23,6 @@ __all__ = [
     "Call",
     "Lowered",
     "LoweringError",
-    "Measured",
     "OperationCounts",
     "Program",
     "Step",
@@ -35,10 +33,8 @@ __all__ = [
     "is_compiled",
     "is_compiled_plain",
     "lower",
-    "measured_errors",
     "operation_counts",
     "plain_files",
-    "recorded_errors",
     "render",
     "run",
     "superfluous",

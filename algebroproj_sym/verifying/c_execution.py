@@ -226,6 +226,15 @@ def _in_order(name: str, entries: Mapping[int, Any]) -> list[Any]:
     return [entries[place] for place in range(len(entries))]
 
 
+def body_values(body: str, given: Mapping[str, Any], names: Sequence[str], meaning: Meaning) -> list[Any]:
+    """Execute the body of a function of given values; return what some names and integers stand for at its end."""
+    scope = _Scope(dict(given), Source({}, {}, {}), meaning)
+    _run(_parsed(f"void body(void)\n{body}").body, scope)
+    if not all(name in scope.variables or name.removeprefix("-").isdecimal() for name in names):
+        raise NotUnderstoodError(f"C source: expected values, got {', '.join(names)}")
+    return [scope.variables[name] if name in scope.variables else int(name) for name in names]
+
+
 def inline_value(source: Source, name: str, arguments: Sequence[Any], meaning: Meaning) -> Any:
     """Return what an inline function gives."""
     return _inline(name, arguments, _Scope({}, source, meaning))
@@ -261,7 +270,7 @@ def _parsed(text: str) -> Any:
 
 def _run(block: Any, scope: _Scope) -> Any:
     """Execute the statements of a block; return the value of its return statement."""
-    for statement in block.block_items:
+    for statement in block.block_items or []:
         match statement:
             case c_ast.Return() if not _is_range(statement.expr):
                 return _value(statement.expr, scope)

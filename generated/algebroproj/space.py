@@ -71,10 +71,6 @@ def homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
     Operations: 3 (3 subtractions).
     The derived expression takes 3 as written.
 
-    Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
-    Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
-    samples.
-
     Examples
     --------
     >>> homography([1, 0.625, 0.75, 1.25]).round(6).tolist()
@@ -136,10 +132,6 @@ def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | Non
     The derived expression takes 24 as written.
     With compensation of sums that may cancel: 46.
     This is the cheapest accurate one of 2 programs that are proved equal.
-
-    Measured error in float64: 0.259 ULP in the median, at most 2.07 ULP (400 samples, some near singularities).
-    Without compensation (`plain`): 0.28 ULP in the median; at most 8.95 ULP on ordinary input, 5.23e+13 ULP on all
-    samples.
 
     Examples
     --------
@@ -213,10 +205,6 @@ def map_points(mu: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) 
     The derived expression takes 33 as written.
     With compensation of sums that may cancel: 59 (4 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
-
-    Measured error in float64: 0.429 ULP in the median, at most 2.36 ULP (200 samples, some near singularities).
-    Without compensation (`plain`): 0.932 ULP in the median; at most 26.4 ULP on ordinary input, 8.28e+14 ULP on all
-    samples.
 
     Examples
     --------
@@ -294,10 +282,6 @@ def map_plane(mu: ArrayLike, a: ArrayLike, *, out: NDArray[Any] | None = None) -
     The derived expression takes 19 as written.
     With compensation of sums that may cancel: 72 (7 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
-
-    Measured error in float64: 0.32 ULP in the median, at most 1.73 ULP (400 samples, some near singularities).
-    Without compensation (`plain`): 0.414 ULP in the median; at most 15.1 ULP on ordinary input, 8.78e+13 ULP on all
-    samples.
 
     Examples
     --------

@@ -11,14 +11,14 @@ from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 from algebroproj_sym.declaring import Driver
-from algebroproj_sym.generating.backends import numpy
+from algebroproj_sym.generating.backends import cpp, numpy
 from algebroproj_sym.generating.lowering import Lowered
 
 
 class Backend(Protocol):
     """What a module has that is a backend."""
 
-    def render(self, lowered: Sequence[Lowered], drivers: Sequence[Driver] = ()) -> dict[str, str]:
+    def render(self, lowered: Sequence[Lowered], drivers: Sequence[Driver], package: str) -> dict[str, str]:
         """Return the text of each file of the package by its path in it.
 
         Parameters
@@ -27,8 +27,10 @@ class Backend(Protocol):
             The kernels with their programs.
         drivers : sequence of Driver
             Hand-written functions, of which a backend takes those in its language.
+        package : str
+            The name of the package.
         """
 
 
-BACKENDS: Mapping[str, Backend] = {"numpy": numpy}
+BACKENDS: Mapping[str, Backend] = {"numpy": numpy, "cpp": cpp}
 """All backends by name."""

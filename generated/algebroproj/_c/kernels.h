@@ -7,13 +7,6 @@ four points for a number.  A kernel reads the entries of its arguments, a row ea
 results, a row each; a column is a point.
 */
 
-/* The error of a sum s of a and b. */
-INLINE(sum_error)(const real a, const real b, const real s)
-{
-    const real t = s - a;
-    return (a - (s - t)) + (b - t);
-}
-
 /* The error of a product p of a and b: in one operation, or from products of halves, which are exact. */
 INLINE(fused_product_error)(const real a, const real b, const real p)
 {

@@ -16,7 +16,7 @@ from typing import Any, Literal
 __all__ = ["backend", "evaluated", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "b235fe497acafad1"
+DIGEST = "45e02a93b5471cea"
 """What identifies the C source that belongs to this package."""
 
 

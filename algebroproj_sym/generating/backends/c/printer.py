@@ -12,7 +12,7 @@ Without compensation there are other functions, of plain_source.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from hashlib import sha256
 from itertools import chain, count
 from math import prod
@@ -91,6 +91,10 @@ _PATTERNS = {
 _WORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+    alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t class compl constexpr const_cast decltype
+    delete dynamic_cast explicit export false friend mutable namespace new noexcept not not_eq nullptr operator or or_eq
+    private protected public reinterpret_cast static_assert static_cast template this thread_local throw true try typeid
+    typename using virtual wchar_t xor xor_eq std is_larger
     in out i points real range ranges variant absolute headroom is_larger multiply_add product_error splitter
     constant within
 """
@@ -263,12 +267,35 @@ def statements(
     const real t1 = 1 / t0;
     out[0][i] = t1;
     """
-    names = _c_names(program)
-    used = program.needed()
     read = [f"in[{place}][i]" for place in range(len(program.inputs))] if inputs is None else inputs
     written = [f"out[{place}][i]" for place in range(len(program.outputs))] if outputs is None else outputs
+    lines, results = computations(program, read, solved or _solve)
+    return lines + [f"{place} = {result};" for place, result in zip(written, results, strict=True)]
+
+
+def computations(
+    program: Program,
+    read: Sequence[str],
+    solved: Callable[[Call, int, Mapping[Operand, str]], list[str]],
+    taken: Collection[str] = (),
+) -> tuple[list[str], list[str]]:
+    """Return the statements that compute the outputs of a program, and what these are then called.
+
+    Parameters
+    ----------
+    program : Program
+        What is to be computed.
+    read : sequence of str
+        Where the inputs are; one may be called so already.
+    solved : callable
+        The statements that solve a linear system, as above.
+    taken : collection of str
+        Names that have another meaning.
+    """
+    names = _c_names(program, taken)
+    used = program.needed()
     given = zip(program.inputs, read, strict=True)
-    lines = [f"const real {names[name]} = {place};" for name, place in given if name in used]
+    lines = [f"const real {names[name]} = {place};" for name, place in given if name in used and names[name] != place]
     systems = count()
     for step in program.steps:
         if used.isdisjoint(step.names):
@@ -283,9 +310,8 @@ def statements(
                 if n in used
             ]
         else:
-            lines += (solved or _solve)(step, next(systems), names)
-    results = zip(written, program.outputs, strict=True)
-    return lines + [f"{place} = {_assigned(output, names)};" for place, output in results]
+            lines += solved(step, next(systems), names)
+    return lines, [_assigned(output, names) for output in program.outputs]
 
 
 def guards(program: Program) -> list[str]:
@@ -361,15 +387,16 @@ def _assigned(operand: Operand, names: Mapping[Operand, str]) -> str:
     return f"constant({operand})" if isinstance(operand, int) else names[operand]
 
 
-def _c_names(program: Program) -> dict[Operand, str]:
-    """Return a C identifier for each name of a program: the name itself wherever C leaves it free."""
+def _c_names(program: Program, taken: Collection[str] = ()) -> dict[Operand, str]:
+    """Return a C identifier for each name of a program: the name itself wherever it is left free."""
     given = chain.from_iterable(step.names for step in program.steps)
     wanted = [*program.inputs, *given]
-    fresh = (name for place in count() if (name := f"value_{place}") not in wanted)
-    return {name: name if _is_free(name) else next(fresh) for name in wanted}
+    fresh = (name for place in count() if (name := f"value_{place}") not in {*wanted, *taken})
+    return {name: name if is_free(name) and name not in taken else next(fresh) for name in wanted}
 
 
-def _is_free(name: str) -> bool:
+def is_free(name: str) -> bool:
+    """Whether a name has no other meaning in C and C++, and none in what is generated."""
     taken = name in _RESERVED or _OPERAND.fullmatch(name) or name.startswith(("system", "solution"))
     return name.isascii() and not taken
 

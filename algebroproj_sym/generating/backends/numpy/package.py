@@ -2,38 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from itertools import groupby, product
+from collections.abc import Iterable, Sequence
+from itertools import groupby
 from pathlib import Path
 from textwrap import fill
 from typing import Any
 
 import numpy as np
-import sympy
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym import __version__
-from algebroproj_sym.declaring import LINEAR, PRIMITIVES, Driver, Kernel, Result, Stage
-from algebroproj_sym.expressions import Scalar, divided, entries
+from algebroproj_sym.declaring import LINEAR, PRIMITIVES, Driver, Kernel
+from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import runtime
 from algebroproj_sym.generating.backends.c.plain import plain_files
 from algebroproj_sym.generating.backends.c.printer import c_files, c_name, is_compiled, is_compiled_plain, stamped
 from algebroproj_sym.generating.backends.numpy.printer import packed, statements
+from algebroproj_sym.generating.description import factor_name, formula, singularities
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered, factors_of
-from algebroproj_sym.generating.measured import Measured
 from algebroproj_sym.generating.operation_counts import operation_counts
 from algebroproj_sym.generating.runtime import primitives as primitives
 from algebroproj_sym.generating.runtime.compensated import DIGITS
 from algebroproj_sym.generating.runtime.program import Call, Step, run
-from algebroproj_sym.generating.writing import NOTICE
+from algebroproj_sym.generating.writing import NOTICE, PACKAGE
 
-LONGEST_FACTOR = 240
-LONGEST_LINE = 400
-MOST_LINES = 60
 OPERATIONS = {"+": "addition", "-": "subtraction", "*": "multiplication", "/": "division", "neg": "negation"}
 LINEAR_BLOCK = 4096
-NOTHING: Mapping[str, Measured] = {}
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.generating.backends.numpy"),
@@ -42,9 +37,7 @@ _TEMPLATES = Environment(
 )
 
 
-def render(
-    lowered: Iterable[Lowered], drivers: Sequence[Driver] = (), measured: Mapping[str, Measured] = NOTHING
-) -> dict[str, str]:
+def render(lowered: Iterable[Lowered], drivers: Sequence[Driver] = (), package: str = PACKAGE) -> dict[str, str]:
     """Return the files of the package.
 
     Parameters
@@ -53,8 +46,8 @@ def render(
         The kernels with their programs.
     drivers : sequence of Driver
         Hand-written functions, whose modules are copied.
-    measured : mapping of str to Measured
-        The errors, by module and name, that docstrings tell.
+    package : str
+        Its name, which its modules do not need: they import each other by their places.
 
     Returns
     -------
@@ -68,7 +61,7 @@ def render(
         )
     }
     files = {
-        f"{name}.py": _module(group, [driver for driver in drivers if driver.module == name], measured)
+        f"{name}.py": _module(group, [driver for driver in drivers if driver.module == name])
         for name, group in modules.items()
     }
     files |= {driver.source.name: driver.source.read_text(encoding="utf-8") for driver in drivers}
@@ -93,7 +86,7 @@ def _with_notice(source: str) -> str:
     return f"{source[:end].rstrip()}\n\n{NOTICE}\n{source[end:]}"
 
 
-def _module(group: Sequence[Lowered], drivers: Sequence[Driver], measured: Mapping[str, Measured]) -> str:
+def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:
     sources = sorted({f"{low.kernel.paper} {low.kernel.section}" for low in group})
     title = f"Functions of {', '.join(sources)}."
     called: set[str] = {step.primitive for low in group for step in low.program.steps if isinstance(step, Call)}
@@ -105,12 +98,12 @@ def _module(group: Sequence[Lowered], drivers: Sequence[Driver], measured: Mappi
         primitives=sorted(called - {"let"}),
         compiled=any(is_compiled(low) or is_compiled_plain(low) for low in group),
         digits=sorted(operators.intersection(DIGITS)),
-        functions=[_function(low, measured.get(low.kernel.qualified_name)) for low in group],
+        functions=[_function(low) for low in group],
         drivers=[{"name": driver.name, "module": driver.source.stem} for driver in drivers],
     )
 
 
-def _function(low: Lowered, measured: Measured | None) -> dict[str, Any]:
+def _function(low: Lowered) -> dict[str, Any]:
     kernel = low.kernel
     return {
         "name": kernel.name,
@@ -129,14 +122,13 @@ def _function(low: Lowered, measured: Measured | None) -> dict[str, Any]:
         "dtypes": _dtypes(kernel),
         "type": _type(kernel),
         "results": [{"name": result.name, "shape": _batched(result.shape)} for result in kernel.results],
-        "formula": _formula(kernel),
+        "formula": formula(kernel),
         "singularities": _singularities(low),
         "operations": _operations(low),
-        "measured": _measured(low, measured),
         "example_call": _example_call(kernel),
         "example_result": _example_result(low),
         "body": statements(low.program),
-        "factors": packed([f'"{factor}"' for factor in map(_name, low.hypotheses)]),
+        "factors": packed([f'"{factor}"' for factor in map(factor_name, low.hypotheses)]),
         "factors_body": statements(factors_of(low)) if low.hypotheses else [],
     }
 
@@ -149,10 +141,6 @@ def _batched(shape: tuple[int, ...]) -> str:
     return f"({', '.join(['...', *map(str, shape)])})"
 
 
-def _places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
-    return list(product(*map(range, shape)))
-
-
 def _dtypes(kernel: Kernel) -> str:
     """Return the dtypes that a function takes: those for which its primitive functions are defined."""
     called = {stage.primitive for stage in kernel.stages}
@@ -161,68 +149,11 @@ def _dtypes(kernel: Kernel) -> str:
     return "float32, float64, longdouble or complex" + ("" if "cos_sin" in called else ", or object")
 
 
-def _formula(kernel: Kernel) -> list[str]:
-    """Return the formula line by line; of a long one, what can be read."""
-    stages = [line for stage in kernel.stages for line in _stage(stage)]
-    abbreviations = [f"{symbol} = {_in_order(expression)}" for symbol, expression in kernel.where]
-    if len(stages) + len(abbreviations) > MOST_LINES:
-        abbreviations = [f"{len(abbreviations)} abbreviations: see the source"]
-    lines = stages + abbreviations + [line for result in kernel.results for line in _result(result)]
-    return [line if len(line) <= LONGEST_LINE else f"{line.split(' = ')[0]} = ...: see the source" for line in lines]
-
-
-def _stage(stage: Stage) -> list[str]:
-    rows = [[_in_order(entry) for entry in stage.form.row(i)] for i in range(stage.form.rows)]
-    names = ", ".join(map(str, stage.results))
-    if stage.primitive == "let":
-        return [f"{symbol} = {entry}" for symbol, entry in zip(stage.results, rows[0], strict=True)]
-    if stage.primitive not in LINEAR:
-        return [f"{names} = {stage.primitive}({', '.join(rows[0])})"]
-    return [f"{names} = {stage.primitive} of", *(f"    {', '.join(row)}" for row in rows)]
-
-
-def _result(result: Result) -> list[str]:
-    return [
-        f"{result.name}{list(place) if place else ''} = {_in_order(entry)}"
-        for place, entry in zip(_places(result.shape), entries(result.form), strict=True)
-    ]
-
-
-def _in_order(expression: Scalar) -> str:
-    return str(sympy.sstr(divided(expression), order="none"))
-
-
 def _singularities(low: Lowered) -> str:
-    sentences = []
-    if low.hypotheses:
-        factors = ", ".join(map(_factor, low.hypotheses))
-        sentences.append(f"The result is not finite, and NumPy warns, where one of these is zero: {factors}.")
-        sentences.append("The function `hypotheses` of this package computes them.")
-    if low.kernel.solves_systems:
-        sentences.append(
-            "Where the linear system is singular, the result is not finite. "
-            "If rounding hides the singularity, the result may be finite and very large."
-        )
-    if not sentences:
-        sentences.append(
-            "No input is singular." if low.kernel.stages else "The formula is a polynomial: no input is singular."
-        )
-    return fill(
-        " ".join(sentences), width=112, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False
-    )
-
-
-def _factor(factor: Scalar) -> str:
-    text = _name(factor)
-    return f"``{text}``" if text == str(factor) else text
-
-
-def _name(factor: Scalar) -> str:
-    """Return a factor as it is written; of a long one, what can be read."""
-    text = str(factor)
-    if len(text) <= LONGEST_FACTOR:
-        return text
-    return f"a factor of a denominator above, of {len(sympy.Add.make_args(factor))} terms"
+    first, *others = singularities(low, ", and NumPy warns,")
+    computed = ["The function `hypotheses` of this package computes them."] if low.hypotheses else []
+    sentences = " ".join([first, *computed, *others])
+    return fill(sentences, width=112, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
 
 
 def _operations(low: Lowered) -> str:
@@ -245,14 +176,6 @@ def _operations(low: Lowered) -> str:
 def _counted(number: int, kind: str) -> str:
     name = OPERATIONS.get(kind, kind)
     return f"{number} {name}{'s' if number > 1 and kind in OPERATIONS else ''}"
-
-
-def _measured(low: Lowered, measured: Measured | None) -> str:
-    if measured is None:
-        return ""
-    backward = low.kernel.solves_systems
-    sentences = [measured.sentence(backward)] + ([measured.plain.sentence()] if measured.plain else [])
-    return "\n    ".join(fill(sentence, width=112, subsequent_indent="    ") for sentence in sentences)
 
 
 def _example_call(kernel: Kernel) -> str:

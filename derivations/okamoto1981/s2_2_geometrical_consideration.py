@@ -352,16 +352,18 @@ def images_in_model(points: list[Matrix], left_inner: Matrix, right_inner: Matri
 
 
 nine_segments = squared_distances(seven[:5])[:9]
-section.count(
+section.rank(
     "2.2/fifteen",
-    "seven conditions of coplanarity and eight of similarity determine the fifteen parameters",
-    printed=36,
-    derived=Matrix.vstack(
-        images_in_model(seven, inner_of(inner_left), inner_of(inner_right)), ratios_to_first(nine_segments)
+    "seven conditions of coplanarity and eight of similarity are fifteen independent equations",
+    printed=15,
+    derived=rates_of_equations(
+        Matrix.vstack(
+            images_in_model(seven, inner_of(inner_left), inner_of(inner_right)), ratios_to_first(nine_segments)
+        ),
+        fifteen,
+        seven,
     ),
-    variables=(*fifteen, *(coordinate for p in seven for coordinate in p)),
-    note="All 36 functions are independent: 21 of them place the model points, 15 equations are left for 15 "
-    "parameters.",
+    note="The rates of the equations by the fifteen parameters.  Local, as 2.1/twenty-two.",
 )
 
 # %% [markdown]

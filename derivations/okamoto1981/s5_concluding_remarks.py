@@ -102,7 +102,7 @@ section.count(
     printed=5,
     derived=ratios_to_first(squared_distances(images_of_four)),
     variables=twelve,
-    note="12 = 5 + 7, for the correspondence of 55#twelve.  The one that there is has 11 = 4 + 7 parameters, "
+    note="Favourable reading, that of 55#twelve: 12 = 5 + 7.  The one that there is has 11 = 4 + 7 parameters, "
     "4.2/beyond/seven-and-four.",
 )
 
@@ -124,14 +124,14 @@ triplet = [
     )
 ]
 tie_points = free_points(5)
-section.count(
+of_triplet = (*angles_left, *angles_right, *third_angles, *third_center, *common)
+section.rank(
     "5/triplet",
     "a triplet determines its model and a common interior orientation",
-    printed=29,
-    derived=Matrix.vstack(*(image(matrix, p) for p in tie_points for matrix in triplet)),
-    variables=(
-        *(*angles_left, *angles_right, *third_angles, *third_center, *common),
-        *(coordinate for p in tie_points for coordinate in p),
+    printed=len(of_triplet),
+    derived=rates_of_equations(
+        Matrix.vstack(*(image(matrix, p) for p in tie_points for matrix in triplet)), of_triplet, tie_points
     ),
-    note="Five points: 14 parameters and 15 coordinates are independent functions of 30 image coordinates.",
+    note="That the model can be constructed means that all fourteen parameters are determined: five points give "
+    "fifteen equations for them.  Local, as 2.1/twenty-two.",
 )

@@ -46,7 +46,7 @@ def pytest_collect_file(
     collectors = yield
     if not parent.config.getoption("claims") or file_path.suffix != ".py":
         return collectors
-    from algebroproj_sym.declaring import makes_section
+    from algebroproj_sym.papers import makes_section
 
     return [DerivationModule.from_parent(parent, path=file_path)] if makes_section(file_path) else collectors
 

@@ -76,7 +76,7 @@ def test_another_number_is_refused(number):
     assert repr(number) in str(raised.value)
 
 
-@pytest.mark.parametrize("verdict", ["misprint", "illegible"])
+@pytest.mark.parametrize("verdict", ["misprint", "error", "illegible"])
 def test_a_misprint_or_an_illegible_formula_needs_its_corrected_form(verdict):
     with pytest.raises(DeclarationError, match=rf"claim demo:1\.1: .*{verdict} needs its corrected form"):
         identity(expect=verdict, printed=None if verdict == "illegible" else x)
@@ -108,7 +108,7 @@ def test_an_expected_verdict_is_one_of_those_that_can_be_expected(verdict):
 
 
 def test_the_verdicts_are_those_of_the_contract():
-    assert set(VERDICTS) == {"proved", "misprint", "false", "illegible", "definition", "open"}
+    assert set(VERDICTS) == {"proved", "misprint", "error", "false", "illegible", "definition", "open"}
 
 
 @pytest.mark.parametrize(

@@ -46,11 +46,13 @@ def run(python, *arguments, cwd):
     return subprocess.run([str(python), *arguments], cwd=cwd, capture_output=True, text=True, check=True).stdout
 
 
+@pytest.mark.whole
 def test_the_wheel_adds_no_generic_top_level_name(wheel):
     names = {name.split("/")[0] for name in zipfile.ZipFile(wheel).namelist()}
     assert {name for name in names if not name.endswith(".dist-info")} == TOP_LEVEL
 
 
+@pytest.mark.whole
 def test_every_package_of_the_tree_is_in_the_wheel(wheel, repository):
     contents = set(zipfile.ZipFile(wheel).namelist())
     folders = {
@@ -64,6 +66,7 @@ def test_every_package_of_the_tree_is_in_the_wheel(wheel, repository):
                 assert f"{name}/{path.relative_to(folder).as_posix()}" in contents, path
 
 
+@pytest.mark.whole
 def test_the_generated_package_imports_numpy_alone(python, tmp_path):
     code = (
         "import sys, json; before = set(sys.modules); import numpy; with_numpy = set(sys.modules); "
@@ -74,6 +77,7 @@ def test_the_generated_package_imports_numpy_alone(python, tmp_path):
     assert set(json.loads(run(python, "-c", code, cwd=tmp_path))) <= {"algebroproj", "numpy"}
 
 
+@pytest.mark.whole
 def test_the_command_line_works_from_another_directory(python, tmp_path):
     checked = json.loads(
         run(python, "-m", "algebroproj_sym", "check", "fundamentals1996:1.2", "--format", "json", cwd=tmp_path)

@@ -10,9 +10,10 @@ from rich.console import Console
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
 from algebroproj_sym.cli.terminal import show
-from algebroproj_sym.declaring import judge, located, markdown, quotations
+from algebroproj_sym.declaring import judge, located, quotations
 from algebroproj_sym.expressions import Matrix, size, vector
 from algebroproj_sym.reporting import answers_table, claims_table, explanation, failure_text, report
+from algebroproj_sym.showing import markdown
 
 MOST_LINES = 60
 LONG = 150

@@ -134,6 +134,7 @@ def written(tmp_path_factory):
     return {path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8") for path in folder.rglob("*.*")}
 
 
+@pytest.mark.whole
 def test_a_claim_links_to_its_cell_and_the_cell_to_the_claim(written):
     page = "fundamentals1996/2.3_singular-if.html"
     (link,) = re.findall(r'href="([^"]*notebooks/[^"]*)"', written[page])
@@ -145,6 +146,7 @@ def test_a_claim_links_to_its_cell_and_the_cell_to_the_claim(written):
     assert f'href="../{page}"' in cell
 
 
+@pytest.mark.whole
 def test_a_notebook_page_needs_neither_script_nor_network(written):
     for name, text in written.items():
         if name.startswith("notebooks/"):
@@ -153,6 +155,7 @@ def test_a_notebook_page_needs_neither_script_nor_network(written):
             assert "$$" not in re.sub("<pre.*?</pre>", "", text, flags=re.DOTALL)
 
 
+@pytest.mark.whole
 def test_the_critical_surfaces_are_drawn_with_a_text_for_who_cannot_see_them(written):
     (notebook,) = (text for name, text in written.items() if name.endswith("s2_3_critical_situations.html"))
     images = re.findall(r'<img src="data:image/svg\+xml;base64,[^"]+" alt="([^"]+)"', notebook)

@@ -17,14 +17,11 @@ from xml.etree import ElementTree
 import pytest
 import sympy
 from click.testing import CliRunner
-from fontTools.ttLib import TTFont
 
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
-from algebroproj_sym.declaring import Derivation, arranged, derivations, judge, kernels, publication, select
+from algebroproj_sym.declaring import Derivation, derivations, judge, kernels, publication, select
 from algebroproj_sym.declaring.bibliography import bibtex
-from algebroproj_sym.declaring.latex import latex
-from algebroproj_sym.declaring.names import latex_name, plain_name
 from algebroproj_sym.expressions import Matrix, entries, evaluate, over, symbols_of, vector
 from algebroproj_sym.reporting.site import OccupiedError, catalogue, render_site, replace
 from algebroproj_sym.reporting.site.addresses import claim_page, slug
@@ -32,6 +29,9 @@ from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.function_pages import formulas_of
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.search import search_index
+from algebroproj_sym.showing import arranged
+from algebroproj_sym.showing.latex import latex
+from algebroproj_sym.showing.names import latex_name, plain_name
 
 SELECTORS = ("fundamentals1996:1.2", "fundamentals1996:2.2", "rhodos1990")
 VOID = {"meta", "link", "input", "br", "hr", "img"}
@@ -191,7 +191,10 @@ def test_no_formula_of_any_function_shows_markup_as_text():
         require_no_markup("".join(formulas_of(kernel)), kernel.qualified_name)
 
 
+@pytest.mark.extra("dev")
 def test_the_font_of_the_formulas_is_in_the_site_with_its_licence_and_has_what_the_pages_show(files):
+    from fontTools.ttLib import TTFont
+
     font = TTFont(BytesIO(b64decode(re.search(r"url\(data:font/woff2;base64,([^)]*)\)", files["style.css"]).group(1))))
     assert "MATH" in font
     assert "SIL OPEN FONT LICENSE" in files["font-licence.txt"]

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from algebroproj import metric
 from algebroproj_sym.study.conditioning import jacobian
 from algebroproj_sym.study.precision import apply
-from algebroproj_sym.study.propagation import curvature, first_order, intervals, principal, second_order
+from algebroproj_sym.study.propagation import first_order, intervals, principal, second_order
 from algebroproj_sym.study.taylor import gradient, hessian, taylor, variables
 
 GENERATOR = np.random.default_rng(12)
@@ -64,7 +64,7 @@ def test_second_order_terms_are_those_of_a_sample():
     lens = np.concatenate([c[None], np.zeros(series.parts - 1)])
     model = apply(series, metric.reconstruct, *numbers, lens)
     sigma = 0.01
-    found = second_order(gradient(series, model, 4), hessian(series, model, 4), sigma**2 * np.eye(4))
+    found = second_order(gradient(model, 4), hessian(model, 4), sigma**2 * np.eye(4))
     draws = sigma * GENERATOR.normal(size=(400_000, 4))
     sample = metric.reconstruct(left + draws[:, :2], right + draws[:, 2:], c)
     np.testing.assert_allclose(sample.mean(axis=0) - model[0], found.shift, atol=0.05 * abs(found.shift).max())
@@ -80,13 +80,6 @@ def test_the_principal_direction_is_that_of_the_largest_variance():
     along = np.sqrt(np.einsum("ki,nij,kj->nk", others, covariance, others))
     assert (along <= deviation[:, None] * (1 + 1e-12)).all()
     np.testing.assert_allclose(np.einsum("ni,nij,nj->n", direction, covariance, direction), deviation**2)
-
-
-def test_curvature_is_zero_for_a_plane_and_grows_with_sigma():
-    assert curvature([[1.0, 2.0]], [np.zeros((2, 2))], np.eye(2)).tolist() == [0.0]
-    bent = [[[0.3, 0.1], [0.1, 0.0]]]
-    small, large = (float(curvature([[1.0, 2.0]], bent, s * np.eye(2))[0]) for s in (1e-4, 1e-2))
-    assert large == pytest.approx(10 * small)
 
 
 def test_limits_hold_the_true_quantiles_as_often_as_they_say():

@@ -23,8 +23,6 @@ from algebroproj_sym.expressions import (
     written,
 )
 from algebroproj_sym.proving import prove
-from algebroproj_sym.remembering import Memory
-from algebroproj_sym.remembering.key import key_of
 from algebroproj_sym.replaying import replay
 from algebroproj_sym.reporting import explanation, ledger
 
@@ -220,16 +218,6 @@ def test_claims_keep_what_is_assumed(assumptions):
     if judgement.counterexample:
         assert fits(assumptions, judgement.counterexample[plain])
     assert "assumed: s is " in str(explanation(judgement, "module", []))
-
-
-def test_claims_with_and_without_assumptions_are_not_taken_for_each_other(tmp_path):
-    plain, zero = claim(z, z + sympy.Symbol("s")), claim(z, z + sympy.Symbol("s", zero=True))
-    assert (plain.printed, plain.derived) == (zero.printed, zero.derived)
-    assert key_of(plain, "flint") != key_of(zero, "flint")
-    memory = Memory(tmp_path)
-    memory.keep(judge(plain))
-    assert memory.recall(plain, "flint").verdict == "false"
-    assert memory.recall(zero, "flint") is None
 
 
 @pytest.mark.parametrize("kind", ["structure", "vanishing", "rank", "count", "limit", "definition"])

@@ -11,7 +11,7 @@ import click
 from rich.table import Table
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import judged
+from algebroproj_sym.cli.judging import judged
 from algebroproj_sym.cli.terminal import console, echo, progressing, show
 from algebroproj_sym.declaring import installed_papers
 from algebroproj_sym.exporting import (

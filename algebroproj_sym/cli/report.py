@@ -9,16 +9,13 @@ from tempfile import TemporaryDirectory
 import click
 
 from algebroproj_sym.cli import options
+from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
 from algebroproj_sym.cli.steps import (
     NOTEBOOK_MODULES,
     SITE_MODULES,
-    derived,
-    judged,
     lowered_after,
-    require_as_declared,
     require_modules,
     run_notebooks,
-    say_what_is_wrong,
     verified,
 )
 from algebroproj_sym.cli.terminal import console
@@ -45,7 +42,6 @@ from algebroproj_sym.reporting.site import (
 @options.samples
 @options.engine
 @options.jobs
-@options.fresh
 @click.option("--notebooks", is_flag=True, help="Run the derivations as notebooks, and add them to the site.")
 @click.option(
     "--checked",
@@ -68,7 +64,6 @@ def report(
     notebooks: bool,
     checked: Path | None,
     speed: Path | None,
-    fresh: bool,
 ) -> None:
     """Prove everything, generate and verify the functions, write a site to DIR.
 
@@ -88,9 +83,8 @@ def report(
     except OccupiedError as error:
         raise click.UsageError(f"--out: {error}") from error
     accepted, times = records(checked, speed, sources)
-    judgements = judged(claims, engine, jobs, fresh=fresh)
+    judgements = judged(claims, engine, jobs)
     console().print(summary_text(judgements))
-    derived(claims, jobs)
     say_what_is_wrong(judgements)
     numbers = {(claim.paper, claim.number) for claim in claims}
     chosen = [k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}]

@@ -7,7 +7,8 @@ from pathlib import Path
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import lowered_kernels, require_as_declared, verified
+from algebroproj_sym.cli.judging import require_as_declared
+from algebroproj_sym.cli.steps import lowered_kernels, verified
 from algebroproj_sym.cli.terminal import console, echo_json, show
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.reporting import verification_table, write_json

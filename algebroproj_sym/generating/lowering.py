@@ -18,7 +18,7 @@ from algebroproj_sym.declaring import Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate, vector
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.graph import Graph, Node, Signed
-from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
+from algebroproj_sym.generating.runtime.program import Call, Operand, Program, Step, run
 from algebroproj_sym.generating.sharing import share_pairs, share_reciprocals
 from algebroproj_sym.generating.signs import with_negative_reciprocals
 from algebroproj_sym.proving import RationalFunctionField
@@ -242,7 +242,7 @@ class _Emitter:
             left = self._step("+" if sign > 0 else "-", left, self.signed((1, place)))
         return left
 
-    def _chain(self, operator: Operator, sign: int, places: Sequence[int]) -> Operand:
+    def _chain(self, operator: str, sign: int, places: Sequence[int]) -> Operand:
         turned = next((place for place in places if self._negatable(place)), None) if sign < 0 else None
         left: Operand | None = None
         for place in places:
@@ -252,7 +252,7 @@ class _Emitter:
         assert left is not None
         return left
 
-    def _step(self, operator: Operator, *operands: Operand) -> Operand:
+    def _step(self, operator: str, *operands: Operand) -> Operand:
         name = next(self._fresh)
         self.steps.append(Step(name, operator, operands))
         return name

@@ -135,7 +135,7 @@ def _shown(form: Any) -> str:
 
 
 def _compared(claim: Claim, form: Any, engine: str) -> Proof:
-    return KINDS[claim.kind](claim, in_derived_terms(form, claim.where), engine)
+    return KINDS[claim.kind].compare(claim, in_derived_terms(form, claim.where), engine)
 
 
 def _is_same(claim: Claim, form: Any) -> bool:

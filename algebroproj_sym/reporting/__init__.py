@@ -1,14 +1,19 @@
 """Reporting: the ledger of verdicts and evidence, tables for the terminal, the report."""
 
 from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
-from algebroproj_sym.reporting.audits import audit_counts, audit_lines, audit_record, audit_table, audited_share
+from algebroproj_sym.reporting.audits import (
+    audit_counts,
+    audit_lines,
+    audit_record,
+    audit_table,
+    audited_share,
+    coverage_lines,
+    coverage_record,
+)
 from algebroproj_sym.reporting.explaining import explanation, failure_text, form_lines
-from algebroproj_sym.reporting.forms import derived_form, remember
 from algebroproj_sym.reporting.ledger import (
-    claim_record,
     declaration,
     ledger,
-    ledger_of,
     summary,
     write_json,
     write_text,
@@ -34,19 +39,17 @@ __all__ = [
     "audit_record",
     "audit_table",
     "audited_share",
-    "claim_record",
     "claims_table",
+    "coverage_lines",
+    "coverage_record",
     "declaration",
-    "derived_form",
     "explanation",
     "failed_function",
     "failure_text",
     "findings",
     "form_lines",
     "ledger",
-    "ledger_of",
     "operations_table",
-    "remember",
     "report",
     "run_notebook",
     "summary",

@@ -9,27 +9,23 @@ from typing import Any
 import sympy
 from rich.text import Text
 
-from algebroproj_sym.declaring import (
-    Claim,
-    Judgement,
+from algebroproj_sym.declaring import KINDS, Claim, Judgement, Quote, in_derived_terms, statement_text
+from algebroproj_sym.expressions import evaluate, size
+from algebroproj_sym.proving import reduced
+from algebroproj_sym.reporting.tables import verdict_text
+from algebroproj_sym.showing import (
+    LONG,
     Named,
     Part,
-    Quote,
     arranged,
     as_declared,
+    derived_form,
     differing_entries,
     evidence_lines,
     folded,
-    in_derived_terms,
     in_names,
     shown,
-    statement_text,
 )
-from algebroproj_sym.declaring.arranging import LONG
-from algebroproj_sym.expressions import evaluate, size
-from algebroproj_sym.proving import reduced
-from algebroproj_sym.reporting.forms import derived_form
-from algebroproj_sym.reporting.tables import verdict_text
 
 LABEL = 12
 """Width of the column of labels."""
@@ -114,8 +110,8 @@ def finding_line(judgement: Judgement) -> str:
 
 
 def _text_of(claim: Claim, part: Part) -> str:
-    if claim.kind == "reference":
-        return ".".join(map(str, getattr(claim, part)))
+    if as_text := KINDS[claim.kind].text:
+        return as_text(getattr(claim, part))
     return ", ".join(_rows(as_declared(claim, part)))
 
 
@@ -224,7 +220,7 @@ def _differing(claim: Claim, full: bool) -> list[str]:
 def _difference(judgement: Judgement, full: bool) -> Iterator[str]:
     claim = judgement.claim
     scalar = isinstance(claim.printed, sympy.Expr) and not isinstance(claim.printed, sympy.MatrixBase)
-    if not judgement.counterexample or not claim.kind.startswith("identity") or not scalar:
+    if not judgement.counterexample or not KINDS[claim.kind].is_equality or not scalar:
         return
     printed: Any = in_derived_terms(claim.printed, claim.where)
     yield f"printed - derived = {_cut(shown(arranged(reduced(printed - claim.derived))), full)}"
@@ -233,7 +229,7 @@ def _difference(judgement: Judgement, full: bool) -> Iterator[str]:
 def _values(judgement: Judgement, full: bool) -> Iterator[str]:
     """Yield what both sides are at the counterexample, where they differ."""
     claim, point = judgement.claim, judgement.counterexample
-    if not point or not claim.kind.startswith("identity") or claim.printed is None or claim.derived is None:
+    if not point or not KINDS[claim.kind].is_equality or claim.printed is None or claim.derived is None:
         return
     sides = evaluate(in_derived_terms(claim.printed, claim.where), point), evaluate(claim.derived, point)
     different = [

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import groupby
+from typing import TYPE_CHECKING
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.declaring import VERDICTS, Judgement
-from algebroproj_sym.generating import Lowered, operation_counts
 from algebroproj_sym.reporting.explaining import failure_text, finding_line
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.tables import failed_function
-from algebroproj_sym.verifying import BOUND, Verification
+
+if TYPE_CHECKING:
+    from algebroproj_sym.generating import Lowered
+    from algebroproj_sym.verifying import Verification
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.reporting"),
@@ -41,6 +44,8 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
         Markdown: what is not as declared, verdicts by paper, a line for each claim that is not simply proved, the
         functions with their figures.
     """
+    from algebroproj_sym.verifying import BOUND
+
     return _TEMPLATES.get_template("report.md.j2").render(
         wrong=[failure_text(judgement) for judgement in judgements if not judgement.as_declared],
         failed=[failed_function(verification) for verification in verified if not verification.passed],
@@ -71,6 +76,8 @@ def _by_paper(judgements: Iterable[Judgement]) -> list[tuple[str, list[Judgement
 
 
 def _function(low: Lowered, verification: Verification) -> dict[str, object]:
+    from algebroproj_sym.generating import operation_counts
+
     overall = verification.accuracy.overall
     return {
         "name": low.kernel.qualified_name,

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from rich.table import Table
 from rich.text import Text
 
 from algebroproj_sym.declaring import Judgement
-from algebroproj_sym.generating import Lowered, operation_counts
 from algebroproj_sym.reporting.ledger import summary
-from algebroproj_sym.verifying import BOUND, Verification
+
+if TYPE_CHECKING:
+    from algebroproj_sym.generating import Lowered
+    from algebroproj_sym.verifying import Verification
 
 COLORS = {
     "proved": "green",
     "misprint": "yellow",
+    "error": "bright_red",
     "false": "red",
     "illegible": "magenta",
     "definition": "cyan",
@@ -72,6 +76,8 @@ def summary_text(judgements: Sequence[Judgement]) -> Text:
 
 def failed_function(verification: Verification) -> str:
     """Return which function is not verified, and why."""
+    from algebroproj_sym.verifying import BOUND
+
     reasons = []
     if not verification.proved:
         reasons.append("its source is not proved to give the derivation")
@@ -88,6 +94,8 @@ def failed_function(verification: Verification) -> str:
 
 def operations_table(lowered: Sequence[Lowered]) -> Table:
     """Return a row for each kernel: operations as derived, after SymPy's cse, in our program."""
+    from algebroproj_sym.generating import operation_counts
+
     table = table_of("function")
     for heading in ("derived", "sympy.cse", "program"):
         table.add_column(heading, justify="right")

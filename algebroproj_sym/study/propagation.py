@@ -14,7 +14,7 @@ from statistics import NormalDist
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Interval", "Moments", "curvature", "first_order", "intervals", "principal", "second_order"]
+__all__ = ["Interval", "Moments", "first_order", "intervals", "principal", "second_order"]
 
 Array = NDArray[np.float64]
 LEVEL = 0.6826894921370859
@@ -120,21 +120,6 @@ def second_order(jacobian: ArrayLike, hessian: ArrayLike, covariance: ArrayLike)
     product = h @ s
     shift = 0.5 * np.trace(product, axis1=-2, axis2=-1)
     return Moments(shift, linear + 0.5 * np.einsum("...kij,...lji->...kl", product, product))
-
-
-def curvature(jacobian: ArrayLike, hessian: ArrayLike, covariance: ArrayLike) -> Array:
-    """Return the standard deviation of the second-order part of each result, over that of the first-order part.
-
-    Examples
-    --------
-    >>> curvature([[1.0]], [[[0.2]]], [[1.0]]).round(4).tolist()            # x + x^2 / 10
-    [0.1414]
-    """
-    linear = np.diagonal(first_order(jacobian, covariance), axis1=-2, axis2=-1)
-    whole = np.diagonal(second_order(jacobian, hessian, covariance).covariance, axis1=-2, axis2=-1)
-    with np.errstate(all="ignore"):
-        ratio: Array = np.sqrt(np.maximum(whole - linear, 0.0) / linear)
-    return ratio
 
 
 def principal(covariance: ArrayLike) -> tuple[Array, Array]:

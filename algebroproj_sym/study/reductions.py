@@ -1,10 +1,10 @@
-"""Statistics of datasets that are larger than memory, gathered part by part."""
+"""Statistics of datasets that are larger than memory, gathered chunk by chunk."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
+import dask.array
 import numpy as np
 import xarray
 from numpy.typing import ArrayLike, NDArray
@@ -12,14 +12,6 @@ from numpy.typing import ArrayLike, NDArray
 from algebroproj_sym.study.declaration import MEMBER
 
 Numbers = NDArray[np.float64]
-
-PART = 100_000
-
-
-def parts(dataset: xarray.Dataset, size: int = PART) -> Iterator[xarray.Dataset]:
-    """Yield the members of a dataset, some of them at a time, in memory."""
-    for start in range(0, dataset.sizes[MEMBER], size):
-        yield dataset.isel({MEMBER: slice(start, start + size)}).load()
 
 
 def thinned(dataset: xarray.Dataset, most: int | None) -> tuple[xarray.Dataset, int]:
@@ -93,8 +85,6 @@ def joint(dataset: xarray.Dataset, x: str, y: str, x_edges: ArrayLike, y_edges: 
     ([[1.0, 1.0], [0.0, 0.0]], 1)
     """
     edges = np.asarray(x_edges, dtype=np.float64), np.asarray(y_edges, dtype=np.float64)
-    counts = np.zeros((len(edges[0]) - 1, len(edges[1]) - 1))
-    for part in parts(dataset[[x, y]]):
-        finite = np.isfinite(part[x].values) & np.isfinite(part[y].values)
-        counts += np.histogram2d(part[x].values[finite], part[y].values[finite], bins=edges)[0]
+    counted = dask.array.histogram2d(*(dask.array.asarray(dataset[name].data) for name in (x, y)), bins=edges)[0]
+    counts = counted.compute(scheduler="synchronous")
     return Joint(*edges, counts, int(dataset.sizes[MEMBER] - counts.sum()))

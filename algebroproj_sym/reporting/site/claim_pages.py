@@ -8,7 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Part, as_declared, bibtex, quotations
+from algebroproj_sym.declaring import KINDS, bibtex, quotations
 from algebroproj_sym.reporting.site.addresses import claim_record_file, errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
@@ -16,7 +16,6 @@ from algebroproj_sym.reporting.site.comparison import (
     conditions,
     forms_of,
     marks_of,
-    reference_text,
     relation,
     where,
 )
@@ -24,6 +23,7 @@ from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.reporting.site.formulas import Form, block, described, listed
 from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.templating import page
+from algebroproj_sym.showing import Part, as_declared
 
 
 def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: Mapping[str, Any]) -> dict[str, str]:
@@ -93,8 +93,8 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
 def _line(entry: Entry) -> Markup:
     """Return what is printed, and what is right instead, as far as it fits into a line."""
     claim = entry.judgement.claim
-    if claim.kind == "reference":
-        printed, corrected = Markup(reference_text(claim.printed)), Markup(reference_text(claim.derived))
+    if as_text := KINDS[claim.kind].text:
+        printed, corrected = (Markup("({})").format(as_text(form)) for form in (claim.printed, claim.derived))
         return printed if claim.printed == claim.derived else _arrow(printed, corrected)
     forms = forms_of(claim)
     marks = marks_of(entry.judgement, forms)
@@ -120,11 +120,9 @@ def _summary(statement: object) -> Markup:
 def _erratum(entry: Entry) -> tuple[Form, Form]:
     """Return the printed and the corrected form of a misprint, the difference marked."""
     claim = entry.judgement.claim
-    if claim.kind == "reference":
-        pair = (reference_text(claim.printed), reference_text(claim.derived))
-        return Form(Markup('<p class="number">{}</p>').format(pair[0])), Form(
-            Markup('<p class="number">{}</p>').format(pair[1])
-        )
+    if as_text := KINDS[claim.kind].text:
+        as_number = Markup('<p class="number">({})</p>')
+        return Form(as_number.format(as_text(claim.printed))), Form(as_number.format(as_text(claim.derived)))
     forms = forms_of(claim)
     marks = marks_of(entry.judgement, forms)
     printed, corrected = (

@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Claim, Judgement
+from algebroproj_sym.declaring import KINDS, Claim, Judgement
 from algebroproj_sym.declaring.claim import in_derived_terms
 from algebroproj_sym.expressions import evaluate, shape, text
 from algebroproj_sym.reporting.site.formulas import bullet, symbol
@@ -20,8 +20,11 @@ LONGEST_VALUE = 1200
 
 METHODS = {
     "normal form": "Both sides have the same normal form in the field of rational functions over Q.",
-    "ideal membership": "The numerator of the difference, times a power of the multiplier, is a combination of the "
-    "constraints: the cofactors are below, and multiplied out they give it.",
+    "ideal membership": "The numerator of the difference, times the multiplier, is a combination of the constraints: "
+    "the cofactors are below, and multiplied out they give it.",
+    "radical membership": "A power of the numerator of the difference is a combination of the constraints.",
+    "sums of squares": "Squares that add up to zero are zero over the reals; then the numerator of the difference is.",
+    "case distinction": "The numerator of the difference is zero in each of some cases, one of which always holds.",
     "exact rounding": "The exact number, rounded as declared, was compared with the printed one.",
     "rank at a point and kernel vectors": "From below by the exact rank at a rational point, from above by vectors "
     "that are taken to zero.",
@@ -34,7 +37,6 @@ METHODS = {
     "divergence": "The expression has a pole there.",
 }
 _SHOWN_ELSEWHERE = ("method", "reason", "refutation", "entries", "left", "right", "witness", "point", "instance")
-_WITH_VALUES = ("identity", "identity under constraints", "identity up to scale")
 
 
 @dataclass(frozen=True)
@@ -80,7 +82,7 @@ def _sentences(judgement: Judgement, certificate: Mapping[str, Any], refutation:
     if method == "none":
         return (f"Undecided: {certificate['reason']}.",)
     found = METHODS.get(method, method)
-    if judgement.verdict == "misprint":
+    if judgement.verdict in ("misprint", "error"):
         return f"The printed form: {_lowered(METHODS.get(refutation.get('method', ''), ''))}", (
             f"The corrected form: {_lowered(found)}"
         )
@@ -107,7 +109,7 @@ def _counterexample(judgement: Judgement) -> list[Table]:
 
 
 def _values(claim: Claim, point: Mapping[sympy.Symbol, Fraction]) -> list[tuple[Markup | str, ...]]:
-    if claim.kind not in _WITH_VALUES or claim.printed is None or claim.derived is None:
+    if not KINDS[claim.kind].is_equality or claim.printed is None or claim.derived is None:
         return []
     printed: Any = in_derived_terms(claim.printed, claim.where)
     try:
@@ -146,14 +148,16 @@ def _points(certificate: Mapping[str, Any]) -> list[Table]:
 
 
 def _cofactors(claim: Claim, certificate: Mapping[str, Any]) -> list[Table]:
-    rows = [
-        (f"entry {k + 1}, constraint {i + 1}", str(entry["power"]), _code(cofactor))
-        for k, entry in enumerate(certificate.get("entries", ()))
-        for i, cofactor in enumerate(entry["cofactors"])
-    ]
+    rows = []
+    for k, entry in enumerate(certificate.get("entries", ()), 1):
+        if "steps" in entry or "cases" in entry:
+            rows.append((f"entry {k}", "in steps", _code(str(entry))))
+        elif "cofactors" in entry:
+            for place, cofactor in entry["cofactors"].items():
+                rows.append((f"entry {k}, constraint {int(place) + 1}", _code(entry["multiplier"]), _code(cofactor)))
     if not rows:
         return []
-    return [Table("Cofactors of the constraints", ("of", "power of the multiplier", "cofactor"), rows)]
+    return [Table("Cofactors of the constraints", ("of", "multiplier", "cofactor"), rows)]
 
 
 def _rest(certificate: Mapping[str, Any], judgement: Judgement) -> Mapping[str, Any]:

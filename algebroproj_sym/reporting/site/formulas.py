@@ -11,13 +11,14 @@ from typing import Any
 import sympy
 from markupsafe import Markup, escape
 
-from algebroproj_sym.declaring import Claim, Named, Statement, latex_of_name, named_latex, shown
-from algebroproj_sym.declaring.latex import MARK, NOTHING, WHOLE, Marks, latex
-from algebroproj_sym.declaring.names import letter, parts
-from algebroproj_sym.declaring.naming import Meaning
+from algebroproj_sym.declaring import Claim, Statement
 from algebroproj_sym.expressions import decimals, entries, leading, size
 from algebroproj_sym.reporting.site.addresses import claim_record_file
 from algebroproj_sym.reporting.site.mathml import math
+from algebroproj_sym.showing import Named, latex_of_name, named_latex, shown
+from algebroproj_sym.showing.latex import MARK, NOTHING, WHOLE, Marks, latex
+from algebroproj_sym.showing.names import letter, parts
+from algebroproj_sym.showing.naming import Meaning
 
 LARGEST_FORMULA = 400
 LARGEST_ENTRY = 90

@@ -9,7 +9,6 @@ from typing import Any
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import Kernel, Stage
-from algebroproj_sym.declaring.latex import latex
 from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
@@ -20,6 +19,7 @@ from algebroproj_sym.reporting.site.plots import accuracy_plot
 from algebroproj_sym.reporting.site.records import Timing
 from algebroproj_sym.reporting.site.tables import Table
 from algebroproj_sym.reporting.site.templating import page
+from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.verifying import BOUND, Stratum, Verification
 
 _PRIMITIVES = {

@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from algebroproj_sym.declaring import Claim
-from algebroproj_sym.declaring.names import plain_name
 from algebroproj_sym.expressions import symbols_of
 from algebroproj_sym.reporting.site.catalogue import Catalogue
+from algebroproj_sym.showing.names import plain_name
 
 MOST_SYMBOLS = 60
 

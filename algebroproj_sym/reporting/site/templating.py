@@ -16,6 +16,7 @@ FORMULAS = "Formulas"
 VERDICT_MEANING = {
     "proved": "The printed statement holds wherever its hypotheses do.",
     "misprint": "The printed form is refuted; the corrected form is proved.",
+    "error": "The author's computation is wrong; the corrected form is proved.",
     "false": "The statement is refuted, and no local correction makes it true.",
     "illegible": "The scan does not preserve it; a reconstruction is proved.",
     "definition": "It introduces notation; it is well-formed.",

@@ -592,6 +592,12 @@ def equation_with_ray(matrix: Matrix, measured: Matrix, i: int, ray: Ray, unknow
     return measured[i] * last - first
 
 
+section.identity(
+    "2.1/rays",
+    "(19) is the condition that corresponding rays meet",
+    printed=coplanarity,
+    derived=moment(ray_of(P_left, x_left), ray_of(P_right, x_right)),
+)
 symbols_left, symbols_right = (dict(zip(PLACES, sympy.symbols(f"ray{k}_1:7"), strict=True)) for k in (1, 2))
 rows_of_equations = columns(coefficient_rows, right_sides)
 ray_values, ray_forms = {}, {}

@@ -13,6 +13,8 @@ from algebroproj_derivations.okamoto1981.s2_1_algebraic_consideration import bot
 from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
     angles_left,
     angles_right,
+    equations_of_fifteen,
+    fifteen,
     followed_by_similarities,
     free_points,
     inner_of,
@@ -20,12 +22,14 @@ from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
     mapped_ratios,
     ratios_to_first,
     right_rotation,
+    seven,
     squared_distances,
     unit_base,
 )
 from algebroproj_derivations.okamoto1981.s4_2_orientation_of_pairs import (
     common,
     distortion,
+    equations_of,
     images_of_four,
     seven_of_eleven,
     twelve,
@@ -134,4 +138,28 @@ section.rank(
     ),
     note="That the model can be constructed means that all fourteen parameters are determined: five points give "
     "fifteen equations for them.  Local, as 2.1/twenty-two.",
+)
+
+# %% [markdown]
+# ## Calibration
+#
+# Ratios of distances, the conditions of similarity, know nothing of the object but distances.  Together with the
+# conditions of coplanarity they determine all parameters of the model, the interior orientation among them.
+
+# %%
+section.rank(
+    "5/calibration",
+    "in the usual case distances alone determine the interior orientation",
+    printed=len(eleven_of_pair),
+    derived=equations_of(7, 5),
+    note="Seven pairs, and the ratios of the six distances of four points: all eleven parameters, six of them of the "
+    "interior orientation, are determined.  Local, as 2.1/twenty-two.",
+)
+section.rank(
+    "5/calibration#general",
+    "in the general case distances alone determine the interior orientation",
+    printed=len(fifteen),
+    derived=rates_of_equations(equations_of_fifteen, fifteen, seven),
+    note="The equations of 2.2/fifteen: seven pairs, and the ratios of nine distances of five points.  Local, as "
+    "2.1/twenty-two.",
 )

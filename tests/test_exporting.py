@@ -39,7 +39,7 @@ from algebroproj_sym.exporting.terms import (
 from algebroproj_sym.expressions import Matrix, over, vector
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import declaration_digest
-from algebroproj_sym.reporting import ledger
+from algebroproj_sym.reporting.ledger import ledger
 
 a, b, t, x, y, z = sympy.symbols("a b t x y z")
 WITHOUT_THEOREM = {"1.25", "1.26", "1.27"}
@@ -345,7 +345,7 @@ TAMPERED = [
     ("1.1", "printed", "x + y"),
     ("1.2", "corrected", "a - y"),
     ("1.2", "counterexample", {"x": "3", "y": "1"}),
-    ("1.5", "certificate", "entries", 0, "cofactors", 0, "x"),
+    ("1.5", "certificate", "entries", 0, "cofactors", "0", "x"),
     ("1.5", "certificate", "witness", {"x": "2", "y": "1"}),
     ("1.7", "printed", "Matrix([[3*x], [2*y], [0]])"),
     ("1.10", "printed", "Matrix([[0, a], [a, 0]])"),
@@ -437,11 +437,13 @@ PLACES = [
     *(("setting", key, 0) for key in ("constraints", "nonzero", "variables")),
     *(("setting", key) for key in ("variable", "rounding")),
     ("certificate", "method"),
-    ("certificate", "multiplier"),
     ("certificate", "pivot"),
-    *(("certificate", key, 0) for key in ("denominators", "generators", "kernel", "rows", "columns", "divisors")),
-    *(("certificate", "entries", 0, key) for key in ("power", "number")),
-    ("certificate", "entries", 0, "cofactors", 0),
+    *(
+        ("certificate", key, 0)
+        for key in ("denominators", "claims", "generators", "kernel", "rows", "columns", "divisors")
+    ),
+    *(("certificate", "entries", 0, key) for key in ("exponent", "multiplier")),
+    ("certificate", "entries", 0, "cofactors", "0"),
     ("certificate", "witness", "x"),
     ("certificate", "point", "x"),
 ]

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain
 from typing import Any, Literal
 
 import flint
@@ -131,7 +132,8 @@ class Problem:
 
     def decided(self) -> Finding:
         """Return what becomes of the question, if need be after what holds over the reals alone."""
-        found = self._refuted_among(self._places(FIRST_TRIES), ENOUGH_POINTS)
+        given = chain.from_iterable(self._judged(_Place(point, None)) for point in self.given)
+        found = self._refuted_among(given) or self._refuted_among(self._places(FIRST_TRIES), ENOUGH_POINTS)
         if found is None and self.witness is None and self.system.is_inconsistent:
             return _open(self._contradiction())
         for _ in range(MOST_STEPS + 1):
@@ -173,7 +175,7 @@ class Problem:
             return "the constraints contradict each other, which would prove anything"
         for unit, restricted in zip(self.units, self.units_at_origin, strict=True):
             if self._eliminated(self.zeros, [restricted]).is_inconsistent:
-                return f"{self.written(unit)} is zero wherever the constraints hold, and must not be: nothing is stated"
+                return f"{self.written(unit)} is always zero under the constraints, so no point satisfies them all"
         return "the constraints and hypotheses contradict each other, which would prove anything"
 
     def written(self, polynomial: Any) -> str:
@@ -281,8 +283,6 @@ class Problem:
 
     def _places(self, tries: int, *, extension: bool = False, further: bool = False) -> Iterator[tuple[_Place, bool]]:
         """Yield places where constraints and hypotheses hold, and whether the sides differ there."""
-        for given in self.given:
-            yield from self._judged(_Place(given, None))
         members, kinds = self.system.members, {"extension": extension, "further": further}
         for values in real_points(members, self.context, self.seed, tries, **kinds):
             whole = self._completed(values)

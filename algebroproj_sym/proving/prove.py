@@ -41,6 +41,7 @@ Decision = Literal["proved", "refuted", "open"]
 
 FILTER_POINTS = 3
 SEARCH_POINTS = 400
+FILLINGS = 100
 
 Witness = Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str]
 
@@ -51,7 +52,7 @@ class UndefinedError(ValueError):
 
 @dataclass(frozen=True)
 class Proof:
-    """What became of a statement.
+    """The result of a proof.
 
     Attributes
     ----------
@@ -134,7 +135,7 @@ def prove(
     >>> prove(x, 1, constraints=[x**2 - 2]).counterexample
     {x: -sqrt(2)}
     >>> prove(x, 0, nonzero=[x - x]).certificate["reason"]
-    'nonzero[0] is zero wherever it is defined: nothing is stated'
+    'nonzero[0] is always zero, so no point satisfies the conditions'
     """
     if engine not in ENGINES:
         raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
@@ -180,7 +181,7 @@ def _decided(question: _Question) -> Proof:
 
 
 def _contradiction(question: _Question) -> str | None:
-    """Return why a single condition cannot hold at any point, None if none is seen to be of that kind."""
+    """Return why some condition holds at no point; None if each may hold."""
     if not question.constraints and not question.nonzero:
         return None
     field = RationalFunctionField(question.symbols, question.engine)
@@ -189,12 +190,12 @@ def _contradiction(question: _Question) -> str | None:
             try:
                 numerator = _numerator(field, condition)
             except ZeroDivisionError:
-                return f"{argument}[{place}] has a denominator that is identically zero: nothing is stated"
+                return f"{argument}[{place}] has a denominator that is always zero, so it is defined at no point"
             powers = list(field.ring.terms(numerator))
             if argument == "nonzero" and not powers:
-                return f"nonzero[{place}] is zero wherever it is defined: nothing is stated"
+                return f"nonzero[{place}] is always zero, so no point satisfies the conditions"
             if argument == "constraints" and powers and not any(map(any, powers)):
-                return f"constraints[{place}] is never zero: nothing is stated"
+                return f"constraints[{place}] is never zero, so no point satisfies the conditions"
     return None
 
 
@@ -218,7 +219,7 @@ class _Question:
 
     @property
     def values(self) -> Mapping[sympy.Symbol, Sequence[Fraction]]:
-        """Numbers for the symbols that do not stand for any."""
+        """The numbers from which the values of a symbol are taken, where its assumptions restrict them."""
         return {plain: values_of(symbol) for plain, symbol in self.assumed.items()}
 
     def admits(self, point: Mapping[sympy.Symbol, Any]) -> bool:
@@ -250,14 +251,20 @@ class _Question:
         return islice(rational_points(self.symbols, self.seed, self.values), SEARCH_POINTS)
 
     def given_witnesses(self) -> list[Point]:
-        """Return the given witness, if there is one and hypotheses hold there; what it has no value for is random."""
+        """Return points with the given coordinates, if there are any, at which hypotheses hold; others are random."""
         if self.witness is None:
             return []
-        point = next(rational_points(self.symbols, self.seed, self.values)) | self.witness
-        for constraint in self.constraints:
-            if not _vanishes(constraint, point):
-                raise ValueError(f"witness: expected a point with {constraint} = 0, got {dict(self.witness)}")
-        return [point] if self.differs_at(point) is not None else []
+        found = list[Point]()
+        for place, filling in enumerate(islice(rational_points(self.symbols, self.seed, self.values), FILLINGS)):
+            point = filling | self.witness
+            wrong = next((constraint for constraint in self.constraints if not _vanishes(constraint, point)), None)
+            if wrong is not None and place == 0:
+                raise ValueError(f"witness: expected a point with {wrong} = 0, got {dict(self.witness)}")
+            if wrong is None and self.differs_at(point) is not None:
+                found.append({symbol: point[symbol] for symbol in self.symbols})
+            if self.witness.keys() >= {*self.symbols}:
+                break
+        return found
 
 
 def _witness(given: Witness) -> Point:

@@ -160,7 +160,8 @@ class Spread:
 def spread(dataset: xarray.Dataset, name: str) -> Spread:
     """Return how much a result changes: means over the members whose results are finite."""
     changes = dataset[f"{name}_change"]
-    finite = np.isfinite(changes).all(changes.dims[1:])
+    regular: Any = np.isfinite(changes)
+    finite = regular.all(changes.dims[1:])
     kept = changes.where(finite)
     centred = kept - kept.mean(MEMBER)
     covariance = (centred * centred.rename({changes.dims[-1]: "other"})).mean(MEMBER)
@@ -171,8 +172,8 @@ def spread(dataset: xarray.Dataset, name: str) -> Spread:
 def report(dataset: xarray.Dataset) -> str:
     """Return which decimals of each result are determined by those of the images."""
     lines = [
-        "Results of the example from images whose last decimal is rounded: standard deviation and largest change of",
-        "the element that changes most, decimals that hold in 95 % of the cases, and decimals that are printed.",
+        "The images vary at random within half a unit of the last printed decimal. For the element that changes most:",
+        "standard deviation, largest change, decimals that hold in 95 % of the cases, and decimals that are printed.",
         "",
         f"{'':<38}{'deviation':>11}{'largest':>11}{'decimals':>10}{'printed':>9}",
     ]

@@ -148,5 +148,5 @@ def _judged(scene: Scene, places: Numbers) -> list[Change]:
     for member, (point, candidate) in enumerate(pairs):
         points[member, point] = places[point, candidate]
     before, after = float(strength(scene)), strength(with_points(scene, points))
-    found = [Change(*pair, places[pair], before, float(value)) for pair, value in zip(pairs, after, strict=True)]
+    found = [Change(i, k, places[i, k], before, float(value)) for (i, k), value in zip(pairs, after, strict=True)]
     return sorted(found, key=lambda change: (-change.after, change.point, change.candidate))

@@ -168,7 +168,7 @@ def _singular_values(left: Array, right: Array) -> tuple[Array, Array, Array]:
 
 
 def _all_singular_values(matrices: Array) -> Array:
-    regular = np.isfinite(matrices).all(axis=(-2, -1))[..., None]
+    regular = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))[..., None]
     return np.where(regular, np.linalg.svd(np.where(regular[..., None], matrices, 0.0), compute_uv=False), np.nan)
 
 

@@ -216,8 +216,8 @@ def scaled(form: ArrayLike) -> NDArray[np.float64]:
     >>> scaled([[0, 1], [1, 3]]).round(2).tolist()
     [[0.0, 0.33], [0.33, 1.0]]
     """
-    numbers = exact(form)
-    return (numbers / max(map(abs, numbers.flat))).astype(np.float64)
+    numbers: Any = exact(form)
+    return np.asarray(numbers / abs(numbers).max(), dtype=np.float64)
 
 
 def value(form: ArrayLike, points: ArrayLike) -> Any:

@@ -214,5 +214,5 @@ def test_every_page_reads_without_a_script(site, browser):
     assert page.locator("math").count() > 3
     assert page.locator("math").first.bounding_box()["width"] > 0
     page.goto((site / "search.html").as_uri())
-    assert "The search needs a script." in page.locator("main").inner_text()
+    assert "The search needs JavaScript." in page.locator("main").inner_text()
     page.close()

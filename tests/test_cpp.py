@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from click.testing import CliRunner
 import algebroproj
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.generating import is_compiled, write
+from algebroproj_sym.generating import BACKENDS, is_compiled, write
 from algebroproj_sym.generating.backends.cpp import declaration, render
 from algebroproj_sym.verifying import call, function_of, stratified, without_twin
 from algebroproj_sym.verifying.c_execution import NotUnderstoodError
@@ -212,12 +213,31 @@ def test_functions_run_while_a_program_is_compiled(files, tmp_path):
 @compiling
 def test_the_example_of_the_documentation(repository, files, tmp_path):
     page = (repository / "docs" / "howto" / "use-from-cpp.md").read_text(encoding="utf-8")
-    (source,) = re.findall(r"^```cpp\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    source = (repository / "docs" / "howto" / "use_from_cpp.cpp").read_text(encoding="utf-8")
     shown = re.search(r"^```text\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)[1]
     write(files, tmp_path / "algebroproj")
     (tmp_path / "main.cpp").write_text(source)
     subprocess.run([COMPILER, *OPTIONS, "-I.", "-o", "run", "main.cpp"], cwd=tmp_path, check=True)
     assert subprocess.run([tmp_path / "run"], capture_output=True, text=True, check=True).stdout == shown
+
+
+def test_what_is_not_proved_is_not_written(tmp_path, repository, monkeypatch):
+    derivation = str(repository / "derivations" / "fundamentals1996" / "s1_6_optical_projection.py")
+    wrong = {"render": lambda *given: {k: v.replace("f + xi3", "f - xi3") for k, v in render(*given).items()}}
+    monkeypatch.setitem(BACKENDS, "cpp", SimpleNamespace(**wrong))
+    arguments = ["generate", "--derivations", derivation, "--out", str(tmp_path), "--backend", "cpp"]
+    done = CliRunner().invoke(main, arguments)
+    assert done.exit_code == 1
+    assert "to be proved, got optics.image_point" in done.output
+    assert not (tmp_path / "algebroproj").exists()
+
+
+def test_a_backend_is_its_folder_its_name_and_its_proof(repository):
+    root = repository / "algebroproj_sym"
+    naming = {path.relative_to(root).as_posix() for path in root.rglob("*.py") if "cpp" in path.read_text("utf-8")}
+    outside = {name for name in naming if not name.startswith("generating/backends/cpp/")}
+    proof = {"verifying/__init__.py", "verifying/proof_of_cpp_source.py", "cli/generate.py"}
+    assert outside == {"generating/backends/__init__.py", *proof}
 
 
 def test_both_backends_may_write_to_one_folder(tmp_path, repository):

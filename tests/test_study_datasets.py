@@ -8,8 +8,8 @@ import xarray
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from algebroproj_sym.study.datasets import provenance, read, variable, write
-from algebroproj_sym.study.reductions import joint, thinned
+from algebroproj_derivations.studies.stereo.distributions import joint
+from algebroproj_sym.study.datasets import provenance, read, thinned, variable, write
 
 
 def through_a_file(dataset, folder):

@@ -12,6 +12,7 @@ from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import drivers, kernels
 from algebroproj_sym.generating import BACKENDS, drift, write
 from algebroproj_sym.reporting.tables import operations_table
+from algebroproj_sym.verifying import cpp_source_is_proved
 
 
 @click.command()
@@ -43,11 +44,14 @@ def generate(
 ) -> None:
     """Generate the functions, and write them to DIR/NAME.
 
-    A function is written only if the claims behind it are proved.  The docstrings of the NumPy package show the errors
+    A function is written only if the claims behind it are proved.  C++ source is proved before it is written; for the
+    NumPy package there is the command verify.  The docstrings of the NumPy package show the errors
     in DIR/NAME/accuracy.json, if there is such a file.
     """
     lowered = lowered_kernels(kernels((), sources), sources, engine, jobs)
     files = BACKENDS[backend].render(lowered, drivers(sources), package)
+    if backend == "cpp":
+        require_proved([low.kernel.qualified_name for low in lowered if not cpp_source_is_proved(low, files, engine)])
     folder = out / package
     changed = drift(files, folder)
     if only_check and changed:
@@ -60,3 +64,9 @@ def generate(
         write(files, folder)
         show(operations_table(lowered, full=full))
     console().print(f"{folder}: {len(lowered)} functions, {len(changed)} files {'differ' if only_check else 'changed'}")
+
+
+def require_proved(unproved: list[str]) -> None:
+    """Refuse to write source that, executed on rational functions, does not give the derivation."""
+    if unproved:
+        raise click.ClickException(f"expected the source of all functions to be proved, got {', '.join(unproved)}")

@@ -133,7 +133,8 @@ def _run(
     out: Path,
     **given: Any,
 ) -> None:
-    from algebroproj_sym.study import figures, reductions, sweeping
+    from algebroproj_sym.study import figures, sweeping
+    from algebroproj_sym.study.datasets import thinned
 
     if scheduler is not None and jobs != 1:
         raise click.UsageError("expected either --jobs or --scheduler, got both")
@@ -148,7 +149,7 @@ def _run(
         raise click.UsageError(f"--out: {out} cannot be written ({error.strerror})") from error
     with _executor(jobs, scheduler) as (executor, workers):
         _compute(sweep, executor, workers)
-    dataset, step = reductions.thinned(sweeping.assemble(sweep), study.shown)
+    dataset, step = thinned(sweeping.assemble(sweep), study.shown)
     text = study.report(dataset) + (f"\nReport and figures show one member in {step}.\n" if step > 1 else "")
     drawings = figures.save(study.figures(dataset), out / "figures")
     write_texts({"report.txt": text}, out)

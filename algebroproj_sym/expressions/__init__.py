@@ -3,7 +3,7 @@
 from algebroproj_sym.expressions.bounds import TooLargeError, require_bounded
 from algebroproj_sym.expressions.differentiation import diff
 from algebroproj_sym.expressions.dual import derivatives, jacobian
-from algebroproj_sym.expressions.evaluation import Neighbourhood, evaluate
+from algebroproj_sym.expressions.evaluation import evaluate
 from algebroproj_sym.expressions.grammar import (
     Expression,
     NotRationalError,
@@ -43,7 +43,6 @@ __all__ = [
     "ROUNDINGS",
     "Expression",
     "Matrix",
-    "Neighbourhood",
     "NotRationalError",
     "ParseError",
     "Rounding",

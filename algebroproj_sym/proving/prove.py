@@ -63,7 +63,7 @@ class Proof:
     certificate : mapping or None
         The evidence of a proof, or why the statement stays open.
     counterexample : mapping of Symbol to Fraction, or None
-        A point at which both sides are defined and differ; a thorough search may give SymPy's real algebraic numbers.
+        A point at which both sides are defined and differ; with constraints it may have SymPy's real algebraic numbers.
     engine : str
         The polynomial arithmetic that was used.
     assumptions : tuple of sympy.Symbol

@@ -1,4 +1,4 @@
-"""The public way to decide: expressions or text, and the thorough search."""
+"""The public way to decide: expressions or text, of bounded size."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 A study is a declaration (`declaration`) of many independent members, whose random numbers are counted (`sampling`);
 a sweep computes them in chunks that survive a kill (`sweeping`) and become one labelled dataset (`datasets`), from
-which a report (`reductions`) and figures (`figures`) are made.  `precision` evaluates the generated functions in any
+which a report and figures (`figures`) are made.  `precision` evaluates the generated functions in any
 arithmetic.  The studies themselves are not here: `discovery` finds them, as files.
 
 Numbers come from `precision` (any generated function in any arithmetic), `ladder` (certified values for a batch),

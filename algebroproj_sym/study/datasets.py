@@ -19,6 +19,7 @@ import xarray
 from numpy.typing import ArrayLike
 
 import algebroproj
+from algebroproj_sym.study.declaration import MEMBER
 
 ENGINE: Literal["h5netcdf"] = "h5netcdf"
 LIBRARIES = ("algebroproj-sym", "numpy", "mpmath", "python-flint", "xarray")
@@ -179,6 +180,19 @@ def read(path: Path) -> xarray.Dataset:
         dataset: xarray.Dataset = xarray.open_zarr(path, consolidated=False, create_default_indexes=False)
         return dataset
     return xarray.open_dataset(path, engine=ENGINE, chunks={}, create_default_indexes=False)
+
+
+def thinned(dataset: xarray.Dataset, most: int | None) -> tuple[xarray.Dataset, int]:
+    """Return at most so many members of a dataset, evenly spaced, and how far apart they are.
+
+    Examples
+    --------
+    >>> some, step = thinned(xarray.Dataset({"x": ("member", range(10))}), 4)
+    >>> some.x.values.tolist(), step
+    ([0, 3, 6, 9], 3)
+    """
+    step = 1 if most is None else max(1, -(-dataset.sizes[MEMBER] // most))
+    return dataset.isel({MEMBER: slice(None, None, step)}), step
 
 
 def _beside(path: Path) -> Path:

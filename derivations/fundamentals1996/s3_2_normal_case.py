@@ -62,6 +62,14 @@ u_right = vector(*sympy.symbols("uppN1 uppN2"))
 h_left = Z * homogeneous(u_right)
 h_right = Z.T * homogeneous(u_left)
 
+b_normal = vector(*sympy.symbols("bN0:3"))
+section.definition(
+    "3.2/line",
+    "equation of an epipolar line",
+    printed=dot(b_normal, homogeneous(u_left)),
+    note="Read as h_N0, h_N1, h_N2, the components of h_N, where the scan has b.",
+)
+
 # %% [markdown]
 # The lines of one image are parallel with the same coefficients throughout, if $b_1$ and $b_2$ do not depend on the
 # point of the other image.

@@ -81,6 +81,14 @@ section.identity(
     derived=columns(T_left * u_left, T_right * u_right),
     note="With the inhomogeneous coordinates of (3.1.3).",
 )
+section.identity(
+    "3.3/coplanarity",
+    "condition of coplanarity of two normal case images",
+    printed=dot(normal_left, Z_N * normal_right),
+    derived=normal_left[1] + z_n * normal_left[2] - normal_right[1] - z_n * normal_right[2],
+    note="Read as u'_N, where the scan has lost the N.  Derived is the difference of the two sides of (3.2.3): "
+    "homologous points lie on one line of the family.",
+)
 product = T_left.T * Z_N * T_right
 section.identity(
     "3.3.2",

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from algebroproj import correlation
 from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
 from algebroproj_derivations.studies.stereo.chain import images
-from algebroproj_derivations.studies.stereo.configurations import near_critical
+from algebroproj_derivations.studies.stereo.configurations import near_critical, require_order
 from algebroproj_derivations.studies.stereo.indicators import indicators
 from algebroproj_derivations.studies.stereo.scenes import Scene
 from algebroproj_sym.study import sampling
@@ -52,9 +52,7 @@ def check(**options: Any) -> None:
     """Refuse options without sense."""
     if options["replicas"] < 1:
         raise ValueError(f"replicas: expected at least 1, got {options['replicas']}")
-    if not 0 < options["nearest"] <= options["farthest"]:
-        expected = "0 < nearest <= farthest"
-        raise ValueError(f"nearest: expected {expected}, got {options['nearest']} and {options['farthest']}")
+    require_order("nearest", "farthest", options)
 
 
 def chunk(indices: Indices, seed: int, *, replicas: int, nearest: float, farthest: float) -> xarray.Dataset:

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 import algebroproj
 from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF, lost_digits, matrix_error
+from algebroproj_derivations.studies.stereo.distributions import Joint, joint
 from algebroproj_derivations.studies.stereo.layouts import LAYOUTS, examine, homogeneous_rows
 from algebroproj_derivations.studies.stereo.scenes import Scene, images, sides
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, PAGE, figure, style
-from algebroproj_sym.study.reductions import Joint, joint
 from algebroproj_sym.study.sampling import normal, uniform
 
 DIRECTIONS, DISTANCES = 0, 1

@@ -15,6 +15,7 @@ import algebroproj
 from algebroproj import DoubleDouble
 from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF, error_up_to_scale, lost_digits, matrix_error
 from algebroproj_derivations.studies.stereo.aerial import aerial
+from algebroproj_derivations.studies.stereo.distributions import Joint, joint
 from algebroproj_derivations.studies.stereo.drawings import map_of_lost_digits, quadric_in_space
 from algebroproj_derivations.studies.stereo.maps import over_image, over_plane
 from algebroproj_derivations.studies.stereo.quadric import critical_quadric, gradients
@@ -22,7 +23,6 @@ from algebroproj_derivations.studies.stereo.scenes import Scene, affine, images,
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
-from algebroproj_sym.study.reductions import Joint, joint
 from algebroproj_sym.study.sampling import uniform
 
 Numbers = NDArray[np.float64]

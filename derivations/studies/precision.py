@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from algebroproj_derivations.studies.stereo.chain import simulated
-from algebroproj_derivations.studies.stereo.configurations import near_critical
+from algebroproj_derivations.studies.stereo.configurations import near_critical, require_order
 from algebroproj_sym.study.arithmetics import (
     arb,
     double_double,
@@ -45,9 +45,7 @@ Array = NDArray[np.float64]
 
 def check(**options: Any) -> None:
     """Refuse options without sense."""
-    if not 0 < options["nearest"] <= options["farthest"]:
-        expected = "0 < nearest <= farthest"
-        raise ValueError(f"nearest: expected {expected}, got {options['nearest']} and {options['farthest']}")
+    require_order("nearest", "farthest", options)
 
 
 def chunk(indices: Indices, seed: int, *, timed: bool, nearest: float, farthest: float) -> xarray.Dataset:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
@@ -12,14 +13,14 @@ from numpy.typing import NDArray
 
 from algebroproj import critical
 from algebroproj_derivations.studies.stereo.chain import Chain, Images, differentiable, from_images, images
-from algebroproj_derivations.studies.stereo.configurations import near_critical
+from algebroproj_derivations.studies.stereo.configurations import near_critical, require_order
 from algebroproj_sym.study import sampling
 from algebroproj_sym.study.arithmetics import float64
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.figures import COLOURS, DASHES, GREY, INK, PAGE, figure, style
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply
-from algebroproj_sym.study.propagation import first_order, intervals, principal, second_order
+from algebroproj_sym.study.propagation import first_order, second_order
 from algebroproj_sym.study.taylor import composed, gradient, hessian
 
 IMAGE_COORDINATES = 20
@@ -33,6 +34,8 @@ OUTPUTS = {
 NUMBERS = {"nu": "det A5", "nu_epipole": "det A5 and the minor D", "rho": "curvature"}
 ERRORS = {"ends": "error of the ends", "width": "error of the width"}
 SIGMA_STREAM, DRAW_STREAM = 5, 6
+LEVEL, CONFIDENCE = 0.6826894921370859, 0.95
+"""What a normal variable has within one standard deviation of its mean, and how sure the ends of an interval are."""
 
 Array = NDArray[np.float64]
 
@@ -41,9 +44,8 @@ def check(**options: Any) -> None:
     """Refuse options without sense."""
     if options["draws"] < 100:
         raise ValueError(f"draws: expected at least 100, got {options['draws']}")
-    for low, high in (("nearest", "farthest"), ("smallest", "largest")):
-        if not 0 < options[low] <= options[high]:
-            raise ValueError(f"{low}: expected 0 < {low} <= {high}, got {options[low]} and {options[high]}")
+    require_order("nearest", "farthest", options)
+    require_order("smallest", "largest", options)
 
 
 def chunk(
@@ -103,19 +105,62 @@ def _compared(values: Array, jacobian: Array, bent: Array, sigma: float, draws: 
     slope, bend = direction @ jacobian, np.einsum("k,kij->ij", direction, bent)
     sample = np.where(np.isfinite(values).all(axis=1), values @ direction, np.inf) / deviation
     linear = draws @ slope * (sigma / deviation)
-    found, wanted = intervals(sample), intervals(linear)
-    ends = max(abs(found.low - wanted.low), abs(found.high - wanted.high))
-    width = abs((found.high - found.low) / (wanted.high - wanted.low) - 1)
+    (found, *limits), (wanted, *_) = interval(sample), interval(linear)
+    ends = max(abs(found[0] - wanted[0]), abs(found[1] - wanted[1]))
+    width = abs((found[1] - found[0]) / (wanted[1] - wanted[0]) - 1)
     moments = second_order(slope[None] / deviation, bend[None] / deviation, sigma**2 * covariance)
     second = float(np.sqrt(moments.covariance[0, 0]))
-    sure = max(np.ptp(limits) for limits in (found.low_limits, found.high_limits)) / 2
+    sure = max(np.ptp(each) for each in limits) / 2
     return {
         "ends": float(ends),
         "width": float(width),
         "rho": float(np.sqrt(max(second**2 - 1, 0.0))),
-        "second": float(abs(second / ((found.high - found.low) / 2) - 1)),
+        "second": float(abs(second / ((found[1] - found[0]) / 2) - 1)),
         "sure": float(sure),
     }
+
+
+def principal(covariance: Array) -> tuple[Array, float]:
+    """Return the direction in which a result is least certain, and the standard deviation in that direction.
+
+    Parameters
+    ----------
+    covariance : ndarray, shape (m, m)
+
+    Returns
+    -------
+    direction : ndarray, shape (m,)
+        Of length 1, its largest entry positive.
+    deviation : float
+
+    Examples
+    --------
+    >>> direction, deviation = principal(np.diag([4.0, 9.0]))
+    >>> direction.tolist(), deviation
+    ([0.0, 1.0], 3.0)
+    """
+    values, vectors = np.linalg.eigh(covariance)
+    direction = vectors[:, -1]
+    return direction * np.sign(direction[abs(direction).argmax()]), float(np.sqrt(max(values[-1], 0.0)))
+
+
+def interval(sample: Array) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
+    """Return the central interval that holds `LEVEL` of a sample, and confidence limits of both its ends.
+
+    The limits are order statistics, and hold for any distribution.  Infinite values count as the largest ones.
+
+    Examples
+    --------
+    >>> (low, high), *_ = interval(np.linspace(0, 1, 1001))
+    >>> round(low, 3), round(high, 3)
+    (0.159, 0.841)
+    """
+    values, tail = np.sort(sample), (1 - LEVEL) / 2
+    half = NormalDist().inv_cdf((1 + CONFIDENCE) / 2) * np.sqrt(len(values) * tail * (1 - tail))
+    outer, inner = int(np.floor(len(values) * tail - half)), int(np.ceil(len(values) * tail + half))
+    with np.errstate(invalid="ignore"):
+        low, high = np.quantile(values, [tail, 1 - tail])
+    return (float(low), float(high)), (values[outer], values[inner]), (values[-1 - inner], values[-1 - outer])
 
 
 def _vectors(chain: Chain) -> dict[str, Array]:

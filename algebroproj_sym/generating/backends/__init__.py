@@ -7,7 +7,7 @@ straight-line program; it has nothing to decide about formulas.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Protocol
 
 from algebroproj_sym.declaring import Driver
@@ -32,5 +32,5 @@ class Backend(Protocol):
         """
 
 
-BACKENDS: Mapping[str, Backend] = {"numpy": numpy, "cpp": cpp}
+BACKENDS: dict[str, Backend] = {"numpy": numpy, "cpp": cpp}
 """All backends by name."""

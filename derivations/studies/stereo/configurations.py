@@ -6,8 +6,9 @@ ground, and G3 is above it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -93,8 +94,7 @@ def near_critical(
     >>> near_critical(3, nearest=1e-6).points.shape
     (3, 8, 3)
     """
-    if not 0 < nearest <= farthest:
-        raise ValueError(f"near_critical: expected 0 < nearest <= farthest, got {nearest} and {farthest}")
+    require_order("nearest", "farthest", {"nearest": nearest, "farthest": farthest})
     indices = _indices(members)
     scene = ordinary(indices, seed)
     quadric = critical_quadric(scene)
@@ -106,6 +106,12 @@ def near_critical(
     points = scene.points.copy()
     points[:, -1] = np.where(np.reshape(chosen, (-1, 1)), on_quadric + steps[:, None] * gradient, points[:, -1])
     return replace(scene, points=points)
+
+
+def require_order(low: str, high: str, options: Mapping[str, Any]) -> None:
+    """Refuse two options that are not positive, or in the wrong order."""
+    if not 0 < options[low] <= options[high]:
+        raise ValueError(f"{low}: expected 0 < {low} <= {high}, got {options[low]} and {options[high]}")
 
 
 def critical_quadric(scene: Scene) -> NDArray[np.float64]:

@@ -33,8 +33,6 @@ class Layout:
     ----------
     name : str
         Its name in reports.
-    about : str
-        What is special about it.
     points : tuple of eight triples
         In units of the base.
     centers : tuple of two triples
@@ -42,7 +40,6 @@ class Layout:
     """
 
     name: str
-    about: str
     points: tuple[Place, ...]
     centers: tuple[Place, ...] = CENTERS
 
@@ -119,13 +116,16 @@ def _raster(columns: tuple[Any, ...], rows: tuple[Any, ...], heights: tuple[Any,
     return tuple((x, y, z) for (x, y), z in zip(nodes, heights, strict=False))
 
 
-FLAT = (0,) * 8
-TWO_COLUMNS = _raster((0, 1), (-1, 1, 0, "1/2"), HEIGHTS)
-NINE = _raster((0, "1/2", 1), (-1, 0, 1), (*HEIGHTS, "1/5"))
+def _gruber(heights: tuple[Any, ...]) -> tuple[Place, ...]:
+    """Return eight nodes of two columns under the centers."""
+    nodes = _raster((0, 1), (-1, 1, 0, "1/2"), heights)
+    return tuple(nodes[k] for k in (0, 5, 1, 4, 2, 3, 6, 7))
 
 
-def _ordered(points: tuple[Place, ...], order: tuple[int, ...]) -> tuple[Place, ...]:
-    return tuple(points[k] for k in order)
+def _nine(heights: tuple[Any, ...]) -> tuple[Place, ...]:
+    """Return eight nodes of a raster of nine."""
+    nodes = _raster((0, "1/2", 1), (-1, 0, 1), heights)
+    return tuple(nodes[k] for k in (0, 8, 2, 6, 1, 3, 5, 7))
 
 
 GENERAL = (
@@ -149,43 +149,17 @@ def _lowered(points: tuple[Place, ...], count: int) -> tuple[Place, ...]:
 
 
 LAYOUTS = (
-    Layout("general", "no special position", GENERAL),
-    Layout(
-        "row along the base",
-        "G0 and G1 parallel to the base, all else general",
-        (GENERAL[0], ("11/10", -1, 0), *GENERAL[2:]),
-    ),
-    Layout(
-        "Gruber raster, flat",
-        "two columns under the centers, on level ground",
-        _ordered(_raster((0, 1), (-1, 1, 0, "1/2"), FLAT), (0, 5, 1, 4, 2, 3, 6, 7)),
-    ),
-    Layout(
-        "two columns",
-        "two columns under the centers, any relief",
-        _ordered(TWO_COLUMNS, (0, 5, 1, 4, 2, 3, 6, 7)),
-    ),
-    Layout(
-        "two columns, centers moved",
-        "two columns with relief, the right center not above its column",
-        _ordered(TWO_COLUMNS, (0, 5, 1, 4, 2, 3, 6, 7)),
-        ((0, 0, 2), ("9/8", "1/8", "17/8")),
-    ),
-    Layout(
-        "raster, flat",
-        "eight nodes of a raster of nine, on level ground",
-        _ordered(_raster((0, "1/2", 1), (-1, 0, 1), (0,) * 9), (0, 8, 2, 6, 1, 3, 5, 7)),
-    ),
-    Layout(
-        "raster, relief",
-        "eight nodes of a raster of nine, any relief",
-        _ordered(NINE, (0, 8, 2, 6, 1, 3, 5, 7)),
-    ),
-    Layout("six coplanar", "six points on a plane, two not", _lowered(GENERAL, 6)),
-    Layout("seven coplanar", "seven points on a plane, one not", _lowered(GENERAL, 7)),
+    Layout("general", GENERAL),
+    Layout("row along the base", (GENERAL[0], ("11/10", -1, 0), *GENERAL[2:])),
+    Layout("Gruber raster, flat", _gruber((0,) * 8)),
+    Layout("two columns", _gruber(HEIGHTS)),
+    Layout("two columns, centers moved", _gruber(HEIGHTS), ((0, 0, 2), ("9/8", "1/8", "17/8"))),
+    Layout("raster, flat", _nine((0,) * 9)),
+    Layout("raster, relief", _nine((*HEIGHTS, "1/5"))),
+    Layout("six coplanar", _lowered(GENERAL, 6)),
+    Layout("seven coplanar", _lowered(GENERAL, 7)),
     Layout(
         "two planes",
-        "the base and three points on a plane, five points on another one",
         (
             ("1/4", -1, 0),
             ("9/10", 1, 0),
@@ -197,6 +171,6 @@ LAYOUTS = (
             ("1/2", 0, "1/5"),
         ),
     ),
-    Layout("parallelepiped", "two congruent rectangles in two levels", CUBE, ((0, "1/16", 2), ("17/16", 0, "17/8"))),
+    Layout("parallelepiped", CUBE, ((0, "1/16", 2), ("17/16", 0, "17/8"))),
 )
 """In the order of reports."""

@@ -1,4 +1,4 @@
-"""Statistics of datasets that are larger than memory, gathered chunk by chunk."""
+"""Joint distributions of two quantities of a dataset that is larger than memory, counted chunk by chunk."""
 
 from __future__ import annotations
 
@@ -12,19 +12,6 @@ from numpy.typing import ArrayLike, NDArray
 from algebroproj_sym.study.declaration import MEMBER
 
 Numbers = NDArray[np.float64]
-
-
-def thinned(dataset: xarray.Dataset, most: int | None) -> tuple[xarray.Dataset, int]:
-    """Return at most so many members of a dataset, evenly spaced, and how far apart they are.
-
-    Examples
-    --------
-    >>> some, step = thinned(xarray.Dataset({"x": ("member", range(10))}), 4)
-    >>> some.x.values.tolist(), step
-    ([0, 3, 6, 9], 3)
-    """
-    step = 1 if most is None else max(1, -(-dataset.sizes[MEMBER] // most))
-    return dataset.isel({MEMBER: slice(None, None, step)}), step
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ from algebroproj_sym.generating import lower
 PROJECT = "algebroproj-sym"
 # The extra that the modules of a file or folder import.  A test that needs one is marked with `extra`.
 IMPORTS = {
+    "algebroproj_sym/reporting/site": "report",
     "algebroproj_sym/study": "study",
     "tests/test_browser.py": "dev",
     "tests/test_docs.py": "docs",

@@ -85,7 +85,7 @@ class ClaimItem(pytest.Item):
     def runtest(self) -> None:
         """Judge the claim."""
         from algebroproj_sym.declaring import judge
-        from algebroproj_sym.reporting import failure_text
+        from algebroproj_sym.reporting.explaining import failure_text
 
         judgement = judge(self.claim, self.config.getoption("claims_engine"))
         self.user_properties += [("verdict", judgement.verdict), ("declared", self.claim.expected)]

@@ -31,7 +31,7 @@ from algebroproj_sym.declaring import DeclarationError, Quotations, Quote, locat
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving import prove
-from algebroproj_sym.reporting import audit_counts, audit_record, audited_share
+from algebroproj_sym.reporting.audits import audit_counts, audit_record, audited_share
 
 x, y, D, u1, u2, up1, upp31, mu1, mu2, y01, z11 = sympy.symbols("x y D u1 u2 up1 upp31 mu1 mu2 y01 z11")
 DEMO = Table(
@@ -461,7 +461,7 @@ def test_the_command_fails_for_a_slip_and_for_a_quote_of_nothing(folder):
     quotes.write_text(QUOTES.replace('"1.1"', '"1.1", "1.2"'), encoding="utf-8")
     result = run(folder)
     assert result.exit_code == 1
-    assert "quoted, but no claim: 1.2" in result.output
+    assert "quotes that belong to no claim: 1.2" in result.output
 
 
 def test_explain_shows_the_quote(folder):

@@ -16,7 +16,7 @@ from click.testing import CliRunner
 from algebroproj_sym.cli import SUMMARIES, group, main, steps
 from algebroproj_sym.declaring import derivation_at, select
 from algebroproj_sym.files import write_texts
-from algebroproj_sym.reporting import NotebookError, run_notebook
+from algebroproj_sym.reporting.notebooks import NotebookError, run_notebook
 from algebroproj_sym.scaffolding import create
 
 COLOR = re.compile(r"\x1b\[[0-9;]*3[0-7][0-9;]*m")
@@ -205,7 +205,7 @@ def test_a_report_without_what_it_needs_says_how_to_install_that(options, missin
 def test_a_build_that_is_not_as_declared_says_why_and_writes_the_ledger(wrong, tmp_path):
     result = run("build", "--derivations", wrong, "--name", "functions", "--out", tmp_path)
     assert result.exit_code == 1
-    assert "there derived" in result.stderr
+    assert "at this point derived" in result.stderr
     assert (tmp_path / "ledger.json").is_file()
 
 

@@ -39,7 +39,7 @@ from algebroproj_sym.exporting.terms import (
 from algebroproj_sym.expressions import Matrix, over, vector
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import declaration_digest
-from algebroproj_sym.reporting import ledger
+from algebroproj_sym.reporting.ledger import ledger
 
 a, b, t, x, y, z = sympy.symbols("a b t x y z")
 WITHOUT_THEOREM = {"1.25", "1.26", "1.27"}

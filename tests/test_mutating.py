@@ -317,7 +317,7 @@ def run(*arguments):
 def test_the_command_reports_scores():
     result = run("fundamentals1996:1.2.3", "--limit", "3")
     assert result.exit_code == 0
-    assert "changed statements refuted" in result.stdout
+    assert "changed statements are refuted" in result.stdout
     assert "changed sources compute something else: " in result.stdout
     record = json.loads(run("fundamentals1996:1.2.3", "--limit", "3", "--only", "claims", "--format", "json").stdout)
     assert record["claims"]

@@ -14,8 +14,7 @@ from click.testing import CliRunner
 
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import derivation_at, derivations, derivations_of, installed_papers
-from algebroproj_sym.reporting import NotebookError, run_notebook
-from algebroproj_sym.reporting.notebooks import claim_of
+from algebroproj_sym.reporting.notebooks import NotebookError, claim_of, run_notebook
 from algebroproj_sym.reporting.site.addresses import slug
 from algebroproj_sym.reporting.site.markdown import latex_html, markdown_html
 from algebroproj_sym.scaffolding import create

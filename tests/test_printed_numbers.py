@@ -17,7 +17,7 @@ from algebroproj_sym.expressions import ROUNDINGS, rounded
 from algebroproj_sym.mutating.explanations import explanations
 from algebroproj_sym.mutating.forms import changed_digits
 from algebroproj_sym.replaying import replay_claim
-from algebroproj_sym.reporting import ledger
+from algebroproj_sym.reporting.ledger import ledger
 
 
 @pytest.fixture(scope="module")

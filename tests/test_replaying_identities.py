@@ -18,7 +18,7 @@ from algebroproj_sym.declaring import Answer, Identity
 from algebroproj_sym.proving import Question
 from algebroproj_sym.proving.worker import _decided
 from algebroproj_sym.replaying import replay_identity
-from algebroproj_sym.reporting import answers_record
+from algebroproj_sym.reporting.answers import answers_record
 
 CORPUS = Path(__file__).resolve().parent / "corpus"
 QUESTIONS = {

@@ -63,7 +63,7 @@ def test_a_critical_scene_is_found(tmp_path):
     result = study(written(tmp_path, flatten, count=8), tmp_path / "out")
     assert result.exit_code == 0, result.stderr
     assert ": critical; rank 7 of the eight equations." in result.stdout
-    assert "all movements together 0 m" in result.stdout
+    assert "the points move by 0 m in all" in result.stdout
 
 
 def test_the_file_is_read_as_it_is_written(tmp_path):

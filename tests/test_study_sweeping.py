@@ -336,7 +336,7 @@ def test_a_report_that_needs_its_members_in_memory_is_given_some_of_them(tmp_pat
     monkeypatch.setattr(normal_case, "STUDY", replace(normal_case.STUDY, shown=40))
     result = invoke("normal-case", "--members", "100", "--out", str(tmp_path))
     assert result.exit_code == 0, result.output
-    assert "Report and figures take in one member of 3." in result.stdout
+    assert "Report and figures show one member in 3." in result.stdout
 
 
 def test_without_the_extra_the_command_says_how_to_install_it(monkeypatch):

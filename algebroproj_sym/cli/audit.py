@@ -1,4 +1,4 @@
-"""algebroproj audit: hold what claims say is printed against the papers."""
+"""algebroproj audit: compare the claims with the LaTeX of the papers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from algebroproj_sym.auditing import audit, coverage, stale
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show
 from algebroproj_sym.declaring import located
-from algebroproj_sym.reporting import audit_lines, audit_record, audit_table, coverage_lines, coverage_record
+from algebroproj_sym.reporting.audits import audit_lines, audit_record, audit_table, coverage_lines, coverage_record
 
 
 @click.command(name="audit")
@@ -38,7 +38,7 @@ def audit_command(selectors: Sequence[str], papers: Path | None, lines_only: boo
     chosen = located(selectors)
     if lines_only:
         if papers is None:
-            raise click.UsageError("--coverage: expected the folder of the papers with --papers DIR, got none")
+            raise click.UsageError("--coverage: expected also --papers DIR, the folder of the papers")
         found = coverage(chosen, papers)
         echo_json(coverage_record(found)) if output == "json" else echo("\n".join(coverage_lines(found)))
         return
@@ -50,8 +50,10 @@ def audit_command(selectors: Sequence[str], papers: Path | None, lines_only: boo
         console().print("\n".join(audit_lines(findings)), soft_wrap=True)
         show(audit_table(findings))
         if papers is None:
-            console().print("The quotes were not looked up in the papers: no folder was given with --papers DIR.")
+            console().print(
+                "The quotes were not looked up in the papers. To do so, give their folder with --papers DIR."
+            )
     if left_over:
-        echo(f"quoted, but no claim: {', '.join(left_over)}", err=True)
+        echo(f"quotes that belong to no claim: {', '.join(left_over)}", err=True)
     if left_over or any(finding.status == "failed" for finding in findings):
         raise SystemExit(1)

@@ -13,15 +13,9 @@ from algebroproj_sym.cli.steps import lowered_after, require_kernels, require_ro
 from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import derivations_of, drivers, judge_all, kernels, quotes_of, select
 from algebroproj_sym.generating import render, write
-from algebroproj_sym.reporting import (
-    findings,
-    ledger,
-    report,
-    summary_text,
-    verification_table,
-    write_json,
-    write_text,
-)
+from algebroproj_sym.reporting.ledger import ledger, write_json, write_text
+from algebroproj_sym.reporting.report import findings, report
+from algebroproj_sym.reporting.tables import summary_text, verification_table
 from algebroproj_sym.verifying import verification_record
 
 
@@ -32,7 +26,8 @@ from algebroproj_sym.verifying import verification_record
 @options.samples
 @options.engine
 @options.jobs
-def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int) -> None:
+@options.full
+def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int, full: bool) -> None:
     """Prove everything, generate and verify the functions, write ledger and report.
 
     This writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
@@ -56,6 +51,6 @@ def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engin
     for folder in (out, out / package):
         write_json(record, folder / "accuracy.json")
     write_text(report(judgements, lowered, verifications), out / "report.md")
-    show(verification_table(verifications))
+    show(verification_table(verifications, full=full))
     console().print(f"written to {out}: ledger.json, findings.md, {package}/, accuracy.json, report.md")
     require_as_declared(judgements, verifications, out / "report.md")

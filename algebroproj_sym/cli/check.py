@@ -15,8 +15,9 @@ from algebroproj_sym.cli import options
 @options.engine
 @options.jobs
 @options.output_format
+@options.full
 @options.seconds
-def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, seconds: float) -> None:
+def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, full: bool, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
     A SELECTOR is a paper (okamoto1981), a section (okamoto1981:2.1), a number (okamoto1981:24), or the path of
@@ -28,25 +29,26 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, secon
     """
     files = [Path(selector) for selector in selectors if selector.endswith(".json")]
     if not files:
-        _check_claims(selectors, engine, jobs, output)
+        _check_claims(selectors, engine, jobs, output, full=full)
     elif len(files) < len(selectors):
         raise click.UsageError("expected either claims or files of identities, got both")
     else:
         _check_files(files, engine, jobs, output, seconds)
 
 
-def _check_claims(selectors: Sequence[str], engine: str, jobs: int, output: str) -> None:
+def _check_claims(selectors: Sequence[str], engine: str, jobs: int, output: str, *, full: bool) -> None:
     from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
     from algebroproj_sym.cli.terminal import console, echo_json, show, verbosity
     from algebroproj_sym.declaring import located, quotes_of
-    from algebroproj_sym.reporting import claims_table, ledger, summary_text
+    from algebroproj_sym.reporting.ledger import ledger
+    from algebroproj_sym.reporting.tables import claims_table, summary_text
 
     found = located(selectors)
     judgements = judged([claim for _, claim in found], engine, jobs)
     if output == "json":
         echo_json(ledger(judgements, quotes_of(derivation for derivation, _ in found), jobs=jobs))
     else:
-        show(claims_table(judgements))
+        show(claims_table(judgements, full=full))
         console().print(summary_text(judgements))
     if verbosity() == "quiet":
         say_what_is_wrong(judgements)
@@ -57,7 +59,7 @@ def _check_files(files: Sequence[Path], engine: str, jobs: int, output: str, sec
     from algebroproj_sym.cli.terminal import console, echo_json, progressing, show
     from algebroproj_sym.declaring import Answer, MalformedFileError, identities
     from algebroproj_sym.proving import outcomes
-    from algebroproj_sym.reporting import answers_record, answers_summary, answers_table
+    from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
 
     chosen = [identity for file in files for identity in identities(file)]
     decided = outcomes([identity.question for identity in chosen], seconds=seconds, engine=engine, jobs=jobs)

@@ -1,4 +1,7 @@
-"""Completion of selectors by the Tab key: papers, and the sections and numbers of a paper, read without running it."""
+"""Completion of selectors by the Tab key: papers, and the sections and numbers of a paper.
+
+The modules are parsed, not run.
+"""
 
 from __future__ import annotations
 
@@ -11,9 +14,9 @@ from algebroproj_sym.papers import installed_papers, names_in, paper_folders
 
 
 def selectors_like(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
-    """Return the selectors that begin as what is typed.
+    """Return the selectors that begin with the typed text.
 
-    Bash takes a colon for the end of a word: what stands before it has become an argument of its own.
+    Bash ends a word at a colon: the part before it is an argument of its own.
     """
     given = list(context.params.get(parameter.name or "") or ())
     before = [word for word in given if word != ":"]

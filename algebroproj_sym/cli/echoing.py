@@ -1,7 +1,7 @@
 """Lines of text for a terminal.
 
-What comes from files and derivations may hold characters that a terminal obeys or does not show: escape sequences,
-marks that turn the direction of writing.  Every output passes through `visible`, which writes them as JSON does.
+Text from files and derivations may have characters that a terminal obeys or hides: escape sequences, or marks that
+change the direction of writing.  Every output passes through `visible`, which writes them as JSON does.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _HIDDEN = re.compile(
 
 
 def visible(text: str, *, line: bool = False) -> str:
-    r"""Return a text in which what a terminal would obey, or not show, is written as JSON does; on one line if asked.
+    r"""Return a text with JSON escapes for the characters that a terminal obeys or hides; on one line if `line`.
 
     Examples
     --------

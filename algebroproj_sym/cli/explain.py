@@ -17,13 +17,13 @@ def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) ->
 
     SELECTOR names a claim, such as okamoto1981:24, or a section, module or folder, as for check.
 
-    A long form is shown by the names of what it is made of, or by its beginning and its size. The option --full shows
-    all of it. The exit status is 1 if a verdict is not the declared one.
+    A long form is shown by the names of its parts, or by its beginning and its size. The option --full shows all of it.
+    The exit status is 1 if a verdict is not the declared one.
     """
     from algebroproj_sym.cli.judging import require_as_declared
     from algebroproj_sym.cli.terminal import console, echo
     from algebroproj_sym.declaring import judge, located, numbered_with, quotations, split
-    from algebroproj_sym.reporting import explanation
+    from algebroproj_sym.reporting.explaining import explanation
     from algebroproj_sym.showing import markdown
 
     found = located(selectors)

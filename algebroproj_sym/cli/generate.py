@@ -11,7 +11,7 @@ from algebroproj_sym.cli.steps import lowered_kernels, require_room
 from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import drivers, kernels
 from algebroproj_sym.generating import BACKENDS, drift, write
-from algebroproj_sym.reporting import operations_table
+from algebroproj_sym.reporting.tables import operations_table
 
 
 @click.command()
@@ -28,10 +28,18 @@ from algebroproj_sym.reporting import operations_table
 @click.option(
     "--check", "only_check", is_flag=True, help="Write nothing. Exit with 1 if the package is not up to date."
 )
+@options.full
 @options.engine
 @options.jobs
 def generate(
-    sources: tuple[str, ...], out: Path, package: str, backend: str, only_check: bool, engine: str, jobs: int
+    sources: tuple[str, ...],
+    out: Path,
+    package: str,
+    backend: str,
+    only_check: bool,
+    full: bool,
+    engine: str,
+    jobs: int,
 ) -> None:
     """Generate the functions, and write them to DIR/NAME.
 
@@ -44,11 +52,11 @@ def generate(
     changed = drift(files, folder)
     if only_check and changed:
         raise click.ClickException(
-            f"{folder} is not what the derivations generate: {', '.join(changed)}\n"
-            "Bring it up to date with the same command without --check."
+            f"{folder} is out of date. These files differ from what the derivations generate: {', '.join(changed)}\n"
+            "To write them again, run the same command without --check."
         )
     if not only_check:
         require_room(files, folder, sources)
         write(files, folder)
-        show(operations_table(lowered))
+        show(operations_table(lowered, full=full))
     console().print(f"{folder}: {len(lowered)} functions, {len(changed)} files {'differ' if only_check else 'changed'}")

@@ -1,4 +1,4 @@
-"""The group of commands: their order, and what a reader is told when one cannot go on."""
+"""The group of commands: their order, and the messages of their errors."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ atexit.register(gc.freeze)
 
 
 class Group(click.Group):
-    """Commands in the order in which one needs them, whose known errors are messages and not tracebacks.
+    """Commands in the order in which a reader needs them.  A known error is a message, not a traceback.
 
     A command is imported when it is run.  What it does, in a line, is known before.
     """

@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING
 
 from algebroproj_sym.cli.terminal import echo, progressing
 from algebroproj_sym.declaring import Claim, Judgement, judge_all
-from algebroproj_sym.reporting import failed_function, failure_text
+from algebroproj_sym.reporting.explaining import failure_text
+from algebroproj_sym.reporting.tables import failed_function
 
 if TYPE_CHECKING:
     from algebroproj_sym.verifying import Verification
 
 ADVICE = (
-    "Try another form of the kernel: declare section.kernel(..., form=...) with an equal expression that cancels\n"
-    "less, or several of them with alternatives=..., of which the generator takes the most accurate one."
+    "Try another form of the kernel. Declare section.kernel(..., form=...) with an equal expression in which less\n"
+    "cancels. Or declare several with alternatives=...; then the generator takes the most accurate one."
 )
 
 

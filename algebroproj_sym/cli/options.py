@@ -59,6 +59,9 @@ derivations = click.option(
 )
 
 
+full = click.option("--full", is_flag=True, help="Print a row for each claim or function, however many there are.")
+
+
 def _identifier(context: click.Context, parameter: click.Parameter, value: str) -> str:
     if not value.isidentifier() or iskeyword(value):
         raise click.BadParameter(f"expected the name of a Python package, such as my_functions, got {value!r}")

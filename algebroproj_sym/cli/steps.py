@@ -13,7 +13,7 @@ from algebroproj_sym.cli.judging import judged
 from algebroproj_sym.cli.terminal import progressing
 from algebroproj_sym.declaring import Derivation, Judgement, Kernel
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
-from algebroproj_sym.reporting import Notebook
+from algebroproj_sym.reporting.notebooks import Notebook
 from algebroproj_sym.verifying import Verification
 
 SITE_MODULES = ("latex2mathml",)

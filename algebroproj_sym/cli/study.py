@@ -149,7 +149,7 @@ def _run(
     with _executor(jobs, scheduler) as (executor, workers):
         _compute(sweep, executor, workers)
     dataset, step = reductions.thinned(sweeping.assemble(sweep), study.shown)
-    text = study.report(dataset) + (f"\nReport and figures take in one member of {step}.\n" if step > 1 else "")
+    text = study.report(dataset) + (f"\nReport and figures show one member in {step}.\n" if step > 1 else "")
     drawings = figures.save(study.figures(dataset), out / "figures")
     write_texts({"report.txt": text}, out)
     console().print(text.rstrip("\n"))

@@ -1,4 +1,4 @@
-"""Results on standard output, as tables and lines, and progress on standard error, but none in a pipe."""
+"""Results on standard output, as tables and lines, and progress on standard error, but no progress in a pipe."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def show(table: Table) -> None:
 
 
 def progressing(items: Iterable[Item], total: int, what: str) -> Iterator[Item]:
-    """Yield items, with a progress bar while standard error is a terminal; say how long it took if asked for.
+    """Yield items, with a progress bar if standard error is a terminal, and the time with --verbose.
 
     The bar is drawn at each item, and by no thread between them: what has threads is not safe to fork.
     """

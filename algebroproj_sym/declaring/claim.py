@@ -25,7 +25,7 @@ Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
 
 
 class DeclarationError(ValueError):
-    """A claim or kernel is declared in a way that cannot be judged."""
+    """The declaration of a claim or kernel is wrong or incomplete."""
 
 
 @dataclass(frozen=True)

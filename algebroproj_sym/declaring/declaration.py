@@ -106,8 +106,8 @@ def _with_plain_symbols(claim: Claim, symbols: set[sympy.Symbol], where: str) ->
     given = tuple(symbol for symbol in plain if not is_plain(symbol))
     if given and "assumed" not in KINDS[claim.kind].takes:
         raise DeclarationError(
-            f"{where}: expected plain or real symbols for {claim.kind}, whose evidence does not look at assumptions; "
-            f"got {'; '.join(map(assumption, given))}"
+            f"{where}, symbols: expected plain or real ones, got {'; '.join(map(assumption, given))}; "
+            f"a proof of kind {claim.kind} uses no other assumptions"
         )
     if all(symbol == kept for symbol, kept in plain.items()):
         return claim
@@ -137,20 +137,25 @@ def _require_complete(claim: Claim, where: str) -> None:
         if not isinstance(given, str) or not given.isprintable():
             raise DeclarationError(f"{where}, {name}: expected text on one line, got {given!r}")
     if claim.expected not in VERDICTS or claim.expected == "open":
-        raise DeclarationError(f"{where}: expected one of the verdicts {VERDICTS} but open, got {claim.expected!r}")
+        allowed = ", ".join(verdict for verdict in VERDICTS if verdict != "open")
+        raise DeclarationError(f"{where}, expect: expected one of {allowed}, got {claim.expected!r}")
     if claim.expected in ("misprint", "error", "illegible") and claim.corrected is None:
-        raise DeclarationError(f"{where}: a claim expected to be {claim.expected} needs its corrected form")
+        raise DeclarationError(f"{where}, corrected: expected a form for a claim declared {claim.expected}, got none")
     if claim.expected == "false" and not claim.instead:
-        raise DeclarationError(f"{where}: a claim expected to be false needs `instead`, the number of what is true")
+        raise DeclarationError(f"{where}, instead: expected the number of the true claim for a false one, got none")
     if (claim.printed is None) != (claim.expected == "illegible"):
-        raise DeclarationError(f"{where}: printed is missing exactly if the claim is expected to be illegible")
+        wanted = "a form, got None" if claim.printed is None else "None for a claim declared illegible, got a form"
+        raise DeclarationError(f"{where}, printed: expected {wanted}")
     if (claim.derived is None) != kind.is_notation:
-        raise DeclarationError(f"{where}: derived is missing exactly if the claim is a definition")
+        wanted = "a form, got None" if claim.derived is None else "None for a definition, got a form"
+        raise DeclarationError(f"{where}, derived: expected {wanted}")
     for field in fields(Claim):
         is_given = getattr(claim, field.name) not in (field.default, ())
         if is_given and field.name in FIELDS and field.name not in kind.takes:
             takers = ", ".join(sorted(other.name for other in KINDS.values() if field.name in other.takes))
-            raise DeclarationError(f"{where}: expected {field.name} for {takers}, got it for {claim.kind}")
+            raise DeclarationError(
+                f"{where}, {field.name}: expected none for a claim of kind {claim.kind}; only {takers} takes it"
+            )
     for form in (claim.printed, claim.corrected):
         if kind.one_shape and form is not None and _shape(form) != _shape(claim.derived):
             raise DeclarationError(
@@ -172,7 +177,7 @@ def _require_witness(claim: Claim, where: str) -> None:
     known = {s.name for form in forms for expression in expressions_of(form) for s in free_symbols(expression)}
     unknown = [key for key in claim.witness if isinstance(key, str) and key not in known]
     if unknown:
-        raise DeclarationError(f"{where}, witness: expected values for symbols that occur, got one for {unknown[0]!r}")
+        raise DeclarationError(f"{where}, witness: expected symbols that occur in the claim, got {unknown[0]!r}")
 
 
 def _shape(form: Statement | None) -> tuple[int, ...] | None:

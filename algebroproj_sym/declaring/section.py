@@ -58,7 +58,7 @@ class Section:
         kernel = declared_kernel(self.paper, self.number, qualified_name, summary, **parts)
         self.kernels.append(kernel)
         if jacobian:
-            about = f"Derivatives of the entries of `{kernel.name}`, row by row, by those of its arguments, in order."
+            about = f"Derivatives of `{kernel.name}`: rows are entries of the result, columns of the arguments."
             slopes = jacobian_parts(kernel)
             self.kernels.append(declared_kernel(self.paper, self.number, f"{qualified_name}_jacobian", about, **slopes))
         return kernel
@@ -70,7 +70,7 @@ class Section:
     def declare(self, kind: Kind, number: str, title: str, printed: Any, derived: Any, **options: Any) -> Claim:
         """Declare a claim of a kind, for the caller of the caller."""
         if any(claim.number == number for claim in self.claims):
-            raise DeclarationError(f"claim {self.paper}:{number}: expected a number of its own, it is declared twice")
+            raise DeclarationError(f"claim {self.paper}:{number}: expected each number once, got this one twice")
         source = calling(depth=2)
         provenance.declare((self.paper, number), derived)
         claim = declared(self.paper, self.number, number, title, kind.name, printed, derived, source=source, **options)

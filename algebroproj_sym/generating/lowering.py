@@ -96,15 +96,15 @@ def lowered_form(kernel: Kernel, engine: str = "flint", reciprocals: bool = Fals
     unguarded = program_of(kernel, (), reciprocals)
     steps = [step for step in unguarded.steps if isinstance(step, Step)]
     if any(all(isinstance(operand, int) for operand in step.operands) for step in steps):
-        raise LoweringError(f"kernel {kernel.qualified_name}: expected no constant fraction as an entry of its form")
+        raise LoweringError(
+            f"kernel {kernel.qualified_name}, form: expected no constant fraction, which floating point would round"
+        )
     divisors = divisors_of(kernel, unguarded, engine)
     guarded = tuple(factor for factor in hypotheses if factor not in divisors)
     program = program_of(kernel, guarded, reciprocals)
     for place, (expected, value) in enumerate(zip(derived, computed_values(program, field), strict=True)):
         if not (expected - value).is_zero:
-            raise LoweringError(
-                f"kernel {kernel.qualified_name}: entry {place} of its form differs from the derivation"
-            )
+            raise LoweringError(f"kernel {kernel.qualified_name}, form: entry {place} differs from the derivation")
     hypotheses = divisors_of(kernel, program, engine)
     return Lowered(kernel, compensated(program), program, hypotheses, guarded)
 

@@ -175,7 +175,7 @@ class Problem:
             return "the constraints contradict each other, which would prove anything"
         for unit, restricted in zip(self.units, self.units_at_origin, strict=True):
             if self._eliminated(self.zeros, [restricted]).is_inconsistent:
-                return f"{self.written(unit)} is zero wherever the constraints hold, and must not be: nothing is stated"
+                return f"{self.written(unit)} is always zero under the constraints, so no point satisfies them all"
         return "the constraints and hypotheses contradict each other, which would prove anything"
 
     def written(self, polynomial: Any) -> str:

@@ -52,7 +52,7 @@ class UndefinedError(ValueError):
 
 @dataclass(frozen=True)
 class Proof:
-    """What became of a statement.
+    """The result of a proof.
 
     Attributes
     ----------
@@ -135,7 +135,7 @@ def prove(
     >>> prove(x, 1, constraints=[x**2 - 2]).counterexample
     {x: -sqrt(2)}
     >>> prove(x, 0, nonzero=[x - x]).certificate["reason"]
-    'nonzero[0] is zero wherever it is defined: nothing is stated'
+    'nonzero[0] is always zero, so no point satisfies the conditions'
     """
     if engine not in ENGINES:
         raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
@@ -181,7 +181,7 @@ def _decided(question: _Question) -> Proof:
 
 
 def _contradiction(question: _Question) -> str | None:
-    """Return why a single condition cannot hold at any point, None if none is seen to be of that kind."""
+    """Return why some condition holds at no point; None if each may hold."""
     if not question.constraints and not question.nonzero:
         return None
     field = RationalFunctionField(question.symbols, question.engine)
@@ -190,12 +190,12 @@ def _contradiction(question: _Question) -> str | None:
             try:
                 numerator = _numerator(field, condition)
             except ZeroDivisionError:
-                return f"{argument}[{place}] has a denominator that is identically zero: nothing is stated"
+                return f"{argument}[{place}] has a denominator that is always zero, so it is defined at no point"
             powers = list(field.ring.terms(numerator))
             if argument == "nonzero" and not powers:
-                return f"nonzero[{place}] is zero wherever it is defined: nothing is stated"
+                return f"nonzero[{place}] is always zero, so no point satisfies the conditions"
             if argument == "constraints" and powers and not any(map(any, powers)):
-                return f"constraints[{place}] is never zero: nothing is stated"
+                return f"constraints[{place}] is never zero, so no point satisfies the conditions"
     return None
 
 
@@ -219,7 +219,7 @@ class _Question:
 
     @property
     def values(self) -> Mapping[sympy.Symbol, Sequence[Fraction]]:
-        """Numbers for the symbols that do not stand for any."""
+        """The numbers from which the values of a symbol are taken, where its assumptions restrict them."""
         return {plain: values_of(symbol) for plain, symbol in self.assumed.items()}
 
     def admits(self, point: Mapping[sympy.Symbol, Any]) -> bool:

@@ -41,8 +41,8 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
     Returns
     -------
     str
-        Markdown: what is not as declared, verdicts by paper, a line for each claim that is not simply proved, the
-        functions with their figures.
+        Markdown: what is not as declared, verdicts by paper, a line for each claim that does not hold as
+        printed, the functions with their figures.
     """
     from algebroproj_sym.verifying import BOUND
 
@@ -60,7 +60,7 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
 
 
 def findings(judgements: Sequence[Judgement]) -> str:
-    """Return a line for each claim that is not simply proved, as Markdown, paper by paper."""
+    """Return a line for each claim that does not hold as printed or cannot be read, as Markdown, paper by paper."""
     papers = [(paper, [j for j in group if _is_finding(j)]) for paper, group in _by_paper(judgements)]
     return _TEMPLATES.get_template("findings.md.j2").render(
         papers=papers, total=sum(len(found) for _, found in papers), claims=len(judgements)

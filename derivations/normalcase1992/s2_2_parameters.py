@@ -332,8 +332,8 @@ section.kernel(
     arguments={"C": C_symbols, "c": c},
     describe={
         "C": "Matrix of correlation R'^T B R'' of image vectors (x, y, -c), up to any factor.",
-        "c": "Principal distance c of the image vectors to which C refers, in their unit; as C refers to whole "
-        "vectors, the angles do not depend on it.",
+        "c": "Principal distance c of the image vectors to which C refers, in their unit.  The angles do not depend on "
+        "it.",
     },
     through=[
         named(A_symbols, adjugate(C_symbols)),

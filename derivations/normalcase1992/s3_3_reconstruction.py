@@ -268,9 +268,9 @@ section.kernel(
         "x_right": "Right image point (x'', y'') of the normal case, in the unit of c; y'' = y' is not used.",
         "c": ABOUT_C,
         "S_left": "Dispersion of (x', y'), in the square of the unit of c; symmetric.",
-        "S_right": "Dispersion of (x'', y''), in the square of the unit of c; its variance of x'' alone is used.",
+        "S_right": "Dispersion of (x'', y''), in the square of the unit of c; only the variance of x'' is used.",
         "S_mixed": "Covariances of (x', y'), rows, with (x'', y''), columns, in the square of the unit of c; "
-        "those with x'' alone are used.",
+        "only those with x'' are used.",
     },
     derived=jacobian * dispersion * jacobian.T,
     form=numerators * dispersion * numerators.T / parallax**4,

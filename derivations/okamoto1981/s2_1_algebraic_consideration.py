@@ -671,7 +671,7 @@ minor_forms = {minors_of_four[i, j]: equation_with_ray(*own[i], j) for i in rang
 squares = dot(minors_of_four.col(3), minors_of_four.col(3))
 section.kernel(
     "collinearity.intersect",
-    "Object point from four linear equations by least squares with equal weights, which are not those of the images.",
+    "Object point from four linear equations by least squares with equal weights of the equations.",
     **with_images,
     through=[let(ray_values, form=ray_forms), let(minor_values, form=minor_forms)],
     derived=vector(*(over(dot(minors_of_four.col(3), minors_of_four.col(j)), squares) for j in range(3))),

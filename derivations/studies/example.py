@@ -172,8 +172,8 @@ def spread(dataset: xarray.Dataset, name: str) -> Spread:
 def report(dataset: xarray.Dataset) -> str:
     """Return which decimals of each result are determined by those of the images."""
     lines = [
-        "Results of the example from images whose last decimal is rounded: standard deviation and largest change of",
-        "the element that changes most, decimals that hold in 95 % of the cases, and decimals that are printed.",
+        "The images vary at random within half a unit of the last printed decimal. For the element that changes most:",
+        "standard deviation, largest change, decimals that hold in 95 % of the cases, and decimals that are printed.",
         "",
         f"{'':<38}{'deviation':>11}{'largest':>11}{'decimals':>10}{'printed':>9}",
     ]

@@ -163,21 +163,21 @@ def fits(dataset: xarray.Dataset, output: str, error: str = "error") -> dict[str
 
 def report(dataset: xarray.Dataset) -> str:
     """Return how well each indicator predicts, and how tight the guaranteed bound is."""
-    lines = [f"{dataset.sizes[MEMBER]} stereo pairs; digits lost in float64 from images rounded to float64."]
+    lines = [f"{dataset.sizes[MEMBER]} stereo pairs. Digits lost in float64, with images rounded to float64."]
     for output, name in OUTPUTS.items():
         lines += [f"{name}:", f"  {'':44}slope  scatter  offset"]
         for indicator, fit in fits(dataset, output).items():
             words = f"  {WORDS[indicator]:44}"
             lines.append(f"{words}{fit['slope']:5.2f}{fit['scatter']:9.2f}{fit['offset']:8.2f}")
         single = fits(dataset, output, "single")[f"{output}_mean"]
-        lines.append(f"  one rounding instead of the mean of several: scatter {single['scatter']:.2f}")
+        lines.append(f"  with one rounding instead of the mean of several: scatter {single['scatter']:.2f}")
         bound, largest = dataset[f"{output}_bound"].values, dataset[f"{output}_largest"].values
         usable = np.isfinite(bound) & (bound < 1 / UNIT_ROUNDOFF)
         broken = int((largest[usable] > bound[usable]).sum())
         decade = float((bound[usable] <= 10 * largest[usable]).mean())
         lines.append(
-            f"  guaranteed bound: exists for {100 * usable.mean():.1f} %, broken {broken} times, "
-            f"within a decade of the largest error for {100 * decade:.0f} %"
+            f"  guaranteed bound: exists for {100 * usable.mean():.1f} %, exceeded {broken} times, "
+            f"at most ten times the largest error for {100 * decade:.0f} %"
         )
     return "\n".join(lines) + "\n"
 
@@ -216,7 +216,7 @@ def _short(name: str) -> str:
 
 STUDY = Study(
     name="indicators",
-    summary="Which indicator of nearness to criticality predicts how many digits are lost",
+    summary="Which indicator predicts best how many digits are lost near a critical configuration",
     options=(
         Option("replicas", int, 8, "Sets of images that round to the same numbers, over which errors are averaged."),
         Option("farthest", float, 1e-1, "Largest distance from the critical quadric, in units of the basic points."),

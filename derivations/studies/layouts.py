@@ -103,9 +103,9 @@ def _only(dataset: xarray.Dataset, name: str, number: int) -> xarray.Dataset:
 def report(dataset: xarray.Dataset) -> str:
     """Return a table of the layouts: exact ranks, the quadric, and the slopes that are measured on the way."""
     lines = [
-        "Exact: rank of the 5 equations, rank of the 8 homogeneous ones, conditions of the 10 points on a quadric.",
-        "Measured: slope of log10 of the smallest singular value against log10 of a change of all points, 1e-9 to 1e-3",
-        "of the base, and decimal digits of Z that are lost at 1e-6.",
+        "Exact: ranks of the 5 equations and of the 8 homogeneous ones, conditions of the 10 points on a quadric.",
+        "Measured: all points change by 1e-9 to 1e-3 of the base. The slope is that of log10 of the smallest singular",
+        "value over log10 of the change. Lost are decimal digits of Z at a change of 1e-6.",
         "",
         f"{'layout':<28}{'of 5':>5}{'of 8':>5}{'of 10':>6}  {'verdict':<14}{'slope 5':>8}{'slope 8':>8}"
         f"{'lost 5':>8}{'lost 8':>8}  quadric",

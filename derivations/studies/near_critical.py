@@ -157,10 +157,10 @@ def report(dataset: xarray.Dataset) -> str:
     members = dataset.sizes[MEMBER]
     ruled = float(dataset.ruled.mean())
     lines = [
-        f"{members} stereo pairs of eight points, one of them near the quadric of the others and of the centers.",
-        f"Critical quadrics that are ruled: {100 * ruled:.0f} %.",
-        "Decimal digits lost: median at some distances from the quadric, in half widths of the model; slope against",
-        "log10(distance) and scatter about the line from 1e-12 to 1e-2; members without a number.",
+        f"{members} stereo pairs of eight points. One is near the quadric through the other seven and the centers.",
+        f"{100 * ruled:.0f} % of the critical quadrics are ruled.",
+        "Decimal digits lost: medians at distances from the quadric, in half widths of the model. Then a line over",
+        "log10(distance) from 1e-12 to 1e-2: its slope and the scatter about it. At last the pairs without a result.",
         "",
         f"{'':<34}" + "".join(f"{f'1e{exponent}':>7}" for exponent in SHOWN) + "  slope  scatter  none",
     ]

@@ -123,14 +123,14 @@ def report(dataset: xarray.Dataset) -> str:
     lost, noise = dataset.lost.values, np.log10(dataset.noise.values)
     pairs = f"{dataset.sizes[MEMBER]} stereo pairs, each with {dataset.sizes[CHOICE] // 2} axis points and u_N31"
     lines = [
-        f"{pairs}; three object points that were not used.",
+        f"{pairs}. The model is judged at three other object points.",
         f"  {'':52}{'5 %':>8}{'50 %':>8}{'95 %':>8}",
     ]
     for place, words in enumerate(WAYS.values()):
         lines.append(f"  {words + ': digits lost by rounding':52}{_quantiles(lost[..., place])}")
         if place:
             ratio = noise[..., place] - noise[..., 0]
-            lines.append(f"  {'  log10 of its noise over that without one':52}{_quantiles(ratio)}")
+            lines.append(f"  {'  log10 of noise, over that without a normal case':52}{_quantiles(ratio)}")
         for name, symbol in CHOICES.items():
             if name == "u_n31" and place != WAYS_OF_U:
                 continue
@@ -175,7 +175,7 @@ def _distribution(values: Array) -> tuple[Array, Array]:
 
 STUDY = Study(
     name="normal-case",
-    summary="What the choices of a normal case do to the accuracy of the model",
+    summary="How the choices of a normal case change the accuracy of the model",
     options=(
         Option("range", float, 1.0, "u_N31 is drawn from minus to plus this number."),
         Option("choices", int, 4, "Axis points, and numbers u_N31, for each stereo pair."),

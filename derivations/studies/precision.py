@@ -114,9 +114,9 @@ def report(dataset: xarray.Dataset) -> str:
     near = dataset.near.values
     head = "                                        ordinary           near-critical"
     lines = [
-        f"{dataset.sizes[MEMBER]} stereo pairs, object to model; medians of the relative errors.",
+        f"{dataset.sizes[MEMBER]} stereo pairs, from the object to the model. Errors are medians of relative errors.",
         f"{head:72}",
-        f"  {'':26}{'CPU us':>8}{'Z':>9}{'model':>9}{'Z':>11}{'model':>9}{'bound/error of Z':>18}{'without':>9}",
+        f"  {'':26}{'CPU us':>8}{'Z':>9}{'model':>9}{'Z':>11}{'model':>9}{'bound/error of Z':>18}{'no bound':>9}",
     ]
     for place, name in enumerate(dataset[ARITHMETIC].values):
         spent = f"{1e6 * np.median(dataset.time.values[:, place]):8.1f}" if "time" in dataset else f"{'':8}"

@@ -220,8 +220,9 @@ def _crossing(x: Array, y: Array, limit: float) -> float:
 def report(dataset: xarray.Dataset) -> str:
     """Return for each output which number tells when linear propagation fails, and its thresholds."""
     lines = [
-        f"{dataset.sizes[MEMBER]} stereo pairs; 68 % intervals of linear propagation against random samples.",
-        "Values of the dimensionless numbers at which the error reaches 1 %, 5 %, 15 % (median; in 90 % of the pairs):",
+        f"{dataset.sizes[MEMBER]} stereo pairs. 68 % intervals of linear propagation are compared with random samples.",
+        "At these values of the dimensionless numbers the error reaches 1 %, 5 % and 15 %: first its median over the",
+        "pairs, then its 90 % quantile.",
     ]
     for output, words in OUTPUTS.items():
         lines.append(f"{words}:")

@@ -74,9 +74,9 @@ def report(dataset: xarray.Dataset) -> str:
     lines = [
         f"Points {', '.join(given.names[:8])}: {found.verdict}; rank {found.rank_of_eight} of the eight equations.",
         *_of_quadric(given),
-        f"Closest critical configuration: all movements together {nearest.distance:.3g} {unit}.",
-        f"Digits of Z lost, images rounded to float64: median {np.median(finite):.1f}, 95 % below "
-        f"{np.quantile(finite, 0.95):.1f}; no number {len(lost) - len(finite)} times of {len(lost)}.",
+        f"Closest critical configuration: the points move by {nearest.distance:.3g} {unit} in all.",
+        f"Digits of Z lost, with images rounded to float64: median {np.median(finite):.1f}, 95 % below "
+        f"{np.quantile(finite, 0.95):.1f}; no result in {len(lost) - len(finite)} of {len(lost)} cases.",
         f"Smallest singular value: {float(strength(scene)):.2g}.",
     ]
     size = float(np.ptp(scene.points, axis=0).max())
@@ -95,7 +95,7 @@ def _of_quadric(given: SceneFile) -> list[str]:
     points, centers = given.scene.points, given.scene.centers
     count = conditions(np.concatenate([points[:7], centers]))
     if count < 9:
-        return [f"The others impose {count} conditions on a quadric: every place of {given.names[7]} is critical."]
+        return [f"The others impose {count} conditions on a quadric. {given.names[7]} is critical wherever it lies."]
     form = critical_quadric(points[:7], centers)
     name = given.names[7]
     return [f"{name} may not lie on this {kind(form).name}:", f"  {_rounded(form)}"]
@@ -130,7 +130,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
 
 STUDY = Study(
     name="scene",
-    summary="What is critical about a scene of your own, how near it is to it, and what helps",
+    summary="How near a scene of your own is to a critical configuration, and what helps",
     options=(
         Option("file", Path, None, "TOML file with points, centers and their units."),
         Option("moved", float, 0.0, "Standard deviation of random changes of the points, in the unit of the file."),

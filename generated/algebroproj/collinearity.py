@@ -749,7 +749,7 @@ _INTERSECT_THREE_FACTORS = (
 
 
 def intersect(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Object point from four linear equations by least squares with equal weights, which are not those of the images.
+    """Object point from four linear equations by least squares with equal weights of the equations.
 
     okamoto1981, section 2.1; proved by (18#1), (18#2), (18#3), (18#4), (2.1/beyond/normal-equations), (2.1/beyond/exact), (2.1/beyond/rays).
 

@@ -180,7 +180,7 @@ _ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), 
 
 
 def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Quadric of the points that make the five equations singular, beside four given points.
+    """Quadric of the points that, with four given points, make the five equations singular.
 
     fundamentals1996, section 2.3; proved by (2.3.3), (2.3/X), (2.3/Q), (2.3/beyond/theorem).
 
@@ -459,7 +459,7 @@ _QUADRIC_SIGNATURE = Signature("quadric", (("mu_left", (3,)), ("u3_left", (2,)),
 
 
 def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Coefficients of the characteristic polynomials of a quadric and of its block at infinity, below the leading one.
+    """Coefficients below the leading ones in the characteristic polynomials of a quadric and its block at infinity.
 
     fundamentals1996, section 2.3; proved by (2.3/beyond/invariants#whole), (2.3/beyond/invariants#at-infinity), (2.3/beyond/invariants#affine).
 

@@ -106,7 +106,7 @@ _RECONSTRUCT_FACTORS = (
 
 
 def reconstruct_jacobian(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Derivatives of the entries of `reconstruct`, row by row, by those of its arguments, in order.
+    """Derivatives of `reconstruct`: rows are entries of the result, columns of the arguments.
 
     normalcase1992, section 1.3; proved by (1.3.1#left), (1.3.2), (1.3.3).
 
@@ -355,7 +355,7 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
     R_right : array_like, shape (..., 3, 3)
         Matrix of orientation R'' of the right image, a rotation; dimensionless.
     b : array_like, shape (..., 3)
-        Base b = X0'' - X0' in the model system, any unit, which is that of C.  (1, 0, 0) for the rotational relative orientation.
+        Base b = X0'' - X0' in the model system, in any unit.  C has this unit.  It is (1, 0, 0) for the rotational relative orientation.
     out : ndarray, optional
         Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
@@ -440,7 +440,7 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
     C : array_like, shape (..., 3, 3)
         Matrix of correlation R'^T B R'' of image vectors (x, y, -c), up to any factor.
     c : array_like, shape (...)
-        Principal distance c of the image vectors to which C refers, in their unit; as C refers to whole vectors, the angles do not depend on it.
+        Principal distance c of the image vectors to which C refers, in their unit.  The angles do not depend on it.
     out : tuple of ndarray, optional
         Array for the result, with its shape and dtype.  It may share memory with the arguments.
 
@@ -709,7 +709,7 @@ _TO_NORMAL_FACTORS = (
 
 
 def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Derivatives of the entries of `to_normal`, row by row, by those of its arguments, in order.
+    """Derivatives of `to_normal`: rows are entries of the result, columns of the arguments.
 
     normalcase1992, section 3.1; proved by (1.1.4), (1.1.5#x), (1.1.5#y).
 
@@ -902,7 +902,7 @@ _FROM_NORMAL_FACTORS = (
 
 
 def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Derivatives of the entries of `from_normal`, row by row, by those of its arguments, in order.
+    """Derivatives of `from_normal`: rows are entries of the result, columns of the arguments.
 
     normalcase1992, section 3.1; proved by (3.1/inverse), (3.1.1).
 
@@ -1321,9 +1321,9 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     S_left : array_like, shape (..., 2, 2)
         Dispersion of (x', y'), in the square of the unit of c; symmetric.
     S_right : array_like, shape (..., 2, 2)
-        Dispersion of (x'', y''), in the square of the unit of c; its variance of x'' alone is used.
+        Dispersion of (x'', y''), in the square of the unit of c; only the variance of x'' is used.
     S_mixed : array_like, shape (..., 2, 2)
-        Covariances of (x', y'), rows, with (x'', y''), columns, in the square of the unit of c; those with x'' alone are used.
+        Covariances of (x', y'), rows, with (x'', y''), columns, in the square of the unit of c; only those with x'' are used.
     out : ndarray, optional
         Array for the result, with its shape and dtype.  It may share memory with the arguments.
 

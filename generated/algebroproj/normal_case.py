@@ -100,7 +100,7 @@ _TAU_FACTORS = (
 
 
 def tau_jacobian(u3: ArrayLike, u3_normal: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Derivatives of the entries of `tau`, row by row, by those of its arguments, in order.
+    """Derivatives of `tau`: rows are entries of the result, columns of the arguments.
 
     fundamentals1996, section 3.1; proved by (3.1.2#tau), (3.1.2#fourth-points).
 

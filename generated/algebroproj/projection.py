@@ -169,7 +169,7 @@ _MU_FROM_CENTER_FACTORS = (
 
 
 def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Derivatives of the entries of `mu_from_center`, row by row, by those of its arguments, in order.
+    """Derivatives of `mu_from_center`: rows are entries of the result, columns of the arguments.
 
     fundamentals1996, section 1.3; proved by (1.3.5#mu1), (1.3.5#mu2), (1.3.5#mu3).
 
@@ -443,7 +443,7 @@ _PROJECTION_MATRIX_FACTORS = (
 
 
 def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Derivatives of the entries of `projection_matrix`, row by row, by those of its arguments, in order.
+    """Derivatives of `projection_matrix`: rows are entries of the result, columns of the arguments.
 
     fundamentals1996, section 1.3; proved by (1.3.6#row0), (1.3.6#rows12).
 

@@ -68,7 +68,7 @@ COUNT = Kind(
     "count",
     count,
     compare,
-    "How many of the functions are independent.",
+    "The number of independent functions.",
     takes=("variables", "kernel"),
     is_reduced=False,
     printed="Printed: how many are independent",

@@ -13,8 +13,8 @@ from algebroproj_sym.proving import Proof
 
 _DECIMAL = re.compile(r"-?[0-9]+(\.[0-9]+)?")
 _ROUNDED = {
-    "nearest": "The printed number is the nearest to the exact one with as many decimals.",
-    "cut": "The printed number is the exact one, with its further digits cut off.",
+    "nearest": "The printed number is the exact one, rounded to the nearest.",
+    "cut": "The printed number is the exact one, with further digits cut off.",
 }
 
 

@@ -1,4 +1,4 @@
-"""Equality of homogeneous vectors or matrices: equality but for a common factor."""
+"""Equality of homogeneous vectors or matrices: equality up to a common factor."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def _is_zero(claim: Claim, entry: Scalar, engine: str) -> Proof:
 def up_to_scale(
     section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
 ) -> Claim:
-    """Declare that two vectors or matrices are equal but for a common factor."""
+    """Declare that two vectors or matrices are equal up to a common factor."""
     return section.declare(PROJECTIVE, number, title, printed, derived, **options)
 
 
@@ -85,12 +85,12 @@ PROJECTIVE = Kind(
     "identity up to scale",
     up_to_scale,
     compare,
-    "Both sides are equal but for a common factor.",
+    "Both sides are equal up to a common factor.",
     takes=("constraints", "nonzero", "assumed"),
     one_shape=True,
     is_equality=True,
     is_marked=True,
-    derived="Derived, but for a factor",
+    derived="Derived, up to a factor",
     relation=r"\sim",
     negated=r"\nsim",
 )

@@ -184,7 +184,7 @@ RANK = Kind(
     "rank",
     rank,
     compare,
-    "The rank that the matrix has in general.",
+    "The generic rank of the matrix.",
     takes=("kernel",),
     is_reduced=False,
     printed="Printed: the rank",

@@ -23,7 +23,7 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
 def reference(
     section: Declaring, number: str, title: str, *, printed: str, meant: str, **options: Unpack[Options]
 ) -> Claim:
-    """Declare what a reference within the paper, such as "2.3.3", must point to; a wrong one is a misprint."""
+    """Declare which formula a reference such as "2.3.3" means; a wrong reference is a misprint."""
     where = f"claim {section.paper}:{number}"
     right = numbers(meant, f"{where}, meant")
     if printed != meant:
@@ -53,7 +53,7 @@ REFERENCE = Kind(
     "reference",
     reference,
     compare,
-    "Where the reference points.",
+    "The formula that the reference names.",
     is_marked=True,
     derived="Meant",
     text=lambda form: ".".join(map(str, form)),

@@ -167,7 +167,7 @@ LAYOUTS = (
     ),
     Layout(
         "two columns, centers moved",
-        "two columns with relief, the right center not above its own",
+        "two columns with relief, the right center not above its column",
         _ordered(TWO_COLUMNS, (0, 5, 1, 4, 2, 3, 6, 7)),
         ((0, 0, 2), ("9/8", "1/8", "17/8")),
     ),

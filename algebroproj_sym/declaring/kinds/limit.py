@@ -71,7 +71,7 @@ LIMIT = Kind(
     "limit",
     limit,
     compare,
-    "The limit of the expression.",
+    lambda claim: f"The limit of the expression. The variable {claim.variable} goes to zero.",
     takes=("variable",),
     one_shape=True,
     is_marked=True,

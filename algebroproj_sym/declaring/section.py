@@ -118,7 +118,7 @@ class Section:
         if any(claim.number == number for claim in self.claims):
             raise DeclarationError(f"claim {self.paper}:{number}: expected a number of its own, it is declared twice")
         source = calling(depth=2)
-        provenance.declare((self.paper, number), derived)
+        derived = provenance.declare((self.paper, number), derived)
         claim = declared(self.paper, self.number, number, title, kind, printed, derived, source=source, **options)
         self.claims.append(claim)
         return claim

@@ -16,6 +16,7 @@ from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation im
     tau1,
     tau2,
 )
+from algebroproj_derivations.fundamentals1996.s3_2_normal_case import Z_N, u_right
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -65,7 +66,7 @@ def coefficients(form: sympy.Expr) -> Matrix:
 
 # %%
 at_infinity = vector(1, 0, 0)
-epipolar_direction = vector(1, z_n)
+epipolar_direction = (Z_N * homogeneous(u_right))[1:, 0]
 g = T.T * at_infinity
 g_direction = vector(*g[1:, 0])
 constant_g, constant_h = sympy.symbols("gN0 hN0")

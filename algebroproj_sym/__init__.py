@@ -1,8 +1,8 @@
 """Derive, judge and compile the closed forms of algebro-projective photogrammetry.
 
 The flow is a pipeline, one folder a stage: `expressions` (what is reasoned about), `proving` (decisions),
-`declaring` (claims and kernels), `generating` (code), `verifying` (numbers), `reporting` (the ledger), and the
-command line `cli` over them.  A stage imports earlier ones only.
+`declaring` (claims and kernels), `showing` (claims for a reader), `generating` (code), `verifying` (numbers),
+`reporting` (the ledger), and the command line `cli` over them.  A stage imports earlier ones only.
 
 Examples
 --------
@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import sys
 from typing import TYPE_CHECKING, Any
 
 # How many results SymPy keeps of each operation; it reads this once, when it is imported.  Derivations need more than
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Proof", "Section", "prove"]
 
+__version__ = "0.1.0"
+
 _HOMES = {"Proof": "proving", "Section": "declaring", "prove": "proving.statements"}
 
 
@@ -44,3 +47,9 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     return sorted({*globals(), *__all__})
+
+
+if "IPython" in sys.modules:
+    from algebroproj_sym.showing.notebook import show_claims_of_cells
+
+    show_claims_of_cells()

@@ -18,9 +18,9 @@ def write_texts(files: Mapping[str, str], folder: Path) -> None:
     Parameters
     ----------
     files : mapping of str to str
-        The text of each file by its name.
+        The text of each file by its path in the folder.
     folder : Path
-        Where to write them; it is made if it does not exist.
+        Where to write them; it, and folders in it, are made if they do not exist.
 
     Examples
     --------
@@ -30,14 +30,16 @@ def write_texts(files: Mapping[str, str], folder: Path) -> None:
     ...     sorted(path.name for path in Path(folder).iterdir())
     ['a.txt', 'b.txt']
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    temporaries = {name: folder / f".{name}.partial" for name in files}
+    targets = {name: folder / name for name in files}
+    for parent in {folder, *(target.parent for target in targets.values())}:
+        parent.mkdir(parents=True, exist_ok=True)
+    temporaries = {name: target.with_name(f".{target.name}.partial") for name, target in targets.items()}
     try:
         for name, temporary in temporaries.items():
             temporary.write_text(files[name], encoding="utf-8")
         with _interrupts_later():
             for name, temporary in temporaries.items():
-                temporary.replace(folder / name)
+                temporary.replace(targets[name])
     finally:
         for temporary in temporaries.values():
             temporary.unlink(missing_ok=True)

@@ -1,41 +1,22 @@
-"""The pipeline: claims → verdicts → programs → package → figures.
+"""From verdicts to programs, mutants, notebooks and figures.
 
 Each step takes what the one before it gave; `jobs` worker processes change the time a step takes, never its result.
 """
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
-from importlib import import_module
 from pathlib import Path
-from typing import Any
 
-from algebroproj_sym.declaring import (
-    Claim,
-    Derivation,
-    Judgement,
-    Kernel,
-    Outline,
-    abridged,
-    derivations_in,
-    judge,
-    needed_by,
-    numbered_with,
-    outline,
-    quotes_of,
-)
-from algebroproj_sym.expressions import Expression
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, numbered_with
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
-from algebroproj_sym.processes import can_fork, dealt, forked, in_processes, mapped
-from algebroproj_sym.remembering import Memory
-from algebroproj_sym.reporting import Notebook, claim_record, derived_form, run_notebook
+from algebroproj_sym.processes import in_processes, mapped
+from algebroproj_sym.reporting.notebooks import Notebook, run_notebook
 from algebroproj_sym.verifying import Verification, load_package, verify
 
-EMITTED = ("proved", "misprint", "illegible")
+EMITTED = ("proved", "misprint", "error", "illegible")
 
 
 class UnprovedError(ValueError):
@@ -50,131 +31,6 @@ class UnprovedError(ValueError):
     def __init__(self, kernel: Kernel, number: str, verdict: str) -> None:
         super().__init__(f"kernel {kernel.qualified_name}: expected claim {number} to prove it, got {verdict}")
         self.selector = f"{kernel.paper}:{number}"
-
-
-def check(
-    claims: Sequence[Claim], engine: str = "flint", jobs: int = 1, memory: Memory | None = None
-) -> Iterator[Judgement]:
-    """Judge claims, in order.
-
-    Parameters
-    ----------
-    claims : sequence of Claim
-        As selected.
-    engine : {"flint", "sympy"}
-        The library for polynomials.
-    jobs : int
-        The number of processes.
-    memory : Memory, optional
-        The verdicts of earlier runs.  Without it, everything is proved.
-
-    Yields
-    ------
-    Judgement
-    """
-    known = [memory.recall(claim, engine) if memory else None for claim in claims]
-    changed = [claim for claim, judgement in zip(claims, known, strict=True) if judgement is None]
-    judged = mapped(partial(judge, engine=engine), changed, jobs)
-    for claim, judgement in zip(claims, known, strict=True):
-        if judgement is not None:
-            yield judgement
-            continue
-        proved = replace(next(judged), claim=claim)
-        if memory:
-            memory.keep(proved)
-        yield proved
-
-
-@dataclass(frozen=True)
-class CheckedModule:
-    """A derivation module, imported and judged.
-
-    Attributes
-    ----------
-    name : str
-        Of the module.
-    outlines : tuple of Outline
-        What must fit the other modules.
-    judgements : tuple of Judgement
-        The judgements of its claims, in order.  If a verdict is as declared, its forms and evidence are left out: it
-        takes longer to send them between processes than to judge the claim.
-    records : tuple of dict
-        The entries of the ledger, if they were asked for.
-    """
-
-    name: str
-    outlines: tuple[Outline, ...]
-    judgements: tuple[Judgement, ...]
-    records: tuple[dict[str, Any], ...]
-
-
-def check_modules(
-    names: Sequence[str], engine: str, jobs: int, memory: Memory, *, recorded: bool = False
-) -> Iterator[CheckedModule]:
-    """Import derivation modules and judge their claims where they are imported, in worker processes.
-
-    Importing is half of the work, and modules import each other.  On Linux this process imports the modules that
-    several others need.  Then it forks, and each fork judges one module.  On other systems, a free worker gets the
-    module for which it has the least to import.
-
-    Parameters
-    ----------
-    names : sequence of str
-        The modules.
-    engine : {"flint", "sympy"}
-        The library for polynomials.
-    jobs : int
-        The number of processes.
-    memory : Memory
-        The verdicts of earlier runs.
-    recorded : bool
-        Whether to write also the entries of the ledger.
-
-    Yields
-    ------
-    CheckedModule
-        In the order in which they are ready.
-    """
-    check_one = partial(_check_module, engine=engine, memory=memory, recorded=recorded)
-    return forked(check_one, _ready(names), jobs) if can_fork() else dealt(check_one, names, jobs, _nearest(jobs))
-
-
-def _ready(names: Sequence[str]) -> Iterator[str]:
-    """Import what several modules need, least first, and yield each module when nothing more of that is missing."""
-    needed = {name: needed_by(name) for name in names}
-    uses = Counter(module for modules in needed.values() for module in modules)
-    missing = {name: {m: size for m, size in needed[name].items() if uses[m] > 1} for name in names}
-    while missing:
-        name = min(missing, key=lambda name: sum(missing[name].values()))
-        for module in missing.pop(name):
-            import_module(module)
-            for others in missing.values():
-                others.pop(module, None)
-        yield name
-
-
-def _nearest(jobs: int) -> Callable[[int, Sequence[str]], str]:
-    """Return how to choose what needs least beside what a worker has; of several, what others have least of."""
-    held: list[set[str]] = [set() for _ in range(jobs)]
-
-    def nearest(worker: int, pending: Sequence[str]) -> str:
-        others = set().union(*held[:worker], *held[worker + 1 :])
-
-        def distance(name: str) -> tuple[int, int, int]:
-            needed = needed_by(name)
-            new, foreign = needed.keys() - held[worker], needed.keys() & others
-            return sum(needed[module] for module in new), len(new) - len(needed), len(foreign)
-
-        chosen = min(pending, key=distance)
-        held[worker].update(needed_by(chosen))
-        return chosen
-
-    return nearest
-
-
-def derived_forms(claims: Sequence[Claim], jobs: int = 1) -> Iterator[Expression | None]:
-    """Write the derived forms in lowest terms, as ledger and reports show them."""
-    return mapped(derived_form, claims, jobs)
 
 
 def claims_of(chosen: Sequence[Kernel], sources: Sequence[str] = ()) -> tuple[Claim, ...]:
@@ -272,19 +128,6 @@ def mutated_kernels(
 def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Notebook]:
     """Run derivations as notebooks, each in a process of its own."""
     return in_processes(run_notebook, derivations, jobs)
-
-
-def _check_module(name: str, engine: str, memory: Memory, recorded: bool) -> CheckedModule:
-    found = derivations_in(name)
-    sections, quotes = [derivation.section for derivation in found], quotes_of(found)
-    claims = [claim for section in sections for claim in section.claims]
-    judgements = [*check(claims, engine, memory=memory)]
-    return CheckedModule(
-        name,
-        tuple(map(outline, sections)),
-        tuple(abridged(judgement) if judgement.as_declared else judgement for judgement in judgements),
-        tuple(claim_record(judgement, quotes) for judgement in judgements) if recorded else (),
-    )
 
 
 def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine: str) -> MutatedKernel:

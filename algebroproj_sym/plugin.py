@@ -46,7 +46,7 @@ def pytest_collect_file(
     collectors = yield
     if not parent.config.getoption("claims") or file_path.suffix != ".py":
         return collectors
-    from algebroproj_sym.declaring import makes_section
+    from algebroproj_sym.papers import makes_section
 
     return [DerivationModule.from_parent(parent, path=file_path)] if makes_section(file_path) else collectors
 
@@ -85,7 +85,7 @@ class ClaimItem(pytest.Item):
     def runtest(self) -> None:
         """Judge the claim."""
         from algebroproj_sym.declaring import judge
-        from algebroproj_sym.reporting import failure_text
+        from algebroproj_sym.reporting.explaining import failure_text
 
         judgement = judge(self.claim, self.config.getoption("claims_engine"))
         self.user_properties += [("verdict", judgement.verdict), ("declared", self.claim.expected)]

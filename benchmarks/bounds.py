@@ -19,7 +19,7 @@ import numpy as np
 import algebroproj
 from algebroproj_sym.declaring import Kernel, kernels
 from algebroproj_sym.generating import Lowered, lower
-from algebroproj_sym.generating.numpy_source import statements
+from algebroproj_sym.generating.backends.numpy.printer import statements
 from algebroproj_sym.verifying import call, function_of, stratified
 
 SAMPLES = 1_000_000

@@ -1,6 +1,6 @@
 """Time of every generated function for a formula, one at a time and in batches.
 
-Run with ``python benchmarks/functions.py speed.json``; ``algebroproj report --speed speed.json`` shows the figures.
+Run with ``python benchmarks/functions.py speed.json``.
 """
 
 from __future__ import annotations

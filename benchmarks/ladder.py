@@ -14,18 +14,19 @@ import mpmath
 import numpy as np
 
 from algebroproj import correlation
+from algebroproj_derivations.studies.stereo.chain import images, simulated
+from algebroproj_derivations.studies.stereo.configurations import near_critical, ordinary
+from algebroproj_derivations.studies.stereo.scenes import Scene
 from algebroproj_sym.study.arithmetics import arb, double_double_balls, float64_balls, mpmath_digits
 from algebroproj_sym.study.ladder import climb
 from algebroproj_sym.study.precision import apply, nearest, radius
-from algebroproj_sym.study.stereo.chain import Configuration, images, simulated
-from algebroproj_sym.study.stereo.configurations import near_critical, ordinary
 
 SAMPLE = 40
 CHECKED_BITS = 300
 CHUNK = 5000
 
 
-def correlation_and_epipoles(batch: Configuration):
+def correlation_and_epipoles(batch: Scene):
     """Return the first part of the chain as a pipeline."""
 
     def pipeline(arithmetic, members):
@@ -37,7 +38,7 @@ def correlation_and_epipoles(batch: Configuration):
     return pipeline
 
 
-def whole_chain(batch: Configuration):
+def whole_chain(batch: Scene):
     """Return the chain as a pipeline."""
     return lambda arithmetic, members: simulated(arithmetic, batch[members])._asdict()
 

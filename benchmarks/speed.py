@@ -27,10 +27,9 @@ import algebroproj
 from algebroproj_sym.declaring import Kernel, kernels
 from algebroproj_sym.expressions import divided, entries
 from algebroproj_sym.generating import Lowered, lower
-from algebroproj_sym.generating.c_elimination import solve_once_body
-from algebroproj_sym.generating.c_source import statements
+from algebroproj_sym.generating.backends.c.plain import solved_once
+from algebroproj_sym.generating.backends.c.printer import solver, statements
 from algebroproj_sym.generating.expansion import expanded
-from algebroproj_sym.generating.plain_source import solved_once
 from algebroproj_sym.verifying import function_of, without_twin
 
 KERNELS = (
@@ -50,7 +49,7 @@ LEAST_SECONDS = 0.002
 DEKKER = """
 #include <math.h>
 #define NAME(name) name
-#define absolute fabs
+#define is_larger(first, second) isgreater(fabs(first), fabs(second))
 #define constant(number) number
 typedef double real;
 static inline double halved(double a) { double c = 134217729.0 * a; return c - (c - a); }
@@ -194,7 +193,7 @@ def c_loop(program: Any, arguments: list[np.ndarray], kernel: Kernel) -> Run:
 def elimination(size: int) -> str:
     """Return the C function that solves systems of one size by elimination with pivoting."""
     head = f"static inline void solve_once_{size}(const real system[{size}][{size + 1}], real solution[{size}])"
-    return f"{head}\n{{\n{chr(10).join(solve_once_body(size))}\n}}"
+    return f"{head}\n{{\n{chr(10).join(solver('solve', size, refined=False)['body'])}\n}}"
 
 
 def formula(kernel: Kernel) -> tuple[list[sympy.Symbol], list[sympy.Expr]]:

@@ -24,11 +24,11 @@ import numpy as np
 import xarray
 
 import algebroproj
+from algebroproj_derivations.studies.stereo.aerial import aerial
+from algebroproj_derivations.studies.stereo.distributions import joint
+from algebroproj_derivations.studies.stereo.scenes import images
 from algebroproj_sym.study import MEMBER, Study
 from algebroproj_sym.study.datasets import variable
-from algebroproj_sym.study.reductions import joint
-from algebroproj_sym.study.stereo.aerial import aerial
-from algebroproj_sym.study.stereo.scenes import images
 from algebroproj_sym.study.sweeping import Sweep, assemble, prepare, run
 
 

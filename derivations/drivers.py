@@ -6,6 +6,8 @@ are called, because their modules offer these functions as their own.
 
 from __future__ import annotations
 
+from fractions import Fraction
+from itertools import combinations, pairwise, permutations, product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -58,13 +60,13 @@ class Classification(NamedTuple):
     Attributes
     ----------
     kind : ndarray of str
-        The affine kind.
+        The affine kind, or "undecided" where the errors of the elements allow several.
     ruled : ndarray of bool
         Whether a real line through each of its real points lies on it.
     rank : ndarray of int
-        Rank of the whole form.
+        Rank of the whole form; -1 where undecided.
     signature : ndarray of int
-        Positive less negative eigenvalues of the whole form.
+        Positive less negative eigenvalues of the whole form; 0 where undecided.
     """
 
     kind: NDArray[Any]
@@ -73,19 +75,19 @@ class Classification(NamedTuple):
     signature: NDArray[Any]
 
 
-def classify(Q: ArrayLike, tolerance: float = 1e-12) -> Classification:  # noqa: N803 - the paper's name
+def classify(Q: ArrayLike, error: ArrayLike = 0) -> Classification:  # noqa: N803 - the paper's name
     """Classify quadrics of affine space.
 
     The eigenvalues of a symmetric matrix are real, so that the signs of the coefficients of its characteristic
     polynomial tell how many of them are positive, negative and zero (rule of Descartes); no eigenvalue is computed.
+    Guaranteed bounds decide the signs.  Where they do not, exact arithmetic does.
 
     Parameters
     ----------
     Q : array_like, shape (..., 4, 4)
-        Symmetric matrices of quadratic forms of (1, y1, y2, y3), up to factors.
-    tolerance : float, optional
-        A coefficient of degree k is taken for zero if it is at most `tolerance` times the k-th power of the largest
-        element.  Exact numbers (object arrays of Fractions or int) are classified exactly with 0.
+        Symmetric matrices of quadratic forms of (1, y1, y2, y3), up to factors, of any real numbers.
+    error : array_like, optional
+        Bounds on the errors of the elements, which broadcast against Q.  By default the numbers are exact.
 
     Returns
     -------
@@ -94,50 +96,140 @@ def classify(Q: ArrayLike, tolerance: float = 1e-12) -> Classification:  # noqa:
     Raises
     ------
     ValueError
-        If Q lacks its core shape, is not symmetric or not finite, or `tolerance` is negative.
+        If Q lacks its core shape, is not real, finite and symmetric, or if an error is negative or not finite.
 
     Examples
     --------
     >>> found = classify([[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, -1]])
     >>> str(found.kind), bool(found.ruled), int(found.rank), int(found.signature)
     ('one-sheeted hyperboloid', True, 4, 0)
+    >>> str(classify([[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, -1]], error=1e-9).kind)
+    'undecided'
     """
-    from . import critical
-
-    forms = np.asarray(Q)
-    if forms.shape[-2:] != (4, 4):
-        raise ValueError(f"classify: expected Q of shape (..., 4, 4), got shape {forms.shape}")
-    if not tolerance >= 0:
-        raise ValueError(f"classify: expected a tolerance of at least 0, got {tolerance}")
-    if not np.all(np.isfinite(forms.astype(np.float64))):
-        raise ValueError("classify: expected finite elements of Q, got infinity or NaN")
-    largest = np.asarray(np.max(np.abs(forms), axis=(-2, -1)))
-    if np.any(np.abs(forms - forms.swapaxes(-1, -2)) > tolerance * largest[..., None, None]):
-        raise ValueError("classify: expected symmetric matrices Q, got one that is not")
-    whole, at_infinity = critical.invariants(forms)
-    rank, signature = _rank_and_signature(whole, largest, tolerance)
-    rank_at_infinity, signature_at_infinity = _rank_and_signature(at_infinity, largest, tolerance)
-    keys = np.stack([rank, np.abs(signature), rank_at_infinity, np.abs(signature_at_infinity)], axis=-1)
-    names = [KINDS.get(tuple(key), "undecided") for key in keys.reshape(-1, 4).tolist()]
-    kind = np.array(names).reshape(rank.shape)
+    forms, errors = _forms_and_errors(Q, error)
+    found = [_classified(*signs) for signs in _signs(forms.reshape(-1, 4, 4), errors.reshape(-1, 4, 4))]
+    columns = np.array(found, dtype=object).reshape(-1, 3).T
+    kind, rank, signature = (
+        column.astype(kind).reshape(forms.shape[:-2]) for column, kind in zip(columns, (str, int, int), strict=True)
+    )
     return Classification(kind, ~np.isin(kind, [*NOT_RULED, "undecided"]), rank, signature)
 
 
-def _rank_and_signature(
-    coefficients: NDArray[Any], largest: NDArray[Any], tolerance: float
-) -> tuple[NDArray[Any], NDArray[Any]]:
+def _forms_and_errors(Q: ArrayLike, error: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:  # noqa: N803
+    forms, errors = np.asarray(Q), np.asarray(error)
+    if forms.shape[-2:] != (4, 4):
+        raise ValueError(f"classify: expected Q of shape (..., 4, 4), got shape {forms.shape}")
+    if np.iscomplexobj(forms):
+        raise ValueError(f"classify: expected real elements of Q, got the type {forms.dtype}")
+    if not np.all(np.isfinite(forms.astype(np.float64))):
+        raise ValueError("classify: expected finite elements of Q, got infinity or NaN")
+    if not np.all((errors >= 0) & np.isfinite(errors.astype(np.float64))):
+        raise ValueError(f"classify: expected errors that are finite and not negative, got {error}")
+    try:
+        errors = np.broadcast_to(errors, forms.shape)
+    except ValueError:
+        raise ValueError(f"classify: expected errors of a shape like {forms.shape}, got {errors.shape}") from None
+    if np.any(np.abs(forms - forms.swapaxes(-1, -2)) > errors + errors.swapaxes(-1, -2)):
+        raise ValueError("classify: expected symmetric matrices Q, got one that is not")
+    return forms, errors
+
+
+Signs = tuple[tuple[int, ...], ...]
+"""For each coefficient of a characteristic polynomial the signs that it may have."""
+
+
+def _signs(forms: NDArray[Any], errors: NDArray[Any]) -> list[tuple[Signs, Signs]]:
+    """Return the signs of the coefficients, of each whole form and of its block at infinity."""
+    fast = [_possible(part) for part in _intervals_of_floats(forms, errors)] if forms.dtype == np.float64 else []
+    found = []
+    for place, (form, error) in enumerate(zip(forms, errors, strict=True)):
+        signs = tuple(part[place] for part in fast)
+        if not fast or any(len(possible) > 1 for part in signs for possible in part):
+            signs = tuple(_possible(part)[0] for part in _intervals(_fractions(form)[None], _fractions(error)[None]))
+        found.append((signs[0], signs[1]))
+    return found
+
+
+def _fractions(numbers: NDArray[Any]) -> NDArray[Any]:
+    exact = [Fraction(*(int(part) for part in number.as_integer_ratio())) for number in numbers.astype(object).flat]
+    return np.array(exact, dtype=object).reshape(numbers.shape)
+
+
+Interval = tuple[NDArray[Any], NDArray[Any]]
+"""Midpoints and radii."""
+
+
+def _intervals_of_floats(forms: NDArray[Any], errors: NDArray[Any]) -> list[Interval]:
+    """Return intervals that hold the coefficients, with all rounding errors."""
+    from . import bounds, critical
+
+    with np.errstate(all="ignore"):
+        computed = bounds(critical.invariants)(forms)
+        radii = _radii(np.abs(forms), errors.astype(np.float64), 1e-12)
+        return [(value, bound + radius) for (value, bound), radius in zip(computed, radii, strict=True)]
+
+
+def _intervals(forms: NDArray[Any], errors: NDArray[Any]) -> list[Interval]:
+    """Return exact intervals of the coefficients of exact matrices."""
+    from . import critical
+
+    return [*zip(critical.invariants(forms), _radii(np.abs(forms), errors, 0), strict=True)]
+
+
+def _radii(magnitudes: NDArray[Any], errors: NDArray[Any], rounding: float) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return how far errors of the elements can change the coefficients, and the same for the block at infinity."""
+    if not np.any(errors):
+        return np.zeros_like(magnitudes[..., 0]), np.zeros_like(magnitudes[..., 0, :3])
+
+    def radius(places: range) -> NDArray[Any]:
+        before, after = _permanents(magnitudes, places), _permanents(magnitudes + errors, places)
+        return after - before + rounding * (after + np.finfo(np.float64).tiny) if rounding else after - before
+
+    return radius(range(4)), radius(range(1, 4))
+
+
+def _permanents(matrix: NDArray[Any], places: range) -> NDArray[Any]:
+    """Return for each order the sum of the principal minors, with plus signs in their expansion."""
+    sums = []
+    for order in range(1, len(places) + 1):
+        pairs = ((rows, columns) for rows in combinations(places, order) for columns in permutations(rows))
+        sums.append(sum(np.prod([matrix[..., i, j] for i, j in zip(*pair, strict=True)], axis=0) for pair in pairs))
+    return np.stack(sums, axis=-1)
+
+
+def _possible(interval: Interval) -> list[Signs]:
+    """Return the signs that the coefficients may have; a comparison with NaN decides nothing."""
+    values, radii = interval
+    known = np.where(values > radii, 1, np.where(values < -radii, -1, 0)).tolist()
+    exact = (radii == 0).tolist()
+    return [
+        tuple((sign,) if sign or sure else (-1, 0, 1) for sign, sure in zip(*row, strict=True))
+        for row in zip(known, exact, strict=True)
+    ]
+
+
+def _classified(whole: Signs, at_infinity: Signs) -> tuple[str, int, int]:
+    """Return kind, rank and signature, if the signs allow one kind only."""
+    kinds = {
+        (KINDS[rank, abs(signature), *other], rank, signature)
+        for rank, signature in _ranks_and_signatures(whole)
+        for other in {(r, abs(s)) for r, s in _ranks_and_signatures(at_infinity)}
+        if (rank, abs(signature), *other) in KINDS
+    }
+    return kinds.pop() if len(kinds) == 1 else ("undecided", -1, 0)
+
+
+def _ranks_and_signatures(signs: Signs) -> set[tuple[int, int]]:
     """Count the roots that are not zero, and the positive less the negative ones, of real-rooted polynomials."""
-    last = np.ones(largest.shape, dtype=int)
-    changes = np.zeros(largest.shape, dtype=int)
-    rank = np.zeros(largest.shape, dtype=int)
-    for place in range(coefficients.shape[-1]):
-        coefficient = coefficients[..., place]
-        zero = np.abs(coefficient) <= tolerance * largest ** (place + 1)
-        sign = np.where(zero, 0, np.where(coefficient > 0, 1, -1))
-        changes = changes + (sign * last == -1)
-        last = np.where(sign == 0, last, sign)
-        rank = np.where(sign == 0, rank, place + 1)
-    return rank, 2 * changes - rank
+    found = set()
+    for chosen in product(*signs):
+        rank = max((place for place, sign in enumerate(chosen, 1) if sign), default=0)
+        inner = (1, *chosen[:rank])
+        pairs = list(pairwise(sign for sign in inner if sign))
+        changes = sum(a != b for a, b in pairs)
+        if all(inner[k - 1] * inner[k + 1] == -1 for k in range(1, rank) if not inner[k]):
+            found.add((rank, 2 * changes - rank))
+    return found
 
 
 class Adjustment(NamedTuple):

@@ -80,7 +80,9 @@ def _formula(self, node, block):
 
 def _figures():
     """Return the table of errors, from what ``algebroproj verify --out generated`` has written."""
-    functions = json.loads((ROOT / "generated" / "accuracy.json").read_text(encoding="utf-8"))["functions"]
+    functions = json.loads((ROOT / "generated" / "algebroproj" / "accuracy.json").read_text(encoding="utf-8"))[
+        "functions"
+    ]
     keys, heads = ("median_ulp", "thousandth_ulp", "max_ulp"), ("median", "99.9 %", "largest")
     columns = ["function", "stratum", "samples", *heads, *(f"plain: {head}" for head in heads)]
     lines = [f"| {' | '.join(columns)} |", f"|---|---|{'--:|' * (len(columns) - 2)}"]

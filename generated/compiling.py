@@ -23,8 +23,8 @@ OPTIONS = ["/fp:precise"] if sys.platform == "win32" else ["-std=c99", "-g0", *V
 
 def extension(folder):
     """Return the extension module whose source is in a folder."""
-    source = Path(folder) / "_compiled.c"
-    headers = sorted(str(path) for path in Path(folder).glob("*.h"))
+    source = Path(folder) / "_c" / "compiled.c"
+    headers = sorted(str(path) for path in source.parent.glob("*.h"))
     return Extension(
         "algebroproj._compiled",
         [source.as_posix()],
@@ -41,7 +41,7 @@ class Build(build_ext):
     def build_extension(self, extension):
         """Take the module that lies beside its source if it is newer than the source, or else compile it."""
         sources = [Path(name) for name in (*extension.sources, *extension.depends)]
-        before = sources[0].parent / Path(self.get_ext_filename(extension.name)).name
+        before = sources[0].parent.parent / Path(self.get_ext_filename(extension.name)).name
         if self.editable_mode and before.exists() and all(_older(source, before) for source in sources):
             self.mkpath(str(Path(self.get_ext_fullpath(extension.name)).parent))
             self.copy_file(str(before), self.get_ext_fullpath(extension.name))

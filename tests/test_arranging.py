@@ -9,11 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj_sym import Section
-from algebroproj_sym.declaring import arranged, as_declared, in_names, judge, named_latex, select, shown
-from algebroproj_sym.declaring.arranging import value_of
-from algebroproj_sym.declaring.latex import latex
+from algebroproj_sym.declaring import judge, select
 from algebroproj_sym.expressions import Matrix, columns, entries, evaluate, inverse, over, symbols_of, vector
-from algebroproj_sym.remembering.key import key_of
+from algebroproj_sym.showing import arranged, as_declared, in_names, named_latex, shown
+from algebroproj_sym.showing.arranging import value_of
+from algebroproj_sym.showing.latex import latex
 
 x, y, z, a, f = sympy.symbols("x y z a f")
 sums = st.recursive(
@@ -93,7 +93,6 @@ def test_a_claim_that_is_sent_elsewhere_leaves_its_source_behind_and_is_the_same
     sent = pickle.loads(pickle.dumps(claim))
     assert sent.source is None
     assert sent == claim
-    assert key_of(sent, "flint") == key_of(claim, "flint")
     assert shown(as_declared(sent, "printed")) == "-x + y"
     assert judge(sent).verdict == "proved"
 

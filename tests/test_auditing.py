@@ -18,6 +18,7 @@ from algebroproj_sym.auditing import (
     UnreadableError,
     audit,
     audited,
+    lines_of,
     misplaced,
     numbers_in,
     read_formula,
@@ -30,7 +31,7 @@ from algebroproj_sym.declaring import DeclarationError, Quotations, Quote, locat
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving import prove
-from algebroproj_sym.reporting import audit_counts, audit_record, audited_share
+from algebroproj_sym.reporting.audits import audit_counts, audit_record, audited_share
 
 x, y, D, u1, u2, up1, upp31, mu1, mu2, y01, z11 = sympy.symbols("x y D u1 u2 up1 upp31 mu1 mu2 y01 z11")
 DEMO = Table(
@@ -403,6 +404,40 @@ def test_the_command_audits_a_folder_of_ones_own(folder):
     }
 
 
+def test_the_lines_that_a_claim_quotes_and_the_others_are_listed(folder):
+    (folder / "lines.txt").write_text(
+        "On lines\n$$s = x + 2 \\eta$$\n\n$$\n\\begin{bmatrix}\nx \\\\ y\n$$\n(1)\n", encoding="utf-8"
+    )
+    result = run(folder, "--papers", folder, "--coverage")
+    assert result.exit_code == 0
+    assert result.output == (
+        "lines: claims quote 1 of 2 displays, and 1 of 5 lines with text\n"
+        "  displays that no claim quotes, by first line: 4\n"
+        "  other lines that no claim quotes: 1, 8\n"
+    )
+    lines = json.loads(run(folder, "--papers", folder, "--coverage", "--format", "json").stdout)["papers"]["lines"]
+    assert [(line["number"], line["display"], line["claims"]) for line in lines] == [
+        (1, None, []),
+        (2, 2, ["1.1"]),
+        (5, 4, []),
+        (6, 4, []),
+        (8, None, []),
+    ]
+
+
+def test_a_quote_of_several_lines_covers_all_of_them(tmp_path):
+    file = tmp_path / "paper.txt"
+    file.write_text("$$x = y\n+ 1\n+ 2$$ and\n$$z = x$$\n", encoding="utf-8")
+    assert lines_of(Quote(("1.1",), 1, ("x = y + 1 + 2", "z = x")), file) == {1, 2, 3, 4}
+    assert lines_of(Quote(("1.1",), 2, ("x = y",)), file) == set()
+
+
+def test_coverage_needs_the_papers(folder):
+    result = run(folder, "--coverage")
+    assert result.exit_code == 2
+    assert "--papers DIR" in result.output
+
+
 def test_the_command_says_plainly_that_the_papers_are_not_there(folder):
     result = run(folder)
     assert result.exit_code == 0
@@ -426,7 +461,7 @@ def test_the_command_fails_for_a_slip_and_for_a_quote_of_nothing(folder):
     quotes.write_text(QUOTES.replace('"1.1"', '"1.1", "1.2"'), encoding="utf-8")
     result = run(folder)
     assert result.exit_code == 1
-    assert "quoted, but no claim: 1.2" in result.output
+    assert "quotes that belong to no claim: 1.2" in result.output
 
 
 def test_explain_shows_the_quote(folder):

@@ -6,16 +6,16 @@ import flint
 import numpy as np
 import pytest
 
-from algebroproj_sym.generating.runtime._bounded_primitives import (
+from algebroproj_sym.generating.runtime.bounded_primitives import (
     arctan2_with_bound,
     cos_sin_with_bounds,
     null_vector_with_bounds,
     solution_with_bounds,
 )
-from algebroproj_sym.generating.runtime._double_double import DoubleDouble
-from algebroproj_sym.generating.runtime._error_bounds import Bounded
-from algebroproj_sym.generating.runtime._pair_systems import null_vector_of_pairs, solution_of_pairs
-from algebroproj_sym.generating.runtime._primitives import arctan2, cos_sin, null_vector, solve
+from algebroproj_sym.generating.runtime.double_double import DoubleDouble
+from algebroproj_sym.generating.runtime.elimination import null_vector_of, solution_of
+from algebroproj_sym.generating.runtime.error_bounds import Bounded
+from algebroproj_sym.generating.runtime.primitives import arctan2, cos_sin, null_vector, solve
 
 BATCH = 12
 nearness = pytest.mark.parametrize("nearness", [1.0, 1e-4, 1e-9])
@@ -50,7 +50,7 @@ def value_of(pair, member):
 @nearness
 def test_solutions_of_pairs_have_twice_the_digits_less_those_of_the_condition(nearness):
     rows = systems(5, nearness)
-    unknowns = solution_of_pairs([[DoubleDouble(entry) for entry in row] for row in rows])
+    unknowns = solution_of([[DoubleDouble(entry) for entry in row] for row in rows])
     for member in range(BATCH):
         exact = exact_solution(rows[:, :-1, member].tolist(), rows[:, -1, member].tolist())
         largest = max(map(abs, exact))
@@ -61,7 +61,7 @@ def test_solutions_of_pairs_have_twice_the_digits_less_those_of_the_condition(ne
 @nearness
 def test_null_vectors_of_pairs(nearness):
     rows = systems(6, nearness)
-    vector = null_vector_of_pairs([[DoubleDouble(entry) for entry in row] for row in rows])
+    vector = null_vector_of([[DoubleDouble(entry) for entry in row] for row in rows])
     for member in range(BATCH):
         one = next(j for j, component in enumerate(vector) if value_of(component, member) == 1)
         exact = exact_null_vector(rows[:, :, member].tolist(), one)

@@ -45,6 +45,7 @@ READ_PAGE = """() => {
 }"""
 
 pytestmark = [
+    pytest.mark.whole,
     pytest.mark.xdist_group("browser"),
     pytest.mark.skipif(
         CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium; install Debian's package chromium"
@@ -213,5 +214,5 @@ def test_every_page_reads_without_a_script(site, browser):
     assert page.locator("math").count() > 3
     assert page.locator("math").first.bounding_box()["width"] > 0
     page.goto((site / "search.html").as_uri())
-    assert "The search needs a script." in page.locator("main").inner_text()
+    assert "The search needs JavaScript." in page.locator("main").inner_text()
     page.close()

@@ -15,7 +15,7 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import over, vector
 from algebroproj_sym.generating import PACKAGE, Program, Step, c_files, c_name, lower
-from algebroproj_sym.generating.c_source import LONGEST, stamped, statements
+from algebroproj_sym.generating.backends.c.printer import LONGEST, solver, stamped, statements
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, kernel_outputs, source_of
 from algebroproj_sym.verifying.proof_of_c_source import (
@@ -26,7 +26,7 @@ from algebroproj_sym.verifying.proof_of_c_source import (
     solver_is_proved,
 )
 
-FOLDER = Path(__file__).resolve().parent.parent / "generated" / PACKAGE
+FOLDER = Path(__file__).resolve().parent.parent / "generated" / PACKAGE / "_c"
 TEXT = "".join((FOLDER / name).read_text(encoding="utf-8") for name in KERNELS)
 SOURCE = source_of(TEXT)
 COMPILED = {kernel.qualified_name: kernel for kernel in kernels() if c_name(kernel) in SOURCE.kernels}
@@ -103,7 +103,7 @@ def test_a_planted_error_in_a_kernel_is_found(old, new):
         example={"p": ("0.5", "0.25")},
         describe={"p": "A point."},
     )
-    text = c_files([lower(kernel)], "")["_kernels.h"]
+    text = c_files([lower(kernel)], "")["kernels.h"]
     assert kernel_is_proved(kernel, source_of(text))
     wrong = changed(text, old, new)
     try:
@@ -126,31 +126,65 @@ def test_each_exchange_of_one_operator_in_the_plain_source_of_a_kernel_is_found(
         assert not kernel_is_proved(COMPILED[name], replace(source, kernels={c_name(COMPILED[name]): wrong})), place
 
 
-@pytest.mark.parametrize(
-    ("name", "height", "old", "new"),
-    [
-        ("solve", 5, "const real f0_1 = a1_0 / a0_0;", "const real f0_1 = a1_0 / a1_1;"),
-        ("solve", 5, "a4_4 = a4_4 - f0_4 * a0_4;", "a4_4 = a4_4 + f0_4 * a0_4;"),
-        ("solve", 5, "a0_3 = swap0_2 ? a2_3 : a0_3;", "a0_3 = swap0_1 ? a2_3 : a0_3;"),
-        ("solve", 5, "b3 = swap1_3 ? kept : b3;", "b3 = swap1_3 ? b3 : kept;"),
-        ("solve", 5, "h3 = s3_4;", "h3 = s3_3;"),
-        ("solve", 5, "real h2 = system[2][5];", "real h2 = system[2][4];"),
-        ("solve", 5, "solution[2] = y2;", "solution[2] = y3;"),
-        ("null_vector", 8, "x7 = x7 - a7_8 * x8;", "x7 = x7 + a7_8 * x8;"),
-        ("null_vector", 8, "solution[3] = y3 / largest;", "solution[3] = y4 / largest;"),
-    ],
-)
-def test_a_planted_error_in_a_solver_is_found(name, height, old, new, source):
-    body = source.solvers[f"{name}_{height}"]
-    assert body.count(old) == 1
-    wrong = replace(source, solvers={f"{name}_{height}": body.replace(old, new)})
-    assert not solver_is_proved(wrong, name, height)
+def small(primitive, refined):
+    """Return the source of a function that solves systems of two equations, its name and its body."""
+    parts = solver(primitive, 2, refined)
+    head = "SOLVER" if refined else "SOLVER_ONCE"
+    body = "\n".join(f"    {line}" for line in parts["body"])
+    source = source_of(f"{head}({primitive}, 2, {parts['width']})\n{{\n{body}\n}}\n")
+    ((name, body),) = source.solvers.items()
+    return source, name, body
+
+
+def is_found(source, name, body, primitive, refined):
+    wrong = replace(source, solvers={name: body})
+    try:
+        return not solver_is_proved(wrong, primitive, 2, once=not refined)
+    except NotUnderstoodError:
+        return True
+
+
+@pytest.mark.parametrize("refined", [False, True])
+@pytest.mark.parametrize("primitive", ["solve", "null_vector"])
+def test_each_exchange_of_an_operator_or_of_a_choice_in_an_elimination_is_found(primitive, refined):
+    """Elimination is what is done before the residual; of error terms, which are zero here, there are other tests."""
+    source, name, body = small(primitive, refined)
+    assert solver_is_proved(source, primitive, 2, once=not refined)
+    elimination = body.partition("product_error")[0]
+    if primitive == "null_vector" and not refined:
+        elimination = elimination.rsplit("is_larger", 2)[0]  # the largest component is taken for 1
+    places = list(re.finditer(r"(?<== )(\w+) ([-+*/]) (\w+)(?=;)", elimination))
+    assert len(places) >= 6
+    other = {"+": "-", "-": "+", "*": "+", "/": "*"}
+    for place in places:
+        wrong = f"{body[: place.start(2)]}{other[place[2]]}{body[place.end(2) :]}"
+        assert is_found(source, name, wrong, primitive, refined), place
+    first_comparison = re.search(r"const int (\w+) = is_larger", body)[1]
+    choices = list(re.finditer(rf"{first_comparison} \? (\w+) : (\w+);", elimination))
+    assert len(choices) >= 4
+    for place in choices:
+        wrong = f"{body[: place.start()]}{first_comparison} ? {place[2]} : {place[1]};{body[place.end() :]}"
+        assert is_found(source, name, wrong, primitive, refined), place
+
+
+@pytest.mark.parametrize("primitive", ["solve", "null_vector"])
+def test_errors_planted_in_the_refinement_are_found(primitive):
+    source, name, body = small(primitive, refined=True)
+    negated = list(re.finditer(r"= -(\w+);", body))
+    errors = list(re.finditer(r"product_error\((\w+), (\w+), (\w+)\)", body))
+    corrected = list(re.finditer(r"const int \w+ = (\w+) - (\w+) == 0;", body))
+    solution = list(re.finditer(r"solution\[(\d)\] = ", body))
+    assert min(len(negated), len(errors), len(corrected), len(solution)) >= 2
+    wrong = [f"{body[: p.start()]}= {p[1]};{body[p.end() :]}" for p in negated]
+    wrong += [f"{body[: p.start()]}product_error({p[1]}, {p[1]}, {p[3]}){body[p.end() :]}" for p in errors]
+    wrong += [f"{body[: p.start(1)]}{1 - int(p[1]) if int(p[1]) < 2 else 0}{body[p.end(1) :]}" for p in solution]
+    for text in wrong:
+        assert is_found(source, name, text, primitive, refined=True), text
 
 
 @pytest.mark.parametrize(
     ("old", "new"),
     [
-        ("return (a - (s - t)) + (b - t);", "return (a - (s - t)) + (b + t);"),
         ("const real a_low = a - a_high;", "const real a_low = a + a_high;"),
         ("(((a_high * b_high - p)", "(((a_high * b_high + p)"),
         ("multiply_add(a, b, -p)", "multiply_add(a, b, p)"),
@@ -249,17 +283,18 @@ def test_a_loop_over_other_points_is_refused():
 
 def test_a_package_without_its_c_source_is_not_proved(tmp_path):
     package = SimpleNamespace(__file__=str(tmp_path / "__init__.py"))
+    (tmp_path / "_c").mkdir()
     assert not c_source_is_proved(lower(demonstration()), package)
     files = c_files([lower(demonstration())], "")
     for name in KERNELS:
         assert not c_source_is_proved(lower(demonstration()), package)
-        (tmp_path / name).write_text(files[name], encoding="utf-8")
+        (tmp_path / "_c" / name).write_text(files[name], encoding="utf-8")
     assert c_source_is_proved(lower(demonstration()), package)
 
 
 def test_names_that_c_does_not_leave_free_are_changed():
     kernel = demonstration(symbols="double value_0")
-    text = c_files([lower(kernel)], "")["_kernels.h"]
+    text = c_files([lower(kernel)], "")["kernels.h"]
     assert "const real double" not in text
     assert kernel_is_proved(kernel, source_of(text))
 
@@ -290,7 +325,7 @@ def test_the_formulas_are_c99_without_warnings(compiler, text, tmp_path):
         #define multiply_add fma
         #define product_error NAME(split_product_error)
         #define within(range, operand) multiply_add(operand, operand, range)
-        #define absolute fabs
+        #define is_larger(first, second) isgreater(fabs(first), fabs(second))
         #define NAME(name) name
         #define INLINE(name) static inline real name
         #define SOLVER(name, height, width) \\

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 import algebroproj
 from algebroproj import correlation, metric, normal_case, optics, projection, space
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.generating.runtime._evaluation import Signature, evaluate
-from algebroproj_sym.verifying import function_of, load_package
+from algebroproj_sym.generating.runtime.evaluation import Signature, evaluate
+from algebroproj_sym.verifying import function_of, load_package, without_twin
 
 PAIR = Signature("pair", (("x", (2,)), ("M", (2, 2)), ("s", ())), ((), (2, 2)), block=7)
 SHAPES = [(), (1,), (5,), (30,), (3, 1), (1, 4), (6, 5), (2, 1, 5)]
@@ -238,3 +238,18 @@ def test_tensors_need_what_speaks_for_them(monkeypatch):
     monkeypatch.setitem(sys.modules, "array_api_compat.torch", None)
     with pytest.raises(TypeError, match="expected the package array-api-compat"):
         optics.scale(1.0, Tensor())
+
+
+@pytest.mark.parametrize("function", [optics.scale, projection.mu_from_center, correlation.epipoles])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.complex128, object])
+def test_a_single_point_is_written_to_out_by_the_numpy_source_as_well(function, dtype):
+    source = without_twin(function)
+    signature = function.__globals__[f"_{function.__name__.upper()}_SIGNATURE"]
+    generator = np.random.default_rng(8)
+    given = [generator.uniform(1, 2, core).astype(dtype) for _, core in signature.arguments]
+    results = [np.empty(core, dtype) for core in signature.results]
+    out = tuple(results) if len(results) > 1 else results[0]
+    wanted = source(*given)
+    assert source(*given, out=out) is out
+    for result, expected in zip(results, wanted if len(results) > 1 else (wanted,), strict=True):
+        np.testing.assert_array_equal(result, expected)

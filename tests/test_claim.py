@@ -76,39 +76,41 @@ def test_another_number_is_refused(number):
     assert repr(number) in str(raised.value)
 
 
-@pytest.mark.parametrize("verdict", ["misprint", "illegible"])
+@pytest.mark.parametrize("verdict", ["misprint", "error", "illegible"])
 def test_a_misprint_or_an_illegible_formula_needs_its_corrected_form(verdict):
-    with pytest.raises(DeclarationError, match=rf"claim demo:1\.1: .*{verdict} needs its corrected form"):
+    with pytest.raises(
+        DeclarationError, match=rf"claim demo:1\.1, corrected: expected a form for a claim declared {verdict}"
+    ):
         identity(expect=verdict, printed=None if verdict == "illegible" else x)
 
 
 def test_a_false_statement_needs_what_is_true_instead():
-    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: .*false needs `instead`"):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, instead: expected the number of the true claim"):
         identity(expect="false")
 
 
 def test_a_missing_print_is_for_illegible_formulas_only():
-    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: printed is missing exactly if"):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, printed: expected "):
         identity(printed=None)
-    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: printed is missing exactly if"):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, printed: expected "):
         identity(printed=x, corrected=y, expect="illegible")
     assert identity(printed=None, corrected=y, expect="illegible").printed is None
 
 
 def test_only_a_definition_has_no_derived_form():
-    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: derived is missing exactly if"):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, derived: expected "):
         identity(derived=None)
 
 
 @pytest.mark.parametrize("verdict", ["open", "true", "", "Proved"])
 def test_an_expected_verdict_is_one_of_those_that_can_be_expected(verdict):
-    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: expected one of the verdicts") as raised:
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, expect: expected one of proved, ") as raised:
         identity(expect=verdict)
     assert repr(verdict) in str(raised.value)
 
 
 def test_the_verdicts_are_those_of_the_contract():
-    assert set(VERDICTS) == {"proved", "misprint", "false", "illegible", "definition", "open"}
+    assert set(VERDICTS) == {"proved", "misprint", "error", "false", "illegible", "definition", "open"}
 
 
 @pytest.mark.parametrize(
@@ -153,11 +155,11 @@ def test_a_printed_number_is_compared_with_a_number(derived):
         numeric("1", derived)
 
 
-@pytest.mark.parametrize("kind", ["structure", "vanishing"])
-def test_constraints_are_for_identities(kind):
+@pytest.mark.parametrize(("kind", "derived"), [("structure", vector(y)), ("vanishing", y)])
+def test_constraints_are_for_identities(kind, derived):
     declare = getattr(Section("demo", "1", "Demonstration"), kind)
-    with pytest.raises(DeclarationError, match=r"claim demo:1\.1: .*constraints"):
-        declare("1.1", "a title", printed=vector(x), derived=y, constraints=[z])
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, constraints: expected none"):
+        declare("1.1", "a title", printed=vector(x), derived=derived, constraints=[z])
 
 
 FORMS = pytest.mark.parametrize("form", ["printed", "derived", "where", "constraints", "nonzero"])

@@ -9,13 +9,14 @@ import sys
 import time
 from importlib import import_module
 
+import click
 import pytest
 from click.testing import CliRunner
 
-from algebroproj_sym.cli import main, steps
+from algebroproj_sym.cli import SUMMARIES, group, main, steps
 from algebroproj_sym.declaring import derivation_at, select
 from algebroproj_sym.files import write_texts
-from algebroproj_sym.reporting import NotebookError, run_notebook
+from algebroproj_sym.reporting.notebooks import NotebookError, run_notebook
 from algebroproj_sym.scaffolding import create
 
 COLOR = re.compile(r"\x1b\[[0-9;]*3[0-7][0-9;]*m")
@@ -65,7 +66,7 @@ def wrong(tmp_path_factory):
 def test_help_shows_the_commands_in_the_order_of_their_use():
     output = run("--help").output
     listed = re.findall(r"^  (\w+)  +[A-Z]", output, flags=re.MULTILINE)
-    assert [name for name in listed if name in main.commands] == list(main.commands)
+    assert [name for name in listed if name in SUMMARIES] == list(SUMMARIES)
     assert listed[0] == "new"
     assert "Typical commands" in output
     assert "Exit status" in output
@@ -74,14 +75,56 @@ def test_help_shows_the_commands_in_the_order_of_their_use():
 def test_the_commands_that_help_shows_exist():
     shown = re.findall(r"^ +algebroproj (\w+)", run("--help").output, flags=re.MULTILINE)
     assert len(shown) >= 4
-    assert set(shown) <= set(main.commands)
+    assert set(shown) <= set(SUMMARIES)
 
 
-@pytest.mark.parametrize("command", list(main.commands))
+@pytest.mark.parametrize("command", list(SUMMARIES))
 def test_every_command_has_a_help_with_one_sentence_first(command):
     output = run(command, "--help")
     assert output.exit_code == 0
+    assert main.get_command(click.Context(main), command).get_short_help_str(200) == SUMMARIES[command]
     assert output.output.split("\n\n")[1].strip().split("\n")[0][0].isupper()
+
+
+def test_help_and_completion_import_no_mathematics():
+    script = (
+        "import sys; from algebroproj_sym.cli import main, check, explain; main(['--help'], standalone_mode=False)\n"
+        "print({'sympy', 'numpy', 'flint', 'rich'} & {*sys.modules})"
+    )
+    for words in ({}, {"_ALGEBROPROJ_COMPLETE": "bash_complete", "COMP_WORDS": "algebroproj ch", "COMP_CWORD": "1"}):
+        command = [sys.executable, "-c", script]
+        found = subprocess.run(command, capture_output=True, text=True, check=True, env=os.environ | words)
+        assert found.stdout.splitlines()[-1] == "set()"
+
+
+def test_check_of_a_number_imports_nothing_that_makes_functions():
+    script = (
+        "import sys; from algebroproj_sym.cli import main\n"
+        "main(['check', 'rhodos1990:1.1'], standalone_mode=False)\n"
+        "print({'numpy', 'scipy', 'algebroproj_sym.generating', 'algebroproj_sym.verifying'} & {*sys.modules})"
+    )
+    found = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert found.stdout.splitlines()[-1] == "set()"
+
+
+def test_the_advice_is_for_errors_that_there_are():
+    from algebroproj_sym import declaring, expressions, generating, pipeline, proving, reporting, verifying
+
+    homes = (declaring, expressions, generating, pipeline, proving, reporting, verifying)
+    for name in (*group.NEXT, *group.WRONG_USAGE):
+        assert any(issubclass(vars(home)[name], Exception) for home in homes if name in vars(home)), name
+
+
+def test_the_options_name_what_there_is():
+    from algebroproj_sym.generating import PACKAGE
+    from algebroproj_sym.proving import ENGINES
+
+    def parameter(command, name):
+        found = main.get_command(click.Context(main), command).params
+        return next(each for each in found if each.name == name)
+
+    assert parameter("check", "engine").type.choices == ENGINES
+    assert parameter("build", "package").default == PACKAGE
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
@@ -162,7 +205,7 @@ def test_a_report_without_what_it_needs_says_how_to_install_that(options, missin
 def test_a_build_that_is_not_as_declared_says_why_and_writes_the_ledger(wrong, tmp_path):
     result = run("build", "--derivations", wrong, "--name", "functions", "--out", tmp_path)
     assert result.exit_code == 1
-    assert "there derived" in result.stderr
+    assert "at this point derived" in result.stderr
     assert (tmp_path / "ledger.json").is_file()
 
 
@@ -212,6 +255,7 @@ def test_a_module_that_goes_wrong_is_an_error_with_a_name(tmp_path, cell, messag
     assert "Traceback" not in result.output
 
 
+@pytest.mark.extra("report")
 def test_an_exception_in_a_cell_is_an_error_that_names_the_cell(tmp_path):
     module = tmp_path / "mine.py"
     cell = "if 'IPython' in sys.modules: raise ValueError('only in a notebook')"

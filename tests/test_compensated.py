@@ -8,8 +8,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from algebroproj_sym.generating.runtime._compensated import Compensated, double_double, rounded, rounded_twice, wide
-from algebroproj_sym.generating.runtime._double_double import DoubleDouble
+from algebroproj_sym.generating.runtime.compensated import Compensated, double_double, rounded, rounded_twice, wide
+from algebroproj_sym.generating.runtime.double_double import DoubleDouble
 
 U = Fraction(2) ** -53
 sizes = st.floats(min_value=1e-30, max_value=1e30)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import algebroproj
-from algebroproj._backend import evaluated
+from algebroproj._runtime.backend import evaluated
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.verifying import without_twin
 from algebroproj_sym.verifying.identity import SPECIAL, same_bits
@@ -376,8 +376,8 @@ import algebroproj
 source, target = Path(algebroproj.__file__).parent, Path("copied")
 shutil.copytree(source, target, ignore=shutil.ignore_patterns({ignored}))
 if {stale}:
-    text = (target / "_backend.py").read_text()
-    (target / "_backend.py").write_text(text.replace("DIGEST = \\"", "DIGEST = \\"0"))
+    text = (target / "_runtime" / "backend.py").read_text()
+    (target / "_runtime" / "backend.py").write_text(text.replace("DIGEST = \\"", "DIGEST = \\"0"))
 import os
 os.environ["ALGEBROPROJ_BACKEND"] = "{wanted}"
 sys.path.insert(0, ".")

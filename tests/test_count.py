@@ -196,7 +196,7 @@ def test_a_count_needs_its_variables(engine):
 
 
 def test_a_count_has_no_constraints():
-    with pytest.raises(DeclarationError, match="expected constraints for an identity, got them for count"):
+    with pytest.raises(DeclarationError, match="constraints: expected none for a claim of kind count"):
         judged(1, x * y, (x, y), constraints=[x - y])
 
 

@@ -7,8 +7,8 @@ import sympy
 
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import judge, select
-from algebroproj_sym.declaring.display import evidence_lines, markdown
 from algebroproj_sym.expressions import Matrix, over, vector
+from algebroproj_sym.showing.display import evidence_lines, markdown
 
 x, y, u31 = sympy.symbols("x y u31")
 
@@ -121,11 +121,6 @@ def test_an_open_claim_shows_why_it_is(section):
     heading, _, rest = paragraphs(claim)
     assert heading == "**(1.2)** no zero: **open, declared proved**"
     assert "no rational point" in rest
-
-
-def test_a_notebook_shows_the_same(section):
-    claim = section.identity("1.2", "a square", printed=x**2, derived=x * x)
-    assert claim._repr_markdown_() == markdown(judge(claim))
 
 
 def test_the_evidence_of_the_command_line_is_part_of_what_a_notebook_shows(section):

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from algebroproj_sym.generating.runtime._double_double import (
+from algebroproj_sym.generating.runtime.double_double import (
     DoubleDouble,
     Unrounded,
     product_error,

@@ -67,7 +67,7 @@ def test_the_kind_of_a_quadric_is_affinely_invariant(kind, linear, shift, factor
     change[1:, 1:] = linear
     change[1:, 0] = shift
     form = exact(change.T) @ exact(NORMAL_FORMS[kind]) @ exact(change) * factor
-    found = critical.classify(form, tolerance=0)
+    found = critical.classify(form)
     eigenvalues = np.linalg.eigvalsh(np.array(NORMAL_FORMS[kind], dtype=float))
     assert str(found.kind) == kind
     assert bool(found.ruled) is (kind in WITH_REAL_LINES)
@@ -96,18 +96,92 @@ def test_the_critical_quadric_of_points_on_a_sphere_is_no_ruled_one():
     assert not sphere.ruled
 
 
+def ellipsoids(count, distance, seed=5):
+    """Return the forms of random ellipsoids whose centers are at a distance from the origin."""
+    generator = np.random.default_rng(seed)
+    turns = np.linalg.qr(generator.normal(size=(count, 3, 3)))[0]
+    shape = turns @ (generator.uniform(0.5, 2, size=(count, 3))[..., None] * turns.swapaxes(-1, -2))
+    shape = (shape + shape.swapaxes(-1, -2)) / 2
+    center = generator.normal(size=(count, 3, 1))
+    center *= distance / np.linalg.norm(center, axis=-2, keepdims=True)
+    forms = np.empty((count, 4, 4))
+    forms[:, 1:, 1:] = shape
+    forms[:, 1:, :1] = -shape @ center
+    forms[:, :1, 1:] = forms[:, 1:, :1].swapaxes(-1, -2)
+    forms[:, :1, :1] = center.swapaxes(-1, -2) @ shape @ center - 1
+    return forms
+
+
+@pytest.mark.parametrize("distance", [0.0, 1.0, 100.0, 1e5])
+def test_an_ellipsoid_is_one_wherever_it_lies(distance):
+    found = critical.classify(ellipsoids(100, distance))
+    assert set(found.kind.tolist()) == {"ellipsoid"}
+
+
+@pytest.mark.parametrize("radius", [1e-100, 1e-3, 100.0, 1e100])
+def test_a_sphere_is_an_ellipsoid_of_any_size(radius):
+    assert str(critical.classify(np.diag([-(radius**2), 1, 1, 1])).kind) == "ellipsoid"
+
+
+@pytest.mark.parametrize("factor", [1e-300, 1e-100, -1.0, 1e100, 1e300])
+@pytest.mark.parametrize("kind", NORMAL_FORMS)
+def test_a_factor_does_not_change_the_kind(kind, factor):
+    assert str(critical.classify(np.asarray(NORMAL_FORMS[kind]) * factor).kind) == kind
+
+
+@settings(max_examples=100)
+@given(
+    st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=10, max_size=10),
+    st.lists(integers, min_size=10, max_size=10),
+)
+def test_floating_point_numbers_are_taken_as_what_they_are(entries, flat):
+    for ten in (entries, [float(entry) for entry in flat]):
+        form = np.zeros((4, 4))
+        form[np.triu_indices(4)] = ten
+        form = np.triu(form) + np.triu(form, 1).T
+        found, expected = critical.classify(form), critical.classify(form.astype(object) * Fraction(1))
+        assert [str(value) for value in found] == [str(value) for value in expected]
+
+
+@settings(max_examples=50)
+@given(st.lists(st.integers(-9, 9), min_size=10, max_size=10), st.sampled_from([1e-14, 1e-6, 0.1, 1.0]), st.randoms())
+def test_errors_leave_a_kind_undecided_or_do_not_change_it(ten, error, random):
+    form = np.zeros((4, 4))
+    form[np.triu_indices(4)] = ten
+    form = np.triu(form) + np.triu(form, 1).T
+    kind = str(critical.classify(form, error).kind)
+    for _ in range(10):
+        change = np.array([[random.choice([-1, 0, 1]) * error for _ in range(4)] for _ in range(4)])
+        near = critical.classify(form + np.triu(change) + np.triu(change, 1).T)
+        assert kind in ("undecided", str(near.kind))
+
+
+def test_no_quadric_has_no_kind():
+    assert [part.shape for part in critical.classify(np.zeros((0, 4, 4)))] == [(0,)] * 4
+
+
+def test_errors_that_are_small_decide():
+    found = critical.classify(ellipsoids(100, 100.0), error=1e-9)
+    assert set(found.kind.tolist()) == {"ellipsoid"}
+    cone = critical.classify(NORMAL_FORMS["cone"], error=1e-9)
+    assert (str(cone.kind), bool(cone.ruled), int(cone.rank), int(cone.signature)) == ("undecided", False, -1, 0)
+
+
 @pytest.mark.parametrize(
-    ("form", "tolerance", "message"),
+    ("form", "error", "message"),
     [
         (np.eye(3), 0, r"expected Q of shape \(\.\.\., 4, 4\), got shape \(3, 3\)"),
         (np.arange(16.0).reshape(4, 4), 1e-12, "symmetric"),
         (np.full((4, 4), np.nan), 1e-12, "finite"),
-        (np.eye(4), -1, "tolerance"),
+        (np.eye(4), -1, "errors"),
+        (np.eye(4), np.inf, "errors"),
+        (np.eye(4), np.ones(3), "shape"),
+        (np.eye(4) * 1j, 0, "real"),
     ],
 )
-def test_classify_names_what_is_wrong(form, tolerance, message):
+def test_classify_names_what_is_wrong(form, error, message):
     with pytest.raises(ValueError, match=message):
-        critical.classify(form, tolerance)
+        critical.classify(form, error)
 
 
 # Adjustment

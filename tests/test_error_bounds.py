@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.generating import run
-from algebroproj_sym.generating.runtime._compensated import NEAR, SUMS, Compensated
-from algebroproj_sym.generating.runtime._error_bounds import Bounded
+from algebroproj_sym.generating.runtime.compensated import NEAR, SUMS, Compensated
+from algebroproj_sym.generating.runtime.error_bounds import Bounded
 from algebroproj_sym.verifying import stratified
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels() if not kernel.stages}

@@ -9,7 +9,7 @@ import sympy
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from algebroproj_sym.expressions import Neighbourhood, NotRationalError, evaluate, over
+from algebroproj_sym.expressions import NotRationalError, evaluate, over
 
 x, y, z = sympy.symbols("x y z")
 
@@ -53,45 +53,6 @@ def test_values_are_those_of_substitution(tree, point):
     expression = compute(tree, {"x": x, "y": y, "z": z}, sympy.Integer)
     exact = {s: sympy.Rational(v.numerator, v.denominator) for s, v in zip((x, y, z), point, strict=True)}
     assert evaluate(expression, dict(zip((x, y, z), point, strict=True))) == (expression.subs(exact),)
-
-
-@given(trees, st.lists(st.tuples(st.sampled_from("+-*/"), trees), min_size=1, max_size=5), points)
-def test_values_in_a_neighbourhood_are_values_whatever_was_evaluated_before(tree, changes, point):
-    at = dict(zip((x, y, z), point, strict=True))
-    names = {"x": x, "y": y, "z": z}
-    try:
-        expression = compute(tree, names, sympy.Integer, over)
-        neighbourhood = Neighbourhood(expression, at)
-    except (ZeroDivisionError, NotRationalError):
-        assume(False)
-    for operation, other in changes:
-        try:
-            changed = compute((operation, tree, other), names, sympy.Integer, over)
-        except ZeroDivisionError:
-            continue
-        try:
-            value = evaluate(changed, at)
-        except (ZeroDivisionError, NotRationalError) as error:
-            with pytest.raises(type(error)):
-                neighbourhood.evaluate(changed)
-        else:
-            assert neighbourhood.evaluate(changed) == value
-    assert neighbourhood.evaluate(expression) == evaluate(expression, at)
-
-
-def test_a_neighbourhood_computes_what_is_new_alone():
-    class Counting(Fraction):
-        operations = 0
-
-        def __mul__(self, other):
-            Counting.operations += 1
-            return Counting(Fraction.__mul__(self, other))
-
-    at = {s: Counting(3) for s in (x, y, z)}
-    neighbourhood = Neighbourhood(sympy.Matrix([x * y, y * z, x * y + y * z]), at, Counting)
-    Counting.operations = 0
-    assert neighbourhood.evaluate(sympy.Matrix([x * y, x * z, x * y + y * z])) == (9, 9, 18)
-    assert Counting.operations == 1
 
 
 @given(fractions, fractions)

@@ -66,6 +66,7 @@ def test_the_second_normal_case_and_its_pixels(computed):
         assert parallax == pytest.approx(slip * printed[name][4], abs=0.11), name
 
 
+@pytest.mark.extra("report")
 def test_the_figure_shows_both_pairs(computed, tmp_path):
     path = tmp_path / "figure.png"
     drawing = s4_example.figure(computed, path)

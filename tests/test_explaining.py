@@ -10,9 +10,13 @@ from rich.console import Console
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
 from algebroproj_sym.cli.terminal import show
-from algebroproj_sym.declaring import judge, located, markdown, quotations
+from algebroproj_sym.declaring import judge, located, quotations
 from algebroproj_sym.expressions import Matrix, size, vector
-from algebroproj_sym.reporting import answers_table, claims_table, explanation, failure_text, report
+from algebroproj_sym.reporting.answers import answers_table
+from algebroproj_sym.reporting.explaining import explanation, failure_text
+from algebroproj_sym.reporting.report import report
+from algebroproj_sym.reporting.tables import SCREEN, claims_table
+from algebroproj_sym.showing import markdown
 
 MOST_LINES = 60
 LONG = 150
@@ -112,8 +116,8 @@ def test_a_refuted_identity_shows_the_difference_and_both_values_at_the_countere
     for text in (explained(claim), failure_text(judge(claim))):
         assert "difference  printed - derived = 2*y\n" in text
         assert "counterexample: " in text
-        assert "there printed = " in text
-        assert "there derived = " in text
+        assert "at this point printed = " in text
+        assert "at this point derived = " in text
 
 
 def test_the_entries_that_differ_are_shown_as_they_are_declared(section):
@@ -164,3 +168,17 @@ def test_the_report_is_a_page(section):
     assert "row 1, column 1: printed y - x, corrected y + x" in text
     assert "[ledger.json](ledger.json)" in text
     assert len(text) < 2000
+
+
+def test_claims_that_fill_more_than_a_screen_are_counted_and_those_not_as_declared_have_a_row_each():
+    section = Section("demo", "1", "Many claims")
+    for k in range(SCREEN + 1):
+        section.identity(f"1.{k}", f"claim {k}", printed=x + k, derived=x + (0 if k == 7 else k))
+    judgements = [judge(claim) for claim in section.claims]
+    rows = list(zip(*(column.cells for column in claims_table(judgements).columns), strict=True))
+    assert [(str(key), str(told), count) for key, told, count in rows] == [
+        ("demo:1", f"{SCREEN} proved, 1 false", str(SCREEN + 1)),
+        ("demo:1.7", "false, declared proved", ""),
+    ]
+    assert claims_table(judgements, full=True).row_count == SCREEN + 1
+    assert claims_table(judgements[:SCREEN]).row_count == SCREEN

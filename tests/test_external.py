@@ -95,40 +95,52 @@ def multiplies_out(item, certificate):
     def at_origin(polynomial):
         return evaluate(field.expression(polynomial.numerator), origin, field.lift)[0]
 
-    def combined(texts):
-        assert len(texts) <= len(zero)
-        terms = [read_top(text) * at_origin(g) for text, g in zip(texts, zero, strict=False)]
+    def combined(cofactors, zero):
+        terms = [read_top(text) * zero[int(place)] for place, text in cofactors.items()]
         return sum(terms, field.lift(Fraction(0)))
 
-    def is_product_of_units(polynomial):
-        known = [factor for unit in units for factor, _ in field.irreducible(at_origin(unit).numerator)[1]]
+    def is_product(text, units):
+        polynomial = read_top(text)
+        known = [factor for unit in units for factor, _ in field.irreducible(unit.numerator)[1]]
         factors = field.irreducible(polynomial.numerator)[1] if polynomial.numerator else [(None, 1)]
         return all(factor in known for factor, _ in factors)
 
-    for step in certificate.get("steps", []):
-        squares = [(Fraction(weight), read_top(root)) for weight, root in step.get("squares", [])]
-        total = sum((weight * root * root for weight, root in squares), field.lift(Fraction(0)))
-        assert all(weight > 0 for weight, _ in squares)
-        if "product" in step:
-            unit, product = read_top(step["not zero"]), read_top(step["product"])
-            assert is_product_of_units(product)
-            assert (product - combined(step["cofactors"]) - read_top(step["factor"]) * unit).is_zero
-            units.append(unit)
-        elif "not zero" in step:
-            unit = read_top(step["not zero"])
-            assert (unit - total).is_zero
-            assert any(root.numerator.is_ground and root.numerator for _, root in squares)
-            units.append(unit)
-        else:
-            multiplier = read_top(step["multiplier"])
-            assert is_product_of_units(multiplier)
-            assert (multiplier * at_origin(total) - combined(step["cofactors"])).is_zero
-            assert all(is_translated(field, root, along["along"]) for _, root in squares for along in moved)
-            zero += [root for _, root in squares]
-    multiplier = value(parse(certificate["multiplier"]))[0]
-    assert is_product_of_units(multiplier)
+    def shows(case, claim, zero, units):
+        """Whether each identity of a case is right; zero and units are what is known before."""
+        for kind, text in case.get("assumed", {}).items():
+            (zero if kind == "zero" else units).append(read_top(text))
+        for step in case.get("steps", ()):
+            squares = [(Fraction(weight), read_top(root)) for weight, root in step.get("squares", [])]
+            total = sum((weight * root * root for weight, root in squares), field.lift(Fraction(0)))
+            assert all(weight > 0 for weight, _ in squares)
+            if "multiplier" not in step:
+                units.append(read_top(step["not zero"]))
+                assert (units[-1] - total).is_zero
+                assert any(root.numerator.is_ground and root.numerator for _, root in squares)
+                continue
+            (kind,) = step.keys() & {"zero", "not zero", "goal", "squares"}
+            shown = total if kind == "squares" else read_top(step[kind])
+            left = {"not zero": field.lift(Fraction(1)), "goal": claim}.get(kind, shown)
+            rest = left * read_top(step["multiplier"]) - combined(step["cofactors"], zero)
+            assert is_product(step["multiplier"], units)
+            assert (rest - read_top(step["factor"]) * shown if "factor" in step else rest).is_zero
+            claim = shown if kind == "goal" else claim
+            zero += [root for _, root in squares] if kind == "squares" else [shown] if kind == "zero" else []
+            units += [shown] if kind == "not zero" else []
+        if "cases" not in case:
+            whole = claim ** case["exponent"] * read_top(case["multiplier"])
+            return is_product(case["multiplier"], units) and (whole - combined(case["cofactors"], zero)).is_zero
+        first, second = case["cases"]
+        assert first["assumed"]["not zero"] == second["assumed"]["zero"]
+        return all(shows(part, claim, [*zero], [*units]) for part in case["cases"])
+
     return all(
-        (at_origin(claim) ** part["exponent"] * multiplier ** part["power"] - combined(part["cofactors"])).is_zero
+        shows(
+            {**part, "steps": [*certificate.get("steps", ()), *part.get("steps", ())]},
+            at_origin(claim),
+            [*map(at_origin, zero)],
+            [*map(at_origin, units)],
+        )
         for claim, part in zip(claims, certificate["entries"], strict=True)
     )
 
@@ -173,7 +185,7 @@ def test_every_verdict_is_the_declared_one_and_rests_on_evidence(file, item):
     if proof.verdict == "proved":
         assert not [text for text in polynomials_in(proof.certificate) if "/" in text]
     size = len(json.dumps(proof.certificate))
-    if proof.verdict == "proved" and "multiplier" in proof.certificate and size < REPLAYED:
+    if proof.verdict == "proved" and "entries" in proof.certificate and size < REPLAYED:
         assert multiplies_out(item, proof.certificate)
 
 

@@ -8,7 +8,7 @@ import pytest
 import sympy
 
 from algebroproj_sym import Section
-from algebroproj_sym.declaring import VERDICTS, abridged, judge, select
+from algebroproj_sym.declaring import VERDICTS, judge, select
 from algebroproj_sym.expressions import over, vector
 from algebroproj_sym.proving import ENGINES
 
@@ -56,6 +56,14 @@ def test_what_fails_without_a_correction_is_false(engine):
 def test_what_fails_with_a_correction_that_holds_is_a_misprint(engine):
     result = square(WRONG, engine, expect="misprint", corrected=TRUE)
     assert (result.verdict, result.as_declared) == ("misprint", True)
+
+
+def test_a_refuted_form_is_an_error_where_the_paper_shows_that_it_is_no_slip(engine):
+    result = square(WRONG, engine, expect="error", corrected=TRUE)
+    assert (result.verdict, result.as_declared) == ("error", True)
+    assert result.certificate["refutation"]["method"] == "counterexample"
+    assert square(TRUE, engine, expect="error", corrected=TRUE).verdict == "proved"
+    assert square(WRONG, engine, expect="error", corrected=WRONG).verdict == "open"
 
 
 def test_the_evidence_of_a_misprint_is_a_counterexample_and_the_proof_of_the_correction(engine):
@@ -189,10 +197,3 @@ def test_vectors_are_judged_entry_by_entry():
     section = Section("demo", "1", "Squares")
     claim = section.identity("1.1", "squares", printed=vector(x**2, WRONG), derived=vector(x * x, SQUARE))
     assert judge(claim).verdict == "false"
-
-
-def test_what_is_sent_from_a_worker_has_no_expressions():
-    judgement = square(WRONG, corrected=TRUE, expect="misprint")
-    sent = abridged(judgement)
-    assert (sent.verdict, sent.as_declared, sent.seconds) == (judgement.verdict, True, judgement.seconds)
-    assert (sent.claim.printed, sent.claim.derived, sent.claim.corrected, sent.certificate) == (None,) * 4

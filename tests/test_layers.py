@@ -9,28 +9,75 @@ import pytest
 STAGES = (
     *(
         "files",
+        "papers",
         "replaying",
         "expressions",
         "proving",
+        "processes",
         "declaring",
         "auditing",
-        "remembering",
+        "showing",
         "generating",
         "verifying",
         "mutating",
     ),
-    *("study", "reporting", "processes", "pipeline", "exporting", "scaffolding", "cli", "plugin"),
+    *("study", "reporting", "pipeline", "exporting", "scaffolding", "cli", "plugin"),
 )
 
 
-def imported_stages(path: Path) -> set[str]:
-    names = set()
+def imported(path: Path) -> set[tuple[str, str]]:
+    """Return each module that a file imports anywhere, also in a function, with a name that it takes from it, or ""."""
+    found = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            names |= {alias.name for alias in node.names}
+            found |= {(alias.name, "") for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
-            names |= {node.module or ""} | {f"{node.module}.{alias.name}" for alias in node.names}
-    return {name.split(".")[1] for name in names if name.startswith("algebroproj_sym.") and name.count(".")} & {*STAGES}
+            found |= {(node.module or "", alias.name) for alias in node.names}
+    return found
+
+
+def imported_stages(path: Path) -> set[str]:
+    own = (f"{module}.{name}".split(".") for module, name in imported(path) if module.startswith("algebroproj_sym"))
+    return {parts[1] for parts in own} & {*STAGES}
+
+
+def module_name(path: Path, repository: Path) -> str:
+    parts = path.relative_to(repository).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def circle(imports: dict[str, set[str]]) -> list[str]:
+    """Return modules each of which imports the next one, and the last one the first; none if there are none."""
+    left = {name: {*others} & imports.keys() for name, others in imports.items()}
+    while ends := [name for name, others in left.items() if not others & left.keys()]:
+        for name in ends:
+            del left[name]
+    found = [min(left)] if left else []
+    while found and (following := min(left[found[-1]] & left.keys())) not in found:
+        found.append(following)
+    return found[found.index(following) :] if found else []
+
+
+def test_circles_are_found() -> None:
+    assert circle({"a": {"b"}, "b": {"c"}, "c": {"d"}, "d": {"b"}, "e": {"a"}}) == ["b", "c", "d"]
+    assert circle({"a": {"a"}}) == ["a"]
+    assert circle({"a": {"b", "c"}, "b": {"c"}, "c": {"sympy"}}) == []
+
+
+def test_no_module_imports_one_that_imports_it(repository: Path) -> None:
+    files = {module_name(path, repository): path for path in (repository / "algebroproj_sym").rglob("*.py")}
+    imports = {
+        name: {inner if (inner := f"{module}.{each}") in files else module for module, each in imported(path)}
+        for name, path in files.items()
+    }
+    assert sum(map(len, imports.values())) > len(files)
+    assert circle(imports) == []
+
+
+def test_every_part_of_the_package_is_a_stage(repository: Path) -> None:
+    root = repository / "algebroproj_sym"
+    found = {path.stem for path in root.glob("*.py")} | {path.parent.name for path in root.glob("*/__init__.py")}
+    assert found - {"__init__", "__main__"} == {*STAGES}
 
 
 @pytest.mark.parametrize("stage", STAGES)

@@ -306,7 +306,7 @@ def test_the_kernels_of_the_papers_are_exact_at_a_rational_point(name, lowered):
 )
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_wrong_form_is_refused(derived, form, engine):
-    with pytest.raises(LoweringError, match=r"^kernel demo\.f: entry \d of its form differs from the derivation"):
+    with pytest.raises(LoweringError, match=r"^kernel demo\.f, form: entry \d differs from the derivation"):
         of_xy(derived, form, engine=engine)
 
 
@@ -391,5 +391,5 @@ def test_a_constant_fraction_is_refused_by_name():
         example={"x": "1"},
         describe={"x": "A number."},
     )
-    with pytest.raises(LoweringError, match=r"demo\.half: expected no constant fraction"):
+    with pytest.raises(LoweringError, match=r"demo\.half, form: expected no constant fraction"):
         lower(kernel)

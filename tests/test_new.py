@@ -29,6 +29,7 @@ def test_the_folder_has_a_definition_an_identity_a_misprint_and_a_kernel(folder)
     assert [kernel.qualified_name for section in sections for kernel in section.kernels] == ["lens.image_distance"]
 
 
+@pytest.mark.extra("dev")
 def test_the_files_are_what_the_formatter_and_the_linter_want(folder):
     for command in (["format", "--check"], ["check"]):
         ruff = [sys.executable, "-m", "ruff", *command, "--isolated", "--line-length", "120", str(folder)]

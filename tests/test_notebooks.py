@@ -14,8 +14,7 @@ from click.testing import CliRunner
 
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import derivation_at, derivations, derivations_of, installed_papers
-from algebroproj_sym.reporting import NotebookError, run_notebook
-from algebroproj_sym.reporting.notebooks import claim_of
+from algebroproj_sym.reporting.notebooks import NotebookError, claim_of, run_notebook
 from algebroproj_sym.reporting.site.addresses import slug
 from algebroproj_sym.reporting.site.markdown import latex_html, markdown_html
 from algebroproj_sym.scaffolding import create
@@ -128,23 +127,25 @@ def test_figures_are_drawn_for_readers_and_not_on_import(repository):
 def written(tmp_path_factory):
     """A site with notebooks, as the command writes it."""
     folder = tmp_path_factory.mktemp("written") / "site"
-    selectors = ["fundamentals1996:2.3/ruled", "rhodos1990:1.1"]
+    selectors = ["fundamentals1996:2.3/singular-if", "rhodos1990:1.1"]
     result = CliRunner().invoke(main, ["report", *selectors, "--notebooks", "--out", str(folder), "--samples", "2"])
     assert result.exit_code == 0, result.output
     return {path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8") for path in folder.rglob("*.*")}
 
 
+@pytest.mark.whole
 def test_a_claim_links_to_its_cell_and_the_cell_to_the_claim(written):
-    page = "fundamentals1996/2.3_ruled.html"
+    page = "fundamentals1996/2.3_singular-if.html"
     (link,) = re.findall(r'href="([^"]*notebooks/[^"]*)"', written[page])
     target, _, anchor = link.partition("#")
     notebook = normpath(join(dirname(page), target))
-    assert anchor == slug("2.3/ruled")
+    assert anchor == slug("2.3/singular-if")
     cell = re.search(rf'<section class="output" id="{anchor}".*?</section>', written[notebook], re.DOTALL).group()
     assert "<strong>false</strong>" in cell
     assert f'href="../{page}"' in cell
 
 
+@pytest.mark.whole
 def test_a_notebook_page_needs_neither_script_nor_network(written):
     for name, text in written.items():
         if name.startswith("notebooks/"):
@@ -153,6 +154,7 @@ def test_a_notebook_page_needs_neither_script_nor_network(written):
             assert "$$" not in re.sub("<pre.*?</pre>", "", text, flags=re.DOTALL)
 
 
+@pytest.mark.whole
 def test_the_critical_surfaces_are_drawn_with_a_text_for_who_cannot_see_them(written):
     (notebook,) = (text for name, text in written.items() if name.endswith("s2_3_critical_situations.html"))
     images = re.findall(r'<img src="data:image/svg\+xml;base64,[^"]+" alt="([^"]+)"', notebook)

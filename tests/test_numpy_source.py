@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating import Program, Step, run
-from algebroproj_sym.generating.numpy_source import LINE, packed, statements
-from algebroproj_sym.generating.runtime._compensated import rounded, rounded_twice, wide
+from algebroproj_sym.generating.backends.numpy.printer import LINE, packed, statements
+from algebroproj_sym.generating.runtime.compensated import rounded, rounded_twice, wide
 
 INPUTS = ("x", "y", "z")
 

@@ -1,7 +1,10 @@
 """The generated package is the same text wherever it is rendered, and its folder holds that text and nothing stale."""
 
 import ast
+import inspect
+import json
 import sys
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -11,22 +14,24 @@ import sympy
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import drivers, kernels
 from algebroproj_sym.expressions import over, vector
-from algebroproj_sym.generating import PACKAGE, Measured, drift, lower, recorded_errors, render, write
-from algebroproj_sym.generating.package import LONGEST_FACTOR, runtime_modules
+from algebroproj_sym.generating import PACKAGE, drift, lower, render, write
+from algebroproj_sym.generating.backends.numpy.package import runtime_modules
+from algebroproj_sym.generating.description import LONGEST_FACTOR
+from algebroproj_sym.generating.runtime.accuracy import sentences
+from algebroproj_sym.verifying import function_of, load_package
 
 SHARED = {
     *("__init__.py", "drivers.py", "py.typed"),
-    *("_compiled.c", "_calls.h", "_kernels.h", "_systems.h", "_moves.h", "_loops.h", "_fours.h"),
-    *("_plain_kernels.h", "_plain_loops.h"),
-    *(path.name for path in runtime_modules()),
+    *(f"_c/{name}" for name in ("compiled.c", "calls.h", "kernels.h", "systems.h", "moves.h", "loops.h", "fours.h")),
+    *("_c/plain_kernels.h", "_c/plain_loops.h"),
+    *(f"_runtime/{path.name}" for path in runtime_modules()),
 }
-MEASURED = recorded_errors(Path(__file__).resolve().parent.parent / "generated" / "accuracy.json")
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
 
 
 @pytest.fixture(scope="module")
 def rendered(lowered):
-    return render([lowered(kernel.qualified_name) for kernel in kernels()], drivers(), MEASURED)
+    return render([lowered(kernel.qualified_name) for kernel in kernels()], drivers())
 
 
 @pytest.fixture
@@ -53,8 +58,13 @@ def functions_of(text):
     return [n for n in ast.parse(text).body if isinstance(n, ast.FunctionDef) and not n.name.startswith("_")]
 
 
+def file_of(name, node):
+    """Return the file that a file of the package imports from."""
+    return (Path(name).parent / f"{node.module.replace('.', '/')}.py").as_posix()
+
+
 def names_in(folder):
-    return {path.name for path in folder.iterdir()}
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
 
 
 def test_every_module_of_the_kernels_is_a_file(rendered):
@@ -80,7 +90,7 @@ def test_every_function_is_exported(rendered):
 
 
 def test_rendering_twice_gives_the_same_text(rendered, lowered):
-    assert render([lowered(kernel.qualified_name) for kernel in kernels()], drivers(), MEASURED) == rendered
+    assert render([lowered(kernel.qualified_name) for kernel in kernels()], drivers()) == rendered
 
 
 def test_the_order_of_the_kernels_of_other_modules_does_not_matter(files):
@@ -96,7 +106,7 @@ def test_every_module_imports_numpy_and_its_own_package_only(rendered):
                     name
                 )
             elif isinstance(node, ast.ImportFrom):
-                own = node.level == 1 and (node.module is None or f"{node.module}.py" in rendered)
+                own = node.level and (node.module is None or file_of(name, node) in rendered)
                 assert own or node.level == 0, name
                 assert own or node.module.partition(".")[0] in {"numpy", *sys.stdlib_module_names}, name
 
@@ -105,7 +115,7 @@ def test_every_imported_name_of_the_own_package_exists(rendered):
     imported = [n for n in ast.parse(rendered["__init__.py"]).body if isinstance(n, ast.ImportFrom)]
     modules = {f"{alias.name}.py" for node in imported if node.module is None for alias in node.names}
     assert modules == set(rendered) - SHARED
-    assert {f"{node.module}.py" for node in imported if node.module is not None} <= SHARED
+    assert {file_of("__init__.py", node) for node in imported if node.module is not None and node.level} <= SHARED
 
 
 def test_every_file_says_that_it_is_generated(rendered):
@@ -198,7 +208,7 @@ def test_drift_of_a_folder_that_does_not_exist_is_everything(files, tmp_path):
     assert drift(files, tmp_path / "nowhere") == sorted(files)
 
 
-@pytest.mark.parametrize("name", ["first.py", "__init__.py", "_evaluation.py", "py.typed"])
+@pytest.mark.parametrize("name", ["first.py", "__init__.py", "_runtime/evaluation.py", "py.typed"])
 def test_drift_finds_a_changed_and_a_missing_file(files, tmp_path, name):
     write(files, tmp_path)
     (tmp_path / name).write_text(files[name] + "\n")
@@ -234,23 +244,44 @@ def test_the_example_of_a_docstring_is_its_result(files):
     assert ">>> double(0.5, [0.25]).round(6).tolist()\n[0.5, 0.75]" in docstring
 
 
-def test_docstrings_tell_the_errors_that_are_recorded(rendered):
-    assert len(MEASURED) == len(kernels())
+def test_docstrings_tell_the_errors_that_are_recorded(repository):
+    """The errors are in one file of the package; what is rendered does not depend on them."""
+    record = json.loads((repository / "generated" / PACKAGE / "accuracy.json").read_text(encoding="utf-8"))
+    figures = {entry["function"]: entry for entry in record["functions"]}
+    assert figures.keys() == {kernel.qualified_name for kernel in kernels()}
     for kernel in kernels():
-        body = rendered[f"{kernel.module}.py"]
-        assert MEASURED[kernel.qualified_name].sentence(False)[:50] in " ".join(body.split()), kernel.qualified_name
+        function = function_of(kernel, load_package())
+        told = sentences(figures[kernel.qualified_name], kernel.solves_systems)
+        documentation = " ".join(inspect.getdoc(function).split())
+        assert all(sentence in documentation for sentence in told), kernel.qualified_name
+        assert "Measured error" not in inspect.getsource(function)
 
 
-def test_without_a_record_docstrings_tell_no_errors(files, tmp_path):
-    assert "Measured error" not in files["second.py"]
-    assert recorded_errors(tmp_path / "accuracy.json") == {}
-    known = {"second.half": Measured(7, 0.25, 0.5, 1.0)}
-    text = render([lower(kernel("second.half"))], measured=known)["second.py"]
-    assert "0.25 ULP in the median, at most 0.5 ULP (7 samples" in text
+def test_help_shows_the_errors(capsys):
+    help(function_of(kernels(("optics.scale",))[0], load_package()))
+    assert "Measured error in float64: " in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("text", ["[]", "{}", '{"functions": [{"function": "f"}]}', "{"])
-def test_what_is_no_record_of_errors_is_refused(text, tmp_path):
-    (tmp_path / "accuracy.json").write_text(text, encoding="utf-8")
-    with pytest.raises(ValueError, match="expected a record of errors"):
-        recorded_errors(tmp_path / "accuracy.json")
+def test_without_a_record_docstrings_tell_no_errors_and_with_one_its_own(files, tmp_path):
+    write(files, tmp_path / "made")
+    assert "Measured error" not in load_package(tmp_path, "made").second.half.__doc__
+    figures = {"samples": 7, "median_ulp": 0.25, "max_ulp": 0.5, "max_ratio": 1.0}
+    record = {"functions": [{"function": "second.half", "all": figures}]}
+    (tmp_path / "made" / "accuracy.json").write_text(json.dumps(record), encoding="utf-8")
+    package = load_package(tmp_path, "made")
+    assert "0.25 ULP in the median, at most 0.5 ULP (7 samples" in package.second.half.__doc__
+    assert "Measured error" not in package.first.double.__doc__
+
+
+def test_a_change_of_one_kernel_changes_its_module_and_the_c_source_only(files):
+    """The digest, by which a compiled module is known to belong to this source, changes with the C source."""
+    changed = render([replace_form(kernel("first.double")), lower(kernel("second.half"))])
+    differing = {name for name in files if files[name] != changed[name]}
+    c_source = {"_c/kernels.h", "_c/plain_kernels.h", "_c/compiled.c", "_runtime/backend.py"}
+    assert {"first.py"} <= differing <= {"first.py"} | c_source
+
+
+def replace_form(declared):
+    (result,) = declared.results
+    x, y = declared.symbols
+    return lower(replace(declared, results=(replace(result, form=vector(over(x * y, y), x + y)),)))

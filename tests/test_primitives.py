@@ -10,8 +10,8 @@ import sympy
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from algebroproj_sym.generating.runtime import _primitives as primitives
-from algebroproj_sym.generating.runtime._primitives import arctan2, cos_sin, null_vector, solve
+from algebroproj_sym.generating.runtime import primitives as primitives
+from algebroproj_sym.generating.runtime.primitives import arctan2, cos_sin, null_vector, solve
 
 FLOATS = [np.float32, np.float64, np.longdouble, np.complex64, np.complex128]
 every_dtype = pytest.mark.parametrize("dtype", FLOATS)

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "docs"))
 from pages import DOCS, README, blocks, compared, perform
 
@@ -16,6 +18,7 @@ def test_it_can_be_read_in_a_few_minutes():
     assert len(TEXT.splitlines()) <= 150
 
 
+@pytest.mark.whole
 def test_every_block_is_run_and_prints_what_is_shown(tmp_path, monkeypatch):
     languages = [language for language, _, _ in blocks(README)]
     assert languages.count("console") >= 2

@@ -63,7 +63,7 @@ def test_who_expects_a_wrong_reference_to_be_right_is_told():
 
 
 def test_a_right_reference_is_no_misprint():
-    with pytest.raises(DeclarationError, match="needs its corrected form"):
+    with pytest.raises(DeclarationError, match="corrected: expected a form for a claim declared misprint"):
         declared("2.2.3", "2.2.3", expect="misprint")
 
 
@@ -91,7 +91,7 @@ def test_the_section_keeps_the_claim_with_its_title_and_note():
     claim = section.reference("1/ref", "where it stands", printed="1.2", meant="1.3", note="There is no 1.2.")
     assert section.claims == [claim]
     assert (claim.title, claim.note) == ("where it stands", "There is no 1.2.")
-    with pytest.raises(DeclarationError, match="declared twice"):
+    with pytest.raises(DeclarationError, match="expected each number once, got this one twice"):
         section.reference("1/ref", "again", printed="1.2", meant="1.2")
 
 

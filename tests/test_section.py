@@ -57,7 +57,7 @@ def test_a_claim_is_expected_to_be_proved_and_a_definition_to_define(section):
 
 def test_a_number_is_declared_once(section):
     section.identity("2.1.1", "", printed=x, derived=x)
-    with pytest.raises(DeclarationError, match=r"claim demo:2\.1\.1: .*declared twice"):
+    with pytest.raises(DeclarationError, match=r"claim demo:2\.1\.1: .*expected each number once"):
         section.definition("2.1.1", "", printed=x)
     assert len(section.claims) == 1
 

@@ -17,21 +17,23 @@ from xml.etree import ElementTree
 import pytest
 import sympy
 from click.testing import CliRunner
-from fontTools.ttLib import TTFont
 
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
-from algebroproj_sym.declaring import Derivation, arranged, derivations, judge, kernels, publication, select
+from algebroproj_sym.declaring import Derivation, derivations, judge, kernels, publication, select
 from algebroproj_sym.declaring.bibliography import bibtex
-from algebroproj_sym.declaring.latex import latex
-from algebroproj_sym.declaring.names import latex_name, plain_name
 from algebroproj_sym.expressions import Matrix, entries, evaluate, over, symbols_of, vector
-from algebroproj_sym.reporting.site import OccupiedError, catalogue, render_site, replace
 from algebroproj_sym.reporting.site.addresses import claim_page, slug
+from algebroproj_sym.reporting.site.catalogue import catalogue
 from algebroproj_sym.reporting.site.differences import difference
+from algebroproj_sym.reporting.site.folder import OccupiedError, replace
 from algebroproj_sym.reporting.site.function_pages import formulas_of
 from algebroproj_sym.reporting.site.mathml import math
+from algebroproj_sym.reporting.site.pages import render_site
 from algebroproj_sym.reporting.site.search import search_index
+from algebroproj_sym.showing import arranged
+from algebroproj_sym.showing.latex import latex
+from algebroproj_sym.showing.names import latex_name, plain_name
 
 SELECTORS = ("fundamentals1996:1.2", "fundamentals1996:2.2", "rhodos1990")
 VOID = {"meta", "link", "input", "br", "hr", "img"}
@@ -191,7 +193,10 @@ def test_no_formula_of_any_function_shows_markup_as_text():
         require_no_markup("".join(formulas_of(kernel)), kernel.qualified_name)
 
 
+@pytest.mark.extra("dev")
 def test_the_font_of_the_formulas_is_in_the_site_with_its_licence_and_has_what_the_pages_show(files):
+    from fontTools.ttLib import TTFont
+
     font = TTFont(BytesIO(b64decode(re.search(r"url\(data:font/woff2;base64,([^)]*)\)", files["style.css"]).group(1))))
     assert "MATH" in font
     assert "SIL OPEN FONT LICENSE" in files["font-licence.txt"]
@@ -413,13 +418,35 @@ def marked(left, right):
     return tuple(shown)
 
 
-def test_what_is_too_long_is_text_or_a_sentence_with_a_link_to_all_of_it(demo):
+def test_a_long_form_is_folded_with_its_size_and_its_beginning_and_all_of_it_is_on_the_page(demo):
     text = demo["demo/1.6.html"]
     assert max(map(len, re.findall(r"<math.*?</math>", text))) < 2000
-    assert 'href="1.6.json"' in text
-    record = json.loads(demo["demo/1.6.json"])
-    assert sympy.sympify(record["printed"]).equals(sympy.expand((x + 2 * y + 3 * z + 1) ** 12))
+    size, beginning, whole = re.search(
+        r", ([\d,]+) characters. It begins:</p><pre[^>]*>(.*?)</pre>"
+        r"<details><summary>All of it</summary><pre[^>]*>(.*?)</pre></details>",
+        text,
+        re.DOTALL,
+    ).groups()
+    assert int(size.replace(",", "")) == len(whole)
+    assert whole.startswith(beginning.partition(" …")[0])
+    assert sympy.sympify(whole).equals(sympy.expand((x + 2 * y + 3 * z + 1) ** 12))
     assert all(len(page) < 100_000 for name, page in demo.items() if name.endswith(".html"))
+
+
+def test_long_entries_that_differ_are_shown_where_they_differ():
+    section = Section("demo", "1", "Long entries")
+    right = sympy.expand((x + 2 * y + 3 * z + 1) ** 6)
+    wrong = right - 540 * x * z**3
+    section.identity(
+        "1.1", "long", printed=vector(wrong, x), derived=vector(right, x), corrected=vector(right, x), expect="misprint"
+    )
+    page = render_site(catalogue([judge(section.claims[0])], [Derivation("demo", section, Path("demo.py"))]))
+    printed, corrected = re.search(
+        r"row 1, column 1</th><td><code>(.*?)</code></td><td><code>(.*?)</code>", page["demo/1.1.html"]
+    ).groups()
+    assert printed != corrected
+    assert printed[:20] == corrected[:20]
+    assert printed.startswith("…")
 
 
 def test_titles_and_notes_are_escaped_and_numbers_in_notes_are_links(demo):
@@ -469,47 +496,14 @@ def test_a_function_page_has_formula_claims_figures_and_plot(site):
     assert 'href="../functions/correlation.design_row.html"' in site["fundamentals1996/2.2.4.html"]
 
 
-def test_what_a_proof_assistant_accepted_and_how_long_functions_take_is_shown(tmp_path):
-    checked, speed = tmp_path / "checked.txt", tmp_path / "speed.json"
-    checked.write_text("rhodos1990:1.1.1 by coqc\n\n", encoding="utf-8")
-    times = {"affine.plane_frame": [{"batch": 1000, "nanoseconds": 1234.5}]}
-    speed.write_text(json.dumps({"machine": "an abacus", "functions": times}), encoding="utf-8")
-    out = tmp_path / "site"
-    arguments = ["rhodos1990:1.1", "fundamentals1996:1.4", "--out", out, "--checked", checked, "--speed", speed]
-    result = CliRunner().invoke(main, ["report", "--samples", "1", *map(str, arguments)])
-    assert result.exit_code == 0, result.output
-    assert "kernel-checked" in (out / "rhodos1990" / "1.1.1.html").read_text(encoding="utf-8")
-    assert "kernel-checked" not in (out / "rhodos1990" / "1.1_parameters.html").read_text(encoding="utf-8")
-    assert "1 of them are kernel-checked" in (out / "index.html").read_text(encoding="utf-8")
-    page = (out / "functions" / "affine.plane_frame.html").read_text(encoding="utf-8")
-    assert "an abacus" in page
-    assert re.search(r'<th scope="row">1,000</th><td>1,23[45]</td>', page)
-
-
-@pytest.mark.parametrize(
-    ("option", "text", "message"),
-    [
-        ("--checked", "rhodos1990:1.1.1\nrhodos1990:9.9\n", "line 2: expected a claim such as mypaper:1.2, got"),
-        ("--speed", "[]", "expected the times that benchmarks/functions.py writes"),
-        ("--speed", '{"machine": "m", "functions": {"f": [{}]}}', "expected the times"),
-    ],
-)
-def test_records_that_are_none_are_refused_before_any_work(tmp_path, option, text, message):
-    record = tmp_path / "record"
-    record.write_text(text, encoding="utf-8")
-    arguments = ["report", "rhodos1990:1.1", option, str(record), "--out", str(tmp_path / "site")]
-    result = CliRunner().invoke(main, arguments)
-    assert result.exit_code == 2
-    assert message in " ".join(result.output.split())
-    assert not (tmp_path / "site").exists()
-
-
 def test_papers_are_in_their_own_order_whatever_the_selectors():
     found = derivations("rhodos1990")
     claims = [(judge(claim), source) for source in reversed(found) for claim in source.section.claims[:2]]
     (paper,) = catalogue([judgement for judgement, _ in claims], [source for _, source in claims]).papers
     assert [chapter.number for chapter in paper.chapters] == ["1.1", "1.2"]
-    assert [entry.number for entry in paper.entries[:2]] == [claim.number for claim in found[0].section.claims[:2]]
+    assert [entry.claim.number for entry in paper.entries[:2]] == [
+        claim.number for claim in found[0].section.claims[:2]
+    ]
 
 
 def test_every_paper_is_known():

@@ -9,7 +9,7 @@ import pytest
 import sympy
 
 from algebroproj_sym.expressions import Matrix, determinant, over
-from algebroproj_sym.proving import UndefinedError, prove
+from algebroproj_sym.proving import UndefinedError, constrained, prove
 from algebroproj_sym.proving.engines import FlintRing, SympyRing
 
 proving_module = import_module("algebroproj_sym.proving.prove")
@@ -148,14 +148,16 @@ def test_one_entry_that_is_proved_does_not_prove_the_other(engine, order):
 
 
 @each_engine
-def test_what_needs_a_radical_is_neither_proved_nor_refuted(engine):
-    assert unproved(prove(x, 0, constraints=[x**2], witness={x: 0}, engine=engine))
+def test_what_needs_a_radical_is_proved_by_a_power(engine):
+    proof = prove(x, 0, constraints=[x**2], witness={x: 0}, engine=engine)
+    assert (proof.verdict, proof.certificate["entries"][0]["exponent"]) == ("proved", 2)
 
 
 @each_engine
-def test_what_is_true_over_the_reals_alone_is_neither_proved_nor_refuted(engine):
-    assert unproved(prove(x, 0, constraints=[x**2 + y**2], witness={x: 0, y: 0}, engine=engine))
-    assert unproved(prove(x, 1, constraints=[x**3 - 1], witness={x: 1}, engine=engine))
+def test_what_is_true_over_the_reals_alone_is_proved_by_squares(engine):
+    for side, constraint in ((0, x**2 + y**2), (1, x**3 - 1)):
+        proof = prove(x, side, constraints=[constraint], engine=engine)
+        assert (proof.verdict, proof.certificate["method"]) == ("proved", "sums of squares")
 
 
 IRRATIONAL = {
@@ -169,13 +171,15 @@ IRRATIONAL = {
 
 @each_engine
 @pytest.mark.parametrize(("lhs", "rhs", "constraints"), IRRATIONAL.values(), ids=IRRATIONAL)
-def test_without_rational_points_nothing_is_decided(engine, lhs, rhs, constraints):
-    assert unproved(prove(lhs, rhs, constraints=constraints, engine=engine))
+def test_without_rational_points_an_irrational_one_decides(request, engine, lhs, rhs, constraints):
+    proof = prove(lhs, rhs, constraints=constraints, engine=engine)
+    assert proof.verdict == ("proved" if "true on" in request.node.callspec.id else "refuted")
+    assert "extension" in proof.certificate
 
 
 @each_engine
 def test_what_is_true_at_every_rational_point_but_not_at_every_real_one_is_not_proved(engine):
-    assert unproved(prove(x, 0, constraints=[x * (x**2 - 2)], witness={x: 0}, engine=engine))
+    assert prove(x, 0, constraints=[x * (x**2 - 2)], witness={x: 0}, engine=engine).verdict == "refuted"
 
 
 @each_engine
@@ -217,9 +221,8 @@ def test_a_search_that_finds_no_counterexample_proves_nothing(monkeypatch, engin
 
 @each_engine
 def test_a_search_on_constraints_that_finds_no_counterexample_proves_nothing(monkeypatch, engine):
-    at_one = {x: Fraction(1), y: Fraction(1)}
-    monkeypatch.setattr(proving_module, "points_on", lambda *_: iter([at_one] * 9))
-    monkeypatch.setattr(proving_module, "rational_zeros", lambda *_: iter(()))
+    at_one = [Fraction(1), Fraction(1), Fraction(1)]
+    monkeypatch.setattr(constrained, "real_points", lambda *_, **options: iter([list(at_one) for _ in range(9)]))
     assert unproved(prove(x, 1, constraints=[x - y], engine=engine))
 
 

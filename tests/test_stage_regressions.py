@@ -10,7 +10,7 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError, cos_sin, judge, let, null_vector, solution
 from algebroproj_sym.expressions import Matrix, over, vector
 from algebroproj_sym.generating import PACKAGE, lower, render, write
-from algebroproj_sym.generating.runtime import _primitives as primitives
+from algebroproj_sym.generating.runtime import primitives as primitives
 from algebroproj_sym.verifying import load_package, source_is_proved, stratified
 
 x, y, z, a, b, c, d, e, s, phi = sympy.symbols("x y z a b c d e s phi")
@@ -67,7 +67,7 @@ def test_samples_near_a_singular_system_with_divisions():
     assert len(stratified(lowered, 3)) >= 6
 
 
-# generating/runtime/_primitives.py
+# generating/runtime/primitives.py
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
@@ -118,7 +118,7 @@ def test_a_call_too_many_is_not_proved(tmp_path):
 
 def test_a_module_without_the_primitive_function_is_not_proved(tmp_path):
     kernel = of_xy(c, [cos_sin(c, s, x)])
-    changes = ("from ._primitives import cos_sin\n", ""), ("c, s = cos_sin(x)", "c, s = x, y")
+    changes = ("from .primitives import cos_sin\n", ""), ("c, s = cos_sin(x)", "c, s = x, y")
     assert not source_is_proved(kernel, shipped(tmp_path, kernel, *changes))
 
 

@@ -15,15 +15,18 @@ import sympy
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+import algebroproj
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import arctan2, cos_sin, let, null_vector, solution
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.generating import PACKAGE, LoweringError, Program, Step, lower, render, run, write
-from algebroproj_sym.generating.numpy_source import LINE, statements
-from algebroproj_sym.generating.package import NOTICE
-from algebroproj_sym.generating.program import Call
-from algebroproj_sym.generating.runtime import _primitives as primitives
+from algebroproj_sym.generating.backends.numpy.printer import LINE, statements
+from algebroproj_sym.generating.runtime import primitives as primitives
+from algebroproj_sym.generating.runtime.program import Call
+from algebroproj_sym.generating.writing import NOTICE
 from algebroproj_sym.proving import ENGINES
+from algebroproj_sym.study.arithmetics import double_double, float64_balls, mpmath_digits
+from algebroproj_sym.study.precision import apply, lift, nearest
 from algebroproj_sym.verifying import (
     accuracy,
     call,
@@ -297,7 +300,7 @@ def two_forms(primitive, right):
 @pytest.mark.parametrize("primitive", ["let", "solve", "null_vector"])
 def test_a_wrong_form_of_what_a_stage_is_given_is_refused(primitive, engine):
     assert lower(two_forms(primitive, right=True), engine).hypotheses == (x + y,)
-    with pytest.raises(LoweringError, match=r"^kernel demo\.f: entry \d of its form differs from the derivation"):
+    with pytest.raises(LoweringError, match=r"^kernel demo\.f, form: entry \d differs from the derivation"):
         lower(two_forms(primitive, right=False), engine)
 
 
@@ -307,7 +310,7 @@ def test_every_entry_of_a_system_is_compared(place):
     derived = Matrix([[x, y], [1, x - y]])
     lower(of_xy(u, [solution([u, v], derived, vector(x, y), form=Matrix(2, 3, form))]))
     form[place] = form[place] + x
-    with pytest.raises(LoweringError, match=f"entry {place} of its form"):
+    with pytest.raises(LoweringError, match=f"entry {place} differs"):
         lower(of_xy(u, [solution([u, v], derived, vector(x, y), form=Matrix(2, 3, form))]))
 
 
@@ -326,7 +329,7 @@ def test_every_entry_of_a_system_is_compared(place):
     ids=str,
 )
 def test_a_wrong_form_of_a_result_is_refused(derived, form, engine):
-    with pytest.raises(LoweringError, match=r"^kernel demo\.f: entry \d of its form differs from the derivation"):
+    with pytest.raises(LoweringError, match=r"^kernel demo\.f, form: entry \d differs from the derivation"):
         lower(of_xy(derived, [cos_sin(c, s, x)], form=form), engine)
 
 
@@ -373,7 +376,7 @@ def test_the_determinants_are_those_of_systems_that_the_inputs_decide():
 
 
 def test_a_constant_fraction_is_no_operand():
-    with pytest.raises(LoweringError, match=r"demo\.f: expected no constant fraction"):
+    with pytest.raises(LoweringError, match=r"demo\.f, form: expected no constant fraction"):
         lower(of_xy(x * u, [let({u: sympy.Rational(1, 2)})]))
 
 
@@ -509,21 +512,21 @@ def docstring_of(declared, files):
 
 
 def test_a_module_imports_the_primitive_functions_that_it_calls_and_no_others(files):
-    assert imports_of(files["plane.py"])["_primitives"] == ["arctan2", "cos_sin", "solve"]
-    assert imports_of(files["space.py"])["_primitives"] == ["null_vector"]
-    assert "_primitives" not in imports_of(files["names.py"])
-    assert "_primitives" not in imports_of(render([lower(AREA)])["space.py"])
+    assert imports_of(files["plane.py"])["_runtime.primitives"] == ["arctan2", "cos_sin", "solve"]
+    assert imports_of(files["space.py"])["_runtime.primitives"] == ["null_vector"]
+    assert "_runtime.primitives" not in imports_of(files["names.py"])
+    assert "_runtime.primitives" not in imports_of(render([lower(AREA)])["space.py"])
 
 
 def test_the_primitive_functions_travel_with_the_package_under_the_notice(files):
     source = inspect.getsource(primitives)
     assert NOTICE not in source
-    assert files["_primitives.py"].replace(f"\n\n{NOTICE}", "", 1) == source
-    assert NOTICE in ast.get_docstring(ast.parse(files["_primitives.py"]))
+    assert files["_runtime/primitives.py"].replace(f"\n\n{NOTICE}", "", 1) == source
+    assert NOTICE in ast.get_docstring(ast.parse(files["_runtime/primitives.py"]))
 
 
 def test_the_primitive_functions_travel_even_if_nothing_calls_them():
-    assert render([lower(AREA)])["_primitives.py"] == render([lower(TURN)])["_primitives.py"]
+    assert render([lower(AREA)])["_runtime/primitives.py"] == render([lower(TURN)])["_runtime/primitives.py"]
 
 
 def test_the_package_imports_numpy_and_itself_only(files):
@@ -918,3 +921,61 @@ def test_results_of_one_call_are_joined_in_order(declared, package):
     assert joined.shape == (2, sum(int(np.prod(result.shape)) for result in declared.results))
     truth = oracle(declared)({name: float(value[1]) for name, value in values.items()})
     np.testing.assert_allclose(joined[1], [float(value) for value in truth.values], rtol=1e-12, atol=1e-14)
+
+
+@pytest.fixture(scope="module")
+def others(tmp_path_factory):
+    """Return a package of another name, which has a runtime of its own."""
+    folder = tmp_path_factory.mktemp("others")
+    write(render([LOWERED[name] for name in KERNELS]), folder / "others")
+    return load_package(folder, "others")
+
+
+@every_kernel
+@pytest.mark.parametrize("wrapper", ["dd", "bounds", "plain", "hypotheses"])
+def test_functions_of_a_package_of_another_name_are_taken(declared, wrapper, others):
+    """Each package wraps functions of the other as the other does itself, to the last bit."""
+    function = function_of(declared, others)
+    arguments = [np.asarray(declared.example[argument.name], dtype=float) for argument in declared.arguments]
+    wrapped = getattr(algebroproj, wrapper)(function)(*arguments)
+    assert_same_numbers(wrapped, getattr(others, wrapper)(function)(*arguments))
+
+
+@pytest.mark.parametrize("wrapper", ["dd", "bounds"])
+def test_a_plain_function_of_a_package_of_another_name_stays_plain(wrapper, others):
+    function = others.plain(function_of(MEET, others))
+    arguments = [np.array([[1.0, 0.3], [0.7, 0.1]]), np.array([0.1, 1.7])]
+    wrapped = getattr(algebroproj, wrapper)(function)(*arguments)
+    assert_same_numbers(wrapped, getattr(others, wrapper)(function)(*arguments))
+
+
+def test_a_function_of_another_package_is_not_taken_for_a_compiled_one_of_the_same_name(tmp_path):
+    """The function ``optics.scale`` of the other package is not the one that is compiled here."""
+    write(render([lower(kernel("optics.scale", {"x": x, "y": y}, x + 7 * y, []))]), tmp_path / "others")
+    scale = load_package(tmp_path, "others").optics.scale
+    assert algebroproj.plain(scale)(1.0, 2.0) == 15.0
+
+
+@every_kernel
+def test_the_studies_take_functions_of_a_package_of_another_name(declared, others):
+    function = function_of(declared, others)
+    arguments = [np.asarray(declared.example[argument.name], dtype=float) for argument in declared.arguments]
+    expected = function(*arguments)
+    for arithmetic in (double_double(), float64_balls(), mpmath_digits(30)):
+        found = apply(arithmetic, function, *(lift(arithmetic, argument) for argument in arguments))
+        pairs = zip(as_tuple(found), as_tuple(expected), strict=True)
+        for numbers, value in pairs:
+            np.testing.assert_allclose(np.asarray(nearest(arithmetic, numbers).hi, dtype=float), value, rtol=1e-12)
+
+
+def assert_same_numbers(found, expected):
+    if isinstance(expected, dict):
+        assert found.keys() == expected.keys()
+        found, expected = tuple(found.values()), tuple(expected.values())
+    for left, right in zip(as_tuple(found), as_tuple(expected), strict=True):
+        if isinstance(right, tuple):
+            assert_same_numbers(left, right)
+        elif hasattr(right, "hi"):
+            assert_same_numbers((left.hi, left.lo), (right.hi, right.lo))
+        else:
+            np.testing.assert_array_equal(left, right)

@@ -7,7 +7,7 @@ import pytest
 import algebroproj
 from algebroproj import correlation, metric, normal_case, optics, projection
 from algebroproj_sym.study.arithmetics import mpmath_digits
-from algebroproj_sym.study.conditioning import condition, condition_numbers, jacobian, smallest_singular_values
+from algebroproj_sym.study.conditioning import condition, condition_numbers, jacobian
 from algebroproj_sym.study.precision import apply, lift
 from algebroproj_sym.study.taylor import gradient, hessian, taylor, variables
 
@@ -71,8 +71,8 @@ def test_first_and_second_derivatives_are_limits_of_differences(function, cores)
     returned = apply(series, function, *numbers)
     results = returned if isinstance(returned, tuple) else (returned,)
     flat = np.concatenate([r.reshape(series.parts, -1) for r in results], axis=1)
-    np.testing.assert_allclose(gradient(series, flat, count), differences(function, arguments, 1), rtol=1e-9, atol=1e-9)
-    np.testing.assert_allclose(hessian(series, flat, count), differences(function, arguments, 2), rtol=1e-8, atol=1e-7)
+    np.testing.assert_allclose(gradient(flat, count), differences(function, arguments, 1), rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(hessian(flat, count), differences(function, arguments, 2), rtol=1e-8, atol=1e-7)
 
 
 @pytest.mark.parametrize("function", [correlation.correlation_matrix, correlation.general_correlation_matrix])
@@ -100,8 +100,8 @@ def test_solutions_of_systems_are_differentiated_twice(function):
         rows = [[(at(i, j) - single[i] - single[j] + base) / step**2 for j in range(3)] for i in range(3)]
         second = np.array(rows, dtype=float)
     scale = abs(second).max()
-    np.testing.assert_allclose(gradient(series, found, 3).T, first, rtol=1e-8, atol=1e-9 * abs(first).max())
-    np.testing.assert_allclose(np.moveaxis(hessian(series, found, 3), 0, -1), second, rtol=1e-7, atol=1e-9 * scale)
+    np.testing.assert_allclose(gradient(found, 3).T, first, rtol=1e-8, atol=1e-9 * abs(first).max())
+    np.testing.assert_allclose(np.moveaxis(hessian(found, 3), 0, -1), second, rtol=1e-7, atol=1e-9 * scale)
 
 
 def test_known_condition_numbers():
@@ -141,10 +141,6 @@ def test_a_singular_member_is_not_a_number_in_its_place():
     left[1], right[1] = left[1, :1], right[1, :1]
     found = condition(correlation.correlation_matrix, left, right)
     assert np.isnan(found.normwise).tolist() == [False, True, False]
-    matrix, _ = correlation.system(left, right)
-    smallest, relative = smallest_singular_values(np.where(np.arange(3)[:, None, None] == 2, np.nan, matrix))
-    assert np.isnan(smallest).tolist() == [False, False, True]
-    assert relative[1] < 1e-15
 
 
 def test_every_generated_function_has_a_jacobian():
@@ -170,4 +166,4 @@ def test_bad_input_is_named():
     with pytest.raises(TypeError, match="expected a generated function"):
         jacobian(abs, 1.0)
     with pytest.raises(ValueError, match="expected second derivatives by 2 variables"):
-        hessian(taylor(2), np.zeros((3, 1)), 2)
+        hessian(np.zeros((3, 1)), 2)

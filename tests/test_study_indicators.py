@@ -8,19 +8,25 @@ import numpy as np
 import pytest
 
 from algebroproj import DoubleDouble, correlation, critical
+from algebroproj_derivations.studies.stereo.accuracy import matrix_error
+from algebroproj_derivations.studies.stereo.chain import images
+from algebroproj_derivations.studies.stereo.configurations import critical_quadric, near_critical, ordinary
+from algebroproj_derivations.studies.stereo.indicators import (
+    _singular_values,
+    diagnosis,
+    eight_point_matrix,
+    indicators,
+)
+from algebroproj_derivations.studies.stereo.rounding import bound_of_correlation, bound_of_epipoles
+from algebroproj_derivations.studies.stereo.scenes import TETRAHEDRON
 from algebroproj_sym.study.arithmetics import arb, float64, rational
 from algebroproj_sym.study.precision import apply, lift
-from algebroproj_sym.study.stereo.accuracy import matrix_error
-from algebroproj_sym.study.stereo.chain import images
-from algebroproj_sym.study.stereo.configurations import BASIC, critical_quadric, near_critical, ordinary
-from algebroproj_sym.study.stereo.indicators import diagnosis, eight_point_matrix, indicators
-from algebroproj_sym.study.stereo.rounding import bound_of_correlation, bound_of_epipoles
 
 
 def test_the_critical_quadric_goes_through_centers_and_points():
     scene = ordinary(50, seed=2)
     quadric = critical_quadric(scene)
-    for points in (BASIC[None], scene.y0_left[:, None], scene.y0_right[:, None], scene.y[:, :3]):
+    for points in (TETRAHEDRON[None], scene.centers, scene.points[:, 4:7]):
         homogeneous = np.insert(np.broadcast_to(points, (50, *points.shape[1:])), 0, 1.0, axis=-1)
         values = np.einsum("nai,nij,naj->na", homogeneous, quadric, homogeneous)
         assert abs(values / (homogeneous**2).sum(axis=-1)).max() < 1e-12
@@ -38,8 +44,8 @@ def test_scenes_are_as_near_as_asked_for(distance):
 def test_members_are_functions_of_seed_and_index():
     whole = near_critical(20, seed=5)
     part = near_critical([13, 4], seed=5)
-    np.testing.assert_array_equal(part.y, whole.y[[13, 4]])
-    assert (near_critical(20, seed=6).y != whole.y).any()
+    np.testing.assert_array_equal(part.points, whole.points[[13, 4]])
+    assert (near_critical(20, seed=6).points != whole.points).any()
     with pytest.raises(ValueError, match=r"0 < nearest <= farthest, got 1 and 0\.1"):
         near_critical(3, farthest=0.1, nearest=1)
 
@@ -64,9 +70,9 @@ def test_eight_equations_hold_for_the_correlation():
 def test_a_fault_of_normalisation_is_not_taken_for_criticality():
     """With both centers and G0, G1 in one plane z10 vanishes, and the five equations are singular, the eight not."""
     scene = ordinary(30, seed=7)
-    right = scene.y0_right.copy()
-    right[:, 1:] = scene.y0_left[:, 1:] * np.linspace(0.8, 1.2, 30)[:, None]
-    coplanar = replace(scene, y0_right=right)
+    centers = scene.centers.copy()
+    centers[:, 1, 1:] = centers[:, 0, 1:] * np.linspace(0.8, 1.2, 30)[:, None]
+    coplanar = replace(scene, centers=centers)
     both = images(rational(), coplanar[np.array([3])])
     exact = apply(rational(), critical.determinant, both.left, both.right)
     assert float(abs(Fraction(int(exact[0, 0].p), int(exact[0, 0].q)))) < 1e-15
@@ -131,6 +137,15 @@ def test_the_bound_is_the_mixed_condition_to_first_order():
     ratio = found.z_bound / found.z_mixed
     assert np.median(ratio) == pytest.approx(1, abs=0.6)
     assert (ratio > 0.99).all()
+
+
+def test_singular_values_of_what_is_no_number_are_none_and_spoil_no_others():
+    left, right = np.random.default_rng(6).uniform(-1, 1, (2, 3, 5, 2))
+    left[1], right[1], left[2] = left[1, :1], right[1, :1], np.nan
+    smallest, relative, eighth = _singular_values(left, right)
+    for values in (smallest, relative, eighth):
+        assert np.isnan(values).tolist() == [False, False, True]
+    assert relative[1] < 1e-15
 
 
 def test_a_singular_pair_has_no_bound():

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from algebroproj import correlation, metric, optics
-from algebroproj_sym.study.arithmetics import double_double_balls, float64, float64_balls
+from algebroproj_derivations.studies.stereo.chain import simulated
+from algebroproj_derivations.studies.stereo.scenes import affine_scene
 from algebroproj_sym.study.ladder import SINGULAR, certified, climb
-from algebroproj_sym.study.stereo.chain import Configuration, simulated
 
 
 def exact_z(left, right):
@@ -87,13 +87,8 @@ def test_angles_have_no_rational_rung_but_are_certified():
 def test_the_result_of_the_chain_does_not_depend_on_the_rungs():
     generator = np.random.default_rng(4)
     y = np.array([[0.576, 0.149, 0.128], [0.392, 0.624, 0.209], [0.733, 0.865, 0.148], [0.998, 0.835, 0.121]])
-    batch = Configuration(
-        y + 0.05 * generator.standard_normal((40, 4, 3)),
-        [0.171, 0.395, 3.99],
-        [0.68, 0.41, 4.07],
-        [0.3, 0.1],
-        [0.3, -0.2],
-    )
+    centers, planes = [[0.171, 0.395, 3.99], [0.68, 0.41, 4.07]], [[0.3, 0.1], [0.3, -0.2]]
+    batch = affine_scene(y + 0.05 * generator.standard_normal((40, 4, 3)), [centers] * 40, [planes] * 40)
 
     def pipeline(arithmetic, members):
         return simulated(arithmetic, batch[members])._asdict()
@@ -114,5 +109,3 @@ def test_bad_input_is_named():
         certified(optics.scale, [np.nan], [2.0])
     with pytest.raises(ValueError, match="at least one member, got 0"):
         climb(lambda arithmetic, members: {}, 0)
-    with pytest.raises(ValueError, match="rungs with enclosures, got float64"):
-        climb(lambda arithmetic, members: {}, 3, rungs=(float64_balls(), float64(), double_double_balls()))

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from algebroproj_derivations.studies import indicators, normal_case, precision, propagation
+from algebroproj_derivations.studies.stereo.chain import Images, images
+from algebroproj_derivations.studies.stereo.configurations import ordinary
 from algebroproj_sym.study import sweeping
 from algebroproj_sym.study.arithmetics import float64
-from algebroproj_sym.study.stereo.chain import Images, images
-from algebroproj_sym.study.stereo.configurations import ordinary
-from algebroproj_sym.study.studies import indicators, normal_case, precision, propagation
 
 SMALL = {indicators: {}, propagation: {"draws": 1000}, precision: {"timed": False}, normal_case: {}}
 MEMBERS = {indicators: 600, propagation: 25, precision: 24, normal_case: 40}
@@ -169,15 +169,16 @@ def test_the_object_is_found_again_on_every_way(normal_cases):
 def test_the_noise_of_a_way_is_that_of_moved_images(way):
     dataset = computed(normal_case, [3])
     scene = ordinary([3], 3, normal_case.FURTHER)
+    y = scene.points[:, 4:]
     both = images(float64(), scene)
     y_a, u_n31, step = dataset.y_a.values[:, 0], dataset.u_n31.values[:, 0], 1e-7
-    base = normal_case._object(float64(), both, way, scene, y_a, u_n31)[0]
+    base = normal_case._object(float64(), both, way, y, y_a, u_n31)[0]
     squares = 0.0
     for side in (0, 1):
         for place in np.ndindex(both[side].shape[2:]):
             moved = [u.copy() for u in both]
             moved[side][(0, 0, *place)] += step
-            found = normal_case._object(float64(), Images(*moved), way, scene, y_a, u_n31)[0]
+            found = normal_case._object(float64(), Images(*moved), way, y, y_a, u_n31)[0]
             squares += (((found - base) / step)[0, normal_case.CONTROL] ** 2).sum(axis=-1)
     noise = float(dataset.noise.sel(way=way)[0, 0])
     assert np.sqrt(np.mean(squares)) == pytest.approx(noise, rel=1e-3)

@@ -6,9 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from algebroproj import metric
+from algebroproj_derivations.studies.propagation import interval, principal
 from algebroproj_sym.study.conditioning import jacobian
 from algebroproj_sym.study.precision import apply
-from algebroproj_sym.study.propagation import curvature, first_order, intervals, principal, second_order
+from algebroproj_sym.study.propagation import first_order, second_order
 from algebroproj_sym.study.taylor import gradient, hessian, taylor, variables
 
 GENERATOR = np.random.default_rng(12)
@@ -64,7 +65,7 @@ def test_second_order_terms_are_those_of_a_sample():
     lens = np.concatenate([c[None], np.zeros(series.parts - 1)])
     model = apply(series, metric.reconstruct, *numbers, lens)
     sigma = 0.01
-    found = second_order(gradient(series, model, 4), hessian(series, model, 4), sigma**2 * np.eye(4))
+    found = second_order(gradient(model, 4), hessian(model, 4), sigma**2 * np.eye(4))
     draws = sigma * GENERATOR.normal(size=(400_000, 4))
     sample = metric.reconstruct(left + draws[:, :2], right + draws[:, 2:], c)
     np.testing.assert_allclose(sample.mean(axis=0) - model[0], found.shift, atol=0.05 * abs(found.shift).max())
@@ -72,36 +73,27 @@ def test_second_order_terms_are_those_of_a_sample():
 
 
 def test_the_principal_direction_is_that_of_the_largest_variance():
-    root = GENERATOR.normal(size=(5, 3, 3))
-    covariance = root @ np.swapaxes(root, 1, 2)
-    direction, deviation = principal(covariance)
     others = GENERATOR.normal(size=(200, 3))
     others /= np.linalg.norm(others, axis=1, keepdims=True)
-    along = np.sqrt(np.einsum("ki,nij,kj->nk", others, covariance, others))
-    assert (along <= deviation[:, None] * (1 + 1e-12)).all()
-    np.testing.assert_allclose(np.einsum("ni,nij,nj->n", direction, covariance, direction), deviation**2)
-
-
-def test_curvature_is_zero_for_a_plane_and_grows_with_sigma():
-    assert curvature([[1.0, 2.0]], [np.zeros((2, 2))], np.eye(2)).tolist() == [0.0]
-    bent = [[[0.3, 0.1], [0.1, 0.0]]]
-    small, large = (float(curvature([[1.0, 2.0]], bent, s * np.eye(2))[0]) for s in (1e-4, 1e-2))
-    assert large == pytest.approx(10 * small)
+    for root in GENERATOR.normal(size=(5, 3, 3)):
+        covariance = root @ root.T
+        direction, deviation = principal(covariance)
+        assert (np.sqrt(np.einsum("ki,ij,kj->k", others, covariance, others)) <= deviation * (1 + 1e-12)).all()
+        assert direction @ covariance @ direction == pytest.approx(deviation**2)
 
 
 def test_limits_hold_the_true_quantiles_as_often_as_they_say():
     hits = 0
     for _ in range(300):
-        found = intervals(GENERATOR.normal(size=1500))
-        hits += found.low_limits[0] <= -1.0 <= found.low_limits[1]
+        _, (low, high), _ = interval(GENERATOR.normal(size=1500))
+        hits += low <= -1.0 <= high
     assert 0.90 < hits / 300 <= 0.99
 
 
 def test_values_at_infinity_count_as_far_out():
-    samples = np.concatenate([np.linspace(-1, 1, 1001), [np.inf, -np.inf]])
-    found = intervals(samples)
-    assert abs(found.low + found.high) < 1e-2
-    assert np.isfinite([found.low, found.high]).all()
+    (low, high), *_ = interval(np.concatenate([np.linspace(-1, 1, 1001), [np.inf, -np.inf]]))
+    assert abs(low + high) < 1e-2
+    assert np.isfinite([low, high]).all()
 
 
 def test_bad_input_is_named():
@@ -111,7 +103,3 @@ def test_bad_input_is_named():
         first_order(np.ones((2, 2)), [[1.0, 2.0], [0.0, 1.0]])
     with pytest.raises(ValueError, match="Hessian of shape"):
         second_order(np.ones((2, 2)), np.ones((2, 2)), np.eye(2))
-    with pytest.raises(ValueError, match="between 0 and 1, got 2"):
-        intervals(np.arange(100.0), 2)
-    with pytest.raises(ValueError, match="more draws for this confidence, got 10"):
-        intervals(np.arange(10.0))

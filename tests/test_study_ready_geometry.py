@@ -11,15 +11,16 @@ from click.testing import CliRunner
 from matplotlib.figure import Figure
 
 from algebroproj_derivations.fundamentals1996 import s4_a_coordinates as printed
+from algebroproj_derivations.studies import example as example_study
+from algebroproj_derivations.studies import near_critical
+from algebroproj_derivations.studies.stereo.aerial import aerial
+from algebroproj_derivations.studies.stereo.quadric import conditions, critical_quadric, exact, value
+from algebroproj_derivations.studies.stereo.scenes import Scene, images, pictures
 from algebroproj_sym.cli import main
 from algebroproj_sym.study import MEMBER
-from algebroproj_sym.study.stereo.aerial import aerial
-from algebroproj_sym.study.stereo.quadric import conditions, critical_quadric, exact, value
-from algebroproj_sym.study.stereo.scenes import Scene, images, pictures
-from algebroproj_sym.study.studies import STUDIES, near_critical
-from algebroproj_sym.study.studies import example as example_study
+from algebroproj_sym.study.discovery import studies
 
-BY_NAME = {study.name: study for study in STUDIES}
+BY_NAME = {study.name: study for study in studies()}
 OWN = ("near-critical", "layouts", "example")
 MEMBERS = {"near-critical": 600, "layouts": 1100, "example": 400}
 
@@ -77,7 +78,7 @@ def test_digits_lost_are_those_of_exact_images_solved_with_fifty_digits():
     scenes = aerial(5, indices, **{name: arguments[name] for name in ("base", "height", "relief", "tilt")})
     points = near_critical._near_quadric(scenes, found.intended.values)
     for member in indices:
-        parts = (exact(part) for part in (points[member], scenes.centers[member], scenes.normals[member]))
+        parts = (exact(part) for part in (points[member], scenes.centers[member], scenes.planes[member]))
         u = images(Scene(*parts))
         rounded = exact(u.astype(float))
         with mpmath.workdps(50):
@@ -131,7 +132,7 @@ def test_the_data_of_the_example_are_the_printed_ones():
         assert example.scene.centers[side].tolist() == [float(cell) for cell in printed.CARTESIAN[name]]
     assert example.names[:4] == printed.BASIC
     axes = [[float(cell) for cell in matrix[2]] for matrix in (printed.R_LEFT, printed.R_RIGHT)]
-    assert example.scene.normals.tolist() == axes
+    assert example.scene.planes.tolist() == axes
 
 
 def test_the_unrounded_results_of_the_example_are_the_printed_ones(datasets):
@@ -213,7 +214,7 @@ def test_the_command_writes_dataset_figures_and_report(tmp_path):
 def test_conditions_count_ten_for_what_is_not_critical():
     scene = aerial(2, [0])
     assert conditions(np.concatenate([scene.points[0], scene.centers[0]])) == 10
-    single = Scene(scene.points[0], scene.centers[0], scene.normals[0])
+    single = scene[0]
     form = critical_quadric(single.points[:7], single.centers)
     assert all(number == 0 for number in value(form, np.vectorize(sympy.Rational)(single.points[:7])))
     assert np.isfinite(pictures(single)).all()

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from algebroproj_derivations.studies.stereo.aerial import aerial
+from algebroproj_derivations.studies.stereo.scene_files import read_scene
 from algebroproj_sym.cli import main
-from algebroproj_sym.study.stereo.aerial import aerial
-from algebroproj_sym.study.stereo.scene_files import read_scene
 
 
 def table(name, rows, unit):
@@ -24,7 +24,7 @@ def written(folder, change=lambda points: None, unit="m", unit_of_centers="m", c
     path.write_text(
         table("points", points, unit)
         + table("centers", dict(zip(centers, 300 * batch.centers[0], strict=True)), unit_of_centers)
-        + table("axes", dict(zip(("left", "right"), batch.normals[0], strict=True)), None)
+        + table("axes", dict(zip(("left", "right"), batch.planes[0], strict=True)), None)
     )
     return path
 
@@ -63,7 +63,7 @@ def test_a_critical_scene_is_found(tmp_path):
     result = study(written(tmp_path, flatten, count=8), tmp_path / "out")
     assert result.exit_code == 0, result.stderr
     assert ": critical; rank 7 of the eight equations." in result.stdout
-    assert "all movements together 0 m" in result.stdout
+    assert "the points move by 0 m in all" in result.stdout
 
 
 def test_the_file_is_read_as_it_is_written(tmp_path):

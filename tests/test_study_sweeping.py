@@ -18,11 +18,11 @@ import xarray
 from click.testing import CliRunner
 from matplotlib.figure import Figure
 
+from algebroproj_derivations.studies import example, normal_case
 from algebroproj_sym.cli import main
 from algebroproj_sym.study import MEMBER, Option, Study
 from algebroproj_sym.study.datasets import read, variable
 from algebroproj_sym.study.sampling import uniform
-from algebroproj_sym.study.studies import normal_case
 from algebroproj_sym.study.sweeping import OtherSweepError, Sweep, assemble, computed, missing, prepare, run
 
 
@@ -288,10 +288,7 @@ def test_a_cluster_gives_the_same_bytes(undisturbed, tmp_path, kind):
 
 @pytest.mark.xdist_group("sweeps")
 def test_local_processes_give_the_same_bytes(undisturbed, tmp_path):
-    from algebroproj_sym.study.studies import STUDIES
-
-    example = next(each for each in STUDIES if each.name == "example")
-    sweep = Sweep(example, tmp_path, {}, 240, 10)
+    sweep = Sweep(example.STUDY, tmp_path, {}, 240, 10)
     prepare(sweep)
     with ProcessPoolExecutor(2) as executor:
         finished(sweep, executor, 4)
@@ -336,10 +333,10 @@ def test_a_folder_that_cannot_be_written_is_exit_status_2(tmp_path):
 
 
 def test_a_report_that_needs_its_members_in_memory_is_given_some_of_them(tmp_path, monkeypatch):
-    monkeypatch.setattr("algebroproj_sym.study.studies.STUDIES", (replace(normal_case.STUDY, shown=40),))
+    monkeypatch.setattr(normal_case, "STUDY", replace(normal_case.STUDY, shown=40))
     result = invoke("normal-case", "--members", "100", "--out", str(tmp_path))
     assert result.exit_code == 0, result.output
-    assert "Report and figures take in one member of 3." in result.stdout
+    assert "Report and figures show one member in 3." in result.stdout
 
 
 def test_without_the_extra_the_command_says_how_to_install_it(monkeypatch):

@@ -84,7 +84,7 @@ def test_what_is_not_zero_is_refused_where_nothing_looks_at_it(kind):
         "count": {"printed": 1, "derived": vector(x), "variables": [x]},
         "limit": {"printed": 0, "derived": x, "variable": x},
     }
-    with pytest.raises(ValueError, match="expected nonzero for an identity or vanishing"):
+    with pytest.raises(ValueError, match="nonzero: expected none for a claim of kind"):
         getattr(section, kind)("1.1", "a title", **parts[kind], nonzero=[x])
 
 

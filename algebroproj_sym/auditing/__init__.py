@@ -2,25 +2,31 @@
 
 A quote is looked up in the paper's file (`scans`), parsed (`latex`), its symbols are looked up in the paper's tables
 (`symbols`), and what it reads must be what the claim says is printed, symbol by symbol (`audit`).
+Which claims quote which line of a paper, `coverage` tells.
 """
 
 from algebroproj_sym.auditing.audit import STATUSES, Finding, Status, audited, numbers_in
 from algebroproj_sym.auditing.collection import audit, stale
+from algebroproj_sym.auditing.coverage import Line, coverage, ranges
 from algebroproj_sym.auditing.latex import UnreadableError, read_formula
-from algebroproj_sym.auditing.scans import misplaced
+from algebroproj_sym.auditing.scans import lines_of, misplaced
 from algebroproj_sym.auditing.symbols import Symbols, Table, symbols_for, tables_in
 
 __all__ = [
     "STATUSES",
     "Finding",
+    "Line",
     "Status",
     "Symbols",
     "Table",
     "UnreadableError",
     "audit",
     "audited",
+    "coverage",
+    "lines_of",
     "misplaced",
     "numbers_in",
+    "ranges",
     "read_formula",
     "stale",
     "symbols_for",

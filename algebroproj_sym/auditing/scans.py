@@ -21,24 +21,54 @@ def misplaced(quote: Quote, file: Path) -> str:
     DeclarationError
         If there is no such file.
     """
-    text, lines = _squeezed(file)
     for place, piece in enumerate(quote.pieces):
-        begins = {lines[found.start()] for found in re.finditer(f"(?={re.escape(_without_space(piece))})", text)}
-        last = quote.line if place == 0 else quote.line + NEAR
-        if not any(quote.line <= line <= last for line in begins):
+        begins = [first for first, _ in _occurrences(piece, file)]
+        if not any(quote.line <= line <= _latest(quote, place) for line in begins):
             nearest = min(begins, key=lambda line: abs(line - quote.line), default=None)
             where = f"begins on line {nearest}" if nearest else "does not occur"
             return f"line {quote.line} of {file.name}: {piece!r} {where}"
     return ""
 
 
+def lines_of(quote: Quote, file: Path) -> set[int]:
+    """Return the lines of the file on which the pieces of a quote stand; none for a piece that is misplaced."""
+    found = set[int]()
+    for place, piece in enumerate(quote.pieces):
+        spans = (span for span in _occurrences(piece, file) if quote.line <= span[0] <= _latest(quote, place))
+        first, last = next(spans, (1, 0))
+        found |= {*range(first, last + 1)}
+    return found
+
+
+def text_of(file: Path) -> str:
+    """Return the text of a paper's file.
+
+    Raises
+    ------
+    DeclarationError
+        If there is no such file.
+    """
+    if not file.is_file():
+        raise DeclarationError(f"papers: expected the file {file.name} in {file.parent}, got none")
+    return file.read_text(encoding="utf-8")
+
+
+def _latest(quote: Quote, place: int) -> int:
+    return quote.line if place == 0 else quote.line + NEAR
+
+
+def _occurrences(piece: str, file: Path) -> list[tuple[int, int]]:
+    """Return the first and the last line of each place where a piece stands."""
+    text, lines = _squeezed(file)
+    sought = _without_space(piece)
+    starts = (found.start() for found in re.finditer(f"(?={re.escape(sought)})", text))
+    return [(lines[start], lines[start + len(sought) - 1]) for start in starts]
+
+
 @cache
 def _squeezed(file: Path) -> tuple[str, list[int]]:
     """Return the text of a file without white space, and the line of each of its characters."""
-    if not file.is_file():
-        raise DeclarationError(f"papers: expected the file {file.name} in {file.parent}, got none")
-    lines = file.read_text(encoding="utf-8").split("\n")
-    pieces = [_without_space(line) for line in lines]
+    pieces = [_without_space(line) for line in text_of(file).split("\n")]
     return "".join(pieces), [number for number, piece in enumerate(pieces, 1) for _ in piece]
 
 

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import click
 
-from algebroproj_sym.cli.audit import audit_command
-from algebroproj_sym.cli.build import build
-from algebroproj_sym.cli.check import check
-from algebroproj_sym.cli.explain import explain
-from algebroproj_sym.cli.export import export_group
-from algebroproj_sym.cli.generate import generate
 from algebroproj_sym.cli.group import Group
-from algebroproj_sym.cli.mutate import mutate
-from algebroproj_sym.cli.new import new
-from algebroproj_sym.cli.replay import replay_command
-from algebroproj_sym.cli.report import report
-from algebroproj_sym.cli.study import study_group
-from algebroproj_sym.cli.verify import verify
+
+SUMMARIES = {
+    "new": "Write a folder DIR/NAME to start from.",
+    "check": "Judge claims, and compare each verdict with the declared one.",
+    "explain": "Show one claim: the printed form, the derived form, the verdict and the evidence.",
+    "generate": "Generate the functions, and write them to DIR/NAME.",
+    "verify": "Prove the source of generated functions, and measure their errors.",
+    "build": "Prove everything, generate and verify the functions, write ledger and report.",
+    "report": "Prove everything, generate and verify the functions, write a site to DIR.",
+    "study": "Run a numerical study, and write a dataset, figures and a short report.",
+    "replay": "Check the verdicts of a LEDGER again, without the prover.",
+    "audit": "Compare what claims say is printed with the LaTeX that they quote.",
+    "export": "Write the claims as theorems for a proof assistant.",
+    "mutate": "Change claims and functions in single places, and test whether the checks notice.",
+}
+"""The commands, each of a module of its own, and the first sentences of their help."""
 
 EPILOG = """
 \b
@@ -38,7 +42,7 @@ There are no colors in a pipe, or if the environment variable NO_COLOR is set.
 """
 
 
-@click.group(cls=Group, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=Group, summaries=SUMMARIES, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="algebroproj-sym")
 @click.option("-q", "--quiet", "verbosity", flag_value="quiet", help="Print only what is wrong, and JSON.")
 @click.option("-v", "--verbose", "verbosity", flag_value="verbose", help="Also print how long each step takes.")
@@ -50,10 +54,3 @@ def main(context: click.Context, verbosity: str | None) -> None:
     proved or refuted, with exact evidence.  Proved formulas can become NumPy functions, whose source is proved too.
     """
     context.obj = verbosity or "normal"
-
-
-for command in (
-    *(new, check, explain, generate, verify, build, report, study_group),
-    *(replay_command, audit_command, export_group, mutate),
-):
-    main.add_command(command)

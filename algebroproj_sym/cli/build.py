@@ -8,28 +8,14 @@ import click
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import (
-    derived,
-    judged,
-    lowered_after,
-    require_as_declared,
-    require_kernels,
-    require_room,
-    say_what_is_wrong,
-    verified,
-)
+from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
+from algebroproj_sym.cli.steps import lowered_after, require_kernels, require_room, verified
 from algebroproj_sym.cli.terminal import console, show
-from algebroproj_sym.declaring import derivations_of, drivers, kernels, quotes_of, select
-from algebroproj_sym.generating import measured_errors, render, write
-from algebroproj_sym.reporting import (
-    findings,
-    ledger,
-    report,
-    summary_text,
-    verification_table,
-    write_json,
-    write_text,
-)
+from algebroproj_sym.declaring import derivations_of, drivers, judge_all, kernels, quotes_of, select
+from algebroproj_sym.generating import render, write
+from algebroproj_sym.reporting.ledger import ledger, write_json, write_text
+from algebroproj_sym.reporting.report import findings, report
+from algebroproj_sym.reporting.tables import summary_text, verification_table
 from algebroproj_sym.verifying import verification_record
 
 
@@ -40,31 +26,31 @@ from algebroproj_sym.verifying import verification_record
 @options.samples
 @options.engine
 @options.jobs
-@options.fresh
-def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int, fresh: bool) -> None:
+@options.full
+def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int, full: bool) -> None:
     """Prove everything, generate and verify the functions, write ledger and report.
 
     This writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
     """
     claims, chosen = select(sources), kernels((), sources)
     elsewhere = [claim for claim in pipeline.claims_of(chosen, sources) if claim not in claims]
-    judgements = judged(claims, engine, jobs, fresh=fresh)
-    derived(claims, jobs)
-    write_json(ledger(judgements, quotes_of(derivations_of(sources)), timed=False), out / "ledger.json")
+    judgements = judged(claims, engine, jobs)
+    quotes = quotes_of(derivations_of(sources))
+    write_json(ledger(judgements, quotes, timed=False, jobs=jobs), out / "ledger.json")
     console().print(summary_text(judgements))
     write_text(findings(judgements), out / "findings.md")
     say_what_is_wrong(judgements)
     require_kernels(chosen)
-    support = [*judgements, *pipeline.check(elsewhere, engine, jobs)]
+    support = [*judgements, *judge_all(elsewhere, engine, jobs)]
     lowered = lowered_after(support, chosen, engine, jobs)
     files = render(lowered, drivers(sources))
     require_room(files, out / package, sources)
     write(files, out / package)
     verifications = verified(lowered, out, samples, engine, jobs, package)
     record = verification_record(verifications)
-    write_json(record, out / "accuracy.json")
-    write(render(lowered, drivers(sources), measured_errors(record)), out / package)
+    for folder in (out, out / package):
+        write_json(record, folder / "accuracy.json")
     write_text(report(judgements, lowered, verifications), out / "report.md")
-    show(verification_table(verifications))
+    show(verification_table(verifications, full=full))
     console().print(f"written to {out}: ledger.json, findings.md, {package}/, accuracy.json, report.md")
     require_as_declared(judgements, verifications, out / "report.md")

@@ -4,44 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import judged, judged_where_declared, require_as_declared, say_what_is_wrong
-from algebroproj_sym.cli.terminal import console, echo_json, progressing, show, verbosity
-from algebroproj_sym.declaring import (
-    Answer,
-    Judgement,
-    MalformedFileError,
-    identities,
-    installed_papers,
-    located,
-    quotes_of,
-)
-from algebroproj_sym.processes import uncollected
-from algebroproj_sym.proving import outcomes
-from algebroproj_sym.reporting import (
-    answers_record,
-    answers_summary,
-    answers_table,
-    claim_record,
-    claims_table,
-    ledger_of,
-    summary,
-    summary_text,
-)
 
 
 @click.command()
 @options.selectors
 @options.engine
 @options.jobs
-@options.fresh
 @options.output_format
+@options.full
 @options.seconds
-def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, output: str, seconds: float) -> None:
+def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, full: bool, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
     A SELECTOR is a paper (okamoto1981), a section (okamoto1981:2.1), a number (okamoto1981:24), or the path of
@@ -52,47 +28,46 @@ def check(selectors: tuple[str, ...], engine: str, jobs: int, fresh: bool, outpu
     also have constraints, nonzero, name, variables, witness and expected.
     """
     files = [Path(selector) for selector in selectors if selector.endswith(".json")]
-    if files:
-        if len(files) < len(selectors):
-            raise click.UsageError("expected either claims or files of identities, got both")
-        _check_files(files, engine, jobs, output, seconds)
-        return
-    with uncollected():
-        judgements, records = _judged(selectors, engine, jobs, fresh=fresh, recorded=output == "json")
-    if output == "json":
-        echo_json(ledger_of(records, summary(judgements)))
+    if not files:
+        _check_claims(selectors, engine, jobs, output, full=full)
+    elif len(files) < len(selectors):
+        raise click.UsageError("expected either claims or files of identities, got both")
     else:
-        show(claims_table(judgements))
+        _check_files(files, engine, jobs, output, seconds)
+
+
+def _check_claims(selectors: Sequence[str], engine: str, jobs: int, output: str, *, full: bool) -> None:
+    from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
+    from algebroproj_sym.cli.terminal import console, echo_json, show, verbosity
+    from algebroproj_sym.declaring import located, quotes_of
+    from algebroproj_sym.reporting.ledger import ledger
+    from algebroproj_sym.reporting.tables import claims_table, summary_text
+
+    found = located(selectors)
+    judgements = judged([claim for _, claim in found], engine, jobs)
+    if output == "json":
+        echo_json(ledger(judgements, quotes_of(derivation for derivation, _ in found), jobs=jobs))
+    else:
+        show(claims_table(judgements, full=full))
         console().print(summary_text(judgements))
     if verbosity() == "quiet":
         say_what_is_wrong(judgements)
     require_as_declared(judgements)
 
 
-def _judged(
-    selectors: Sequence[str], engine: str, jobs: int, *, fresh: bool, recorded: bool
-) -> tuple[list[Judgement], list[dict[str, Any]]]:
-    """Judge the selected claims, and write the entries of the ledger if they are asked for."""
-    papers = tuple(dict.fromkeys(selectors or installed_papers()))
-    if jobs > 1 and {*papers} <= {*installed_papers()}:
-        return judged_where_declared(papers, engine, jobs, fresh=fresh, recorded=recorded)
-    found = located(selectors)
-    judgements = judged([claim for _, claim in found], engine, jobs, fresh=fresh)
-    quotes = quotes_of(derivation for derivation, _ in found)
-    return judgements, [claim_record(judgement, quotes) for judgement in judgements] if recorded else []
-
-
-def _readable(answer: Answer) -> Answer:
-    if answer.outcome.unreadable:
-        raise MalformedFileError(f"{answer.identity.place}, {answer.outcome.reason}")
-    return answer
-
-
 def _check_files(files: Sequence[Path], engine: str, jobs: int, output: str, seconds: float) -> None:
+    from algebroproj_sym.cli.terminal import console, echo_json, progressing, show
+    from algebroproj_sym.declaring import Answer, MalformedFileError, identities
+    from algebroproj_sym.proving import outcomes
+    from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
+
     chosen = [identity for file in files for identity in identities(file)]
     decided = outcomes([identity.question for identity in chosen], seconds=seconds, engine=engine, jobs=jobs)
-    found = progressing(decided, len(chosen), "deciding")
-    answers = [_readable(Answer(identity, outcome)) for identity, outcome in zip(chosen, found, strict=True)]
+    answers = []
+    for identity, outcome in zip(chosen, progressing(decided, len(chosen), "deciding"), strict=True):
+        if outcome.unreadable:
+            raise MalformedFileError(f"{identity.place}, {outcome.reason}")
+        answers.append(Answer(identity, outcome))
     if output == "json":
         echo_json(answers_record(answers))
     else:

@@ -1,4 +1,4 @@
-"""algebroproj export: theorems for a proof assistant."""
+"""algebroproj export: write theorems for a proof assistant."""
 
 from __future__ import annotations
 
@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import click
-from rich.table import Table
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import judged
+from algebroproj_sym.cli.judging import judged
 from algebroproj_sym.cli.terminal import console, echo, progressing, show
 from algebroproj_sym.declaring import installed_papers
 from algebroproj_sym.exporting import (
@@ -32,7 +31,8 @@ from algebroproj_sym.exporting.files import CONVENTIONS, plain
 from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import Rejected, Replayed, replay
-from algebroproj_sym.reporting import ledger
+from algebroproj_sym.reporting.ledger import ledger
+from algebroproj_sym.reporting.tables import table_of
 
 
 @click.group(name="export")
@@ -122,7 +122,7 @@ def _require_compiler() -> None:
 
 
 def _ledger(path: Path) -> dict[str, Any]:
-    """Return a ledger; a file that is none is wrong usage."""
+    """Read a ledger; another kind of file is wrong usage."""
     try:
         found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
@@ -133,9 +133,7 @@ def _ledger(path: Path) -> dict[str, Any]:
 
 
 def _say(claims: Sequence[Exported], out: Path) -> None:
-    table = Table("kind", box=None, pad_edge=False)
-    for heading in ("claims", "exported", "theorems"):
-        table.add_column(heading, justify="right")
+    table = table_of("kind", numbers=("claims", "exported", "theorems"))
     for kind in sorted({claim.kind for claim in claims}):
         of_kind = [claim for claim in claims if claim.kind == kind]
         shown = sum(1 for claim in of_kind if claim.theorems)
@@ -145,9 +143,9 @@ def _say(claims: Sequence[Exported], out: Path) -> None:
     missing = sum(1 for claim in claims if not claim.theorems)
     trivial = sum(claim.trivial for claim in claims)
     console().print(
-        f"{sum(claim.equations for claim in claims)} equations, of which {trivial} read a = a, see {out / CONVENTIONS}"
+        f"{sum(claim.equations for claim in claims)} equations; {trivial} of them read a = a, see {out / CONVENTIONS}"
     )
-    console().print(f"written to {out}: {total} theorems; {missing} claims without, see {out / UNEXPORTED}")
+    console().print(f"written to {out}: {total} theorems; {missing} claims have none, see {out / UNEXPORTED}")
 
 
 def _require_accepted(program: str, results: Sequence[Compiled]) -> None:

@@ -1,4 +1,4 @@
-"""algebroproj mutate: see whether the checks notice single changes."""
+"""algebroproj mutate: test whether the checks notice single changes."""
 
 from __future__ import annotations
 
@@ -9,12 +9,11 @@ from pathlib import Path
 from typing import Any, get_args
 
 import click
-from rich.table import Table
 
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels
-from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing
+from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show
 from algebroproj_sym.declaring import kernels, select
 from algebroproj_sym.mutating import (
     Fate,
@@ -25,6 +24,7 @@ from algebroproj_sym.mutating import (
     superfluous,
     with_reasons,
 )
+from algebroproj_sym.reporting.tables import fill, table_of
 
 FATES: tuple[Fate, ...] = get_args(Fate)
 
@@ -50,6 +50,7 @@ FATES: tuple[Fate, ...] = get_args(Fate)
 @options.samples
 @options.engine
 @options.jobs
+@options.full
 @options.output_format
 def mutate(
     selectors: tuple[str, ...],
@@ -59,6 +60,7 @@ def mutate(
     samples: int,
     engine: str,
     jobs: int,
+    full: bool,
     output: str,
 ) -> None:
     """Change claims and functions in single places, and test whether the checks notice.
@@ -88,10 +90,10 @@ def mutate(
         echo_json(_record(claims, functions))
     else:
         _print_claims(claims)
-        _print_functions(functions)
+        _print_functions(functions, full=full)
     stale = superfluous(claims, explanations())
     for entry in stale:
-        echo(f"{entry.claim}  {entry.form}: is explained, but does not survive", err=True)
+        echo(f"{entry.claim}  {entry.form}: survivors.toml lists this change, but the checks notice it", err=True)
     if stale or _survivors(claims) or any(_unnoticed(function) for function in functions):
         raise SystemExit(1)
 
@@ -108,9 +110,7 @@ def _unnoticed(function: MutatedKernel) -> list[SourceFate]:
 def _print_claims(claims: Sequence[MutatedClaim]) -> None:
     if not claims:
         return
-    table = Table("kind", box=None, pad_edge=False)
-    for heading in ("claims", "changes", "tried", *FATES):
-        table.add_column(heading, justify="right")
+    table = table_of("kind", numbers=("claims", "changes", "tried", *FATES))
     for kind in sorted({claim.kind for claim in claims}):
         group = [claim for claim in claims if claim.kind == kind]
         counts = Counter(fate.fate for claim in group for fate in claim.fates)
@@ -119,31 +119,36 @@ def _print_claims(claims: Sequence[MutatedClaim]) -> None:
         table.add_row(kind, *map(str, (len(group), total, tried, *(counts[fate] for fate in FATES))))
     for claim, fate in _survivors(claims):
         console().print(f"{claim.paper}:{claim.number}  {fate.change}: {fate.form}: {fate.reason}")
-    console().print(table)
+    show(table)
     counts = Counter(fate.fate for claim in claims for fate in claim.fates)
     wrong = counts["refuted"] + counts["undefined"] + counts["survived"]
-    told = f"{counts['equivalent']} are equivalent, {counts['explained']} survive for a known reason"
-    console().print(f"{wrong - counts['survived']} of {wrong} changed statements refuted; {told}")
+    told = f"{counts['equivalent']} changes are equivalent, {counts['explained']} survive for a known reason"
+    console().print(f"{wrong - counts['survived']} of {wrong} changed statements are refuted; {told}")
 
 
-def _print_functions(functions: Sequence[MutatedKernel]) -> None:
+def _print_functions(functions: Sequence[MutatedKernel], *, full: bool) -> None:
     if not functions:
         return
-    table = Table("function", box=None, pad_edge=False)
-    for heading in ("changes", "tried", "by proof", "by numbers", "equivalent", "worse digits", "same bits"):
-        table.add_column(heading, justify="right")
-    for function in functions:
-        table.add_row(function.function, *map(str, (function.total, len(function.fates), *_counts(function.fates))))
+    headings = ("changes", "tried", "by proof", "by numbers", "equivalent", "worse digits", "same bits")
+    table = table_of("function", numbers=headings)
+
+    def cells(group: Sequence[MutatedKernel]) -> list[str]:
+        fates = [fate for function in group for fate in function.fates]
+        return [str(number) for number in (sum(f.total for f in group), len(fates), *_counts(fates))]
+
+    fill(table, functions, lambda function: function.function, cells, full=full)
     for function in functions:
         for fate in _unnoticed(function):
             name = function.function
             console().print(f"{name}  {fate.change}: {fate.line}: not noticed by the numbers")
-    console().print(table)
+    show(table)
     by_proof, by_numbers, equivalent, worse, same = _counts([fate for each in functions for fate in each.fates])
-    console().print(f"{by_proof} changed sources compute something else: {by_numbers} noticed by numbers, all by proof")
     console().print(
-        f"{equivalent} compute the same real numbers: {worse} with digits so much worse that numbers notice, "
-        f"{same} with the same bits"
+        f"{by_proof} changed sources compute something else: the proof notices all, the numbers {by_numbers}"
+    )
+    console().print(
+        f"{equivalent} compute the same real numbers: {same} the same bits, "
+        f"{worse} with errors so large that the numbers notice"
     )
 
 

@@ -10,12 +10,10 @@ from typing import Any
 import click
 
 from algebroproj_sym.cli.completing import selectors_like
-from algebroproj_sym.generating import PACKAGE
-from algebroproj_sym.proving import ENGINES
 
 engine = click.option(
     "--engine",
-    type=click.Choice(ENGINES),
+    type=click.Choice(("flint", "sympy")),
     default="flint",
     show_default=True,
     help="Library for the polynomials of the proofs.",
@@ -36,7 +34,6 @@ def output_as(*forms: str, help: str = "Format of the output.") -> Callable[[Any
 
 
 output_format = output_as("text", "json")
-fresh = click.option("--fresh", is_flag=True, help="Prove everything again, without the cache.")
 seconds = click.option(
     "--seconds",
     type=click.FloatRange(min=0, min_open=True),
@@ -62,6 +59,9 @@ derivations = click.option(
 )
 
 
+full = click.option("--full", is_flag=True, help="Print a row for each claim or function, however many there are.")
+
+
 def _identifier(context: click.Context, parameter: click.Parameter, value: str) -> str:
     if not value.isidentifier() or iskeyword(value):
         raise click.BadParameter(f"expected the name of a Python package, such as my_functions, got {value!r}")
@@ -69,7 +69,12 @@ def _identifier(context: click.Context, parameter: click.Parameter, value: str) 
 
 
 package_name = click.option(
-    "--name", "package", default=PACKAGE, show_default=True, callback=_identifier, help="Name of the generated package."
+    "--name",
+    "package",
+    default="algebroproj",
+    show_default=True,
+    callback=_identifier,
+    help="Name of the generated package.",
 )
 
 

@@ -16,7 +16,8 @@ from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show, visible
 from algebroproj_sym.declaring import located, quotes_of
 from algebroproj_sym.replaying import Rejected, Replayed, Status, replay
-from algebroproj_sym.reporting import declaration
+from algebroproj_sym.reporting.ledger import declaration
+from algebroproj_sym.reporting.tables import SCREEN, table_of
 
 STATUSES: tuple[Status, ...] = get_args(Status)
 
@@ -34,7 +35,7 @@ STATUSES: tuple[Status, ...] = get_args(Status)
     "sources",
     multiple=True,
     metavar="SELECTOR",
-    help="With --derivations: where the claims are declared, instead of all installed papers. May be repeated.",
+    help="Compare with these derivations, not with all installed papers. Needs --derivations. May be repeated.",
 )
 @options.jobs
 @options.output_format
@@ -49,7 +50,7 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
     if an entry is rejected, cannot be replayed, or differs from its declaration.
     """
     if sources and not comparing:
-        raise click.UsageError("--source: expected it together with --derivations")
+        raise click.UsageError("--source: expected also --derivations")
     ledger = _read(path)
     try:
         found = replay(ledger, jobs)
@@ -62,10 +63,12 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
     if output == "json":
         echo_json(_record(results))
     else:
-        for result in results:
-            if result.status != "replayed":
-                told = f"{result.paper}:{result.number}  {result.status}: {result.reason}"
-                console().print(visible(told, line=True))
+        wrong = [result for result in results if result.status != "replayed"]
+        for result in wrong[:SCREEN]:
+            told = f"{result.paper}:{result.number}  {result.status}: {result.reason}"
+            console().print(visible(told, line=True))
+        if len(wrong) > SCREEN:
+            console().print(f"… and {len(wrong) - SCREEN} more; --format json shows all")
         show(_table(results))
         counts = Counter(result.status for result in results)
         listed = ", ".join(
@@ -80,7 +83,7 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
 
 
 def _read(path: Path) -> dict[str, Any]:
-    """Return a ledger; a file that is none is wrong usage."""
+    """Read a ledger; another kind of file is wrong usage."""
     try:
         ledger = json.loads(path.read_text(encoding="utf-8"))
     except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
@@ -113,7 +116,7 @@ def _compared(
     compared = []
     for result, entry in zip(results, ledger["claims"], strict=True):
         digest = declared.get((result.paper, result.number))
-        reason = "the derivations declare no such claim" if digest is None else "the derivations declare it otherwise"
+        reason = "no derivation declares this claim" if digest is None else "the derivations declare something else"
         wrong = result.status == "replayed" and digest != entry["declaration"]
         compared.append(replace(result, status="rejected", reason=reason) if wrong else result)
     listed = {(result.paper, result.number) for result in results}
@@ -122,11 +125,11 @@ def _compared(
 
 def _said_of_declarations(comparing: bool, missing: Sequence[str]) -> str:
     if not comparing:
-        return "The texts of the ledger were judged; --derivations compares them with the derivations."
+        return "Only the ledger was checked. With --derivations it is also compared with the derivations."
     return (
         f"The derivations declare {len(missing)} claims that the ledger lacks."
         if missing
-        else ("The ledger is that of the derivations.")
+        else ("The ledger agrees with the derivations.")
     )
 
 
@@ -141,9 +144,7 @@ def _record(results: Sequence[Replayed]) -> dict[str, Any]:
 
 def _table(results: Sequence[Replayed]) -> Table:
     """Return a row for each kind: how many certificates were replayed."""
-    table = Table("kind", box=None, pad_edge=False)
-    for heading in STATUSES:
-        table.add_column(heading, justify="right")
+    table = table_of("kind", numbers=STATUSES)
     counts = Counter((result.kind, result.status) for result in results)
     for kind in dict.fromkeys(sorted(result.kind for result in results)):
         table.add_row(visible(kind, line=True), *(str(counts[kind, status]) for status in STATUSES))

@@ -2,41 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import click
 
 from algebroproj_sym.cli import options
+from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
 from algebroproj_sym.cli.steps import (
     NOTEBOOK_MODULES,
     SITE_MODULES,
-    derived,
-    judged,
     lowered_after,
-    require_as_declared,
     require_modules,
     run_notebooks,
-    say_what_is_wrong,
     verified,
 )
 from algebroproj_sym.cli.terminal import console
-from algebroproj_sym.declaring import drivers, kernels, located, numbered_with, split
+from algebroproj_sym.declaring import drivers, kernels, located, split
 from algebroproj_sym.generating import PACKAGE, render, write
-from algebroproj_sym.reporting import summary_text
-from algebroproj_sym.reporting.site import (
-    OccupiedError,
-    RecordError,
-    Speed,
-    catalogue,
-    functions_of,
-    read_checked,
-    read_speed,
-    render_site,
-    replace,
-    require_free,
-)
+from algebroproj_sym.reporting.site.catalogue import catalogue
+from algebroproj_sym.reporting.site.folder import OccupiedError, replace, require_free
+from algebroproj_sym.reporting.site.function_pages import functions_of
+from algebroproj_sym.reporting.site.pages import render_site
+from algebroproj_sym.reporting.tables import summary_text
 
 
 @click.command()
@@ -45,20 +33,7 @@ from algebroproj_sym.reporting.site import (
 @options.samples
 @options.engine
 @options.jobs
-@options.fresh
 @click.option("--notebooks", is_flag=True, help="Run the derivations as notebooks, and add them to the site.")
-@click.option(
-    "--checked",
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    metavar="FILE",
-    help="Mark claims that a proof assistant has accepted. FILE has one on each line, such as mypaper:1.2.",
-)
-@click.option(
-    "--speed",
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    metavar="FILE",
-    help="Show how long functions take. benchmarks/functions.py writes FILE.",
-)
 def report(
     selectors: tuple[str, ...],
     out: Path,
@@ -66,9 +41,6 @@ def report(
     engine: str,
     jobs: int,
     notebooks: bool,
-    checked: Path | None,
-    speed: Path | None,
-    fresh: bool,
 ) -> None:
     """Prove everything, generate and verify the functions, write a site to DIR.
 
@@ -87,10 +59,8 @@ def report(
         require_free(out)
     except OccupiedError as error:
         raise click.UsageError(f"--out: {error}") from error
-    accepted, times = records(checked, speed, sources)
-    judgements = judged(claims, engine, jobs, fresh=fresh)
+    judgements = judged(claims, engine, jobs)
     console().print(summary_text(judgements))
-    derived(claims, jobs)
     say_what_is_wrong(judgements)
     numbers = {(claim.paper, claim.number) for claim in claims}
     chosen = [k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}]
@@ -102,19 +72,7 @@ def report(
     modules = [derivation for derivation, _ in found]
     shown = run_notebooks({module.path: module for module in modules}.values(), jobs) if notebooks else []
     functions = functions_of(lowered, verifications, package)
-    site = render_site(catalogue(judgements, modules, functions, shown, accepted, times))
+    site = render_site(catalogue(judgements, modules, functions, shown))
     replace(site, out)
     console().print(f"written to {out}: {len(site)} files; open {out / 'index.html'}")
     require_as_declared(judgements, verifications, out / "index.html")
-
-
-def records(
-    checked: Path | None, speed: Path | None, sources: Sequence[str]
-) -> tuple[frozenset[tuple[str, str]], Speed | None]:
-    """Read what others found out about the claims of some sources, and about functions."""
-    claims = [claim for derivation in numbered_with(sources) for claim in derivation.section.claims]
-    known = {(claim.paper, claim.number) for claim in claims}
-    try:
-        return read_checked(checked, known) if checked else frozenset(), read_speed(speed) if speed else None
-    except RecordError as error:
-        raise click.UsageError(str(error)) from error

@@ -5,54 +5,19 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
 import click
 
 from algebroproj_sym import pipeline
-from algebroproj_sym.cli.terminal import echo, progressing
-from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, modules_of_papers, require_consistent
+from algebroproj_sym.cli.judging import judged
+from algebroproj_sym.cli.terminal import progressing
+from algebroproj_sym.declaring import Derivation, Judgement, Kernel
 from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
-from algebroproj_sym.remembering import Memory, cache_folder
-from algebroproj_sym.reporting import Notebook, failed_function, failure_text, remember
+from algebroproj_sym.reporting.notebooks import Notebook
 from algebroproj_sym.verifying import Verification
 
 SITE_MODULES = ("latex2mathml",)
-ADVICE = (
-    "Try another form of the kernel: declare section.kernel(..., form=...) with an equal expression that cancels\n"
-    "less, or several of them with alternatives=..., of which the generator takes the most accurate one."
-)
 NOTEBOOK_MODULES = ("ipykernel", "jupytext", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
-
-
-def judged(claims: Sequence[Claim], engine: str, jobs: int, *, fresh: bool = True) -> list[Judgement]:
-    """Judge claims, in order; unless it is to be done afresh, only those that have changed since an earlier run."""
-    return list(progressing(pipeline.check(claims, engine, jobs, _memory(fresh)), len(claims), "checking"))
-
-
-def judged_where_declared(
-    papers: Sequence[str], engine: str, jobs: int, *, fresh: bool, recorded: bool = False
-) -> tuple[list[Judgement], list[dict[str, Any]]]:
-    """Judge all claims of installed papers in the processes that import them; `recorded` gives the ledger's entries."""
-    names = modules_of_papers(papers)
-    modules = pipeline.check_modules(names, engine, jobs, _memory(fresh), recorded=recorded)
-    checked = sorted(
-        progressing(modules, len(names), "checking modules", ticking=False), key=lambda module: names.index(module.name)
-    )
-    require_consistent([outline for module in checked for outline in module.outlines])
-    judgements = [judgement for module in checked for judgement in module.judgements]
-    return judgements, [record for module in checked for record in module.records]
-
-
-def _memory(fresh: bool) -> Memory:
-    memory = Memory(cache_folder(), fresh)
-    memory.forget_what_is_old()
-    return memory
-
-
-def derived(claims: Sequence[Claim], jobs: int) -> None:
-    """Write what is derived in lowest terms, for all that is shown later."""
-    remember(claims, progressing(pipeline.derived_forms(claims, jobs), len(claims), "reducing"))
 
 
 def require_kernels(chosen: Sequence[Kernel]) -> None:
@@ -107,35 +72,3 @@ def missing_modules(names: Sequence[str]) -> list[str]:
 def run_notebooks(derivations: Collection[Derivation], jobs: int) -> list[Notebook]:
     """Run derivations as notebooks."""
     return list(progressing(pipeline.notebooks(tuple(derivations), jobs), len(derivations), "running notebooks"))
-
-
-def say_what_is_wrong(judgements: Sequence[Judgement]) -> None:
-    """Say, on standard error, why claims are not as declared."""
-    wrong = [judgement for judgement in judgements if not judgement.as_declared]
-    if wrong:
-        echo("\n\n".join(map(failure_text, wrong)), err=True)
-
-
-def require_as_declared(
-    judgements: Sequence[Judgement], verifications: Sequence[Verification] = (), details: Path | None = None
-) -> None:
-    """Leave with exit status 1 unless every verdict is the declared one and every function has passed.
-
-    Parameters
-    ----------
-    judgements : sequence of Judgement
-        The verdicts.
-    verifications : sequence of Verification
-        The figures of the functions.
-    details : Path, optional
-        Where to read more.
-    """
-    failed = [v for v in verifications if not v.passed]
-    if failed:
-        echo("\n".join(map(failed_function, failed)), err=True)
-        if not all(v.accuracy.within_bound for v in failed):
-            echo(ADVICE, err=True)
-        if details:
-            echo(f"All figures are in {details}.", err=True)
-    if failed or not all(judgement.as_declared for judgement in judgements):
-        raise SystemExit(1)

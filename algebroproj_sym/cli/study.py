@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from algebroproj_sym.study import Option, Study
     from algebroproj_sym.study.sweeping import Sweep
 
-MODULES = ("xarray", "h5netcdf", "h5py", "dask", "matplotlib", "scipy", "SALib")
+MODULES = ("xarray", "h5netcdf", "h5py", "dask", "matplotlib", "scipy")
 REQUIREMENT = "algebroproj-sym[study]"
 CONNECTING = "10s"
 CHUNKS_PER_WORKER = 2
@@ -28,18 +28,25 @@ CHUNKS_PER_WORKER = 2
 
 
 class Studies(click.Group):
-    """The studies, which are imported when one of them is asked for."""
+    """The installed studies, or those of a folder or a file, which are imported when one of them is asked for."""
+
+    path: Path | None = None
 
     def list_commands(self, context: click.Context) -> list[str]:
         """Return the names of the studies; none if they cannot be imported."""
-        return [study.name for study in _studies()] if not missing_modules(MODULES) else []
+        return [study.name for study in _studies(self.path)] if not missing_modules(MODULES) else []
 
     def get_command(self, context: click.Context, name: str) -> click.Command | None:
-        """Return the command of a study."""
+        """Return the command of a study, or the studies at a path."""
         if context.resilient_parsing and missing_modules(MODULES):
             return None
         require_modules(MODULES, "study", REQUIREMENT)
-        return next((_command(study) for study in _studies() if study.name == name), None)
+        named = {study.name: study for study in _studies(self.path)}
+        if name in named:
+            return _command(named[name])
+        if self.path is None and Path(name).exists():
+            return _at(Path(name))
+        return None
 
     def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the list of the studies, or how to install what they need."""
@@ -55,13 +62,27 @@ def study_group() -> None:
 
     Finished parts are kept.  If a study is stopped, the same command goes on where it was.  The results depend only on
     the options and the seed, not on the number of workers.
+
+    In place of a name, give the path of a file or a folder with studies of your own.
     """
 
 
-def _studies() -> tuple[Study, ...]:
-    from algebroproj_sym.study.studies import STUDIES
+def _studies(path: Path | None) -> tuple[Study, ...]:
+    from algebroproj_sym.study.discovery import studies
 
-    return STUDIES
+    return studies(path)
+
+
+def _at(path: Path) -> click.Command:
+    """Return the command of the study in a file, or the group of the studies in a folder."""
+    found = _studies(path)
+    if not found:
+        raise click.UsageError(f"study: expected a module that makes a Study named STUDY, got {path}")
+    if path.is_file():
+        return _command(found[0])
+    group = Studies(str(path), help=f"The studies in {path}.")
+    group.path = path
+    return group
 
 
 def _command(study: Study) -> click.Command:
@@ -112,7 +133,8 @@ def _run(
     out: Path,
     **given: Any,
 ) -> None:
-    from algebroproj_sym.study import figures, reductions, sweeping
+    from algebroproj_sym.study import figures, sweeping
+    from algebroproj_sym.study.datasets import thinned
 
     if scheduler is not None and jobs != 1:
         raise click.UsageError("expected either --jobs or --scheduler, got both")
@@ -127,8 +149,8 @@ def _run(
         raise click.UsageError(f"--out: {out} cannot be written ({error.strerror})") from error
     with _executor(jobs, scheduler) as (executor, workers):
         _compute(sweep, executor, workers)
-    dataset, step = reductions.thinned(sweeping.assemble(sweep), study.shown)
-    text = study.report(dataset) + (f"\nReport and figures take in one member of {step}.\n" if step > 1 else "")
+    dataset, step = thinned(sweeping.assemble(sweep), study.shown)
+    text = study.report(dataset) + (f"\nReport and figures show one member in {step}.\n" if step > 1 else "")
     drawings = figures.save(study.figures(dataset), out / "figures")
     write_texts({"report.txt": text}, out)
     console().print(text.rstrip("\n"))

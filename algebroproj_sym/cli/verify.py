@@ -1,4 +1,4 @@
-"""algebroproj verify: hold the generated functions against the derivations."""
+"""algebroproj verify: compare the generated functions with the derivations."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ from pathlib import Path
 import click
 
 from algebroproj_sym.cli import options
-from algebroproj_sym.cli.steps import lowered_kernels, require_as_declared, verified
+from algebroproj_sym.cli.judging import require_as_declared
+from algebroproj_sym.cli.steps import lowered_kernels, verified
 from algebroproj_sym.cli.terminal import console, echo_json, show
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.reporting import verification_table, write_json
+from algebroproj_sym.reporting.ledger import write_json
+from algebroproj_sym.reporting.tables import verification_table
 from algebroproj_sym.verifying import BOUND, verification_record
 
 
@@ -34,6 +36,7 @@ from algebroproj_sym.verifying import BOUND, verification_record
     metavar="DIR",
     help="Also write the errors to DIR/accuracy.json.",
 )
+@options.full
 @options.output_format
 def verify(
     functions: tuple[str, ...],
@@ -44,6 +47,7 @@ def verify(
     engine: str,
     jobs: int,
     out: Path | None,
+    full: bool,
     output: str,
 ) -> None:
     """Prove the source of generated functions, and measure their errors.
@@ -61,7 +65,7 @@ def verify(
     if output == "json":
         echo_json(record)
     else:
-        show(verification_table(verifications))
+        show(verification_table(verifications, full=full))
         passed = sum(verification.passed for verification in verifications)
         console().print(f"{passed} of {len(verifications)} functions verified; bound of error/(cond u): {BOUND:g}")
     require_as_declared((), verifications)

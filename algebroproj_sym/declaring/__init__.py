@@ -1,6 +1,5 @@
-"""Declaring: what derivations state and ask for, how each statement is judged and how it shows itself."""
+"""Declaring: what derivations state and ask for, and how each statement is judged."""
 
-from algebroproj_sym.declaring.arranging import Part, arranged, as_declared, shown
 from algebroproj_sym.declaring.bibliography import Publication, bibtex, publication
 from algebroproj_sym.declaring.claim import (
     VERDICTS,
@@ -11,36 +10,27 @@ from algebroproj_sym.declaring.claim import (
     in_derived_terms,
     statement_text,
 )
-from algebroproj_sym.declaring.dependencies import needed_by
-from algebroproj_sym.declaring.difference import differing_entries
 from algebroproj_sym.declaring.discovery import (
     Derivation,
-    Outline,
     UnknownSelectorError,
     derivation_at,
     derivations,
-    derivations_in,
     derivations_of,
     drivers,
-    installed_papers,
     kernels,
     located,
-    modules_of_papers,
     numbered_with,
-    outline,
-    paper_folders,
     quotes_of,
-    require_consistent,
     select,
     split,
 )
-from algebroproj_sym.declaring.display import conditions, evidence_lines, folded, markdown
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
-from algebroproj_sym.declaring.importing import BrokenModuleError, import_root, makes_section
-from algebroproj_sym.declaring.judging import Judgement, abridged, judge
+from algebroproj_sym.declaring.importing import BrokenModuleError, import_root
+from algebroproj_sym.declaring.judging import Judgement, judge, judge_all
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
-from algebroproj_sym.declaring.naming import Named, in_names, latex_of_name, named_latex
+from algebroproj_sym.declaring.kind import Kind
+from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.declaring.quotes import UNPARSED, UNQUOTED, Quotations, Quote, quotations
 from algebroproj_sym.declaring.section import Section
 from algebroproj_sym.declaring.stage import (
@@ -54,8 +44,10 @@ from algebroproj_sym.declaring.stage import (
     null_vector,
     solution,
 )
+from algebroproj_sym.papers import installed_papers
 
 __all__ = [
+    "KINDS",
     "LINEAR",
     "PRIMITIVES",
     "UNPARSED",
@@ -71,10 +63,8 @@ __all__ = [
     "Identity",
     "Judgement",
     "Kernel",
+    "Kind",
     "MalformedFileError",
-    "Named",
-    "Outline",
-    "Part",
     "Primitive",
     "Publication",
     "Quotations",
@@ -85,46 +75,28 @@ __all__ = [
     "Statement",
     "UnknownSelectorError",
     "Verdict",
-    "abridged",
     "arctan2",
-    "arranged",
-    "as_declared",
     "bibtex",
-    "conditions",
     "cos_sin",
     "derivation_at",
     "derivations",
-    "derivations_in",
     "derivations_of",
-    "differing_entries",
     "drivers",
-    "evidence_lines",
-    "folded",
     "identities",
     "import_root",
     "in_derived_terms",
-    "in_names",
     "installed_papers",
     "judge",
+    "judge_all",
     "kernels",
-    "latex_of_name",
     "let",
     "located",
-    "makes_section",
-    "markdown",
-    "modules_of_papers",
-    "named_latex",
-    "needed_by",
     "null_vector",
     "numbered_with",
-    "outline",
-    "paper_folders",
     "publication",
     "quotations",
     "quotes_of",
-    "require_consistent",
     "select",
-    "shown",
     "solution",
     "split",
     "statement_text",

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 
-from algebroproj_sym.declaring.discovery import PAPERS
+from algebroproj_sym import papers
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Publication:
 @cache
 def publication(paper: str) -> Publication:
     """Return what is known of a paper."""
-    known = tomllib.loads((files(PAPERS) / "papers.toml").read_text(encoding="utf-8"))
+    known = tomllib.loads((files(papers.PAPERS) / "papers.toml").read_text(encoding="utf-8"))
     return Publication(paper, **known.get(paper, {"title": paper}))
 
 

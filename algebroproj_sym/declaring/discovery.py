@@ -7,7 +7,6 @@ numbered together, an installed paper or the modules of one folder, is imported 
 from __future__ import annotations
 
 import importlib
-import pkgutil
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -16,16 +15,15 @@ from functools import cache
 from pathlib import Path
 from types import ModuleType
 
+from algebroproj_sym import papers
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.dependencies import derivation_names
 from algebroproj_sym.declaring.driver import Driver
-from algebroproj_sym.declaring.importing import import_at, is_package, modules_in
+from algebroproj_sym.declaring.importing import import_at
 from algebroproj_sym.declaring.kernel import Kernel
 from algebroproj_sym.declaring.quotes import Quote, quotations
 from algebroproj_sym.declaring.section import Section
 from algebroproj_sym.expressions import provenance
-
-PAPERS = "algebroproj_derivations"
+from algebroproj_sym.papers import installed_papers, is_package, modules_in, paper_folders
 
 
 class UnknownSelectorError(ValueError):
@@ -51,43 +49,6 @@ class Derivation:
     path: Path
 
 
-@dataclass(frozen=True)
-class Outline:
-    """What of a section must fit the other sections of its paper.
-
-    Attributes
-    ----------
-    paper : str
-        The paper key.
-    numbers : tuple of str
-        The numbers of its claims.
-    references : tuple of (str, str)
-        Which claim or kernel refers to which number.
-    """
-
-    paper: str
-    numbers: tuple[str, ...]
-    references: tuple[tuple[str, str], ...]
-
-
-def outline(section: Section) -> Outline:
-    """Return the numbers that a section declares, and those that it refers to."""
-    referred = [(claim.number, claim.instead) for claim in section.claims if claim.instead]
-    referred += [(kernel.qualified_name, number) for kernel in section.kernels for number in kernel.claims]
-    return Outline(section.paper, tuple(claim.number for claim in section.claims), tuple(referred))
-
-
-def installed_papers() -> tuple[str, ...]:
-    """Return the keys of the installed papers, sorted."""
-    package = importlib.import_module(PAPERS)
-    return tuple(sorted(info.name for info in pkgutil.iter_modules(package.__path__) if info.ispkg))
-
-
-def modules_of_papers(papers: Sequence[str]) -> tuple[str, ...]:
-    """Return the names of the derivation modules of some installed papers, in order, without importing them."""
-    return tuple(name for paper in papers for name in derivation_names(f"{PAPERS}.{paper}"))
-
-
 @cache
 def derivations(paper: str) -> tuple[Derivation, ...]:
     """Import the derivation modules of an installed paper, in the order of their names.
@@ -97,14 +58,14 @@ def derivations(paper: str) -> tuple[Derivation, ...]:
     DeclarationError
         If a number is declared twice, or a claim or kernel refers to a number that is not declared.
     """
-    found = tuple(derivation for name in modules_of_papers([paper]) for derivation in derivations_in(name))
-    require_consistent([outline(derivation.section) for derivation in found])
+    found = _imported(paper, papers.module_files(paper))
+    _require_consistent(found)
     return found
 
 
-def derivations_in(module: str) -> tuple[Derivation, ...]:
-    """Import a module by its name, and return what it declares; nothing if it has no section."""
-    return _declared_by(importlib.import_module(module))
+def _imported(paper: str, files: Sequence[Path]) -> tuple[Derivation, ...]:
+    modules = [importlib.import_module(f"{papers.PAPERS}.{paper}.{file.stem}") for file in files]
+    return tuple(derivation for module in modules for derivation in _declared_by(module))
 
 
 def derivation_at(path: Path, *, alone: bool = False) -> tuple[Derivation, ...]:
@@ -166,9 +127,15 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
 
 
 def located(selectors: Sequence[str] = ()) -> tuple[tuple[Derivation, Claim], ...]:
-    """Return the claims that some selectors name, as `select` does, each with the derivation that declares it."""
+    """Return the claims that some selectors name, as `select` does, each with the derivation that declares it.
+
+    For a section or number of an installed paper, only the modules that name it are imported.  The others are imported
+    if that finds nothing.
+    """
     chosen = [found for selector in selectors or installed_papers() for found in _located(selector)]
-    derivations_of([split(selector)[0] for selector in selectors])
+    sources = [split(selector)[0] for selector in selectors]
+    if not {*sources} <= {*installed_papers()}:
+        derivations_of(sources)
     return tuple({(claim.paper, claim.number): (source, claim) for source, claim in chosen}.values())
 
 
@@ -254,43 +221,42 @@ def suggestion(given: str, known: Iterable[str]) -> str:
 def _united(found: Sequence[Derivation]) -> tuple[Derivation, ...]:
     """Return each derivation once; what is numbered apart must not use the same numbers of the same paper."""
     united = tuple({derivation.path: derivation for derivation in found}.values())
-    for paper, outlines in _by_paper([outline(derivation.section) for derivation in united]).items():
-        _require_different_numbers(paper, outlines)
+    for paper, sections in _by_paper(united).items():
+        _require_different_numbers(paper, sections)
     return united
 
 
-def require_consistent(outlines: Sequence[Outline]) -> None:
-    """Refuse what is numbered together if a number is declared twice, or referred to and not declared.
-
-    Raises
-    ------
-    DeclarationError
-        Naming the paper, or what refers, and the number.
-    """
-    for paper, of_paper in _by_paper(outlines).items():
-        _require_different_numbers(paper, of_paper)
-        _require_references(of_paper)
+def _require_consistent(found: Sequence[Derivation]) -> None:
+    """Refuse what is numbered together if a number is declared twice, or referred to and not declared."""
+    for paper, sections in _by_paper(found).items():
+        _require_different_numbers(paper, sections)
+        _require_references(sections)
 
 
-def _by_paper(outlines: Sequence[Outline]) -> dict[str, list[Outline]]:
-    papers = dict.fromkeys(outline.paper for outline in outlines)
-    return {paper: [outline for outline in outlines if outline.paper == paper] for paper in papers}
+def _by_paper(found: Sequence[Derivation]) -> dict[str, list[Section]]:
+    papers: dict[str, list[Section]] = {}
+    for derivation in found:
+        papers.setdefault(derivation.section.paper, []).append(derivation.section)
+    return papers
 
 
-def _require_different_numbers(paper: str, outlines: Sequence[Outline]) -> None:
-    numbers = Counter(number for outline in outlines for number in outline.numbers)
+def _require_different_numbers(paper: str, sections: Sequence[Section]) -> None:
+    numbers = Counter(claim.number for section in sections for claim in section.claims)
     twice = sorted(number for number, count in numbers.items() if count > 1)
     if twice:
         raise DeclarationError(f"{paper}: expected numbers that are declared once, got {twice} twice")
 
 
-def _require_references(outlines: Sequence[Outline]) -> None:
-    numbers = {number for outline in outlines for number in outline.numbers}
-    for source, number in sorted({reference for outline in outlines for reference in outline.references}):
+def _require_references(sections: Sequence[Section]) -> None:
+    numbers = {claim.number for section in sections for claim in section.claims}
+    referred = {(claim.number, claim.instead) for section in sections for claim in section.claims if claim.instead}
+    referred |= {(k.qualified_name, number) for section in sections for k in section.kernels for number in k.claims}
+    for source, number in sorted(referred):
         if number not in numbers:
             raise DeclarationError(f"{source}: expected a reference to a declared claim, got {number}")
 
 
+@cache
 def _declared_by(module: ModuleType) -> tuple[Derivation, ...]:
     section = getattr(module, "section", None)
     if not isinstance(section, Section):
@@ -357,32 +323,34 @@ def _stamp(file: Path) -> tuple[Path, int, int]:
 @cache
 def _derivations_in(files: tuple[Path, ...], stamps: tuple[tuple[Path, int, int], ...]) -> tuple[Derivation, ...]:
     """Import modules; `stamps` tell whether anything beside them has changed since the last time."""
-    papers = {paper: paper_folders(paper) for paper in installed_papers()}
-    homes = {file: next((paper for paper in papers if file.parent in papers[paper]), None) for file in files}
+    folders = {paper: paper_folders(paper) for paper in installed_papers()}
+    homes = {file: next((paper for paper in folders if file.parent in folders[paper]), None) for file in files}
     installed = {d.path: d for paper in dict.fromkeys(homes.values()) if paper for d in derivations(paper)}
     others = [file for file in files if homes[file] is None]
     imported = {d.path: d for module in import_at(others) for d in _declared_by(module)}
     found = tuple((installed | imported)[file] for file in files if file in installed or file in imported)
-    require_consistent([outline(derivation.section) for derivation in found])
+    _require_consistent(found)
     return found
-
-
-def paper_folders(paper: str) -> set[Path]:
-    """Return where the modules of a paper are, without importing them."""
-    folders = importlib.import_module(PAPERS).__path__
-    return {(Path(folder) / paper).resolve() for folder in folders}
 
 
 def _located(selector: str) -> list[tuple[Derivation, Claim]]:
     source, part = split(selector)
-    found = [(derivation, c) for derivation in _modules_of(source, selector) for c in derivation.section.claims]
-    named = [(derivation, claim) for derivation, claim in found if not part or _names(part, claim)]
+    if part and source in installed_papers():
+        files = [file for file in papers.module_files(source) if papers.may_name(file.read_text("utf-8"), part)]
+        if named := _named(part, _imported(source, files)):
+            return named
+    found = _modules_of(source, selector)
+    named = _named(part, found)
     if part and not named:
-        known = {name for _, claim in found for name in (claim.section, claim.number)}
+        known = {name for derivation in found for c in derivation.section.claims for name in (c.section, c.number)}
         raise UnknownSelectorError(
             f"selector: expected a section or number of {source}, got {part!r}{suggestion(part, known)}"
         )
     return named
+
+
+def _named(part: str, found: Sequence[Derivation]) -> list[tuple[Derivation, Claim]]:
+    return [(derivation, c) for derivation in found for c in derivation.section.claims if not part or _names(part, c)]
 
 
 def _names(part: str, claim: Claim) -> bool:

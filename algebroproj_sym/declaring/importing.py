@@ -6,10 +6,8 @@ neighbours: ``from mypaper.notation import x``.  A module in any other folder st
 
 from __future__ import annotations
 
-import ast
 import importlib
 import importlib.util
-import re
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -17,7 +15,7 @@ from pathlib import Path
 from traceback import extract_tb
 from types import ModuleType
 
-_SECTION = re.compile(r"^section\s*=", re.MULTILINE)
+from algebroproj_sym.papers import is_package
 
 
 class BrokenModuleError(ValueError):
@@ -32,36 +30,6 @@ class BrokenModuleError(ValueError):
     def __init__(self, path: Path, message: str) -> None:
         super().__init__(f"{path}: {message}")
         self.path = path
-
-
-def makes_section(path: Path) -> bool:
-    """Whether a file is a derivation module: whether it assigns ``section = Section(...)``, read without running it."""
-    source = path.read_text(encoding="utf-8", errors="replace")
-    if not _SECTION.search(source):
-        return False
-    try:
-        statements = ast.parse(source).body
-    except (SyntaxError, ValueError):
-        return True
-    return any(
-        isinstance(statement, ast.Assign)
-        and any(isinstance(target, ast.Name) and target.id == "section" for target in statement.targets)
-        and isinstance(statement.value, ast.Call)
-        and ast.unparse(statement.value.func).rpartition(".")[2] == "Section"
-        for statement in statements
-    )
-
-
-def modules_in(folder: Path) -> tuple[Path, ...]:
-    """Return the derivation modules of a folder in the order of their names, then those of the packages in it."""
-    files = [path for path in sorted(folder.glob("*.py")) if makes_section(path)]
-    packages = [path for path in sorted(folder.iterdir()) if is_package(path) and not path.name.startswith(".")]
-    return (*files, *(module for package in packages for module in modules_in(package)))
-
-
-def is_package(folder: Path) -> bool:
-    """Whether a folder has an ``__init__.py``."""
-    return (folder / "__init__.py").is_file()
 
 
 def import_at(paths: Sequence[Path]) -> tuple[ModuleType, ...]:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import sympy
@@ -13,6 +14,7 @@ import sympy
 from algebroproj_sym.declaring.claim import Claim, Statement, Verdict, expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import free_symbols, symbols_of, values_of
+from algebroproj_sym.processes import mapped
 from algebroproj_sym.proving import Proof, UndefinedError
 
 
@@ -90,32 +92,25 @@ def judge(claim: Claim, engine: str = "flint") -> Judgement:
     )
 
 
+def judge_all(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iterator[Judgement]:
+    """Decide claims in some processes, in order; the judgements have the very claims that were given."""
+    for claim, found in zip(claims, mapped(partial(_found, engine=engine), claims, jobs), strict=True):
+        yield Judgement(claim=claim, **found)
+
+
+def _found(claim: Claim, engine: str) -> dict[str, Any]:
+    """Return a judgement without its claim, whose forms take longer to be sent than to be judged."""
+    return {name: value for name, value in vars(judge(claim, engine)).items() if name != "claim"}
+
+
 def _compared(claim: Claim, form: Statement | None, engine: str) -> Proof | None:
     if form is None:
         return None
     try:
-        return KINDS[claim.kind](claim, in_derived_terms(form, claim.where), engine)
+        return KINDS[claim.kind].compare(claim, in_derived_terms(form, claim.where), engine)
     except ZeroDivisionError:
         where = f"claim {claim.paper}:{claim.number}"
         raise UndefinedError(f"{where}: expected denominators that are not identically zero") from None
-
-
-def abridged(judgement: Judgement) -> Judgement:
-    """Return what a table shows of a judgement: the claim without its forms, the verdict without its evidence."""
-    claim = judgement.claim
-    named = Claim(
-        claim.paper,
-        claim.section,
-        claim.number,
-        claim.title,
-        claim.kind,
-        printed=None,
-        derived=None,
-        expected=claim.expected,
-        instead=claim.instead,
-        note=claim.note,
-    )
-    return replace(judgement, claim=named, hypotheses=(), certificate=None, counterexample=None)
 
 
 def _with_whole_witness(
@@ -123,7 +118,7 @@ def _with_whole_witness(
 ) -> Mapping[str, Any] | None:
     if certificate is None or "witness" not in certificate:
         return certificate
-    form = claim.corrected if verdict in ("misprint", "illegible") else claim.printed
+    form = claim.corrected if verdict in ("misprint", "error", "illegible") else claim.printed
     witness = {sympy.Symbol(name): value for name, value in certificate["witness"].items()}
     completed = _completed(claim, form, witness) or {}
     return {**certificate, "witness": {symbol.name: str(value) for symbol, value in completed.items()}}
@@ -148,18 +143,20 @@ def _verdict(claim: Claim, printed: Proof | None, corrected: Proof | None) -> Ve
     if printed is None:
         return "illegible" if corrected_holds else "open"
     if printed.verdict == "proved":
-        return "definition" if claim.kind == "definition" else "proved"
+        return KINDS[claim.kind].when_it_holds
     if printed.verdict == "refuted" and corrected is None:
         return "false"
-    return "misprint" if printed.verdict == "refuted" and corrected_holds else "open"
+    if printed.verdict == "refuted" and corrected_holds:
+        return "error" if claim.expected == "error" else "misprint"
+    return "open"
 
 
 def _evidence(verdict: Verdict, printed: Proof | None, corrected: Proof | None) -> Proof:
     """Return the proof of what is true: of the corrected form where the printed one is refuted or missing."""
-    chosen = corrected if verdict in ("misprint", "illegible") else printed
+    chosen = corrected if verdict in ("misprint", "error", "illegible") else printed
     evidence = chosen or corrected
     assert evidence is not None
-    if verdict == "misprint" and printed is not None:
+    if verdict in ("misprint", "error") and printed is not None:
         refutation = {"refutation": printed.certificate}
         return replace(evidence, certificate={**(evidence.certificate or {}), **refutation})
     return evidence

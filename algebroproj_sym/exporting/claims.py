@@ -10,7 +10,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
-from math import prod
 from typing import Any, TypeAlias
 
 from algebroproj_sym.exporting import points
@@ -19,7 +18,7 @@ from algebroproj_sym.exporting.gallina import formula, listed
 from algebroproj_sym.exporting.limits import denominators, limits
 from algebroproj_sym.exporting.objects import Object, dot
 from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero, inverse
-from algebroproj_sym.exporting.rational_functions import hypotheses, ratio, vector
+from algebroproj_sym.exporting.rational_functions import exact_quotient, hypotheses, ratio, vector
 from algebroproj_sym.exporting.reading import decimal, formula_of, natural, symbol
 from algebroproj_sym.exporting.reading import form as read
 from algebroproj_sym.exporting.refusal import AnotherForm, NotExportable, Silent
@@ -34,6 +33,7 @@ from algebroproj_sym.exporting.terms import (
     name,
     negative,
     number,
+    power,
     product,
     quotient,
 )
@@ -116,47 +116,63 @@ def _same(given: Hypotheses, left: Sequence[Term], right: Sequence[Term]) -> boo
 
 def constrained(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show equations that follow from constraints, by their cofactors; and a point that satisfies all hypotheses."""
-    if "claims" in certificate:
-        raise NotExportable("a proof of the thorough search has no theorem yet")
     left, right = statement.written(form), statement.written("derived")
     given = _constrained(statement, _hypotheses(statement, left, right))
-    goals = _members(given, [*zip(left.entries, right.entries, strict=True)], certificate, len(given.units))
+    goals = _members(given, [*zip(left.entries, right.entries, strict=True)], certificate)
     return {"holds": universal(given, goals), "witness": _witness(given, statement.point(certificate["witness"]))}
 
 
-def _members(given: Hypotheses, pairs: Sequence[tuple[Term, Term]], certificate: Certificate, units: int) -> list[Goal]:
-    """Return the goals that entries follow from the constraints; so many units enter the multiplier.
+def _members(given: Hypotheses, pairs: Sequence[tuple[Term, Term]], certificate: Certificate) -> list[Goal]:
+    """Return the goals that entries follow from the constraints.
 
     The certificate's polynomials are compared with what the exporter finds but for a rational factor.
     """
+    if any("steps" in part or "cases" in part for part in (certificate, *certificate["entries"])):
+        raise NotExportable("a proof in steps has no theorem yet")
     field = splitting(given).field
-    numerators = [field.numerator(constraint) for constraint in given.constraints]
-    generators = [field.polynomial(formula_of(text)) for text in certificate["generators"]]
-    ratios = [ratio(*pair) for pair in zip(generators, numerators, strict=True)]
-    exponents = dict.fromkeys(range(len(given.divisors)), 1)
-    product_of_units = field.powers(exponents)
-    for place, unit in enumerate(given.units[:units]):
-        product_of_units = product_of_units * field.numerator(unit)[0]
-        for factor, exponent in field.value(unit).exponents.items():
-            exponents[factor] += max(exponent, 0)
-        exponents[len(given.divisors) + place] = 1
-    units_as_they_are = Fraction(prod(field.value(unit).denominator for unit in given.units[:units]))
-    multiplier = field.polynomial(formula_of(certificate["multiplier"]))
-    scale = ratio(multiplier, (product_of_units, int(units_as_they_are)))
-    texts = [formula(divisor) for divisor in given.divisors]
+    count = len(given.divisors)
+    bases = [*field.divisors[:count], *(field.value(unit).numerator for unit in given.units)]
+    texts = zip(certificate["generators"], given.constraints, strict=True)
+    ratios = [ratio(field.polynomial(formula_of(text)), field.numerator(constraint)) for text, constraint in texts]
     goals = []
-    for (left, right), part in zip(pairs, certificate["entries"], strict=True):
-        count = natural(part["power"])
-        raised = {place: exponent * count for place, exponent in exponents.items()}
-        for text, exponent in part["denominator"].items():
-            raised[texts.index(formula(formula_of(text)))] += natural(exponent)
-        over = natural(part["number"]) * scale**count
+    for (left, right), text, part in zip(pairs, certificate["claims"], certificate["entries"], strict=True):
+        exponent = natural(part["exponent"])
+        multiplier, raised = _split_by(bases, field.polynomial(formula_of(part["multiplier"])))
+        if not multiplier.is_constant() or not multiplier:
+            raise NotExportable("the multiplier is no product of hypotheses")
+        claim, value = field.polynomial(formula_of(text)), field.value(difference(left, right))
+        scale = Fraction(int(multiplier.leading_coefficient()))
+        common = dict[int, int]()
+        if value.numerator:
+            claimed, powers = _split_by(bases[:count], claim)
+            found, own = _split_by(bases[:count], value.numerator)
+            scale *= ratio(claimed, (found, value.denominator)) ** exponent
+            for place in range(count):
+                more = powers.get(place, 0) - own.get(place, 0) - value.exponents.get(place, 0)
+                raised[place] = raised.get(place, 0) + more * exponent
+                common[place] = max(0, -raised[place])
+                raised[place] += common[place]
+        for place, unit in enumerate(given.units):
+            scale /= int(field.value(unit).numerator.content()) ** raised.get(count + place, 0)
+        shared = [power(given.divisors[place], n) for place, n in common.items() if n]
         cofactors = [
-            product([number(r / over), formula_of(text)]) if r != over else formula_of(text)
-            for r, text in zip(ratios, part["cofactors"], strict=True)
+            product([number(r / scale), *shared, formula_of(part["cofactors"].get(str(place), "0"))])
+            for place, r in enumerate(ratios)
         ]
-        goals.append(Goal(left, right, 1, vector(raised), tuple(cofactors)))
+        goals.append(Goal(left, right, exponent, vector(raised), tuple(cofactors)))
     return goals
+
+
+def _split_by(bases: Sequence[Any], polynomial: Any) -> tuple[Any, dict[int, int]]:
+    """Return what is left of a polynomial without the primitive parts of others, and how often it has each."""
+    exponents = dict[int, int]()
+    for place, base in enumerate(bases):
+        primitive = base / base.content()
+        while (
+            not primitive.is_constant() and polynomial and (rest := exact_quotient(polynomial, primitive)) is not None
+        ):
+            polynomial, exponents[place] = rest, exponents.get(place, 0) + 1
+    return polynomial, exponents
 
 
 def _common_point(given: Hypotheses, listed_points: Sequence[Point]) -> Point:
@@ -208,12 +224,10 @@ def _proportional_under_constraints(
     statement: Statement, given: Hypotheses, left: Sequence[Term], right: Sequence[Term], certificate: Certificate
 ) -> Proved:
     """Show that all products of entries are equal crosswise; a point has all that is assumed, and entries not zero."""
-    if "claims" in certificate:
-        raise NotExportable("a proof of the thorough search has no theorem yet")
     given = _constrained(statement, given)
     pairs = [*combinations(range(len(left)), 2)]
     crossed = [(product([left[i], right[j]]), product([left[j], right[i]])) for i, j in pairs]
-    goals = _members(given, crossed, certificate, len(given.units))
+    goals = _members(given, crossed, certificate)
     pivot = natural(certificate["pivot"])
     listed_points = [statement.point(certificate[key]) for key in ("witness", "nonzero at")]
     nonzero = replace(given, units=(*given.units, left[pivot], right[pivot]))
@@ -537,8 +551,8 @@ def theorems(record: Mapping[str, Any], made: Object | None = None) -> Proved:
         found |= about(statement, "printed" if verdict == "proved" else "corrected", certificate, made)
     elif verdict != "false":
         found |= _translated(PROOFS, kind)(statement, "printed" if verdict == "proved" else "corrected", certificate)
-    if verdict in ("misprint", "false"):
-        refutation = certificate["refutation"] if verdict == "misprint" else certificate
+    if verdict in ("misprint", "error", "false"):
+        refutation = certificate if verdict == "false" else certificate["refutation"]
         found |= _translated(REFUTATIONS, kind)(statement, "printed", refutation)
     if not found:
         raise Silent("the matrix has too few rows or columns, which can be seen without a theorem")

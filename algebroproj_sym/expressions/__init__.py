@@ -4,7 +4,7 @@ from algebroproj_sym.expressions.bounds import TooLargeError, require_bounded
 from algebroproj_sym.expressions.counting import at_most, chosen, floor
 from algebroproj_sym.expressions.differentiation import diff
 from algebroproj_sym.expressions.dual import derivatives, jacobian
-from algebroproj_sym.expressions.evaluation import Neighbourhood, evaluate
+from algebroproj_sym.expressions.evaluation import evaluate
 from algebroproj_sym.expressions.grammar import (
     Expression,
     NotRationalError,
@@ -45,7 +45,6 @@ __all__ = [
     "ROUNDINGS",
     "Expression",
     "Matrix",
-    "Neighbourhood",
     "NotRationalError",
     "ParseError",
     "Rounding",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache, reduce
@@ -101,18 +101,7 @@ def _step(node: Any, places: dict[Any, int], steps: list[tuple[_Operation, Any]]
 
 def _values(plan: _Plan, point: Mapping[sympy.Symbol, Any], lift: Callable[[Fraction], Any]) -> tuple[Any, ...]:
     values: list[Any] = []
-    _extend(values, plan.steps, point, lift)
-    return tuple(values[place] for place in plan.entries)
-
-
-def _extend(
-    values: list[Any],
-    steps: Iterable[tuple[_Operation, Any]],
-    point: Mapping[sympy.Symbol, Any],
-    lift: Callable[[Fraction], Any],
-) -> None:
-    """Append the results of more steps, whose operands are among the values."""
-    for operation, operands in steps:
+    for operation, operands in plan.steps:
         if operation == "sum":
             value = reduce(add, [values[place] for place in operands])
         elif operation == "product":
@@ -126,6 +115,7 @@ def _extend(
         else:
             value = _power(values[operands[0]], operands[1], lift)
         values.append(value)
+    return tuple(values[place] for place in plan.entries)
 
 
 def _given(symbol: sympy.Symbol, point: Mapping[sympy.Symbol, Any]) -> Any:
@@ -137,71 +127,3 @@ def _given(symbol: sympy.Symbol, point: Mapping[sympy.Symbol, Any]) -> Any:
 
 def _power(base: Any, exponent: int, lift: Callable[[Fraction], Any]) -> Any:
     return base**exponent if exponent >= 0 else lift(Fraction(1)) / base**-exponent
-
-
-class Neighbourhood:
-    """Evaluates, at one point, expressions that share most of their parts with a given one.
-
-    Only the parts that the given expression lacks are computed.
-
-    Parameters
-    ----------
-    expression : sympy.Expr or sympy matrix
-        A rational expression.
-    point : mapping of Symbol to field element
-        A value for every symbol of all the expressions.
-    lift : callable
-        The embedding of Q in the field.
-
-    Raises
-    ------
-    ZeroDivisionError
-        If a divisor is the field's zero.
-
-    Examples
-    --------
-    >>> x, y = sympy.symbols("x y")
-    >>> around = Neighbourhood((x + y) ** 2 * x, {x: Fraction(1), y: Fraction(1, 2)})
-    >>> around.evaluate((x + y) ** 2 * y)
-    (Fraction(9, 8),)
-    """
-
-    def __init__(
-        self,
-        expression: Expression,
-        point: Mapping[sympy.Symbol, Any],
-        lift: Callable[[Fraction], Any] = Fraction,
-    ) -> None:
-        self._point = point
-        self._lift = lift
-        self._places: dict[Any, int] = {}
-        self._steps: list[tuple[_Operation, Any]] = []
-        self._values: list[Any] = []
-        self._enter(expression)
-
-    def evaluate(self, expression: Expression) -> tuple[Any, ...]:
-        """Return the entries of a matrix row by row, or the one value of a scalar.
-
-        Raises
-        ------
-        ZeroDivisionError
-            If a divisor is the field's zero.
-        """
-        known = len(self._values)
-        try:
-            return tuple(self._values[place] for place in self._enter(expression))
-        finally:
-            self._leave(known)
-
-    def _enter(self, expression: Expression) -> list[int]:
-        """Add the parts that are new, and return the places of the entries."""
-        known = len(self._steps)
-        found = [_place(entry, self._places, self._steps) for entry in entries(expression)]
-        _extend(self._values, self._steps[known:], self._point, self._lift)
-        return found
-
-    def _leave(self, known: int) -> None:
-        """Forget all parts but the first ones; the last that were entered go first."""
-        while len(self._places) > known:
-            self._places.popitem()
-        del self._steps[known:], self._values[known:]

@@ -18,7 +18,7 @@ from algebroproj_sym.declaring import Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate, vector
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.graph import Graph, Node, Signed
-from algebroproj_sym.generating.program import Call, Operand, Operator, Program, Step, run
+from algebroproj_sym.generating.runtime.program import Call, Operand, Program, Step, run
 from algebroproj_sym.generating.sharing import share_pairs, share_reciprocals
 from algebroproj_sym.generating.signs import with_negative_reciprocals
 from algebroproj_sym.proving import RationalFunctionField
@@ -96,15 +96,15 @@ def lowered_form(kernel: Kernel, engine: str = "flint", reciprocals: bool = Fals
     unguarded = program_of(kernel, (), reciprocals)
     steps = [step for step in unguarded.steps if isinstance(step, Step)]
     if any(all(isinstance(operand, int) for operand in step.operands) for step in steps):
-        raise LoweringError(f"kernel {kernel.qualified_name}: expected no constant fraction as an entry of its form")
+        raise LoweringError(
+            f"kernel {kernel.qualified_name}, form: expected no constant fraction, which floating point would round"
+        )
     divisors = divisors_of(kernel, unguarded, engine)
     guarded = tuple(factor for factor in hypotheses if factor not in divisors)
     program = program_of(kernel, guarded, reciprocals)
     for place, (expected, value) in enumerate(zip(derived, computed_values(program, field), strict=True)):
         if not (expected - value).is_zero:
-            raise LoweringError(
-                f"kernel {kernel.qualified_name}: entry {place} of its form differs from the derivation"
-            )
+            raise LoweringError(f"kernel {kernel.qualified_name}, form: entry {place} differs from the derivation")
     hypotheses = divisors_of(kernel, program, engine)
     return Lowered(kernel, compensated(program), program, hypotheses, guarded)
 
@@ -242,7 +242,7 @@ class _Emitter:
             left = self._step("+" if sign > 0 else "-", left, self.signed((1, place)))
         return left
 
-    def _chain(self, operator: Operator, sign: int, places: Sequence[int]) -> Operand:
+    def _chain(self, operator: str, sign: int, places: Sequence[int]) -> Operand:
         turned = next((place for place in places if self._negatable(place)), None) if sign < 0 else None
         left: Operand | None = None
         for place in places:
@@ -252,7 +252,7 @@ class _Emitter:
         assert left is not None
         return left
 
-    def _step(self, operator: Operator, *operands: Operand) -> Operand:
+    def _step(self, operator: str, *operands: Operand) -> Operand:
         name = next(self._fresh)
         self.steps.append(Step(name, operator, operands))
         return name

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -13,7 +12,6 @@ from algebroproj_sym.declaring.claim import expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import entries, size, vector, written
 from algebroproj_sym.mutating.forms import mutants, sampled
-from algebroproj_sym.mutating.trials import Trial, trials
 from algebroproj_sym.proving import Proof, UndefinedError, seed_of
 
 Fate = Literal["refuted", "undefined", "equivalent", "explained", "survived"]
@@ -90,20 +88,17 @@ def mutate_claim(claim: Claim, limit: int = 0, engine: str = "flint") -> Mutated
         return MutatedClaim(claim.paper, claim.number, claim.kind, 0, ())
     found = mutants(claim)
     chosen = sampled(found, limit, seed_of(claim.paper, claim.number))
-    points = trials(claim)
     is_long = sum(size(form, SHORT) for form in expressions_of(claim.printed)) > SHORT
     fates = []
     for mutant in chosen:
-        fate, reason = _fate(claim, mutant.form, points, engine)
+        fate, reason = _fate(claim, mutant.form, engine)
         shown = "" if is_long and fate in ("refuted", "undefined") else _shown(mutant.form)
         fates.append(MutantFate(mutant.change, shown, fate, reason))
     return MutatedClaim(claim.paper, claim.number, claim.kind, len(found), tuple(fates))
 
 
-def _fate(claim: Claim, form: Any, points: Sequence[Trial], engine: str) -> tuple[Fate, str]:
+def _fate(claim: Claim, form: Any, engine: str) -> tuple[Fate, str]:
     """Return what becomes of a changed form, and why it survives or is undefined."""
-    if any(point.refutes(form) for point in points):
-        return "refuted", ""
     try:
         proof = _compared(*_where_changed(claim, form), engine)
     except (UndefinedError, DeclarationError, ZeroDivisionError) as error:
@@ -135,7 +130,7 @@ def _shown(form: Any) -> str:
 
 
 def _compared(claim: Claim, form: Any, engine: str) -> Proof:
-    return KINDS[claim.kind](claim, in_derived_terms(form, claim.where), engine)
+    return KINDS[claim.kind].compare(claim, in_derived_terms(form, claim.where), engine)
 
 
 def _is_same(claim: Claim, form: Any) -> bool:

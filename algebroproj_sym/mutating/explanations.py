@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
 
-from algebroproj_sym.declaring.discovery import PAPERS
 from algebroproj_sym.mutating.claims import MutantFate, MutatedClaim
+from algebroproj_sym.papers import PAPERS
 
 FILE = "survivors.toml"
 

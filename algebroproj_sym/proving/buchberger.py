@@ -17,15 +17,13 @@ from typing import Any
 
 import flint
 
+from algebroproj_sym.proving.polynomials import EffortExceededError
+
 Powers = tuple[int, ...]
 
 MAX_STEPS = 20_000
 MAX_LENGTH = 3_000
 MAX_BASIS = 400
-
-
-class EffortExceededError(Exception):
-    """The basis was not found within the bounds."""
 
 
 class GroebnerBasis:
@@ -142,6 +140,9 @@ class GroebnerBasis:
 
     def cofactors(self, polynomial: Any) -> list[Any] | None:
         """Return the cofactors of a polynomial with respect to the generators, None if it is not in the ideal."""
+        if len(self._generators) == 1:
+            quotient, rest = divmod(polynomial, self._generators[0])
+            return None if rest != 0 else [quotient]
         rest, recipe = self._reduced(polynomial, {})
         if rest != 0:
             return None

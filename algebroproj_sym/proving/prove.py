@@ -1,19 +1,17 @@
-"""Decide whether two rational expressions are equal, by normal form, ideal membership or an exact counterexample.
+"""Decide whether two rational expressions are equal wherever they are defined and what is assumed holds.
 
-Without constraints the normal form in Q(x1, ..., xn) decides.  With constraints g_i = 0 a proof is an identity
-``numerator * s^k = sum c_i g_i``, where s is the product of what does not vanish, together with a witness: a point
-that satisfies constraints and hypotheses, so that neither inconsistent constraints nor a denominator that vanishes
-on them can prove anything.  A refutation is an exact rational point at which both sides are defined and differ.
+Without constraints the normal form in Q(x1, ..., xn) decides.  With constraints a proof has a witness: a point that
+satisfies constraints and hypotheses, so that neither inconsistent constraints nor a denominator that vanishes on them
+can prove anything.  A refutation is an exact point at which both sides are defined and differ.
 What SymPy assumes of symbols is left out of proofs, except that what is not zero does not vanish; a point satisfies it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import chain, islice
-from math import lcm
+from itertools import islice
 from typing import Any, Literal
 
 import sympy
@@ -34,19 +32,16 @@ from algebroproj_sym.expressions import (
     written,
 )
 from algebroproj_sym.expressions.exact import exact, fmpq
+from algebroproj_sym.proving.constrained import NO_POINT, Problem
 from algebroproj_sym.proving.engines import ENGINES
-from algebroproj_sym.proving.membership import cofactors
-from algebroproj_sym.proving.points import Point, points_on, rational_points, rational_zeros, seed_of
+from algebroproj_sym.proving.points import Point, rational_points, seed_of
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
-from algebroproj_sym.proving.thorough import NO_POINT, Problem
 
 Decision = Literal["proved", "refuted", "open"]
 
 FILTER_POINTS = 3
-FILTER_POINTS_ON_CONSTRAINTS = 12
 SEARCH_POINTS = 400
-FURTHER_POINTS = 100
-SATURATION = 2
+FILLINGS = 100
 
 Witness = Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str]
 
@@ -57,7 +52,7 @@ class UndefinedError(ValueError):
 
 @dataclass(frozen=True)
 class Proof:
-    """What became of a statement.
+    """The result of a proof.
 
     Attributes
     ----------
@@ -68,7 +63,7 @@ class Proof:
     certificate : mapping or None
         The evidence of a proof, or why the statement stays open.
     counterexample : mapping of Symbol to Fraction, or None
-        A point at which both sides are defined and differ; a thorough search may give SymPy's real algebraic numbers.
+        A point at which both sides are defined and differ; with constraints it may have SymPy's real algebraic numbers.
     engine : str
         The polynomial arithmetic that was used.
     assumptions : tuple of sympy.Symbol
@@ -91,7 +86,6 @@ def prove(
     nonzero: Sequence[Any] = (),
     witness: Witness | None = None,
     engine: str = "flint",
-    thorough: bool = False,
     assumptions: Sequence[sympy.Symbol] = (),
 ) -> Proof:
     """Decide whether ``lhs == rhs`` wherever both are defined and the hypotheses hold.
@@ -108,9 +102,6 @@ def prove(
         A point that satisfies constraints and hypotheses, where no search would find one; numbers may also be text.
     engine : {"flint", "sympy"}
         Which polynomial arithmetic to use.
-    thorough : bool
-        With constraints, search further than bounded cofactors and triangular systems: Groebner bases, powers of the
-        claim, real points over an extension of Q.
     assumptions : sequence of sympy.Symbol
         Symbols with SymPy's assumptions, for the plain ones of the same names in the expressions.
 
@@ -141,10 +132,10 @@ def prove(
     {x: Fraction(-1, 1)}
     >>> prove(x**3, x, constraints=[x**2 - 1]).certificate["witness"]
     {'x': '1'}
-    >>> prove(x, 1, constraints=[x**2 - 2], thorough=True).counterexample
+    >>> prove(x, 1, constraints=[x**2 - 2]).counterexample
     {x: -sqrt(2)}
     >>> prove(x, 0, nonzero=[x - x]).certificate["reason"]
-    'nonzero[0] is zero wherever it is defined: nothing is stated'
+    'nonzero[0] is always zero, so no point satisfies the conditions'
     """
     if engine not in ENGINES:
         raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
@@ -154,7 +145,7 @@ def prove(
     given = tuple(_scalar(expression, "constraints") for expression in constraints)
     units = tuple(_scalar(expression, "nonzero") for expression in nonzero)
     question = _question(left, right, given, units, witness, engine, assumptions)
-    proof = _decided(question, thorough)
+    proof = _decided(question)
     return replace(proof, assumptions=tuple(question.assumed.values())) if question.assumed else proof
 
 
@@ -181,18 +172,16 @@ def _question(
     return _Question(left, right, tuple(constraints), (*nonzero, *implied), point, engine, stated)
 
 
-def _decided(question: _Question, thorough: bool) -> Proof:
+def _decided(question: _Question) -> Proof:
     given = question.given_witnesses() if question.constraints else []
     reason = _contradiction(question)
     if reason is not None:
         return Proof("open", (), {"method": "none", "reason": reason}, None, question.engine)
-    if not question.constraints:
-        return _prove_identity(question)
-    return _prove_thoroughly(question, given) if thorough else _prove_constrained(question)
+    return _prove_constrained(question, given) if question.constraints else _prove_identity(question)
 
 
 def _contradiction(question: _Question) -> str | None:
-    """Return why a single condition cannot hold at any point, None if none is seen to be of that kind."""
+    """Return why some condition holds at no point; None if each may hold."""
     if not question.constraints and not question.nonzero:
         return None
     field = RationalFunctionField(question.symbols, question.engine)
@@ -201,12 +190,12 @@ def _contradiction(question: _Question) -> str | None:
             try:
                 numerator = _numerator(field, condition)
             except ZeroDivisionError:
-                return f"{argument}[{place}] has a denominator that is identically zero: nothing is stated"
+                return f"{argument}[{place}] has a denominator that is always zero, so it is defined at no point"
             powers = list(field.ring.terms(numerator))
             if argument == "nonzero" and not powers:
-                return f"nonzero[{place}] is zero wherever it is defined: nothing is stated"
+                return f"nonzero[{place}] is always zero, so no point satisfies the conditions"
             if argument == "constraints" and powers and not any(map(any, powers)):
-                return f"constraints[{place}] is never zero: nothing is stated"
+                return f"constraints[{place}] is never zero, so no point satisfies the conditions"
     return None
 
 
@@ -230,7 +219,7 @@ class _Question:
 
     @property
     def values(self) -> Mapping[sympy.Symbol, Sequence[Fraction]]:
-        """Numbers for the symbols that do not stand for any."""
+        """The numbers from which the values of a symbol are taken, where its assumptions restrict them."""
         return {plain: values_of(symbol) for plain, symbol in self.assumed.items()}
 
     def admits(self, point: Mapping[sympy.Symbol, Any]) -> bool:
@@ -258,32 +247,24 @@ class _Question:
             return None
 
     def points(self) -> Iterator[Point]:
-        """Points of the variety of the constraints, the given witness first."""
-        if not self.constraints:
-            return islice(rational_points(self.symbols, self.seed, self.values), SEARCH_POINTS)
-        searched = points_on(self.constraints, self.symbols, self.seed, SEARCH_POINTS, self.values)
-        return chain(self._given_witness(), searched)
-
-    def further_points(self) -> Iterator[Point]:
-        """Points of constraints that are not triangular."""
-        return rational_zeros(self.constraints, self.symbols, self.seed, FURTHER_POINTS)
+        """Yield points of the whole space."""
+        return islice(rational_points(self.symbols, self.seed, self.values), SEARCH_POINTS)
 
     def given_witnesses(self) -> list[Point]:
-        """Return the given witness, if there is one and hypotheses hold there."""
-        return [point for point in self._given_witness() if self.differs_at(point) is not None]
-
-    def _given_witness(self) -> Iterator[Point]:
-        for point in islice(self.fillings(), 1):
-            for constraint in self.constraints:
-                if not _vanishes(constraint, point):
-                    raise ValueError(f"witness: expected a point with {constraint} = 0, got {dict(self.witness or {})}")
-            yield point
-
-    def fillings(self) -> Iterator[Point]:
-        """Points with the coordinates of the given witness, if there is one; the others are random."""
-        if self.witness is not None:
-            for filling in rational_points(self.symbols, self.seed, self.values):
-                yield filling | self.witness
+        """Return points with the given coordinates, if there are any, at which hypotheses hold; others are random."""
+        if self.witness is None:
+            return []
+        found = list[Point]()
+        for place, filling in enumerate(islice(rational_points(self.symbols, self.seed, self.values), FILLINGS)):
+            point = filling | self.witness
+            wrong = next((constraint for constraint in self.constraints if not _vanishes(constraint, point)), None)
+            if wrong is not None and place == 0:
+                raise ValueError(f"witness: expected a point with {wrong} = 0, got {dict(self.witness)}")
+            if wrong is None and self.differs_at(point) is not None:
+                found.append({symbol: point[symbol] for symbol in self.symbols})
+            if self.witness.keys() >= {*self.symbols}:
+                break
+        return found
 
 
 def _witness(given: Witness) -> Point:
@@ -314,10 +295,6 @@ def _vanishes(constraint: sympy.Expr, point: Point) -> bool:
         return False
 
 
-def _is_on(constraints: Sequence[sympy.Expr], point: Point) -> bool:
-    return all(_vanishes(constraint, point) for constraint in constraints)
-
-
 def _prove_identity(question: _Question) -> Proof:
     first = islice(rational_points(question.symbols, 0, question.values), FILTER_POINTS)
     suspicious = next(filter(question.differs_at, first), None)
@@ -335,34 +312,7 @@ def _prove_identity(question: _Question) -> Proof:
     return _open(question, field, "the normal form is not zero, but no counterexample was found")
 
 
-def _prove_constrained(question: _Question) -> Proof:
-    refuting = _first_difference(question, FILTER_POINTS_ON_CONSTRAINTS)
-    if refuting is not None:
-        return _refuted(question, refuting)
-    field, difference = _normal_form(question)
-    points = chain(question.points(), question.further_points())
-    witness = next((point for point in points if question.differs_at(point) is not None), None)
-    if witness is None:
-        return _refuted_further(question, field, NO_POINT)
-    if question.differs_at(witness):
-        return _refuted(question, witness)
-    generators = [field.primitive(_numerator(field, constraint)) for constraint in question.constraints]
-    multiplier = field.primitive(_nonvanishing(field, question.nonzero))
-    evidence = [_membership(field, entry, generators, multiplier) for entry in difference]
-    if any(part is None for part in evidence):
-        return _refuted_further(question, field, "no cofactors were found")
-    certificate = {
-        "method": "ideal membership",
-        "denominators": [text(factor) for factor in field.divisors()],
-        "generators": [text(field.expression(generator)) for generator in generators],
-        "multiplier": text(field.expression(multiplier)),
-        "entries": evidence,
-        "witness": {symbol.name: str(witness[symbol]) for symbol in question.symbols},
-    }
-    return Proof("proved", field.divisors(), certificate, None, question.engine)
-
-
-def _prove_thoroughly(question: _Question, given: Sequence[Point]) -> Proof:
+def _prove_constrained(question: _Question, given: Sequence[Point]) -> Proof:
     field, difference = _normal_form(question)
     finding = Problem(
         field=field,
@@ -377,26 +327,6 @@ def _prove_thoroughly(question: _Question, given: Sequence[Point]) -> Proof:
     ).decided()
     hypotheses = () if finding.verdict == "refuted" else field.divisors()
     return Proof(finding.verdict, hypotheses, finding.certificate, finding.point, question.engine)
-
-
-def _membership(
-    field: RationalFunctionField, entry: RationalFunction, generators: Sequence[Any], multiplier: Any
-) -> dict[str, Any] | None:
-    """Return cofactors of the numerator times a power of the multiplier and a number, and the denominator cleared."""
-    cleared = () if entry.is_zero else entry.denominator
-    denominator = {written(field.expression(field.factors[place])): count for place, count in cleared if count}
-    for power in range(SATURATION + 1):
-        found = cofactors(field.ring, entry.numerator * multiplier**power, generators)
-        if found is not None:
-            number = lcm(*(value.denominator for part in found for value in field.ring.terms(part).values()))
-            scaled = [field.expression(part * field.ring.constant(Fraction(number))) for part in found]
-            return {
-                "number": number,
-                "power": power,
-                "denominator": dict(sorted(denominator.items())),
-                "cofactors": [*map(text, scaled)],
-            }
-    return None
 
 
 def _normal_form(question: _Question) -> tuple[RationalFunctionField, list[RationalFunction]]:
@@ -416,23 +346,8 @@ def _numerator(field: RationalFunctionField, expression: sympy.Expr) -> Any:
     return evaluate(expression, field.variables, field.lift)[0].numerator
 
 
-def _nonvanishing(field: RationalFunctionField, nonzero: Iterable[sympy.Expr]) -> Any:
-    result = field.ring.constant(Fraction(1))
-    for factor in chain(list(field.factors), (_numerator(field, unit) for unit in nonzero)):
-        result = result * factor
-    return result
-
-
 def _first_difference(question: _Question, tries: int) -> Point | None:
     return next(filter(question.differs_at, islice(question.points(), tries)), None)
-
-
-def _refuted_further(question: _Question, field: RationalFunctionField, reason: str) -> Proof:
-    """Look for a counterexample among more points, and on constraints that are not triangular."""
-    fillings = (point for point in islice(question.fillings(), FURTHER_POINTS) if _is_on(question.constraints, point))
-    points = chain(islice(question.points(), SEARCH_POINTS), fillings, question.further_points())
-    refuting = next(filter(question.differs_at, points), None)
-    return _open(question, field, reason) if refuting is None else _refuted(question, refuting)
 
 
 def _refuted(question: _Question, point: Point) -> Proof:

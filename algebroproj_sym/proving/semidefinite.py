@@ -17,6 +17,7 @@ import flint
 from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.proving.algebraic import Algebraic
 from algebroproj_sym.proving.buchberger import GroebnerBasis
+from algebroproj_sym.proving.polynomials import null_space
 from algebroproj_sym.proving.varieties import Value, value_at
 
 Place = tuple[int, int]
@@ -133,17 +134,7 @@ def _null_space(equations: Sequence[dict[Place, Any]], size: int) -> list[dict[P
 
 
 def _kernel(rows: list[list[Any]], width: int) -> list[list[Any]]:
-    if not rows:
-        return [[flint.fmpq(int(i == j)) for j in range(width)] for i in range(width)]
-    reduced, rank = flint.fmpq_mat(rows).rref()
-    pivots = [next(j for j in range(width) if reduced[i, j] != 0) for i in range(rank)]
-    found = []
-    for free in (j for j in range(width) if j not in pivots):
-        vector = [flint.fmpq(int(j == free)) for j in range(width)]
-        for row, pivot in enumerate(pivots):
-            vector[pivot] = -reduced[row, free]
-        found.append(vector)
-    return found
+    return [vector for _, vector in null_space(rows, width)]
 
 
 def _definite(directions: Sequence[Mapping[Place, Any]], size: int) -> tuple[list[list[Any]] | None, list[list[Any]]]:

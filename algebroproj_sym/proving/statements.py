@@ -1,4 +1,4 @@
-"""The public way to decide: expressions or text, and the thorough search."""
+"""The public way to decide: expressions or text, of bounded size."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def prove(
     units = [_read(unit, f"nonzero[{i}]") for i, unit in enumerate(nonzero)]
     if isinstance(witness, Mapping):
         _require_known(witness, (left, right, *zeros, *units))
-    return decided(left, right, constraints=zeros, nonzero=units, witness=witness, engine=engine, thorough=True)
+    return decided(left, right, constraints=zeros, nonzero=units, witness=witness, engine=engine)
 
 
 def _kind(given: Any) -> str:

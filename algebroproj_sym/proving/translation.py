@@ -15,6 +15,7 @@ from typing import Any
 import flint
 
 from algebroproj_sym.expressions.exact import fraction
+from algebroproj_sym.proving.polynomials import null_space
 
 MOST_TERMS = 20_000
 
@@ -82,7 +83,7 @@ def frame_of(polynomials: Sequence[Any], context: Any) -> Frame:
     occurring = sorted(uses, key=lambda place: (uses[place], place))
     rows = _conditions(polynomials, occurring)
     directions = {}
-    for own, components in _null_space(rows, len(occurring)):
+    for own, components in null_space(rows, len(occurring)):
         whole = [flint.fmpq(0)] * len(context.gens())
         for place, component in zip(occurring, components, strict=True):
             whole[place] = component
@@ -114,18 +115,3 @@ def _conditions(polynomials: Sequence[Any], places: Sequence[int]) -> list[list[
             for powers, value in polynomial.derivative(place).to_dict().items():
                 rows.setdefault((number, powers), [flint.fmpq(0)] * len(places))[column] = value
     return list({tuple(map(str, row)): row for row in rows.values()}.values())
-
-
-def _null_space(rows: list[list[Any]], width: int) -> list[tuple[int, list[Any]]]:
-    """Return vectors that span the null space, each with the place of a one where the others have zeros."""
-    if not rows:
-        return []
-    reduced, rank = flint.fmpq_mat(rows).rref()
-    pivots = [next(j for j in range(width) if reduced[i, j] != 0) for i in range(rank)]
-    found = []
-    for free in (j for j in range(width) if j not in pivots):
-        vector = [flint.fmpq(int(j == free)) for j in range(width)]
-        for row, pivot in enumerate(pivots):
-            vector[pivot] = -reduced[row, free]
-        found.append((free, vector))
-    return found

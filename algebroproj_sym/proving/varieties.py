@@ -17,7 +17,8 @@ import flint
 
 from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField, has_real_root, roots_in_field
-from algebroproj_sym.proving.buchberger import EffortExceededError, GroebnerBasis
+from algebroproj_sym.proving.buchberger import GroebnerBasis
+from algebroproj_sym.proving.polynomials import EffortExceededError
 
 Value = Fraction | Algebraic
 

@@ -193,7 +193,7 @@ def _decided(question: Question, engine: str) -> Outcome:
         statement = _read(question)
     except (ParseError, _UnreadableError) as error:
         return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
-    proof = prove(**statement, engine=engine, thorough=True)
+    proof = prove(**statement, engine=engine)
     certificate = dict(proof.certificate or {})
     point = certificate.pop("point", proof.counterexample)
     if "witness" in certificate:

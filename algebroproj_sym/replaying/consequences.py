@@ -2,9 +2,9 @@
 
 A proof lists claims (the numerators of the difference), generators (those of the constraints) and
 units (factors of what does not vanish).  Where no translation along some directions changes any of them, they are taken
-at the origin of these directions.  There, steps add to what is zero and what is not, each by an identity of its own; at
-the end a power of the claim, times units, is a combination of what is zero, directly or in each of two cases, in one of
-which something is zero that is not zero in the other.
+at the origin of these directions.  There, steps add to what is zero and what is not, each by an identity of its own:
+those before all entries, and those of an entry.  At the end a power of the claim, times units, is a combination of what
+is zero, directly or in each of two cases, in one of which something is zero that is not zero in the other.
 """
 
 from __future__ import annotations
@@ -124,14 +124,9 @@ class _Known:
         return _restricted(self.field.polynomial(text), self.moved)
 
     def combined(self, cofactors: Any) -> Element:
-        """Return the sum of cofactors, by place or in order, times what is zero."""
-        named = (
-            {str(place): text for place, text in enumerate(texts(cofactors))}
-            if isinstance(cofactors, list)
-            else cofactors
-        )
+        """Return the sum of cofactors, by place, times what is zero."""
         total = self.field.number(Fraction(0))
-        for place, text in named.items():
+        for place, text in cofactors.items():
             require(
                 place.isascii() and place.isdecimal() and int(place) < len(self.zeros),
                 "a cofactor belongs to nothing that is zero",
@@ -156,8 +151,7 @@ def require_consequence(question: Question, certificate: Mapping[str, Any]) -> N
     """Reject a certificate that does not show that the sides are equal where the constraints hold."""
     method = certificate["method"]
     require(method == _method_of(certificate), f"the method is another one than {method!r}")
-    by_cases = method == "case distinction"
-    require_keys(certificate, NEEDED if by_cases else NEEDED | {"multiplier"}, OPTIONAL)
+    require_keys(certificate, NEEDED, OPTIONAL)
     require(bool(question.constraints), "there are no constraints")
     field = question.field(certificate["denominators"])
     algebra = field.algebra
@@ -170,33 +164,30 @@ def require_consequence(question: Question, certificate: Mapping[str, Any]) -> N
     units = [_restricted(Element(field, source, {}, 1), moved) for source in sources]
     zero = field.number(Fraction(0))
     known = _Known(field, moved, tuple(_restricted(part, moved) for part in generators), tuple(units), zero)
-    known = _with_units(known, certificate)
-    for step in certificate.get("steps", ()):
-        known = _after_derivation(known, step) if "product" in step else _after_squares(known, step)
+    for text in texts(certificate["units"]):
+        unit = known.read(text)
+        require(any(_divides(unit, source) for source in units), "a unit divides nothing that does not vanish")
+        known = known.with_unit(unit)
+    steps = certificate.get("steps", [])
+    require(not any("goal" in step for step in steps), "a goal belongs to an entry")
+    known = _after_steps(known, steps)
     require(len(certificate["entries"]) == len(claims), "the certificate has not as many entries as the statement")
     for claim, entry in zip(claims, certificate["entries"], strict=True):
-        asked = replace(known, claim=_restricted(claim, moved))
-        if by_cases:
-            require_keys(entry, _keys_of_case(entry), {"steps"})
-            _require_case(asked, entry)
-        else:
-            require_keys(entry, {"power", "exponent", "cofactors"})
-            multiplier = asked.multiplier(certificate["multiplier"]) ** natural(entry["power"])
-            _require_end(asked, multiplier, entry)
+        require_keys(entry, _keys_of_case(entry), {"steps"})
+        _require_case(replace(known, claim=_restricted(claim, moved)), entry)
     divisors = [*map(parse_polynomial, certificate["denominators"])]
     left, right = question.sides_at(certificate["witness"], numbers_of(certificate), divisors)
     require(all(is_zero(a - b) for a, b in zip(left, right, strict=True)), "the two sides differ at the witness")
 
 
 def _method_of(certificate: Mapping[str, Any]) -> str:
-    """Return what a certificate without cases, or with them, is called."""
-    if "multiplier" not in certificate:
+    """Return what a certificate is called."""
+    entries = certificate["entries"]
+    if any("cases" in entry for entry in entries):
         return "case distinction"
-    if any("squares" in step for step in certificate.get("steps", ())):
+    if any("squares" in step for part in (certificate, *entries) for step in part.get("steps", ())):
         return "sums of squares"
-    return (
-        "radical membership" if any(entry["exponent"] > 1 for entry in certificate["entries"]) else "ideal membership"
-    )
+    return "radical membership" if any(entry["exponent"] > 1 for entry in entries) else "ideal membership"
 
 
 def _numerators(field: Field, given: Any, elements: Sequence[Element]) -> list[Element]:
@@ -260,17 +251,6 @@ def _moved(question: Question, field: Field, certificate: Mapping[str, Any]) -> 
     return frozenset(field.places[name] for name in names)
 
 
-def _with_units(known: _Known, certificate: Mapping[str, Any]) -> _Known:
-    """Return what is known with the listed units, each a factor of something that is not zero at any allowed point."""
-    sums = [step for step in certificate.get("steps", ()) if "squares" in step and "not zero" in step]
-    sources = [*known.units, *(_positive(known, step) for step in sums)]
-    for text in texts(certificate["units"]):
-        unit = known.read(text)
-        require(any(_divides(unit, source) for source in sources), "a unit divides nothing that does not vanish")
-        known = known.with_unit(unit)
-    return known
-
-
 def _divides(unit: Element, source: Element) -> bool:
     if unit.is_zero or source.is_zero:
         return False
@@ -288,34 +268,19 @@ def _squares(known: _Known, step: Mapping[str, Any]) -> tuple[list[Element], Ele
     return roots, total
 
 
-def _positive(known: _Known, step: Mapping[str, Any]) -> Element:
-    """Return a sum of squares that is positive everywhere."""
-    require_keys(step, {"squares", "not zero"})
-    roots, total = _squares(known, step)
-    constants = [root for root in roots if root.cleared().is_constant() and not root.is_zero]
-    require((total - known.read(step["not zero"])).is_zero, "the squares do not add up")
-    require(bool(constants), "no square is a positive number")
-    return total
-
-
 def _after_squares(known: _Known, step: Mapping[str, Any]) -> _Known:
     """Return what is known after a sum of squares was shown to be zero, or to be positive."""
-    if "not zero" in step:
-        return known.with_unit(_positive(known, step))
-    require_keys(step, {"squares", "multiplier", "cofactors"})
     roots, total = _squares(known, step)
+    if "not zero" in step:
+        require_keys(step, {"squares", "not zero"})
+        constants = [root for root in roots if root.cleared().is_constant() and not root.is_zero]
+        require((total - known.read(step["not zero"])).is_zero, "the squares do not add up")
+        require(bool(constants), "no square is a positive number")
+        return known.with_unit(total)
+    require_keys(step, {"squares", "multiplier", "cofactors"})
     rest = known.multiplier(step["multiplier"]) * total - known.combined(step["cofactors"])
     require(rest.is_zero, "the cofactors do not multiply out to the sum of squares")
     return replace(known, zeros=(*known.zeros, *roots))
-
-
-def _after_derivation(known: _Known, step: Mapping[str, Any]) -> _Known:
-    """Return what is known after something was shown not to be zero."""
-    require_keys(step, {"not zero", "product", "cofactors", "factor"})
-    unit = known.read(step["not zero"])
-    rest = known.multiplier(step["product"]) - known.combined(step["cofactors"]) - known.read(step["factor"]) * unit
-    require(rest.is_zero, "the cofactors do not multiply out to what does not vanish")
-    return known.with_unit(unit)
 
 
 def _keys_of_case(case: Mapping[str, Any]) -> Set[str]:
@@ -324,10 +289,10 @@ def _keys_of_case(case: Mapping[str, Any]) -> Set[str]:
 
 def _require_case(known: _Known, case: Mapping[str, Any]) -> None:
     """Check that the claim vanishes in a case."""
-    for step in case.get("steps", ()):
-        known = _after_squares(known, step) if "squares" in step else _after_step(known, step)
+    known = _after_steps(known, case.get("steps", ()))
     if "cases" not in case:
-        _require_end(known, known.multiplier(case["multiplier"]), case)
+        left = known.claim ** natural(case["exponent"]) * known.multiplier(case["multiplier"])
+        require((left - known.combined(case["cofactors"])).is_zero, "the cofactors do not multiply out to the claim")
         return
     first, second = case["cases"]
     for part in (first, second):
@@ -339,8 +304,14 @@ def _require_case(known: _Known, case: Mapping[str, Any]) -> None:
     _require_case(known.with_zero(distinguished), second)
 
 
+def _after_steps(known: _Known, steps: Iterable[Mapping[str, Any]]) -> _Known:
+    for step in steps:
+        known = _after_squares(known, step) if "squares" in step else _after_step(known, step)
+    return known
+
+
 def _after_step(known: _Known, step: Mapping[str, Any]) -> _Known:
-    """Return what is known after a step of a case."""
+    """Return what is known after a step."""
     ((shows, text),) = [(key, value) for key, value in step.items() if key in ("zero", "not zero", "goal")]
     require_keys(step, {shows, "multiplier", "cofactors", *(() if shows == "zero" else ("factor",))})
     shown, multiplier, total = known.read(text), known.multiplier(step["multiplier"]), known.combined(step["cofactors"])
@@ -351,8 +322,3 @@ def _after_step(known: _Known, step: Mapping[str, Any]) -> _Known:
     rest = left - total - known.read(step["factor"]) * shown
     require(rest.is_zero, f"the cofactors do not multiply out to the {shows}")
     return known.with_unit(shown) if shows == "not zero" else replace(known, claim=shown)
-
-
-def _require_end(known: _Known, multiplier: Element, end: Mapping[str, Any]) -> None:
-    left = known.claim ** natural(end["exponent"]) * multiplier
-    require((left - known.combined(end["cofactors"])).is_zero, "the cofactors do not multiply out to the claim")

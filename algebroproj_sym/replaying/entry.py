@@ -15,7 +15,7 @@ DECLARED = (
     "instead", "note", "quote",
 )  # fmt: skip
 FOUND = ("declaration", "verdict", "hypotheses", "counterexample", "certificate", "engine")
-VERDICTS = ("proved", "misprint", "false", "illegible", "definition", "open")
+VERDICTS = ("proved", "misprint", "error", "false", "illegible", "definition", "open")
 _CONSTRAINED = {"constraints", "nonzero"}
 SETTINGS: Mapping[str, set[str]] = {
     "identity": {"nonzero"},

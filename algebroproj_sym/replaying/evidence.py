@@ -14,15 +14,13 @@ from typing import Any, TypeAlias
 from algebroproj_sym.replaying.consequences import Question, Sides, require_consequence
 from algebroproj_sym.replaying.evaluation import Algebra, at_point, derivatives, evaluate
 from algebroproj_sym.replaying.field import Element, Field
-from algebroproj_sym.replaying.polynomial import Polynomial, constant
+from algebroproj_sym.replaying.polynomial import Polynomial
 from algebroproj_sym.replaying.rejection import require
 from algebroproj_sym.replaying.statement import Point, Statement
 from algebroproj_sym.replaying.text import decimal, integer, natural, number, numbers, parse_polynomial, texts
 
 Certificate: TypeAlias = Mapping[str, Any]
 Check: TypeAlias = Callable[[Statement, str, Certificate], None]
-
-MEMBERSHIP = ("method", "denominators", "generators", "multiplier", "entries", "witness")
 
 
 def _method(certificate: Certificate, expected: str) -> None:
@@ -78,59 +76,9 @@ def constrained(statement: Statement, form: str, certificate: Certificate) -> No
 
 
 def _constrained(statement: Statement, certificate: Certificate, sides: Sides) -> None:
-    if "claims" in certificate:
-        hypotheses = statement.record["hypotheses"]
-        constraints, nonzero = statement.listed("constraints"), statement.listed("nonzero")
-        question = Question(sides, constraints, nonzero, statement.symbols, hypotheses)
-        require_consequence(question, certificate)
-    else:
-        _membership(statement, certificate, sides)
-
-
-def _membership(statement: Statement, certificate: Certificate, sides: Sides) -> None:
-    """Show that two sides are equal where the constraints hold, and that there is such a point."""
-    _method(certificate, "ideal membership")
-    _keys(certificate, *MEMBERSHIP)
-    field = statement.field(certificate["denominators"])
-    difference = _difference(sides, field)
-    constraints = [evaluate(form, field.algebra)[0] for form in statement.listed("constraints")]
-    units = statement.units(field)
-    _hypotheses(statement, field, certificate["denominators"])
-    generators = [field.polynomial(text) for text in texts(certificate["generators"])]
-    require(bool(constraints) and len(constraints) == len(generators), "expected a generator for each constraint")
-    for constraint, generator in zip(constraints, generators, strict=True):
-        require(not generator.is_zero, "a generator is zero")
-        same = _numerator(constraint) == _primitive(generator.cleared())
-        require(same, "the generators are not the numerators of the constraints")
-    multiplier = field.polynomial(certificate["multiplier"])
-    product = constant(1)
-    for factor in (*field.factors[: field.listed], *map(_numerator, units)):
-        product = product * factor
-    same = _primitive(product) == _primitive(multiplier.cleared())
-    require(same, "the multiplier is not the product of what does not vanish")
-    divisors = {text: field.polynomial(text) for text in certificate["denominators"]}
-    require(len(certificate["entries"]) == len(difference), "the certificate has not as many entries as the statement")
-    for entry, part in zip(difference, certificate["entries"], strict=True):
-        require(part.keys() == {"number", "power", "denominator", "cofactors"}, "a part of the certificate is missing")
-        require(natural(part["number"]) > 0, "expected a positive number")
-        cleared = entry * field.number(Fraction(part["number"])) * multiplier ** natural(part["power"])
-        require(part["denominator"].keys() <= divisors.keys(), "an unknown divisor is cleared")
-        for text, count in part["denominator"].items():
-            cleared = cleared * divisors[text] ** natural(count)
-        cofactors = [field.polynomial(text) for text in texts(part["cofactors"])]
-        require(len(cofactors) == len(generators), "expected a cofactor for each constraint")
-        for cofactor, generator in zip(cofactors, generators, strict=True):
-            cleared = cleared - cofactor * generator
-        require(cleared.is_zero, "the cofactors do not multiply out to the difference")
-        require(not (entry.is_zero and part["denominator"]), "zero has no denominator to be cleared")
-        trivial = entry.is_zero or multiplier.cleared().is_constant()
-        require(not (part["power"] and trivial), "zero needs no multiplier, and the power of a constant is none")
-    witness = statement.point(certificate["witness"])
-    statement.require_allowed(witness)
-    nonzero = evaluate(parse_polynomial(certificate["multiplier"]), at_point(witness))[0]
-    require(nonzero != 0, "the witness violates a hypothesis")
-    left, right = sides(at_point(witness))
-    require(left == right, "the two sides differ at the witness")
+    hypotheses = statement.record["hypotheses"]
+    constraints, nonzero = statement.listed("constraints"), statement.listed("nonzero")
+    require_consequence(Question(sides, constraints, nonzero, statement.symbols, hypotheses), certificate)
 
 
 def _numerator(element: Element) -> Polynomial:

@@ -19,6 +19,8 @@ from algebroproj_sym.replaying.statement import Statement
 
 SCHEMA = 1
 MOST_LEVELS = 200
+CORRECTED = ("misprint", "error")
+"""Verdicts with a corrected form that is proved, and a printed one that is refuted."""
 
 Status = Literal["replayed", "rejected", "not replayable"]
 
@@ -141,21 +143,21 @@ def _follow(record: Mapping[str, Any]) -> None:
     require(statement.has("printed") == (verdict != "illegible"), "exactly an illegible formula has no printed form")
     require(statement.has("derived") == (kind != "definition"), "exactly a definition has no derived form")
     require(
-        statement.has("corrected") == (verdict in ("misprint", "illegible")), "a corrected form is needless or missing"
+        statement.has("corrected") == (verdict in (*CORRECTED, "illegible")), "a corrected form is needless or missing"
     )
     require((record["instead"] is None) == (verdict != "false"), "what is true instead is needless or missing")
-    require((record["counterexample"] is None) == (verdict not in ("misprint", "false")), "a needless counterexample")
-    require(("refutation" in certificate) == (verdict == "misprint"), "a misprint, and nothing else, has a refutation")
+    require((record["counterexample"] is None) == (verdict not in (*CORRECTED, "false")), "a needless counterexample")
+    require(("refutation" in certificate) == (verdict in CORRECTED), "exactly what is corrected has a refutation")
     statement.require_meanings()
     proof = {key: value for key, value in certificate.items() if key != "refutation"}
     if verdict in ("proved", "definition"):
         PROOFS[kind](statement, "printed", proof)
         return
-    if verdict in ("misprint", "illegible"):
+    if verdict in (*CORRECTED, "illegible"):
         PROOFS[kind](statement, "corrected", proof)
-    if verdict in ("misprint", "false"):
-        refutation = certificate["refutation"] if verdict == "misprint" else certificate
-        require(verdict == "misprint" or record["hypotheses"] == [], "a refutation has no hypotheses")
+    if verdict in (*CORRECTED, "false"):
+        refutation = certificate["refutation"] if verdict in CORRECTED else certificate
+        require(verdict in CORRECTED or record["hypotheses"] == [], "a refutation has no hypotheses")
         REFUTATIONS[kind](statement, "printed", refutation)
 
 
@@ -239,7 +241,7 @@ def _unsupported(claims: Sequence[Mapping[str, Any]]) -> dict[str, str]:
     found = {}
     for claim in claims:
         verdict = verdicts.get(f"{claim.get('paper')}:{claim.get('instead')}", "no claim of the ledger")
-        if claim.get("verdict") == "false" and str(verdict) not in ("proved", "misprint", "illegible"):
+        if claim.get("verdict") == "false" and str(verdict) not in ("proved", *CORRECTED, "illegible"):
             instead = f"what is true instead, {claim.get('instead')}, is {verdict}"
             found[f"{claim.get('paper')}:{claim.get('number')}"] = instead
     return found

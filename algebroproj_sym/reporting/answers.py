@@ -23,8 +23,7 @@ def answers_record(answers: Sequence[Answer]) -> dict[str, Any]:
 
 def answers_table(answers: Sequence[Answer]) -> Table:
     """Return a row for each identity: name, verdict, method, seconds."""
-    table = table_of("name", "verdict", "method", "seconds")
-    table.columns[3].justify = "right"
+    table = table_of("name", "verdict", "method", numbers=("seconds",))
     for answer in answers:
         outcome = answer.outcome
         verdict = Text(outcome.verdict, style=COLORS[outcome.verdict])

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
 
 from rich.table import Table
 
-from algebroproj_sym.auditing import Finding
 from algebroproj_sym.declaring import UNPARSED, UNQUOTED
 from algebroproj_sym.reporting.tables import table_of
+
+if TYPE_CHECKING:
+    from algebroproj_sym.auditing import Finding, Line
 
 OUTCOMES = {
     "equal": "parsed, equal",
@@ -70,6 +73,44 @@ def audit_record(findings: Sequence[Finding], against_papers: bool) -> dict[str,
         "summary": {
             paper: {name: counts[name] for name in OUTCOMES if counts[name]}
             for paper, counts in audit_counts(findings).items()
+        },
+    }
+
+
+def coverage_lines(found: Mapping[str, Sequence[Line]]) -> list[str]:
+    r"""Return for each paper how many of its displays and lines are quoted, and which are not.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.auditing import Line
+    >>> lines = [Line(1, "a title", None, ()), Line(3, "x = 1", 2, ("1.1",)), Line(7, "y = 2", 6, ())]
+    >>> print("\n".join(coverage_lines({"demo": lines})))
+    demo: claims quote 1 of 2 displays, and 1 of 3 lines with text
+      displays that no claim quotes, by first line: 6
+      other lines that no claim quotes: 1
+    """
+    from algebroproj_sym.auditing import ranges
+
+    said = []
+    for paper, lines in found.items():
+        displays = {line.display for line in lines if line.display}
+        quoted = {line.display for line in lines if line.display and line.claims}
+        silent = [line.number for line in lines if not line.claims and not line.display]
+        of_lines = f"{sum(bool(line.claims) for line in lines)} of {len(lines)} lines with text"
+        said += [
+            f"{paper}: claims quote {len(quoted)} of {len(displays)} displays, and {of_lines}",
+            f"  displays that no claim quotes, by first line: {ranges(sorted(displays - quoted)) or 'none'}",
+            f"  other lines that no claim quotes: {ranges(silent) or 'none'}",
+        ]
+    return said
+
+
+def coverage_record(found: Mapping[str, Sequence[Line]]) -> dict[str, Any]:
+    """Return every line with its claims for JSON."""
+    return {
+        "schema": 1,
+        "papers": {
+            paper: [{**asdict(line), "claims": [*line.claims]} for line in lines] for paper, lines in found.items()
         },
     }
 

@@ -4,32 +4,29 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
 from typing import Any
 
 import sympy
 from rich.text import Text
 
-from algebroproj_sym.declaring import (
-    Claim,
-    Judgement,
+from algebroproj_sym.declaring import KINDS, Claim, Judgement, Quote, in_derived_terms, statement_text
+from algebroproj_sym.expressions import evaluate, size
+from algebroproj_sym.proving import reduced
+from algebroproj_sym.reporting.tables import verdict_text
+from algebroproj_sym.showing import (
+    LONG,
     Named,
     Part,
-    Quote,
     arranged,
     as_declared,
+    derived_form,
     differing_entries,
     evidence_lines,
     folded,
-    in_derived_terms,
     in_names,
     shown,
-    statement_text,
 )
-from algebroproj_sym.declaring.arranging import LONG
-from algebroproj_sym.expressions import evaluate, size
-from algebroproj_sym.proving import reduced
-from algebroproj_sym.reporting.forms import derived_form
-from algebroproj_sym.reporting.tables import verdict_text
 
 LABEL = 12
 """Width of the column of labels."""
@@ -41,7 +38,7 @@ LONGEST_QUOTE = 5 * ROW
 LONGEST_ENTRY = ROW - 20
 """Characters of what is not shortened: forms and lists, values of names, quotes, entries that differ."""
 MOST_DIFFERING = 4
-FULL = "What is shortened here is shown in full with --full."
+FULL = "To see everything in full, add --full."
 
 Line = tuple[str, str]
 
@@ -90,12 +87,12 @@ def form_lines(claim: Claim, part: Part, most: int, *, full: bool = False) -> li
         Whether to show it whatever its length.
     """
     form = arranged(derived_form(claim)) if part == "derived" else as_declared(claim, part)
-    rows = _rows(form)
+    rows = plain_rows(form)
     if full or sum(map(len, rows)) <= most:
         return rows
     named = in_names(claim, part)
     if named is None:
-        return _shared_out(rows, most)
+        return shared_out(rows, most)
     return [named.text, f"… {_size(form, rows)}", *(f"where {meaning}" for meaning in _meanings(named))]
 
 
@@ -114,9 +111,9 @@ def finding_line(judgement: Judgement) -> str:
 
 
 def _text_of(claim: Claim, part: Part) -> str:
-    if claim.kind == "reference":
-        return ".".join(map(str, getattr(claim, part)))
-    return ", ".join(_rows(as_declared(claim, part)))
+    if as_text := KINDS[claim.kind].text:
+        return as_text(getattr(claim, part))
+    return ", ".join(plain_rows(as_declared(claim, part)))
 
 
 def apart(left: str, right: str, most: int) -> tuple[str, str]:
@@ -154,7 +151,7 @@ def _about(judgement: Judgement, *, full: bool) -> Iterator[Line]:
             seen |= {line for line in lines if line.startswith("where ")}
     yield from _labelled("differs", _differing(claim, full))
     where = [f"{symbol} = {shown(arranged(reduced(value)))}" for symbol, value in claim.where.items()]
-    yield from _labelled("where", where if full else _shared_out(where, LONGEST_LIST))
+    yield from _labelled("where", where if full else shared_out(where, LONGEST_LIST))
     yield from _labelled("difference", _difference(judgement, full))
     yield from _labelled("evidence", evidence_lines(judgement, full=full))
     yield from _labelled("", _values(judgement, full))
@@ -173,14 +170,14 @@ def _cut(text: str, full: bool, most: int = LONGEST_MEANING) -> str:
     return text if full else folded(text, most)
 
 
-def _shared_out(lines: Sequence[str], most: int) -> list[str]:
+def shared_out(lines: Sequence[str], most: int) -> list[str]:
     """Return some lines in so many characters: the first ones, each at least as long as a row."""
     count = min(len(lines), most // ROW)
     more = [f"… and {len(lines) - count} more"] if count < len(lines) else []
     return [*(folded(line, max(most // count, ROW)) for line in lines[:count]), *more]
 
 
-def _rows(form: Any) -> list[str]:
+def plain_rows(form: Any) -> list[str]:
     """Return a form as text, a row of a matrix in each line."""
     if not isinstance(form, sympy.MatrixBase):
         return [_text(form)]
@@ -200,7 +197,7 @@ def _size(form: Any, rows: Sequence[str]) -> str:
 def _meanings(named: Named) -> Iterator[str]:
     for meaning in named.meanings:
         written = meaning.written
-        value = ast.unparse(written) if written is not None else ", ".join(_rows(arranged(meaning.value)))
+        value = ast.unparse(written) if written is not None else ", ".join(plain_rows(arranged(meaning.value)))
         yield f"{meaning.name} = {folded(value, LONGEST_MEANING)}"
 
 
@@ -224,20 +221,24 @@ def _differing(claim: Claim, full: bool) -> list[str]:
 def _difference(judgement: Judgement, full: bool) -> Iterator[str]:
     claim = judgement.claim
     scalar = isinstance(claim.printed, sympy.Expr) and not isinstance(claim.printed, sympy.MatrixBase)
-    if not judgement.counterexample or not claim.kind.startswith("identity") or not scalar:
+    if not judgement.counterexample or not KINDS[claim.kind].is_equality or not scalar:
         return
     printed: Any = in_derived_terms(claim.printed, claim.where)
     yield f"printed - derived = {_cut(shown(arranged(reduced(printed - claim.derived))), full)}"
 
 
+def sides_at_counterexample(judgement: Judgement) -> list[tuple[Fraction, Fraction]]:
+    """Return what is printed and what is derived at the counterexample of an equality, entry by entry."""
+    claim, point = judgement.claim, judgement.counterexample
+    if not point or not KINDS[claim.kind].is_equality or claim.printed is None or claim.derived is None:
+        return []
+    sides = evaluate(in_derived_terms(claim.printed, claim.where), point), evaluate(claim.derived, point)
+    return list(zip(*sides, strict=True))
+
+
 def _values(judgement: Judgement, full: bool) -> Iterator[str]:
     """Yield what both sides are at the counterexample, where they differ."""
-    claim, point = judgement.claim, judgement.counterexample
-    if not point or not claim.kind.startswith("identity") or claim.printed is None or claim.derived is None:
-        return
-    sides = evaluate(in_derived_terms(claim.printed, claim.where), point), evaluate(claim.derived, point)
-    different = [
-        pair for pair in zip(*sides, strict=True) if pair[0] != pair[1] or claim.kind == "identity up to scale"
-    ]
-    for label, values in zip(("printed", "derived"), zip(*different, strict=True), strict=True):
-        yield f"there {label} = {_cut(', '.join(map(str, values)), full)}"
+    proportional = judgement.claim.kind == "identity up to scale"
+    different = [pair for pair in sides_at_counterexample(judgement) if pair[0] != pair[1] or proportional]
+    for label, values in zip(("printed", "derived"), zip(*different, strict=True), strict=False):
+        yield f"at this point {label} = {_cut(', '.join(map(str, values)), full)}"

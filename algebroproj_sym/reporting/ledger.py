@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -12,6 +13,7 @@ from algebroproj_sym.declaring import VERDICTS, Claim, Judgement, Quote, stateme
 from algebroproj_sym.declaring.claim import expressions_of
 from algebroproj_sym.expressions import free_symbols, text
 from algebroproj_sym.files import write_texts
+from algebroproj_sym.processes import mapped
 from algebroproj_sym.replaying import declaration_digest
 
 SCHEMA = 1
@@ -19,7 +21,9 @@ SCHEMA = 1
 Quotes: TypeAlias = Mapping[tuple[str, str], Quote]
 
 
-def ledger(judgements: Sequence[Judgement], quotes: Quotes | None = None, *, timed: bool = True) -> dict[str, Any]:
+def ledger(
+    judgements: Sequence[Judgement], quotes: Quotes | None = None, *, timed: bool = True, jobs: int = 1
+) -> dict[str, Any]:
     """Return the ledger of some judgements.
 
     Parameters
@@ -30,19 +34,16 @@ def ledger(judgements: Sequence[Judgement], quotes: Quotes | None = None, *, tim
         What the papers print.
     timed : bool
         Whether to keep the seconds; a ledger that is compared byte by byte has none.
+    jobs : int
+        The number of processes.
 
     Returns
     -------
     dict
         ``{"schema": 1, "claims": [...], "summary": {verdict: count}}``.
     """
-    records = [claim_record(judgement, quotes, timed=timed) for judgement in judgements]
-    return ledger_of(records, summary(judgements))
-
-
-def ledger_of(records: Sequence[Mapping[str, Any]], counts: Mapping[str, int]) -> dict[str, Any]:
-    """Return the ledger of entries that are written already, and of how often each verdict occurs."""
-    return {"schema": SCHEMA, "claims": list(records), "summary": dict(counts)}
+    records = mapped(partial(claim_record, quotes=quotes, timed=timed), judgements, jobs)
+    return {"schema": SCHEMA, "claims": [*records], "summary": summary(judgements)}
 
 
 def summary(judgements: Sequence[Judgement]) -> dict[str, int]:

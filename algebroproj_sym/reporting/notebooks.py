@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from algebroproj_sym.declaring import Derivation, import_root
-from algebroproj_sym.declaring.notebook import METADATA
+from algebroproj_sym.showing.notebook import METADATA
 
 CELL_SECONDS = 600
 """Time limit of a cell."""

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import groupby
+from typing import TYPE_CHECKING
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.declaring import VERDICTS, Judgement
-from algebroproj_sym.generating import Lowered, operation_counts
 from algebroproj_sym.reporting.explaining import failure_text, finding_line
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.tables import failed_function
-from algebroproj_sym.verifying import BOUND, Verification
+
+if TYPE_CHECKING:
+    from algebroproj_sym.generating import Lowered
+    from algebroproj_sym.verifying import Verification
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.reporting"),
@@ -38,9 +41,11 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
     Returns
     -------
     str
-        Markdown: what is not as declared, verdicts by paper, a line for each claim that is not simply proved, the
-        functions with their figures.
+        Markdown: what is not as declared, verdicts by paper, a line for each claim that does not hold as
+        printed, the functions with their figures.
     """
+    from algebroproj_sym.verifying import BOUND
+
     return _TEMPLATES.get_template("report.md.j2").render(
         wrong=[failure_text(judgement) for judgement in judgements if not judgement.as_declared],
         failed=[failed_function(verification) for verification in verified if not verification.passed],
@@ -55,7 +60,7 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
 
 
 def findings(judgements: Sequence[Judgement]) -> str:
-    """Return a line for each claim that is not simply proved, as Markdown, paper by paper."""
+    """Return a line for each claim that does not hold as printed or cannot be read, as Markdown, paper by paper."""
     papers = [(paper, [j for j in group if _is_finding(j)]) for paper, group in _by_paper(judgements)]
     return _TEMPLATES.get_template("findings.md.j2").render(
         papers=papers, total=sum(len(found) for _, found in papers), claims=len(judgements)
@@ -71,6 +76,8 @@ def _by_paper(judgements: Iterable[Judgement]) -> list[tuple[str, list[Judgement
 
 
 def _function(low: Lowered, verification: Verification) -> dict[str, object]:
+    from algebroproj_sym.generating import operation_counts
+
     overall = verification.accuracy.overall
     return {
         "name": low.kernel.qualified_name,

@@ -2,19 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import astuple
+from itertools import groupby
+from typing import TYPE_CHECKING, TypeVar
 
 from rich.table import Table
 from rich.text import Text
 
-from algebroproj_sym.declaring import Judgement
-from algebroproj_sym.generating import Lowered, operation_counts
+from algebroproj_sym.declaring import Claim, Judgement
 from algebroproj_sym.reporting.ledger import summary
-from algebroproj_sym.verifying import BOUND, Verification
 
+if TYPE_CHECKING:
+    from algebroproj_sym.generating import Lowered
+    from algebroproj_sym.verifying import Verification
+
+Item = TypeVar("Item")
+
+SCREEN = 30
+"""Rows of the longest table that is shown unless more is wanted."""
 COLORS = {
     "proved": "green",
     "misprint": "yellow",
+    "error": "bright_red",
     "false": "red",
     "illegible": "magenta",
     "definition": "cyan",
@@ -40,31 +50,101 @@ def as_declared_text(changed: int, what: str) -> str:
     return f"{changed} {what} is not as declared" if changed == 1 else f"{changed} {what}s are not as declared"
 
 
-def table_of(first: str, *others: str) -> Table:
-    """Return a table without rows, whose first column names things and is never cut."""
-    table = Table(box=None, pad_edge=False)
+def table_of(first: str, *others: str, numbers: Sequence[str] = ()) -> Table:
+    """Return a table without rows, whose first column names things and is never cut; columns of numbers come last."""
+    table = Table(box=None, pad_edge=False, caption_justify="left")
     table.add_column(first, no_wrap=True)
     for heading in others:
         table.add_column(heading)
+    for heading in numbers:
+        table.add_column(heading, justify="right")
     return table
 
 
-def claims_table(judgements: Sequence[Judgement]) -> Table:
-    """Return a row for each claim: number, kind, verdict, what was expected, title."""
+def fill(
+    table: Table,
+    items: Sequence[Item],
+    name: Callable[[Item], str],
+    cells: Callable[[list[Item]], Iterable[str | Text]],
+    *,
+    full: bool,
+) -> Table:
+    """Add a row for each function, or for each module if the functions fill more than a screen.
+
+    Parameters
+    ----------
+    table : Table
+        Whose first column names functions.
+    items : sequence
+        What is known of each function, module by module.
+    name : callable
+        The name of the function, with its module.
+    cells : callable
+        The other columns, from the functions of a row.
+    full : bool
+        Whether each function has a row in any case.
+
+    Examples
+    --------
+    >>> functions = [f"a.f{k}" for k in range(40)] + ["b.g"]
+    >>> table = fill(table_of("function", numbers=("count",)), functions, str, lambda row: [str(len(row))], full=False)
+    >>> [list(column.cells) for column in table.columns]
+    [['a', 'b'], ['40', '1']]
+    """
+    folding = not full and len(items) > SCREEN
+    for key, group in groupby(items, lambda item: name(item).partition(".")[0] if folding else name(item)):
+        table.add_row(key, *cells(list(group)))
+    table.caption = "--full shows a row for each function" if folding else None
+    return table
+
+
+def claims_table(judgements: Sequence[Judgement], *, full: bool = False) -> Table:
+    """Return a row for each claim: number, kind, verdict, what was expected, title.
+
+    Claims that fill more than a screen are counted by section, or by paper if there are several, unless they are wanted
+    in `full`.  Those that are not as declared have a row each even then.
+    """
+    if not full and len(judgements) > SCREEN:
+        return _counted(judgements)
     table = table_of("number", "kind", "verdict", "title")
     for judgement in judgements:
-        verdict = verdict_text(judgement.verdict)
-        if not judgement.as_declared:
-            verdict.append(f", declared {judgement.claim.expected}", style="bold red")
         claim = judgement.claim
-        table.add_row(Text(f"{claim.paper}:{claim.number}"), Text(claim.kind), verdict, Text(claim.title))
+        table.add_row(Text(_selector(claim)), Text(claim.kind), _verdict(judgement), Text(claim.title))
     return table
+
+
+def _counted(judgements: Sequence[Judgement]) -> Table:
+    several = len({judgement.claim.paper for judgement in judgements}) > 1
+    table = table_of("paper" if several else "section", "verdicts", numbers=("claims",))
+    for key, group in groupby(judgements, lambda j: j.claim.paper if several else f"{j.claim.paper}:{j.claim.section}"):
+        found = list(group)
+        table.add_row(Text(key), _counts(found), str(len(found)))
+    changed = [judgement for judgement in judgements if not judgement.as_declared]
+    for judgement in changed[:SCREEN]:
+        table.add_row(Text(_selector(judgement.claim)), _verdict(judgement))
+    table.caption = "--full shows a row for each claim"
+    return table
+
+
+def _selector(claim: Claim) -> str:
+    return f"{claim.paper}:{claim.number}"
+
+
+def _verdict(judgement: Judgement) -> Text:
+    verdict = verdict_text(judgement.verdict)
+    if not judgement.as_declared:
+        verdict.append(f", declared {judgement.claim.expected}", style="bold red")
+    return verdict
+
+
+def _counts(judgements: Sequence[Judgement]) -> Text:
+    counts = [Text(f"{count} {verdict}", style=COLORS[verdict]) for verdict, count in summary(judgements).items()]
+    return Text(", ").join(counts)
 
 
 def summary_text(judgements: Sequence[Judgement]) -> Text:
     """Return one line: how many claims, by verdict, and how many are not as declared."""
-    counts = [Text(f"{count} {verdict}", style=COLORS[verdict]) for verdict, count in summary(judgements).items()]
-    line = Text(f"{len(judgements)} claim{'s' if len(judgements) != 1 else ''}: ").append_text(Text(", ").join(counts))
+    line = Text(f"{len(judgements)} claim{'s' if len(judgements) != 1 else ''}: ").append_text(_counts(judgements))
     changed = sum(not judgement.as_declared for judgement in judgements)
     line.append("; " + as_declared_text(changed, "verdict"), style="bold red" if changed else "dim")
     return line
@@ -72,11 +152,13 @@ def summary_text(judgements: Sequence[Judgement]) -> Text:
 
 def failed_function(verification: Verification) -> str:
     """Return which function is not verified, and why."""
+    from algebroproj_sym.verifying import BOUND
+
     reasons = []
     if not verification.proved:
         reasons.append("its source is not proved to give the derivation")
     if verification.silent:
-        reasons.append(f"its result is finite where this is zero: {', '.join(map(str, verification.silent))}")
+        reasons.append(f"its result is finite although this is zero: {', '.join(map(str, verification.silent))}")
     if not verification.accuracy.within_bound:
         overall = verification.accuracy.overall
         reasons.append(
@@ -86,31 +168,34 @@ def failed_function(verification: Verification) -> str:
     return f"{verification.accuracy.function} is not verified: {'; '.join(reasons)}"
 
 
-def operations_table(lowered: Sequence[Lowered]) -> Table:
-    """Return a row for each kernel: operations as derived, after SymPy's cse, in our program."""
-    table = table_of("function")
-    for heading in ("derived", "sympy.cse", "program"):
-        table.add_column(heading, justify="right")
-    for low in lowered:
-        counts = operation_counts(low)
-        table.add_row(low.kernel.qualified_name, str(counts.derived), str(counts.sympy_cse), str(counts.program))
-    return table
+def operations_table(lowered: Sequence[Lowered], *, full: bool = False) -> Table:
+    """Return a row for each kernel, or module: operations as derived, after SymPy's cse, in our program."""
+    from algebroproj_sym.generating import operation_counts
+
+    def cells(group: Sequence[Lowered]) -> list[str]:
+        counts = [astuple(operation_counts(low)) for low in group]
+        return [str(sum(kind)) for kind in zip(*counts, strict=True)]
+
+    table = table_of("function", numbers=("derived", "sympy.cse", "program"))
+    return fill(table, lowered, lambda low: low.kernel.qualified_name, cells, full=full)
 
 
-def verification_table(verifications: Sequence[Verification]) -> Table:
-    """Return a row for each function: sources proved, singular input, errors."""
-    table = table_of("function", "source", "singular input")
-    for heading in ("samples", "median ULP", "max ULP", "max error/(cond u)"):
-        table.add_column(heading, justify="right")
-    for v in verifications:
-        overall = v.accuracy.overall
-        table.add_row(
-            v.accuracy.function,
-            Text("proved", "green") if v.proved else Text("differs", "bold red"),
-            Text("silent: " + ", ".join(map(str, v.silent)), "bold red") if v.silent else Text("not finite", "green"),
-            str(overall.samples),
-            f"{overall.median_ulp:.2f}",
-            f"{overall.max_ulp:.3g}",
-            Text(f"{overall.max_ratio:.2f}", "green" if v.accuracy.within_bound else "bold red"),
-        )
-    return table
+def verification_table(verifications: Sequence[Verification], *, full: bool = False) -> Table:
+    """Return a row for each function, or the worst of each module: sources proved, singular input, errors."""
+
+    def cells(group: Sequence[Verification]) -> list[str | Text]:
+        overall = [v.accuracy.overall for v in group]
+        silent = [factor for v in group for factor in v.silent]
+        bounded = all(v.accuracy.within_bound for v in group)
+        return [
+            Text("proved", "green") if all(v.proved for v in group) else Text("differs", "bold red"),
+            Text("silent: " + ", ".join(map(str, silent)), "bold red") if silent else Text("not finite", "green"),
+            str(sum(errors.samples for errors in overall)),
+            f"{max(errors.median_ulp for errors in overall):.2f}",
+            f"{max(errors.max_ulp for errors in overall):.3g}",
+            Text(f"{max(errors.max_ratio for errors in overall):.2f}", "green" if bounded else "bold red"),
+        ]
+
+    numbers = ("samples", "median ULP", "max ULP", "max error/(cond u)")
+    table = table_of("function", "source", "singular input", numbers=numbers)
+    return fill(table, verifications, lambda v: v.accuracy.function, cells, full=full)

@@ -11,9 +11,9 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj._double_double import DoubleDouble, Unrounded
-from algebroproj._error_bounds import Bounded
-from algebroproj_sym.study.exact_systems import ARB, MPMATH, RATIONAL, UNCHANGED
+from algebroproj._runtime.double_double import DoubleDouble, Unrounded
+from algebroproj._runtime.error_bounds import Bounded
+from algebroproj_sym.study.exact_systems import ARB, MPMATH
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 
 __all__ = [
@@ -37,10 +37,7 @@ def float64() -> Arithmetic:
     return Arithmetic(
         name="float64",
         digits=16,
-        parts=1,
-        dtype=np.float64,
         lift=lambda values, off: values[None],
-        join=lambda parts: parts[0],
         split=lambda value: (value,),
         nearest=lambda numbers: _no_rest(numbers[0]),
         native=True,
@@ -54,12 +51,10 @@ def double_double() -> Arithmetic:
         name="double-double",
         digits=31,
         parts=2,
-        dtype=np.float64,
         lift=lambda values, off: np.stack(_no_rest(values)),
         join=lambda parts: Unrounded(parts[0], parts[1]),
         split=lambda value: _words(value),
         nearest=lambda numbers: (numbers[0], numbers[1]),
-        meanings=UNCHANGED,
     )
 
 
@@ -70,13 +65,11 @@ def float64_balls() -> Arithmetic:
         name="float64 enclosures",
         digits=16,
         parts=2,
-        dtype=np.float64,
         lift=lambda values, off: np.stack([values, off]),
         join=lambda parts: Bounded(parts[0], parts[1]),
         split=lambda ball: (ball.value, ball.error) if isinstance(ball, Bounded) else (ball, 0.0),
         nearest=lambda numbers: _no_rest(numbers[0]),
         radius=lambda numbers: np.asarray(numbers[1]),
-        meanings=UNCHANGED,
     )
 
 
@@ -87,13 +80,11 @@ def double_double_balls() -> Arithmetic:
         name="double-double enclosures",
         digits=31,
         parts=3,
-        dtype=np.float64,
         lift=lambda values, off: np.stack([*_no_rest(values), off]),
         join=lambda parts: Bounded(Unrounded(parts[0], parts[1]), parts[2]),
         split=lambda ball: (*_words(ball.value), ball.error) if isinstance(ball, Bounded) else (ball, 0.0, 0.0),
         nearest=lambda numbers: (numbers[0], numbers[1]),
         radius=lambda numbers: np.asarray(numbers[2]),
-        meanings=UNCHANGED,
     )
 
 
@@ -103,10 +94,8 @@ def mpmath_digits(digits: int) -> Arithmetic:
     return Arithmetic(
         name=f"mpmath {digits} digits",
         digits=digits,
-        parts=1,
         dtype=object,
         lift=lambda values, off: _objects(mpmath.mpf, values),
-        join=lambda parts: parts[0],
         split=_of_kind(mpmath.mpf),
         nearest=_nearest_to(float, lambda number, high: number - high),
         meanings=MPMATH,
@@ -120,10 +109,8 @@ def arb(bits: int) -> Arithmetic:
     return Arithmetic(
         name=f"arb {bits} bits",
         digits=bits * np.log10(2.0),
-        parts=1,
         dtype=object,
         lift=_balls,
-        join=lambda parts: parts[0],
         split=_of_kind(flint.arb),
         nearest=_nearest_to(_middle, lambda ball, high: ball.mid() - high),
         radius=_radius_of_balls,
@@ -138,13 +125,10 @@ def rational() -> Arithmetic:
     return Arithmetic(
         name="rational",
         digits=np.inf,
-        parts=1,
         dtype=object,
         lift=lambda values, off: _objects(lambda value: flint.fmpq(*value.as_integer_ratio()), values),
-        join=lambda parts: parts[0],
         split=_of_kind(flint.fmpq),
         nearest=_nearest_to(_rounded, lambda number, high: number - flint.fmpq(*high.as_integer_ratio())),
-        meanings=RATIONAL,
     )
 
 

@@ -6,7 +6,7 @@ norm by norm, entry by entry, or on average over independent errors of all entri
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import prod
 from typing import Any
@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._evaluation import parts_of
+from algebroproj._runtime.evaluation import parts_of
 from algebroproj_sym.study.precision import apply
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
-__all__ = ["Condition", "condition", "condition_numbers", "jacobian", "smallest_singular_values"]
+__all__ = ["Condition", "condition", "condition_numbers", "jacobian"]
 
 Array = NDArray[np.float64]
 
@@ -78,24 +78,8 @@ def jacobian(function: Callable[..., Any], *arguments: ArrayLike) -> tuple[Array
     >>> value.round(4).tolist(), derivatives.round(4).tolist()
     ([0.3333], [[0.2222, -0.1111]])
     """
-    signature, _ = parts_of(function, "jacobian")
-    sizes = [prod(core) for _, core in signature.arguments]
-    arithmetic = taylor(sum(sizes))
-    starts = np.cumsum([0, *sizes])
-    numbers = [
-        variables(arithmetic, argument, int(start), len(core))
-        for argument, start, (_, core) in zip(arguments, starts, signature.arguments, strict=False)
-    ]
-    returned = apply(arithmetic, function, *numbers)
-    results = returned if isinstance(returned, tuple) else (returned,)
-    flat = np.concatenate(
-        [
-            result.reshape(*result.shape[: result.ndim - len(core)], -1)
-            for result, core in zip(results, signature.results, strict=True)
-        ],
-        axis=-1,
-    )
-    return flat[0], gradient(arithmetic, flat, sum(sizes))
+    value, derivatives, _ = _differentiated(function, arguments)
+    return value, derivatives
 
 
 def condition(function: Callable[..., Any], *arguments: ArrayLike) -> Condition:
@@ -108,13 +92,35 @@ def condition(function: Callable[..., Any], *arguments: ArrayLike) -> Condition:
     >>> float(found.mixed) > 1
     True
     """
-    signature, _ = parts_of(function, "condition")
-    value, derivatives = jacobian(function, *arguments)
-    arrays = [np.asarray(argument, dtype=np.float64) for argument in arguments]
-    pairs = zip(arrays, signature.arguments, strict=True)
-    flat = [array.reshape(*array.shape[: array.ndim - len(core)], -1) for array, (_, core) in pairs]
-    x = np.concatenate([np.broadcast_to(array, (*value.shape[:-1], array.shape[-1])) for array in flat], axis=-1)
-    return condition_numbers(value, derivatives, x)
+    return condition_numbers(*_differentiated(function, arguments))
+
+
+def _differentiated(function: Callable[..., Any], arguments: Sequence[ArrayLike]) -> tuple[Array, Array, Array]:
+    """Return the value, the Jacobian and the input of a function, with all entries along one axis."""
+    signature, _ = parts_of(function, "jacobian")
+    cores = [core for _, core in signature.arguments]
+    starts = np.cumsum([0, *map(prod, cores)])
+    count = int(starts[-1])
+    arithmetic = taylor(count)
+    given = zip(arguments, starts, cores, strict=False)
+    numbers = [variables(arithmetic, argument, int(start), len(core)) for argument, start, core in given]
+    returned = apply(arithmetic, function, *numbers)
+    results = returned if isinstance(returned, tuple) else (returned,)
+    flat = _flat(results, signature.results)
+    return flat[0], gradient(flat, count), _flat([number[0] for number in numbers], cores)
+
+
+def _flat(arrays: Sequence[Array], cores: Sequence[tuple[int, ...]]) -> Array:
+    """Return the entries of some arrays, whose leading dimensions broadcast, one after the other."""
+    leading = [array.shape[: array.ndim - len(core)] for array, core in zip(arrays, cores, strict=True)]
+    batch = np.broadcast_shapes(*leading)
+    return np.concatenate(
+        [
+            np.broadcast_to(array.reshape(*own, -1), (*batch, prod(core)))
+            for array, own, core in zip(arrays, leading, cores, strict=True)
+        ],
+        axis=-1,
+    )
 
 
 def condition_numbers(value: Array, derivatives: Array, x: Array) -> Condition:
@@ -151,30 +157,3 @@ def condition_numbers(value: Array, derivatives: Array, x: Array) -> Condition:
         ratios = np.where(sums == 0, 0.0, sums / abs(value))
         mean = np.sqrt((scaled * scaled).sum(axis=(-2, -1))) / size
     return Condition(normwise, mixed, ratios.max(axis=-1), mean)
-
-
-def smallest_singular_values(matrices: ArrayLike, rank: int | None = None) -> tuple[Array, Array]:
-    """Return the smallest singular value of matrices, or another one, and its ratio to the largest.
-
-    Parameters
-    ----------
-    matrices : array_like, shape (..., m, n)
-        The matrices.  The result is NaN for a matrix that is not finite.
-    rank : int, optional
-        The number of the singular value: 1 is the largest.  The default is the smallest.
-
-    Returns
-    -------
-    tuple of ndarray, shape (...)
-
-    Examples
-    --------
-    >>> [float(x) for x in smallest_singular_values([[3.0, 0.0], [0.0, 4.0]])]
-    [3.0, 0.75]
-    """
-    array = np.asarray(matrices, dtype=np.float64)
-    regular = np.asarray(np.isfinite(array).all(axis=(-2, -1)))
-    values = np.linalg.svd(np.where(regular[..., None, None], array, 0.0), compute_uv=False)
-    chosen = values[..., -1 if rank is None else rank - 1]
-    with np.errstate(all="ignore"):
-        return np.where(regular, chosen, np.nan), np.where(regular, chosen / values[..., 0], np.nan)

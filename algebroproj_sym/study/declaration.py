@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -39,10 +41,6 @@ class Option:
     type: type | tuple[str, ...]
     default: Any
     help: str
-
-
-def _accept(**options: Any) -> None:
-    """Accept all options."""
 
 
 @dataclass(frozen=True)
@@ -81,8 +79,13 @@ class Study:
     chunk: Callable[..., xarray.Dataset]
     report: Callable[[xarray.Dataset], str]
     figures: Callable[[xarray.Dataset], Mapping[str, Figure]]
-    check: Callable[..., None] = _accept
+    check: Callable[..., None] = lambda **options: None
     shown: int | None = None
+
+    @property
+    def source(self) -> Path:
+        """The module whose function computes the members."""
+        return Path(inspect.getfile(self.chunk))
 
     def arguments(self, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return the value of each option: what is given, or its default.

@@ -1,4 +1,4 @@
-"""The primitive functions of generated programs, for numbers that are Python objects: mpmath, Arb balls, rationals.
+"""The primitive functions of generated programs, for numbers that are Python objects: mpmath numbers and Arb balls.
 
 A system that cannot be solved (singular, or not provably regular) has solutions that are not numbers, in its place in
 the batch.
@@ -14,9 +14,7 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj._compensated import DIGITS
-
-__all__ = ["ARB", "MPMATH", "RATIONAL"]
+__all__ = ["ARB", "MPMATH"]
 
 Solver = Callable[[list[list[Any]]], list[Any]]
 Meanings = Mapping[str, Callable[..., Any]]
@@ -33,29 +31,21 @@ def _in_places(solver: Solver, rows: Sequence[Sequence[Any]], unknowns: int) -> 
     return tuple(results[k] if shape else results[k, ...][()] for k in range(unknowns))
 
 
-def _systems(solver: Solver) -> Callable[..., tuple[Any, ...]]:
-    def solve(*rows: Sequence[Any]) -> tuple[Any, ...]:
-        return _in_places(solver, rows, len(rows))
+def _meanings(solver: Solver, one: Any, nan: Any, is_below_one: Callable[[Any], Any]) -> Meanings:
+    """Return what solves systems, and what spans null spaces by vectors whose largest component is 1.
 
-    return solve
-
-
-def _null_spaces(
-    solver: Solver, is_below_one: Callable[[Any], bool], one: Any, nan: Any
-) -> Callable[..., tuple[Any, ...]]:
-    """Span null spaces by vectors whose largest component is 1, or not a number where it is not clear which that is."""
+    Such a vector is not a number where it is not clear which component is the largest.
+    """
 
     def spanned(rows: list[list[Any]]) -> list[Any]:
         last = _largest_component(np.array([[float(entry) for entry in row] for row in rows]))
         others = solver([[*row[:last], *row[last + 1 :], -row[last]] for row in rows])
-        if not all(map(is_below_one, others)):
-            return [nan] * len(rows[0])
-        return [*others[:last], one, *others[last:]]
+        return [*others[:last], one, *others[last:]] if all(map(is_below_one, others)) else [nan] * len(rows[0])
 
-    def null_vector(*rows: Sequence[Any]) -> tuple[Any, ...]:
-        return _in_places(spanned, rows, len(rows) + 1)
-
-    return null_vector
+    return {
+        "solve": lambda *rows: _in_places(solver, rows, len(rows)),
+        "null_vector": lambda *rows: _in_places(spanned, rows, len(rows) + 1),
+    }
 
 
 def _largest_component(matrix: NDArray[np.float64]) -> int:
@@ -72,42 +62,22 @@ def _mpmath_solution(rows: list[list[Any]]) -> list[Any]:
 
 
 def _arb_solution(rows: list[list[Any]]) -> list[Any]:
-    size = len(rows)
     matrix = flint.arb_mat([row[:-1] for row in rows])
     try:
         solution = matrix.solve(flint.arb_mat([row[-1:] for row in rows]))
     except ZeroDivisionError:
-        return [flint.arb.nan()] * size
-    return [solution[i, 0] for i in range(size)]
-
-
-def _rational_solution(rows: list[list[Any]]) -> list[Any]:
-    matrix = flint.fmpq_mat(len(rows), len(rows), [flint.fmpq(entry) for row in rows for entry in row[:-1]])
-    solution = matrix.solve(flint.fmpq_mat(len(rows), 1, [flint.fmpq(row[-1]) for row in rows]))
+        return [flint.arb.nan()] * len(rows)
     return [solution[i, 0] for i in range(len(rows))]
 
 
-def _same(number: Any) -> Any:
-    return number
-
-
-UNCHANGED: Meanings = dict.fromkeys(DIGITS, _same)
-"""What the words for digits mean where every number has the same."""
-
 MPMATH: Meanings = {
-    **UNCHANGED,
-    "solve": _systems(_mpmath_solution),
-    "null_vector": _null_spaces(_mpmath_solution, lambda number: bool(abs(number) <= 1), mpmath.mpf(1), mpmath.nan),
+    **_meanings(_mpmath_solution, mpmath.mpf(1), mpmath.nan, lambda number: abs(number) <= 1),
     "cos_sin": np.frompyfunc(lambda angle: (mpmath.cos(angle), mpmath.sin(angle)), 1, 2),
     "arctan2": np.frompyfunc(mpmath.atan2, 2, 1),
 }
 
 ARB: Meanings = {
-    **UNCHANGED,
-    "solve": _systems(_arb_solution),
-    "null_vector": _null_spaces(_arb_solution, lambda ball: bool(abs(ball) < 1), flint.arb(1), flint.arb.nan()),
+    **_meanings(_arb_solution, flint.arb(1), flint.arb.nan(), lambda ball: abs(ball) < 1),
     "cos_sin": np.frompyfunc(lambda angle: (angle.cos(), angle.sin()), 1, 2),
     "arctan2": np.frompyfunc(lambda y, x: flint.arb.atan2(y, x), 2, 1),
 }
-
-RATIONAL: Meanings = {**UNCHANGED, "solve": _systems(_rational_solution)}

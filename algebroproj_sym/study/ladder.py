@@ -8,14 +8,14 @@ computed exactly: there a division by zero proves that the member is singular.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._double_double import DoubleDouble
+from algebroproj._runtime.double_double import DoubleDouble
 from algebroproj_sym.study.arithmetics import arb, double_double_balls, float64_balls, rational
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply, lift, nearest, radius
 
@@ -106,9 +106,7 @@ def certified(function: Callable[..., Any], *arguments: ArrayLike, accuracy: flo
     return climb(pipeline, lengths.pop(), accuracy)
 
 
-def climb(
-    pipeline: Pipeline, count: int, accuracy: float = 1e-12, rungs: Sequence[Arithmetic] = RUNGS, exact: bool = True
-) -> Certified:
+def climb(pipeline: Pipeline, count: int, accuracy: float = 1e-12, exact: bool = True) -> Certified:
     """Evaluate a chain of generated functions at the members of a batch to a certified accuracy.
 
     Parameters
@@ -119,8 +117,6 @@ def climb(
         How many members there are.
     accuracy : float
         The largest error wanted, relative to the largest entry of each result.
-    rungs : sequence of Arithmetic
-        Arithmetics with enclosures, in the order in which they are tried.
     exact : bool
         Whether rational numbers are the last rung.  A chain with angles has no rational rung.
 
@@ -131,29 +127,27 @@ def climb(
     Raises
     ------
     ValueError
-        If the accuracy is not between 1e-30 and 1, there is no member, or a rung has no enclosures.
+        If the accuracy is not between 1e-30 and 1, or there is no member.
     """
     if not FINEST <= accuracy < 1:
         raise ValueError(f"climb: expected an accuracy from {FINEST} to 1, got {accuracy}")
     if count < 1:
         raise ValueError(f"climb: expected at least one member, got {count}")
-    if loose := [rung.name for rung in rungs if not rung.encloses]:
-        raise ValueError(f"climb: expected rungs with enclosures, got {loose[0]}")
-    names = tuple(rung.name for rung in rungs) + (("rational",) if exact else ())
+    names = tuple(rung.name for rung in RUNGS) + (("rational",) if exact else ())
     result = Certified({}, {}, np.full(count, UNDECIDED, dtype=np.int8), names)
     skipped: set[int] = set()
     for start in range(0, count, BLOCK):
         left = np.arange(start, min(count, start + BLOCK))
-        for place, rung in enumerate(rungs):
+        for place, rung in enumerate(RUNGS):
             if place in skipped or not left.size:
                 continue
             accepted = _tried(pipeline, rung, left, accuracy, place, result)
-            if accepted.mean() < WORTH and place + 1 < len(rungs):
+            if accepted.mean() < WORTH and place + 1 < len(RUNGS):
                 skipped.add(place)
             left = left[~accepted]
         if exact:
             for member in left:
-                _computed_exactly(pipeline, member, len(rungs), result)
+                _computed_exactly(pipeline, member, len(RUNGS), result)
     return result
 
 

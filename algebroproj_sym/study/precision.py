@@ -13,14 +13,16 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import product
+from operator import itemgetter
 from types import FunctionType
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._double_double import DoubleDouble
-from algebroproj._evaluation import Body, Signature, parts_of
+from algebroproj._runtime.compensated import DIGITS
+from algebroproj._runtime.double_double import DoubleDouble
+from algebroproj._runtime.evaluation import Body, Signature, parts_of, require_count
 
 __all__ = [
     "Arithmetic",
@@ -33,11 +35,14 @@ __all__ = [
 Numbers: TypeAlias = NDArray[Any]
 Function: TypeAlias = Callable[..., Any]
 
+UNCHANGED: Mapping[str, Function] = dict.fromkeys(DIGITS, lambda number: number)
+"""What the words for digits mean where every number has the same."""
+
 BLOCK = 4096
 """How many members of a batch are computed at once, so that they stay in the cache."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Arithmetic:
     """A kind of number, and what the functions of generated programs do with it.
 
@@ -47,18 +52,18 @@ class Arithmetic:
         For reports: ``"arb 212 bits"``.
     digits : float
         About how many decimal digits a result has; infinite for rationals.
-    parts : int
-        The number of arrays that make up a batch of numbers.
-    dtype : dtype
-        Of these arrays.
     lift : callable
         From float64 values, and bounds of their errors, to the parts.
-    join : callable
-        From the parts of a batch to the numbers that a function computes with.
     split : callable
         Back, from a result to its parts.
     nearest : callable
         From parts to the nearest double-double numbers, as two arrays.
+    parts : int
+        The number of arrays that make up a batch of numbers.
+    dtype : dtype
+        Of these arrays.
+    join : callable
+        From the parts of a batch to the numbers that a function computes with.
     radius : callable, optional
         From parts to float64 bounds of the distance of the exact value from the nearest double-double number; None
         where nothing is guaranteed.
@@ -72,12 +77,12 @@ class Arithmetic:
 
     name: str
     digits: float
-    parts: int
-    dtype: Any
     lift: Callable[[NDArray[np.float64], NDArray[np.float64]], Numbers]
-    join: Callable[[Numbers], Any]
     split: Callable[[Any], tuple[Any, ...]]
     nearest: Callable[[Numbers], tuple[NDArray[np.float64], NDArray[np.float64]]]
+    parts: int = 1
+    dtype: Any = np.float64
+    join: Callable[[Numbers], Any] = itemgetter(0)
     radius: Callable[[Numbers], NDArray[np.float64]] | None = None
     meanings: Mapping[str, Function] = field(default_factory=dict)
     context: Callable[[], AbstractContextManager[Any]] = nullcontext
@@ -135,8 +140,9 @@ def nearest(arithmetic: Arithmetic, numbers: Numbers) -> DoubleDouble:
 
     Examples
     --------
+    >>> from algebroproj import optics
     >>> from algebroproj_sym.study.arithmetics import mpmath_digits
-    >>> third = apply(mpmath_digits(50), _ratio(), *(lift(mpmath_digits(50), x) for x in (1.0, 2.0)))
+    >>> third = apply(mpmath_digits(50), optics.scale, *(lift(mpmath_digits(50), x) for x in (1.0, 2.0)))
     >>> float(nearest(mpmath_digits(50), third).lo)
     1.850371707708594e-17
     """
@@ -198,24 +204,20 @@ def apply(arithmetic: Arithmetic, function: Function, *numbers: Numbers) -> Any:
 
 
 @cache
-def _copied(function: Function, names: tuple[tuple[str, Function], ...]) -> tuple[Signature, Body]:
-    signature, body = parts_of(function, "apply")
-    assert isinstance(body, FunctionType)
-    return signature, FunctionType(body.__code__, {**body.__globals__, **dict(names)}, body.__name__)
-
-
 def _interpreted(function: Function, arithmetic: Arithmetic) -> tuple[Signature, Body]:
     """Return the signature of a function, and its body, in which the primitive functions mean what they should."""
-    return _copied(function, tuple(sorted(arithmetic.meanings.items(), key=lambda item: item[0])))
+    signature, body = parts_of(function, "apply")
+    assert isinstance(body, FunctionType)
+    return signature, FunctionType(
+        body.__code__, {**body.__globals__, **UNCHANGED, **arithmetic.meanings}, body.__name__
+    )
 
 
 def _aligned(
     signature: Signature, arithmetic: Arithmetic, numbers: Sequence[Numbers]
 ) -> tuple[list[Numbers], tuple[int, ...]]:
     """Return the arguments with as many leading dimensions each, and the shape that these broadcast to."""
-    if len(numbers) != len(signature.arguments):
-        expected = ", ".join(name for name, _ in signature.arguments)
-        raise TypeError(f"{signature.name}: expected the arguments {expected}, got {len(numbers)}")
+    require_count(signature, numbers)
     leading = []
     for (name, core), argument in zip(signature.arguments, numbers, strict=True):
         split = argument.ndim - len(core)
@@ -272,11 +274,3 @@ def _blocks(batch: tuple[int, ...]) -> list[tuple[slice, ...]]:
 def _part(entry: Numbers, block: tuple[slice, ...]) -> Numbers:
     whole: tuple[slice, ...] = (slice(None), *block)
     return entry[whole] if block and entry.shape[1] > 1 else entry
-
-
-def _ratio() -> Function:
-    """Return a short generated function, 1 / (f + x) * f, for examples."""
-    from algebroproj import optics
-
-    scale: Function = optics.scale
-    return scale

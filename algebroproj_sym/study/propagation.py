@@ -1,4 +1,4 @@
-"""From uncertain input to uncertain results: covariances of first and second order, and random samples.
+"""From uncertain input to uncertain results: covariances of first and second order.
 
 Second-order terms are those of normal errors: the mean is shifted by half the trace of the Hessian times the
 covariance, and the covariance grows by half the trace of the square of that product.  Of functions that are not
@@ -9,16 +9,13 @@ linear one holds, rather than what is true where it does not.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from statistics import NormalDist
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Interval", "Moments", "curvature", "first_order", "intervals", "principal", "second_order"]
+__all__ = ["Moments", "first_order", "second_order"]
 
 Array = NDArray[np.float64]
-LEVEL = 0.6826894921370859
-"""What a normal variable has within one standard deviation of its mean."""
 
 
 @dataclass(frozen=True)
@@ -34,24 +31,6 @@ class Moments:
 
     shift: Array
     covariance: Array
-
-
-@dataclass(frozen=True)
-class Interval:
-    """The ends of a central interval of a sample, with the limits of their confidence intervals.
-
-    Attributes
-    ----------
-    low, high : ndarray, shape (...)
-        The ends.
-    low_limits, high_limits : tuple of ndarray
-        Between these each end of the distribution is, with the asked confidence.
-    """
-
-    low: Array
-    high: Array
-    low_limits: tuple[Array, Array]
-    high_limits: tuple[Array, Array]
 
 
 def first_order(jacobian: ArrayLike, covariance: ArrayLike) -> Array:
@@ -120,86 +99,6 @@ def second_order(jacobian: ArrayLike, hessian: ArrayLike, covariance: ArrayLike)
     product = h @ s
     shift = 0.5 * np.trace(product, axis1=-2, axis2=-1)
     return Moments(shift, linear + 0.5 * np.einsum("...kij,...lji->...kl", product, product))
-
-
-def curvature(jacobian: ArrayLike, hessian: ArrayLike, covariance: ArrayLike) -> Array:
-    """Return the standard deviation of the second-order part of each result, over that of the first-order part.
-
-    Examples
-    --------
-    >>> curvature([[1.0]], [[[0.2]]], [[1.0]]).round(4).tolist()            # x + x^2 / 10
-    [0.1414]
-    """
-    linear = np.diagonal(first_order(jacobian, covariance), axis1=-2, axis2=-1)
-    whole = np.diagonal(second_order(jacobian, hessian, covariance).covariance, axis1=-2, axis2=-1)
-    with np.errstate(all="ignore"):
-        ratio: Array = np.sqrt(np.maximum(whole - linear, 0.0) / linear)
-    return ratio
-
-
-def principal(covariance: ArrayLike) -> tuple[Array, Array]:
-    """Return the direction in which a result is least certain, and the standard deviation in that direction.
-
-    Parameters
-    ----------
-    covariance : array_like, shape (..., m, m)
-
-    Returns
-    -------
-    direction : ndarray, shape (..., m)
-        Of length 1, its largest entry positive.
-    deviation : ndarray, shape (...)
-
-    Examples
-    --------
-    >>> direction, deviation = principal([[4.0, 0.0], [0.0, 9.0]])
-    >>> direction.tolist(), float(deviation)
-    ([0.0, 1.0], 3.0)
-    """
-    values, vectors = np.linalg.eigh(_covariance(covariance))
-    direction = vectors[..., -1]
-    largest = np.take_along_axis(direction, abs(direction).argmax(axis=-1)[..., None], axis=-1)
-    return direction * np.sign(largest), np.sqrt(np.maximum(values[..., -1], 0.0))
-
-
-def intervals(samples: ArrayLike, level: float = LEVEL, confidence: float = 0.95) -> Interval:
-    """Return the central interval that holds a part of a sample, and confidence limits of its ends.
-
-    Parameters
-    ----------
-    samples : array_like, shape (draws, ...)
-        Infinite values count as the largest or the smallest ones.
-    level : float
-        The part of the sample inside the interval.
-    confidence : float
-        The confidence of the limits.  They are order statistics and hold for any distribution.
-
-    Returns
-    -------
-    Interval
-
-    Raises
-    ------
-    ValueError
-        If the level or the confidence is not between 0 and 1, or there are too few draws for the limits.
-
-    Examples
-    --------
-    >>> found = intervals(np.linspace(0, 1, 1001))
-    >>> round(float(found.low), 3), round(float(found.high), 3)
-    (0.159, 0.841)
-    """
-    if not (0 < level < 1 and 0 < confidence < 1):
-        raise ValueError(f"intervals: expected level and confidence between 0 and 1, got {level} and {confidence}")
-    values = np.sort(np.asarray(samples, dtype=np.float64), axis=0)
-    draws, tail = len(values), (1 - level) / 2
-    half = NormalDist().inv_cdf((1 + confidence) / 2) * np.sqrt(draws * tail * (1 - tail))
-    outer, inner = int(np.floor(draws * tail - half)), int(np.ceil(draws * tail + half))
-    if outer < 0 or inner >= draws:
-        raise ValueError(f"intervals: expected more draws for this confidence, got {draws}")
-    with np.errstate(invalid="ignore"):
-        low, high = np.quantile(values, [tail, 1 - tail], axis=0)
-    return Interval(low, high, (values[outer], values[inner]), (values[-1 - inner], values[-1 - outer]))
 
 
 def _covariance(covariance: ArrayLike) -> Array:

@@ -121,7 +121,7 @@ def prepare(sweep: Sweep) -> None:
         If the folder cannot be written to.
     """
     (sweep.folder / CHUNKS).mkdir(parents=True, exist_ok=True)
-    manifest = {"arguments": arguments(sweep), "provenance": provenance()}
+    manifest = {"arguments": arguments(sweep), "provenance": provenance(sweep.study.source)}
     path = sweep.folder / MANIFEST
     if path.exists():
         _require_equal(json.loads(path.read_text(encoding="utf-8")), manifest, sweep.folder)
@@ -154,7 +154,8 @@ def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iter
     """
     if executor is None:
         for chunk in missing(sweep):
-            yield keep(sweep, chunk, _task(sweep, chunk)())
+            write(_task(sweep, chunk)(), sweep.path(chunk))
+            yield chunk
         return
     waiting = iter(missing(sweep))
     running: dict[Future[xarray.Dataset], int] = {}
@@ -166,7 +167,9 @@ def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iter
                 return
             done, _ = wait(running, return_when=FIRST_COMPLETED)
             for task in sorted(done, key=running.__getitem__):
-                yield keep(sweep, running.pop(task), task.result())
+                chunk = running.pop(task)
+                write(task.result(), sweep.path(chunk))
+                yield chunk
     finally:
         for task in running:
             task.cancel()
@@ -188,12 +191,6 @@ def computed(
     return dataset
 
 
-def keep(sweep: Sweep, chunk: int, dataset: xarray.Dataset) -> int:
-    """Write a chunk, whole or not at all, and return its number."""
-    write(dataset, sweep.path(chunk))
-    return chunk
-
-
 def assemble(sweep: Sweep) -> xarray.Dataset:
     """Make one dataset of all chunks, which are then removed, and open it; its values are read when they are needed.
 
@@ -206,7 +203,7 @@ def assemble(sweep: Sweep) -> xarray.Dataset:
     """
     if not sweep.result.exists():
         paths = [sweep.path(chunk) for chunk in range(sweep.count)]
-        join(paths, MEMBER, attributes(sweep.study.summary, arguments(sweep)), sweep.result)
+        join(paths, MEMBER, attributes(sweep.study.summary, arguments(sweep), sweep.study.source), sweep.result)
     shutil.rmtree(sweep.folder / CHUNKS, ignore_errors=True)
     return read(sweep.result)
 

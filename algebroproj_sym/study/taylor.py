@@ -7,18 +7,17 @@ are those of the equations it satisfies, ``A x' = b' - A' x``.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._primitives import null_vector, solve
-from algebroproj_sym.study.exact_systems import UNCHANGED
+from algebroproj._runtime.primitives import null_vector, solve
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 
-__all__ = ["Taylor", "gradient", "hessian", "inverses", "taylor", "variables"]
+__all__ = ["Taylor", "composed", "gradient", "hessian", "inverses", "taylor", "variables"]
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -28,34 +27,42 @@ class Taylor:
 
     Attributes
     ----------
-    value : ndarray, shape (...)
-    first : ndarray, shape (p, ...)
-    second : ndarray, shape (p, p, ...), or None
+    parts : ndarray, shape (1 + p, ...) or (1 + p + p^2, ...)
+        The value, its first derivatives and, if wanted, its second derivatives.
+    count : int
+        The number p of variables.
 
     Examples
     --------
-    >>> x = Taylor(np.array(3.0), np.array([1.0]), np.array([[0.0]]))
-    >>> square = x * x
-    >>> float(square.value), square.first.tolist(), square.second.tolist()
-    (9.0, [6.0], [[2.0]])
+    >>> x = Taylor(np.array([3.0, 1.0, 0.0]), 1)
+    >>> (x * x).parts.tolist()
+    [9.0, 6.0, 2.0]
     """
 
-    __slots__ = ("first", "second", "value")
+    __slots__ = ("count", "parts")
     __array_ufunc__ = None
 
-    def __init__(self, value: Any, first: Any, second: Any = None) -> None:
-        self.value = value
-        self.first = first
-        self.second = second
+    def __init__(self, parts: Any, count: int) -> None:
+        self.parts = parts
+        self.count = count
+
+    @property
+    def value(self) -> Any:
+        """The number itself, shape (...)."""
+        return self.parts[0]
+
+    @property
+    def first(self) -> Any:
+        """The first derivatives, shape (p, ...)."""
+        return self.parts[1 : 1 + self.count]
 
     def __neg__(self) -> Taylor:
-        return Taylor(-self.value, -self.first, None if self.second is None else -self.second)
+        return Taylor(-self.parts, self.count)
 
     def __add__(self, other: Any) -> Taylor:
-        if not isinstance(other, Taylor):
-            return Taylor(self.value + other, self.first, self.second)
-        second = None if self.second is None else self.second + other.second
-        return Taylor(self.value + other.value, self.first + other.first, second)
+        if isinstance(other, Taylor):
+            return Taylor(self.parts + other.parts, self.count)
+        return _with_value(self.parts.copy(), self.value + other, self.count)
 
     __radd__ = __add__
 
@@ -67,30 +74,34 @@ class Taylor:
 
     def __mul__(self, other: Any) -> Taylor:
         if not isinstance(other, Taylor):
-            second = None if self.second is None else self.second * other
-            return Taylor(self.value * other, self.first * other, second)
-        first = self.first * other.value + self.value * other.first
-        if self.second is None:
-            return Taylor(self.value * other.value, first)
-        mixed = _both_ways(self.first, other.first)
-        second = self.second * other.value + self.value * other.second + mixed
-        return Taylor(self.value * other.value, first, second)
+            return Taylor(self.parts * other, self.count)
+        product = self.parts * other.value + self.value * other.parts
+        _add_to_second(product, self.count, lambda: _both_ways(self.first, other.first))
+        return _with_value(product, self.value * other.value, self.count)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Taylor:
         if not isinstance(other, Taylor):
-            second = None if self.second is None else self.second / other
-            return Taylor(self.value / other, self.first / other, second)
+            return Taylor(self.parts / other, self.count)
         quotient = self.value / other.value
-        first = (self.first - quotient * other.first) / other.value
-        if self.second is None:
-            return Taylor(quotient, first)
-        second = (self.second - quotient * other.second - _both_ways(first, other.first)) / other.value
-        return Taylor(quotient, first, second)
+        rest = self.parts - quotient * other.parts
+        _add_to_second(rest, self.count, lambda: -_both_ways(rest[1 : 1 + self.count] / other.value, other.first))
+        return _with_value(rest / other.value, quotient, self.count)
 
     def __rtruediv__(self, other: Any) -> Taylor:
-        return Taylor(other + 0 * self.value, 0 * self.first, None if self.second is None else 0 * self.second) / self
+        return _with_value(0 * self.parts, other + 0 * self.value, self.count) / self
+
+
+def _with_value(parts: Any, value: Any, count: int) -> Taylor:
+    parts[0] = value
+    return Taylor(parts, count)
+
+
+def _add_to_second(parts: Any, count: int, more: Callable[[], Any]) -> None:
+    """Add something to the second derivatives, if there are any."""
+    if len(parts) > 1 + count:
+        parts[1 + count :] += more().reshape(count * count, *parts.shape[1:])
 
 
 @cache
@@ -116,13 +127,11 @@ def taylor(count: int, order: int = 1) -> Arithmetic:
         name=f"float64 with derivatives of order {order} by {count} variables",
         digits=16,
         parts=parts,
-        dtype=np.float64,
         lift=lambda values, off: np.concatenate([values[None], np.zeros((parts - 1, *values.shape))]),
-        join=lambda numbers: _joined(numbers, count, order),
-        split=lambda number: _split(number, count, order, parts),
+        join=lambda numbers: Taylor(numbers, count),
+        split=lambda number: tuple(number.parts) if isinstance(number, Taylor) else (number, *(0.0,) * (parts - 1)),
         nearest=lambda numbers: (numbers[0], np.zeros_like(numbers[0])),
         meanings={
-            **UNCHANGED,
             "solve": _solve,
             "null_vector": _null_vector,
             "cos_sin": _cos_sin,
@@ -155,7 +164,7 @@ def variables(arithmetic: Arithmetic, values: ArrayLike, start: int = 0, core: i
     >>> from algebroproj_sym.study.precision import apply
     >>> two = taylor(2)
     >>> found = apply(two, optics.scale, variables(two, 1.0, 0, 0), variables(two, 2.0, 1, 0))
-    >>> gradient(two, found, 2).round(4).tolist()
+    >>> gradient(found, 2).round(4).tolist()
     [0.2222, -0.1111]
     """
     array = np.asarray(values, dtype=np.float64)
@@ -166,22 +175,24 @@ def variables(arithmetic: Arithmetic, values: ArrayLike, start: int = 0, core: i
     return numbers
 
 
-def gradient(arithmetic: Arithmetic, numbers: Numbers, count: int) -> Array:
-    """Return the first derivatives as the last axis: shape (..., count)."""
+def gradient(numbers: Numbers, count: int) -> Array:
+    """Return the derivatives of numbers by so many variables as the last axis: shape (..., count)."""
     return np.moveaxis(numbers[1 : 1 + count], 0, -1)
 
 
-def hessian(arithmetic: Arithmetic, numbers: Numbers, count: int) -> Array:
-    """Return the second derivatives as the last two axes: shape (..., count, count).
+def hessian(numbers: Numbers, count: int) -> Array:
+    """Return the second derivatives of numbers by so many variables as the last two axes: shape (..., count, count).
 
     Raises
     ------
     ValueError
-        If the arithmetic has first derivatives only.
+        If the numbers have other derivatives.
     """
-    if arithmetic.parts != 1 + count + count * count:
-        raise ValueError(f"hessian: expected second derivatives by {count} variables, got {arithmetic.name}")
-    second = numbers[1 + count :].reshape(count, count, *numbers.shape[1:])
+    second = _second(numbers, count)
+    if second is None or len(numbers) != 1 + count + count * count:
+        raise ValueError(
+            f"hessian: expected second derivatives by {count} variables, got {len(numbers) - 1} derivatives"
+        )
     return np.moveaxis(second, (0, 1), (-2, -1))
 
 
@@ -206,111 +217,85 @@ def _both_ways(a: Any, b: Any) -> Any:
     return product + np.swapaxes(product, 0, 1)
 
 
-def _joined(numbers: Numbers, count: int, order: int) -> Taylor:
-    if order == 1:
-        return Taylor(numbers[0], numbers[1:])
-    second = numbers[1 + count :].reshape(count, count, *numbers.shape[1:])
-    return Taylor(numbers[0], numbers[1 : 1 + count], second)
+def _second(parts: Any, count: int) -> Any:
+    """Return the second derivatives, shape (p, p, ...), or None."""
+    return parts[1 + count :].reshape(count, count, *parts.shape[1:]) if len(parts) > 1 + count else None
 
 
-def _split(number: Any, count: int, order: int, parts: int) -> tuple[Any, ...]:
-    if not isinstance(number, Taylor):
-        return (number, *(0.0,) * (parts - 1))
-    if order == 1:
-        return (number.value, *number.first)
-    return (number.value, *number.first, *number.second.reshape(count * count, *number.second.shape[2:]))
-
-
-def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Array, Array, Array | None]:
-    """Return values (..., n, m), first derivatives (p, ..., n, m) and second ones of the entries of some rows."""
+def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Array, int]:
+    """Return the parts, shape (parts, ..., n, m), of the entries of some rows, and the number of variables."""
     sample = next(entry for row in rows for entry in row if isinstance(entry, Taylor))
-    full = [[entry if isinstance(entry, Taylor) else entry + 0 * sample for entry in row] for row in rows]
-    value = _grid([[entry.value for entry in row] for row in full])
-    first = _grid([[entry.first for entry in row] for row in full])
-    second = None if sample.second is None else _grid([[entry.second for entry in row] for row in full])
-    return value, first, second
+    full = [[(entry if isinstance(entry, Taylor) else 0 * sample + entry).parts for entry in row] for row in rows]
+    return np.stack([np.stack(np.broadcast_arrays(*row), axis=-1) for row in full], axis=-2), sample.count
 
 
-def _grid(rows: Sequence[Sequence[Any]]) -> Array:
-    return np.stack([np.stack(np.broadcast_arrays(*row), axis=-1) for row in rows], axis=-2)
+def _values(rows: Sequence[Sequence[Any]]) -> list[list[Any]]:
+    return [[entry.value if isinstance(entry, Taylor) else entry for entry in row] for row in rows]
 
 
 def _solve(*rows: Sequence[Any]) -> tuple[Taylor, ...]:
-    values = solve(*([entry.value if isinstance(entry, Taylor) else entry for entry in row] for row in rows))
-    return _implicit(_stacked(rows), np.stack(np.broadcast_arrays(*values), axis=-1))
+    solution = np.stack(np.broadcast_arrays(*solve(*_values(rows))), axis=-1)
+    system, count = _stacked(rows)
+    return _entries(_implicit(system, solution, count), count)
 
 
-def _implicit(system: tuple[Array, Array, Array | None], solution: Array) -> tuple[Taylor, ...]:
-    """Differentiate the equations ``A x = b`` at their solution."""
-    value, first, second = system
+def _entries(parts: Array, count: int) -> tuple[Taylor, ...]:
+    return tuple(Taylor(parts[..., k], count) for k in range(parts.shape[-1]))
+
+
+def _implicit(system: Array, solution: Array, count: int) -> Array:
+    """Differentiate the equations ``A x = b`` at their solution: shape (parts, ..., n)."""
+    value, first, second = system[0], system[1 : 1 + count], _second(system, count)
     inverse = inverses(value[..., :-1])
     extended = np.concatenate([solution, -np.ones_like(solution[..., :1])], axis=-1)
     firsts = -np.einsum("...ij,p...jk,...k->p...i", inverse, first, extended)
-    places = range(solution.shape[-1])
     if second is None:
-        return tuple(Taylor(solution[..., k], firsts[..., k]) for k in places)
+        return np.concatenate([solution[None], firsts])
     crossed = np.einsum("p...jk,q...k->pq...j", first[..., :-1], firsts)
     right = np.einsum("pq...jk,...k->pq...j", second, extended) + crossed + np.swapaxes(crossed, 0, 1)
     seconds = -np.einsum("...ij,pq...j->pq...i", inverse, right)
-    return tuple(Taylor(solution[..., k], firsts[..., k], seconds[..., k]) for k in places)
+    return np.concatenate([solution[None], firsts, seconds.reshape(count * count, *solution.shape)])
 
 
 def _null_vector(*rows: Sequence[Any]) -> tuple[Taylor, ...]:
     """Differentiate a null vector whose largest component stays 1: the others solve a system."""
-    values = null_vector(*([entry.value if isinstance(entry, Taylor) else entry for entry in row] for row in rows))
-    vector = np.stack(np.broadcast_arrays(*values), axis=-1)
+    vector = np.stack(np.broadcast_arrays(*null_vector(*_values(rows))), axis=-1)
     fixed = np.argmax(abs(vector), axis=-1)
     order = np.argsort(np.arange(vector.shape[-1]) == fixed[..., None], axis=-1, kind="stable")
-    system = tuple(None if part is None else _reordered(part, order) for part in _stacked(rows))
-    value, first, second = system
-    assert value is not None
-    assert first is not None
-    solved = _implicit((value, first, second), np.take_along_axis(vector, order, axis=-1)[..., :-1])
-    back = np.argsort(order, axis=-1)
-    whole = (*solved, 0 * solved[0] + 1)
-    return tuple(_picked(whole, back[..., k]) for k in range(vector.shape[-1]))
+    system, count = _stacked(rows)
+    system = np.take_along_axis(system, np.broadcast_to(order[..., None, :], system.shape), axis=-1)
+    system[..., -1] *= -1
+    solved = _implicit(system, np.take_along_axis(vector, order, axis=-1)[..., :-1], count)
+    whole = np.concatenate([solved, 0 * solved[..., :1]], axis=-1)
+    whole[0, ..., -1] += 1
+    back = np.broadcast_to(np.argsort(order, axis=-1), whole.shape)
+    return _entries(np.take_along_axis(whole, back, axis=-1), count)
 
 
-def _reordered(part: Array, order: NDArray[np.intp]) -> Array:
-    """Bring the columns of matrices into an order, the last one with the sign of a right side."""
-    index = np.broadcast_to(order[..., None, :], part.shape)
-    moved = np.take_along_axis(part, index, axis=-1)
-    moved[..., -1] *= -1
-    return moved
-
-
-def _picked(numbers: Sequence[Taylor], place: NDArray[np.intp]) -> Taylor:
-    def pick(parts: list[Array]) -> Array:
-        stacked = np.stack(parts, axis=-1)
-        index = np.broadcast_to(place[..., None], (*stacked.shape[:-1], 1))
-        return np.take_along_axis(stacked, index, axis=-1)[..., 0]
-
-    second = None if numbers[0].second is None else pick([number.second for number in numbers])
-    return Taylor(pick([number.value for number in numbers]), pick([number.first for number in numbers]), second)
-
-
-def _composed(inner: Taylor, value: Any, slope: Any, bend: Any) -> Taylor:
+def composed(inner: Taylor, value: Any, slope: Any, bend: Any) -> Taylor:
     """Return f(inner), given f and its first two derivatives there."""
-    if inner.second is None:
-        return Taylor(value, slope * inner.first)
-    return Taylor(value, slope * inner.first, slope * inner.second + bend * inner.first[:, None] * inner.first[None])
+    parts = slope * inner.parts
+    _add_to_second(parts, inner.count, lambda: bend * inner.first[:, None] * inner.first[None])
+    return _with_value(parts, value, inner.count)
 
 
 def _cos_sin(angle: Taylor) -> tuple[Taylor, Taylor]:
     cosine, sine = np.cos(angle.value), np.sin(angle.value)
-    return _composed(angle, cosine, -sine, -cosine), _composed(angle, sine, cosine, -sine)
+    return composed(angle, cosine, -sine, -cosine), composed(angle, sine, cosine, -sine)
 
 
 def _arctan2(y: Any, x: Any) -> Taylor:
     """Differentiate the angle: its derivatives are those of ``(x dy - y dx) / (x^2 + y^2)``."""
     sample = y if isinstance(y, Taylor) else x
-    y, x = (number if isinstance(number, Taylor) else number + 0 * sample for number in (y, x))
+    y, x = (number if isinstance(number, Taylor) else 0 * sample + number for number in (y, x))
     square = x.value * x.value + y.value * y.value
-    first = (x.value * y.first - y.value * x.first) / square
-    value = np.arctan2(y.value, x.value)
-    if y.second is None:
-        return Taylor(value, first)
-    turned = y.first[:, None] * x.first[None] - x.first[:, None] * y.first[None]
-    growth = 2 * (x.value * x.first + y.value * y.first)
-    second = (x.value * y.second - y.value * x.second - turned) / square - first[:, None] * growth[None] / square
-    return Taylor(value, first, (second + np.swapaxes(second, 0, 1)) / 2)
+    parts = (x.value * y.parts - y.value * x.parts) / square
+
+    def more() -> Any:
+        turned = y.first[:, None] * x.first[None] - x.first[:, None] * y.first[None]
+        growth = 2 * (x.value * x.first + y.value * y.first)
+        bend = -turned / square - parts[1 : 1 + sample.count][:, None] * growth[None] / square
+        return (bend + np.swapaxes(bend, 0, 1)) / 2
+
+    _add_to_second(parts, sample.count, more)
+    return _with_value(parts, np.arctan2(y.value, x.value), sample.count)

@@ -42,13 +42,6 @@ class NotUnderstoodError(ValueError):
 
 
 @dataclass(frozen=True)
-class Absolute:
-    """The absolute value of a number, which only comparisons use."""
-
-    value: Any
-
-
-@dataclass(frozen=True)
 class Meaning:
     """What the source does not say itself.
 
@@ -56,8 +49,8 @@ class Meaning:
     ----------
     constants : mapping of str to number
         The values of names that are no variables.
-    is_greater : callable, optional
-        Whether one absolute value is greater than another; for numbers without an order, a choice.  Without it, the
+    is_larger : callable, optional
+        Whether one absolute value is larger than another; for numbers without an order, a choice.  Without it, the
         conditional operator is refused.
     equal : callable
         Whether two numbers are equal.
@@ -68,7 +61,7 @@ class Meaning:
     """
 
     constants: Mapping[str, Any] = field(default_factory=dict)
-    is_greater: Callable[[Any, Any], bool] | None = None
+    is_larger: Callable[[Any, Any], bool] | None = None
     equal: Callable[[Any, Any], bool] = operator.eq
     call: Callable[[str, list[list[Any]]], Sequence[Any]] | None = None
     is_zero: Callable[[Any], bool] = operator.not_
@@ -150,10 +143,7 @@ def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Me
         raise NotUnderstoodError(f"{name}: expected one loop over points")
     variables: dict[str, Any] = {"in": [[value] for value in inputs], "out": {}, "i": _POINT}
     _run(statements[0], _Scope(variables, source, meaning))
-    outputs: dict[int, Any] = variables["out"]
-    if sorted(outputs) != list(range(len(outputs))):
-        raise NotUnderstoodError(f"{name}: expected all outputs to be set, got {sorted(outputs)}")
-    return [outputs[place] for place in range(len(outputs))]
+    return _in_order(name, variables["out"])
 
 
 def plain_outputs(
@@ -226,7 +216,23 @@ def solver_outputs(source: Source, name: str, system: list[list[Any]], meaning: 
         raise NotUnderstoodError(f"C source: expected a function {name}, there is none")
     variables: dict[str, Any] = {"system": system, "solution": {}}
     _run(_parsed(f"void {name}(void)\n{source.solvers[name]}").body, _Scope(variables, source, meaning))
-    return [variables["solution"][place] for place in range(len(variables["solution"]))]
+    return _in_order(name, variables["solution"])
+
+
+def _in_order(name: str, entries: Mapping[int, Any]) -> list[Any]:
+    """Return what was set, all of it from the first entry on."""
+    if sorted(entries) != list(range(len(entries))):
+        raise NotUnderstoodError(f"{name}: expected all outputs to be set, got {sorted(entries)}")
+    return [entries[place] for place in range(len(entries))]
+
+
+def body_values(body: str, given: Mapping[str, Any], names: Sequence[str], meaning: Meaning) -> list[Any]:
+    """Execute the body of a function of given values; return what some names and integers stand for at its end."""
+    scope = _Scope(dict(given), Source({}, {}, {}), meaning)
+    _run(_parsed(f"void body(void)\n{body}").body, scope)
+    if not all(name in scope.variables or name.removeprefix("-").isdecimal() for name in names):
+        raise NotUnderstoodError(f"C source: expected values, got {', '.join(names)}")
+    return [scope.variables[name] if name in scope.variables else int(name) for name in names]
 
 
 def inline_value(source: Source, name: str, arguments: Sequence[Any], meaning: Meaning) -> Any:
@@ -264,7 +270,7 @@ def _parsed(text: str) -> Any:
 
 def _run(block: Any, scope: _Scope) -> Any:
     """Execute the statements of a block; return the value of its return statement."""
-    for statement in block.block_items:
+    for statement in block.block_items or []:
         match statement:
             case c_ast.Return() if not _is_range(statement.expr):
                 return _value(statement.expr, scope)
@@ -392,7 +398,7 @@ def _value(node: Any, scope: _Scope) -> Any:
             return scope.meaning.constants[name]
         case c_ast.UnaryOp(op="-"):
             return -value(node.expr)
-        case c_ast.TernaryOp() if scope.meaning.is_greater is not None:
+        case c_ast.TernaryOp() if scope.meaning.is_larger is not None:
             return value(node.iftrue if value(node.cond) else node.iffalse)
         case c_ast.BinaryOp():
             return _operation(node.op, value(node.left), value(node.right), scope.meaning)
@@ -411,11 +417,9 @@ def _value(node: Any, scope: _Scope) -> Any:
             return value(node.name)[_index(node.subscript)]
         case c_ast.FuncCall(name=c_ast.ID(name="constant"), args=c_ast.ExprList(exprs=[number])):
             return value(number)
-        case c_ast.FuncCall(name=c_ast.ID(name="absolute")):
-            return Absolute(value(node.args.exprs[0]))
-        case c_ast.FuncCall(name=c_ast.ID(name="isgreater")) if scope.meaning.is_greater is not None:
+        case c_ast.FuncCall(name=c_ast.ID(name="is_larger")) if scope.meaning.is_larger is not None:
             left, right = map(value, node.args.exprs)
-            return scope.meaning.is_greater(left.value, right.value)
+            return scope.meaning.is_larger(left, right)
         case c_ast.FuncCall(name=c_ast.ID(name="multiply_add")):
             left, right, term = map(value, node.args.exprs)
             return _operation("+", _operation("*", left, right, scope.meaning), term, scope.meaning)

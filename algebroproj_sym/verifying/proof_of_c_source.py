@@ -35,8 +35,8 @@ from algebroproj_sym.verifying.c_execution import (
 )
 from algebroproj_sym.verifying.proof_of_source import expected_values
 
-KERNELS = ("_kernels.h", "_systems.h")
-PLAIN_KERNELS = ("_plain_kernels.h",)
+KERNELS = ("kernels.h", "systems.h")
+PLAIN_KERNELS = ("plain_kernels.h",)
 _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""
 
@@ -83,16 +83,16 @@ def plain_c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str 
 
 def _file_is_proved(kernel: Kernel, package: ModuleType, engine: str, *, once: bool) -> bool:
     """Whether a kernel, and what it calls, is proved in the file that solves linear systems once, or refines them."""
-    folder = Path(str(package.__file__)).parent
+    folder = Path(str(package.__file__)).parent / "_c"
     paths = [folder / name for name in (PLAIN_KERNELS if once else KERNELS)]
     if not all(path.is_file() for path in paths):
         return False
-    is_proved = plain_kernel_is_proved if once else kernel_is_proved
+    proof = plain_kernel_is_proved if once else kernel_is_proved
     try:
         source = source_of("".join(path.read_text(encoding="utf-8") for path in paths))
         systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
         solved = all(solver_is_proved(source, primitive, height, engine, once=once) for primitive, height in systems)
-        return solved and product_errors_are_proved(source, engine) and is_proved(kernel, source, engine)
+        return solved and product_errors_are_proved(source, engine) and proof(kernel, source, engine)
     except NotUnderstoodError:
         return False
 
@@ -111,7 +111,7 @@ def kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> b
     def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
         return kernel_outputs(source, c_name(kernel), [field.variables[symbol] for symbol in kernel.symbols], meaning)
 
-    return _is_proved(kernel, engine, outputs, once=False)
+    return is_proved(kernel, engine, outputs, once=False)
 
 
 def plain_kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> bool:
@@ -122,10 +122,10 @@ def plain_kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint"
         inputs = [[field.variables[symbol] for symbol in argument.symbols] for argument in kernel.arguments]
         return plain_outputs(source, c_name(kernel), inputs, sizes, meaning)
 
-    return _is_proved(kernel, engine, outputs, once=True)
+    return is_proved(kernel, engine, outputs, once=True)
 
 
-def _is_proved(
+def is_proved(
     kernel: Kernel, engine: str, outputs: Callable[[RationalFunctionField, Meaning], list[Any]], *, once: bool
 ) -> bool:
     """Whether what is given to linear systems, solved once or refined, and the outputs are those of the derivation."""
@@ -261,7 +261,7 @@ def _spans(source: Source, name: str, system: _System, meaning: Meaning) -> bool
 def _meaning(system: _System, finite: bool) -> Meaning:
     exchanges = iter(system.exchanges)
     return Meaning(
-        is_greater=lambda candidate, _: next(exchanges, candidate == 1),
+        is_larger=lambda candidate, _: next(exchanges, candidate == 1),
         equal=lambda left, right: finite,
     )
 

@@ -80,8 +80,9 @@ section.count(
     **EIGHT,
     expect="false",
     instead="0/beyond/seven-parameters",
-    note="As independent parameters of two projective images.  As components that the linear system determines there "
-    "are eight: 0/introduction-eight-components.",
+    note="Eight independent parameters, the usual set of five and three others, as the sentence goes on: the usual "
+    "five are those of calibrated images, 0/introduction-usual-set, and here they are four, 0/beyond/four-and-three.  "
+    "Favourable reading, of the components that the linear system determines: 0/introduction-eight-components.",
 )
 section.count(
     "0/beyond/seven-parameters",
@@ -122,23 +123,13 @@ section.count(
 # %%
 remaining_singular = vector(*remaining).xreplace(singular_z)
 free = tuple(symbol for symbol in remaining if symbol not in singular_z)
-AFFINE = {"derived": remaining_singular, "variables": free}
-section.count(
-    "0/introduction-five-and-three",
-    "beside the three affine parameters there is a usual set of five",
-    printed=5,
-    **AFFINE,
-    expect="false",
-    instead="0/beyond/four-and-three",
-    note="8 = 5 + 3 counts components: five of Z remain when three are known from the basic points.  As parameters "
-    "they are four, because of det(Z) = 0.",
-)
 section.count(
     "0/beyond/four-and-three",
     "beside the three affine parameters there are four others",
     printed=4,
-    **AFFINE,
-    note="Not in the paper: 7 = 4 + 3.",
+    derived=remaining_singular,
+    variables=free,
+    note="Not in the paper: 7 = 4 + 3.  Five of the components of Z remain, tied by det(Z) = 0.",
 )
 
 # %% [markdown]
@@ -343,16 +334,13 @@ section.rank(
     note="Not in the paper.",
 )
 section.rank(
-    "0/abstract-determinant#converse",
-    "where the determinant vanishes the eight equations are dependent",
-    printed=7,
+    "0/beyond/divisor#regular",
+    "the eight equations of the same points are independent",
+    printed=8,
     derived=eight_of_normal,
     kernel=[vector(*C_normal)],
-    expect="false",
-    instead="0/beyond/divisor",
-    note="'Characterized' read as: the configuration is critical wherever the determinant of the 8 by 8 system is "
-    "zero.  In this example it is zero, 0/beyond/divisor#zero, but the eight equations have rank 8: another divisor "
-    "would do.",
+    note="Not in the paper: the determinant of the system is zero, 0/beyond/divisor#zero, and the configuration is not "
+    "critical; another divisor would do.",
 )
 
 # %% [markdown]
@@ -417,19 +405,17 @@ section.rank(
     printed=7,
     derived=equations(on_cylinder, right=M_normal),
     kernel=[vector(*C_normal), vector(*G_cylinder)],
-    note="'Belongs to' read of the surface, with all eight points on it.  In general: a change of C that leaves five "
+    note="All eight points are on the surface.  In general: a change of C that leaves five "
     "coplanarities alone is a matrix G as above, and its quadric goes through both centers.",
 )
 section.rank(
-    "0/abstract-five-points#among-eight",
-    "eight points are critical if five of them are",
-    printed=7,
+    "0/beyond/five-among-eight",
+    "five points of the cylinder and three others are not critical",
+    printed=8,
     derived=equations([*on_cylinder[:5], *model[5:]], right=M_normal),
     kernel=[vector(*C_normal)],
-    expect="false",
-    instead="0/beyond/quadric#all",
-    note="'Belongs to' read literally, of five points among the eight: three more points off the surface make the rank "
-    "8.  Read of the surface, the sentence is true: 0/abstract-five-points.",
+    note="Not in the paper: the configuration of five points is critical for eight if all eight are on its surface, "
+    "0/abstract-five-points.",
 )
 
 # %% [markdown]
@@ -482,6 +468,13 @@ section.rank(
 # %%
 section.definition(
     "0/notation-vectors", "quasihomogeneous vectors", printed=homogeneous(vector(*sympy.symbols("y1:4")))
+)
+section.definition(
+    "0/notation-center",
+    "center of projection",
+    printed=homogeneous(y0_of_mu),
+    note="Read as y_0, a quasihomogeneous vector as the points have; given here by the parameters of the "
+    "Fundamentals, 1.3.",
 )
 section.rank(
     "0/notation-P",

@@ -60,9 +60,13 @@ section.identity(
 section.identity(
     "1.3/p00",
     "the component that is made 1",
-    printed=mu0,
-    derived=M_star[0, 0],
-    note="p00 is read as the first element of M*; the element of P* that (1.2.1) denotes by two zeros is mu1 - mu0.",
+    printed=P_star[0, 0],
+    derived=(M_star * homogeneous(e0))[0],
+    expect="misprint",
+    corrected=M_star[0, 0],
+    note="The print has p00 = mu0, but p with two zeros is an element of P*, mu1 - mu0.  Derived is the factor of the "
+    "image of the origin, which is made 1; it is the element m00 of M*.  The scan alone cannot tell a slip of the scan "
+    "from one of the print.",
 )
 section.count(
     "1.3/parameters",
@@ -90,7 +94,7 @@ section.identity(
     "matrix of projection for mu0 = 1",
     printed=Matrix([[mu1 - 1, mu2 - 1, mu3 - 1], [mu1, 0, u31 * mu3], [0, mu2, u32 * mu3]]),
     derived=P_star,
-    note="The scan shows mu_31 for u_31 in the last column, a known confusion of the letters u and mu.",
+    note="Read as u_31 in the last column, where the scan shows mu_31: it takes u for mu.",
 )
 section.structure(
     "1.3.2#structure",
@@ -104,7 +108,15 @@ section.identity(
     printed=mu1 * mu2 * (mu3 - 1) - u31 * (mu1 - 1) * mu2 * mu3 - u32 * mu1 * (mu2 - 1) * mu3,
     derived=Delta,
 )
-section.identity("1.3/PP*", "the inverse is the matrix of reconstruction", printed=E3, derived=P * P_star)
+unknown = Matrix(3, 3, sympy.symbols("x:3:3"))
+section.vanishing(
+    "1.3/PP*",
+    "P P* = E determines the matrix of reconstruction except where the determinant vanishes",
+    printed=(DELTA,),
+    where={DELTA: Delta},
+    derived=determinant(linear_system(list(unknown * P_star - E3), list(unknown))[0]),
+    note="Derived is the determinant of the nine linear equations for the nine elements of P.",
+)
 section.identity(
     "1.3/P",
     "matrix of reconstruction in mu and u3",
@@ -299,7 +311,7 @@ section.identity(
     ),
     where=BARYCENTRIC,
     derived=P_of_y0,
-    note="The scan shows y as a script J throughout (1.3.6) to (1.3.8).",
+    note="Read as y where the scan shows a script J, throughout (1.3.6) to (1.3.8).",
 )
 
 # %% [markdown]
@@ -355,12 +367,14 @@ section.vanishing(
     "G'3 is collinear with G'0 and G'2 where u31 = 0",
     printed=(u31,),
     derived=determinant(columns(image_e0, image_e2, image_e3)),
+    note="Favourable reading of restriction a); the words as they stand are 1.3/a#literal.",
 )
 section.vanishing(
     "1.3/a#collinear-u32",
     "G'3 is collinear with G'0 and G'1 where u32 = 0",
     printed=(u32,),
     derived=determinant(columns(image_e0, image_e1, image_e3)),
+    note="Favourable reading of restriction a); the words as they stand are 1.3/a#literal.",
 )
 section.vanishing(
     "1.3/a#literal",
@@ -369,7 +383,7 @@ section.vanishing(
     derived=determinant(columns(image_e1, image_e2, image_e3)),
     expect="false",
     instead="1.3/beyond/collinear-u30",
-    note="The literal reading of restriction a).  Read with 'respectively' as two lines through G'0, it is right: "
+    note="The words as they stand.  Favourable reading, with 'respectively' as two lines through G'0: "
     "1.3/a#collinear-u31 and 1.3/a#collinear-u32.",
 )
 section.vanishing(
@@ -416,6 +430,7 @@ section.identity(
     nonzero=[mu1, mu2, mu3],
     expect="false",
     instead="1.3/beyond/parallel-projection",
+    note="The restriction as a condition on P*, on whose regularity all relations of the section depend.",
 )
 section.identity(
     "1.3/a#mu-u32",
@@ -426,6 +441,7 @@ section.identity(
     nonzero=[mu1, mu2, mu3],
     expect="false",
     instead="1.3/beyond/parallel-projection",
+    note="The same finding as 1.3/a#mu-u31, for the other coordinate.",
 )
 section.identity(
     "1.3/b#mu",

@@ -20,7 +20,6 @@ from algebroproj_sym.expressions import (
     inverse,
     linear_system,
     over,
-    rows,
     solve,
     vector,
 )
@@ -103,11 +102,10 @@ factors = (mu0, mu1, mu2, mu3)
 images_of_units = columns(*(factor * units.col(j) for j, factor in enumerate(factors)))
 M_star = images_of_units * inverse(units)
 
-section.identity(
+section.definition(
     "1.5/e",
     "quasihomogeneous unit points of both systems",
     printed=Matrix([[1, 0, 0, 0], [1, 1, 0, 0], [1, 0, 1, 0], [1, 0, 0, 1]]),
-    derived=rows(*(homogeneous(e) for e in (e0, e1, e2, e3))),
 )
 section.identity(
     "1.5/images",

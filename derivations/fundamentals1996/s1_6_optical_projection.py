@@ -455,8 +455,8 @@ section.up_to_scale(
     "the vanishing line fixes the parameters but for a common factor",
     printed=vector(g_given[0], g_given[0] + g_given[1], g_given[0] + g_given[2]),
     derived=solve(*linear_system(list(k * g - g_given), factors)),
-    note="The sentence read with basic points that correspond: mu0, mu1, mu2 solved from k g = given line; the "
-    "projection of one more point is a check.",
+    note="Favourable reading of the sentence of 1.6/control-point, with basic points that correspond: mu0, mu1, mu2 "
+    "solved from k g = given line; the projection of one more point is a check.",
 )
 
 # %% [markdown]
@@ -479,14 +479,14 @@ foot, slope = vector(0, over(f * p2, p3), f), vector(0, v, -f)
 control = image_in_axes(x4, y4)
 control_x, control_y = control[0], over(control[2] - foot[2], slope[2])
 section.identity(
-    "1.6/control-point",
+    "1.6/control-point#normals",
     "vanishing lines and principal normals coincide: one control point fixes the projection of all",
     printed=foot + vector(k * x / y, 0, 0) + c / y * slope,
     where={k: over(control_x * y4, x4), c: control_y * y4},
     derived=image_in_axes(x, y),
-    note="k and c come from the coordinates of one control point and its image.  The sentence is read together with "
-    "the end of the section, where the principal normals are brought to coincidence as well; the coincidence of the "
-    "vanishing lines alone is not enough, see 1.6/beyond/control-point.",
+    note="Favourable reading of the sentence of 1.6/control-point, together with the end of the section, where the "
+    "principal normals are brought to coincidence as well.  k and c come from the coordinates of one control point and "
+    "its image.",
 )
 
 # %% [markdown]
@@ -496,11 +496,24 @@ section.identity(
 # %%
 delta = sympy.Symbol("delta")
 displacement = image_in_axes(x4 + delta, y4)[0] - control_x
+displaced = image_in_axes(x + delta, y)[0] - displacement
+section.identity(
+    "1.6/control-point",
+    "where the vanishing lines coincide, one control point ensures the projection of all",
+    printed=displaced,
+    derived=image_in_axes(x, y)[0],
+    expect="false",
+    instead="1.6/beyond/control-point",
+    note="Planes that are displaced along their vanishing lines meet what the sentence asks: the vanishing lines "
+    "coincide, E and E' intersect in the principal plane, and the control point has its image.  Favourable readings: "
+    "1.6/control-point#g with basic points that correspond, 1.6/control-point#normals with principal normals that "
+    "coincide.",
+)
 section.vanishing(
     "1.6/beyond/control-point",
     "after a displacement along the vanishing lines, one control point vouches for its own ordinate alone",
     printed=(f, delta, y - y4),
-    derived=image_in_axes(x + delta, y)[0] - displacement - image_in_axes(x, y)[0],
+    derived=displaced - image_in_axes(x, y)[0],
     note="Not in the paper: how far a point is displaced that should not be; f = 0 is no lens.",
 )
 

@@ -142,9 +142,9 @@ section.identity(
     "matrix of correlation, as a product",
     printed=P_left.T * D_printed * P_right,
     derived=C,
-    note="The print has the columns of P' and P'' one below the other, [p'0 p'1 p'2]^T D [p''0 p''1 p''2] as two "
-    "stacks; read as names of P' and P'', the product is right.  Read as matrices with the rows p_j it would be "
-    "P' D P''^T.  (2.1.9) writes the same product with the transpositions in their places.",
+    note="Read as rows p'_j^T and columns p''_j: the scan has the vectors of both matrices one below the other, and "
+    "the T of a transposition behind the first stack.  (2.1.9) has the same product with the transpositions in their "
+    "places.",
 )
 p0_left, p1_left, p2_left = columns_left
 p0_right, p1_right, p2_right = columns_right
@@ -245,12 +245,11 @@ section.up_to_scale(
 )
 epipole_left, epipole_right = solve(P_left, d), solve(P_right, d)
 
-section.identity(
+section.definition(
     "2.1/inverse",
     "matrices of projection and reconstruction",
-    printed=E3,
-    where=inverses,
-    derived=inverse(P_left) * P_left,
+    printed=inverse(P_left) * P_left,
+    note="P* is the inverse of P by (1.1.5).",
 )
 section.identity("2.1/Dd", "the base annihilates itself", printed=vector(0, 0, 0), derived=D * d)
 section.identity(
@@ -264,15 +263,11 @@ section.identity(
 section.identity(
     "2.1/u0'C",
     "dual transformation of the epipole of P'",
-    printed=(d.T * inverse_left * P_left.T * D_printed * P_right).T,
+    printed=(d.T * inverse_left.T * P_left.T * D_printed * P_right).T,
     where=inverses,
     derived=C.T * epipole_left,
-    expect="misprint",
-    corrected=(d.T * inverse_left.T * P_left.T * D_printed * P_right).T,
-    note="Printed is d P* P'^T D P''.  P* lacks its prime and d its transposition, which are supplied here; but P* has "
-    "to be transposed as well, for u'0^T = d^T P'*^T, and only P'*^T P'^T is the unit matrix.  A convention of row "
-    "vectors would concern P'^T and P'' alike, and the line above rules it out.  The scan alone cannot tell a slip of "
-    "the scan from one of the print.",
+    note="Read as d^T P'*^T P'^T D P'': the scan has d P* P'^T D P'', a column before a matrix, which is no product.  "
+    "u'0^T = d^T P'*^T has the three marks that are lost, and the line above has all of its own.",
 )
 section.identity(
     "2.1/u0'C#zero",
@@ -288,8 +283,8 @@ section.identity(
         C.T.xreplace(at_centers) * solve(P_left, center_right - center_left),
         C.xreplace(at_centers) * solve(P_right, center_left - center_right),
     ),
-    note="The unknown of the first equation is printed without the index 0 of the epipole.  Put in are the images of "
-    "the centers.",
+    note="Read as u'_0 in the first equation: the scan has no index 0, the second equation and the text before have "
+    "it.  Put in are the images of the centers.",
 )
 section.rank(
     "2.1/rank-C",
@@ -385,9 +380,9 @@ section.identity(
     derived=moment_left,
     expect="misprint",
     corrected=P_left.T * (D_printed * (P_right * mu_u_right)),
-    note="The first factor must be P'^T: the equation is (2.1.7) multiplied from the left by P'^T on both sides, and "
-    "its third member, mu'' C u'', needs C = P'^T D P''.  An interchange of the images changes all members.  The "
-    "scan alone cannot tell a slip of the scan from one of the print.",
+    note="The first factor must be P'^T, and in the second equation P''^T: the same exchange twice, in products that "
+    "exist, so that the scan alone did not make it.  The equation is (2.1.7) multiplied from the left by P'^T on both "
+    "sides, and its third member, mu'' C u'', needs C = P'^T D P''.  An interchange of the images changes all members.",
 )
 section.identity(
     "2.1.8#right",
@@ -407,8 +402,7 @@ section.identity(
     derived=moment_right,
     expect="misprint",
     corrected=P_right.T * (D_printed * (P_left * (factor_left * u_left))),
-    note="The first factor must be P''^T, as in the first equation it must be P'^T: see 2.1.8#left-second.  The scan "
-    "alone cannot tell a slip of the scan from one of the print.",
+    note="The first factor must be P''^T, as in the first equation it must be P'^T: see 2.1.8#left-second.",
 )
 section.identity(
     "2.1/D-skew",

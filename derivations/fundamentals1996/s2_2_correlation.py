@@ -130,23 +130,13 @@ def largest_square(matrix: Matrix) -> sympy.Expr:
 
 C_with_c10, C_with_c20 = normal_case_at(0, 2, 1), normal_case_at(0, 1, 2)
 section.identity(
-    "2.2/largest",
-    "in the normal case c10 is the numerically largest element",
-    printed=C_with_c20[1, 0] ** 2,
-    derived=largest_square(C_with_c20),
-    expect="false",
-    instead="2.2/beyond/largest",
-    note="Squares of the elements for the ordinates 0, 1, 2 of the basic points: c20 is twice c10.  The sentence says "
-    "c01 or c10, which are opposite.  It is right for basic points like those of Fig. 1.2/1, where G1 has the "
-    "ordinate that differs most from that of G0.",
-)
-section.identity(
     "2.2/no-prediction",
     "the largest element cannot be predicted",
     printed=vector(largest_square(C_with_c10), largest_square(C_with_c20)),
     derived=vector(C_with_c10[1, 0] ** 2, C_with_c20[2, 0] ** 2),
     note="Two normal cases, of which one has c10, the other c20 for its largest element: the ordinates are 0, 2, 1 and "
-    "0, 1, 2.",
+    "0, 1, 2.  That c01 or c10 is the largest is advice for an approximate normal case, and not judged; it holds for "
+    "basic points like those of Fig. 1.2/1, where G1 has the ordinate that differs most from that of G0.",
 )
 
 # %% [markdown]
@@ -170,6 +160,14 @@ def row_of(form: sympy.Expr, variables: tuple[sympy.Symbol, ...]) -> Matrix:
     return columns(coefficients, right_side)
 
 
+section.identity(
+    "2.2/equation",
+    "the equation of a pair of homologous points",
+    printed=equation(Z_general),
+    where={z[j, k]: over(c[j, k], c[1, 0]) for j, k in product(range(3), repeat=2)},
+    derived=over(dot(u_left, c * u_right), c[1, 0]),
+    note="Read as z, where the scan has xi: (2.1.3) divided by c10.",
+)
 design = row_of(equation(Z_general), unknowns)
 section.identity(
     "2.2/row",
@@ -315,7 +313,8 @@ section.identity(
     "correlation in other coordinates",
     printed=A_left.T * c * A_right,
     derived=Matrix(3, 3, lambda i, j: diff(transformed, v_left[i], v_right[j])),
-    note="For any homogeneous transformation of the images.  The scan lacks the prime of v' in the products.",
+    note="Read as v'^T in the products, where the scan has lost the prime.  For any homogeneous transformation of the "
+    "images.",
 )
 AFFINE_REFERENCE = (
     "Subsection 1.3 has nothing of the kind.  'Again' takes up subsection 1.4, where (1.4.5) holds for image "

@@ -35,11 +35,13 @@ from algebroproj_sym.expressions import (
     Matrix,
     columns,
     determinant,
+    diff,
     divided,
     dot,
     homogeneous,
     linear_system,
     over,
+    solve,
     vector,
 )
 
@@ -337,9 +339,17 @@ section.identity(
     "A7 after the column operations",
     printed=Matrix.eye(7)[:2, :],
     derived=A7_reduced[:2, :],
-    note="The first column is subtracted from the third, the second from the fifth and the seventh, as the text says.  "
-    "The determinant is then expanded twice along the first row, in which the first column alone has an element; the "
-    "text says that it is expanded along the first columns.",
+    note="The first column is subtracted from the third, the second from the fifth and the seventh, as the text says.",
+)
+section.identity(
+    "2.3/A5#expansion",
+    "the line along which the determinant is expanded has one element",
+    printed=A7_reduced[:, 0],
+    derived=vector(1, *[0] * 6),
+    expect="misprint",
+    corrected=A7_reduced[0, :].T,
+    note="Printed: expanding two times with respect to the first columns.  The first column keeps the coordinates u''1 "
+    "of all points; the first row, and then the next one, has a single element.",
 )
 section.identity(
     "2.3/A5",
@@ -399,6 +409,7 @@ section.identity(
 
 # %%
 fixed_rows = Matrix(4, 5, sympy.symbols("f(3:7)(1:6)"))
+last_row = sympy.symbols("f7(1:6)")
 D1, D2, D3, D4, D5 = D = sympy.symbols("D1:6")
 
 
@@ -408,6 +419,21 @@ def minors_of(matrix: Matrix) -> list[sympy.Expr]:
 
 
 section.identity(
+    "2.3.3#signs",
+    "the signs of the expansion with respect to the last row",
+    printed=vector(1, -1, 1, -1, 1),
+    derived=vector(
+        *(
+            over(
+                diff(determinant(fixed_rows.col_join(Matrix([last_row]))), element),
+                minors_of(fixed_rows)[place],
+            )
+            for place, element in enumerate(last_row)
+        )
+    ),
+    note="What the scan preserves of (2.3.3).",
+)
+section.identity(
     "2.3.3",
     "the determinant as a function of the last point",
     printed=None,
@@ -415,7 +441,7 @@ section.identity(
     derived=determinant(fixed_rows.col_join(forms_at(point))),
     expect="illegible",
     corrected=outer["11"] * D1 - outer["12"] * D2 + outer["20"] * D3 - outer["21"] * D4 + outer["22"] * D5,
-    note=f"The five signs are legible and right.  {PRIMES}",
+    note=f"The five signs are legible, see 2.3.3#signs.  {PRIMES}",
 )
 
 # %% [markdown]
@@ -620,16 +646,15 @@ def dependence(matrix: Matrix) -> Matrix:
 
 sphere = equations(*on_quadric(diagonal(1, 1, 1)))
 section.rank(
-    "2.3/ruled",
-    "A5 is regular on a quadric that is not ruled",
-    printed=5,
+    "2.3/beyond/sphere",
+    "A5 is singular on a quadric that is not ruled, too",
+    printed=4,
     derived=sphere,
     kernel=[dependence(sphere)],
-    expect="false",
-    instead="2.3/beyond/theorem",
-    note="What it means that the critical surfaces are ruled.  Both centers, the basic points, G3 as point 3 and four "
-    "further points lie on a sphere, with regular cameras: A5 has rank 4.  For relative orientation itself only ruled "
-    "quadrics are critical, but the linear equations fail on every quadric: see 2.3/beyond/discriminant.",
+    note="Not in the paper, which calls ruled quadrics critical and says nothing of others.  Both centers, the basic "
+    "points, G3 as point 3 and four further points lie on a sphere, with regular cameras.  For relative orientation "
+    "itself only ruled quadrics are critical, but the linear equations fail on every quadric: see "
+    "2.3/beyond/discriminant.",
 )
 QuadricDrawing(
     "Both centers, the basic points and the points P3 to P7 lie on a sphere, which is not ruled, and yet the five "
@@ -645,14 +670,34 @@ QuadricDrawing(
 # one: such a form is a special $\mathbf Q$.
 
 # %%
-any_rows = Matrix(5, 5, sympy.symbols("f(3:8)(1:6)"))
-without = [columns(*(any_rows.col(j) * int(j != zero) for j in range(5))) for zero in range(5)]
-section.identity(
-    "2.3/columns",
-    "a vanishing column makes the determinant vanish",
-    printed=Matrix.zeros(5, 1),
-    derived=vector(*map(determinant, without)),
-)
+
+
+def on_form(form: sympy.Expr, solved: int, k: int) -> Matrix:
+    """Return a point where a form, linear in a coordinate, is zero."""
+    y = in_space(k)
+    at_point = form.xreplace(homologous(y))
+    return y.xreplace({y[solved]: solve(*linear_system([at_point], [y[solved]]))[0]})
+
+
+for number, title, form, solved, zero_columns in (
+    ("1", "the five points lie in the plane n''1 = 0, where the columns 1 and 4 vanish", n1pp, 1, (0, 3)),
+    ("2", "the five points lie in the plane n''2 = 0, where the columns 2 and 5 vanish", n2pp, 2, (1, 4)),
+    (
+        "3",
+        "the five points lie on the quadric n'2 d'' = n''2 d', where column 3 vanishes",
+        n2p * dpp - n2pp * dp,
+        1,
+        (2,),
+    ),
+):
+    section.rank(
+        f"2.3/columns#{number}",
+        f"the system is singular: {title}",
+        printed=5 - len(zero_columns),
+        derived=Matrix.vstack(*(forms_at(on_form(form, solved, k)) for k in GENERAL)),
+        kernel=[vector(*(int(j == place) for j in range(5))) for place in zero_columns],
+        note="A column with a factor of the left image vanishes in a plane through the left center as well.",
+    )
 section.identity(
     "2.3/columns#centers",
     "the surface of every column contains both centers",
@@ -727,17 +772,15 @@ section.rank(
 # %%
 raster = [(1, 1), (-1, 0), (-1, 1), (-1, -1), (1, -1)]
 section.rank(
-    "2.3/irregular",
-    "a regular raster of points makes the equations singular",
-    printed=4,
+    "2.3/beyond/raster",
+    "a regular raster of points with irregular heights leaves the equations regular",
+    printed=5,
     derived=Matrix.vstack(
         *(forms_at(vector(1, *node, sympy.Symbol(f"y{k}3"))) for k, node in zip(GENERAL, raster, strict=True))
     ),
-    expect="false",
-    instead="2.3/beyond/theorem",
-    note="What it means that the distribution in the ground plan must be irregular.  Eight nodes of a square raster of "
-    "nine, with general heights and cameras, give five independent equations.  The special raster of Gruber's "
-    "arrangement is critical: 2.3/gruber.",
+    note="Not in the paper, which advises against a raster that corresponds to Gruber's; that one is critical: "
+    "2.3/gruber.  Eight nodes of a square raster of nine, with general heights and cameras, give five independent "
+    "equations.",
 )
 
 # %% [markdown]

@@ -491,7 +491,7 @@ def element(i: int, j: int) -> sympy.Expr:
 
 section.kernel(
     "critical.quadric",
-    "Quadric of the points that make the five equations singular, beside four given points.",
+    "Quadric of the points that, with four given points, make the five equations singular.",
     arguments={
         "mu_left": primed(mu, "p"),
         "u3_left": primed(fourth_image, "p"),
@@ -526,7 +526,7 @@ section.kernel(
 )
 section.kernel(
     "critical.invariants",
-    "Coefficients of the characteristic polynomials of a quadric and of its block at infinity, below the leading one.",
+    "Coefficients below the leading ones in the characteristic polynomials of a quadric and its block at infinity.",
     arguments={"Q": Q},
     describe={
         "Q": "Symmetric matrix of a quadric in homogeneous coordinates (1, y1, y2, y3); the upper triangle is used."

@@ -562,7 +562,7 @@ section.identity(
     where=ON_AXIS,
     derived=0,
     note="True for an epipole that is the image of the axis.  It is no identity in y_A, y'0, u''0, u''3: see "
-    "2.4/equality#identity.",
+    "2.4/beyond/cross-ratio.",
 )
 section.identity(
     "2.4/equality#mu3",
@@ -573,16 +573,6 @@ section.identity(
     ),
     where=ON_AXIS,
     derived=vector(mu3, mu3),
-)
-section.identity(
-    "2.4/equality#identity",
-    "the two products are equal for any two points and any epipole",
-    printed=left_product - right_product,
-    where=COMPLETED,
-    derived=0,
-    expect="false",
-    instead="2.4/beyond/cross-ratio",
-    note="The equality without its context.",
 )
 
 # %% [markdown]

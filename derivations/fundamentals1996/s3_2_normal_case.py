@@ -62,6 +62,14 @@ u_right = vector(*sympy.symbols("uppN1 uppN2"))
 h_left = Z * homogeneous(u_right)
 h_right = Z.T * homogeneous(u_left)
 
+b_normal = vector(*sympy.symbols("bN0:3"))
+section.definition(
+    "3.2/line",
+    "equation of an epipolar line",
+    printed=dot(b_normal, homogeneous(u_left)),
+    note="Read as h_N0, h_N1, h_N2, the components of h_N, where the scan has b.",
+)
+
 # %% [markdown]
 # The lines of one image are parallel with the same coefficients throughout, if $b_1$ and $b_2$ do not depend on the
 # point of the other image.
@@ -357,7 +365,7 @@ for number, title, y00_printed, center_printed, fourth, parameters, note in (
         center_right,
         right_fourth,
         mu_right,
-        " The scan has y00'' with two primes, but y01, y02, y03 without: read with two.",
+        " Read as y''01, y''02, y''03, which the scan has without primes beside y''00 with two.",
     ),
 ):
     linear_form = condition(y_a, center_printed, fourth)
@@ -435,7 +443,7 @@ section.identity(
         *(center_right[j] * center_left[2] / (center_left[j] * center_right[2]) * left_fourth[j] for j in (0, 1))
     ),
     derived=fourth_of_right,
-    note="The scan has y03 without primes in both denominators, where (3.2.6) has y03'': read with two primes.",
+    note="Read as y''03 in both denominators: the scan has y03 without primes, (3.2.6) has two.",
 )
 section.reference(
     "3.2/ref-3.3.6",
@@ -585,12 +593,9 @@ image_of_e3 = u_of_y.subs(mu0, 1).xreplace(dict(zip(point, e3, strict=True)))
 section.identity(
     "3.2/fourth-points",
     "the fourth points of both images",
-    printed=columns(right_fourth, right_fourth),
+    printed=columns(left_fourth, right_fourth),
     derived=columns(image_of_e3.xreplace(LEFT_FOURTH), image_of_e3.xreplace(RIGHT_FOURTH)),
-    expect="misprint",
-    corrected=columns(left_fourth, right_fourth),
-    note="Printed is u''_N3 twice; the first one must be u'_N3.  The scan alone cannot tell a slip of the scan from "
-    "one of the print.",
+    note="Read as u'_N3 and u''_N3: the scan has u''_N3 twice, with a prime too many in one place.",
 )
 
 # %% [markdown]

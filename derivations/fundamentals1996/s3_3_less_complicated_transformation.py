@@ -81,6 +81,14 @@ section.identity(
     derived=columns(T_left * u_left, T_right * u_right),
     note="With the inhomogeneous coordinates of (3.1.3).",
 )
+section.identity(
+    "3.3/coplanarity",
+    "condition of coplanarity of two normal case images",
+    printed=dot(normal_left, Z_N * normal_right),
+    derived=normal_left[1] + z_n * normal_left[2] - normal_right[1] - z_n * normal_right[2],
+    note="Read as u'_N, where the scan has lost the N.  Derived is the difference of the two sides of (3.2.3): "
+    "homologous points lie on one line of the family.",
+)
 product = T_left.T * Z_N * T_right
 section.identity(
     "3.3.2",
@@ -121,21 +129,12 @@ section.up_to_scale(
     "see 3.3.3#C.  The adjugates of P_N* are P_N but for a factor.",
 )
 section.identity(
-    "3.3.3#exact",
-    "the relation holds without a factor",
-    printed=product,
-    derived=product.applyfunc(lambda entry: over(entry, product[1, 0])),
-    expect="false",
-    instead="3.3/beyond/factor",
-    note="Z is divided by its element z10, the product has tau1' there.  As an equation without a factor (3.3.3) "
-    "selects one of many solutions; the comparison of components below reads it so, with tau1' = 1.",
-)
-section.identity(
     "3.3/beyond/factor",
     "the factor of the relation is the first parameter of the left image",
     printed=product,
     derived=taup1 * product.applyfunc(lambda entry: over(entry, product[1, 0])),
-    note="Not in the paper: T'^T Z_N T'' = tau1' Z.",
+    note="Not in the paper: T'^T Z_N T'' = tau1' Z.  As an equation without a factor (3.3.3) is a choice, tau1' = 1, "
+    "which the comparison of components below makes.",
 )
 
 # %% [markdown]

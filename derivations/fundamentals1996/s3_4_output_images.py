@@ -16,7 +16,7 @@ from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation im
     tau1,
     tau2,
 )
-from algebroproj_derivations.fundamentals1996.s3_2_normal_case import Z_N, u_right
+from algebroproj_derivations.fundamentals1996.s3_2_normal_case import Z_N, z_n
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -36,7 +36,6 @@ from algebroproj_sym.expressions import (
 section = Section("fundamentals1996", "3.4", "Representation of output images")
 
 # %%
-z_n = sympy.Symbol("z_n")
 un1, un2 = sympy.symbols("uN1 uN2")
 u_normal = vector(un1, un2)
 origin, unit1, unit2 = vector(0, 0), vector(1, 0), vector(0, 1)
@@ -66,7 +65,8 @@ def coefficients(form: sympy.Expr) -> Matrix:
 
 # %%
 at_infinity = vector(1, 0, 0)
-epipolar_direction = (Z_N * homogeneous(u_right))[1:, 0]
+any_epipolar_line = Z_N * homogeneous(vector(*sympy.symbols("uppN1 uppN2")))
+epipolar_direction = vector(*any_epipolar_line[1:, 0])
 g = T.T * at_infinity
 g_direction = vector(*g[1:, 0])
 constant_g, constant_h = sympy.symbols("gN0 hN0")
@@ -83,8 +83,10 @@ section.identity(
     "3.4/hN",
     "the family of the epipolar lines",
     printed=vector(constant_h, 1, z_n),
-    derived=vector(constant_h, *epipolar_direction),
-    note="The scan shows zeta with the subscripts N, N0 and N1 for the one factor z_N, here and in the next display.",
+    where={constant_h: any_epipolar_line[0]},
+    derived=any_epipolar_line,
+    note="Read as z_N: the scan shows zeta with the subscripts N, N0 and N1 for this one factor, here and in the next "
+    "display.  Derived is the line of any point of the right image.",
 )
 
 # %% [markdown]

@@ -5,6 +5,8 @@
 # What can be checked in the comparison are linearity and counts.
 
 # %%
+from itertools import combinations_with_replacement
+
 import sympy
 
 from algebroproj_derivations.fundamentals1996.notation import *
@@ -35,15 +37,15 @@ from algebroproj_derivations.fundamentals1996.s3_2_normal_case import (
 )
 from algebroproj_derivations.fundamentals1996.s3_3_less_complicated_transformation import Z, border, parameters, product
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, adjugate, columns, cross, homogeneous, linear_system, over, vector
+from algebroproj_sym.expressions import Matrix, adjugate, columns, cross, diff, homogeneous, over, vector
 
 section = Section("fundamentals1996", "5", "Final remarks")
 
 # %% [markdown]
 # ## Linearity
 #
-# The steps of the paper and the unknowns of each, what is known from the step before being given: an equation that is
-# linear equals the form that is made of its coefficients.
+# The steps of the paper and the unknowns of each, what is known from the step before being given: an equation is linear
+# exactly if its second derivatives are zero.
 
 # %%
 steps = (
@@ -59,12 +61,12 @@ steps = (
     ("normal-case", "transformation to the normal case", [product[p] - Z[p] for p in border], parameters),
 )
 for slug, title, equations, sought in steps:
-    matrix, right_side = linear_system(list(equations), list(sought))
+    unknown_pairs = list(combinations_with_replacement(sought, 2))
     section.identity(
         f"5/linear#{slug}",
         f"linear equations: {title}",
-        printed=matrix * vector(*sought) - right_side,
-        derived=vector(*equations),
+        printed=Matrix.zeros(len(equations), len(unknown_pairs)),
+        derived=Matrix([[diff(form, *pair) for pair in unknown_pairs] for form in equations]),
         note="Complete linearity is read of the steps, one after the other.  The condition det(Z) = 0, which no step "
         "uses, is not linear; see 2.2/beyond/first-equation for what it is needed for."
         if slug == "correlation"

@@ -71,6 +71,23 @@ section.identity(
 )
 
 # %% [markdown]
+# Rinner's conjunction of successive images, of which the introduction speaks, has two components of the base and three
+# rotations: of the base $(1, b_2, b_3)^T$ and the rotation of the right image.
+
+# %%
+turn = sympy.symbols("q0:4")
+of_successive_images = correlation(E3, rotation(*turn), vector(1, b2, b3))
+section.count(
+    "0/five",
+    "two components of the base and three rotations",
+    printed=5,
+    derived=of_successive_images.applyfunc(lambda element: over(element, of_successive_images[2, 1])),
+    variables=(b2, b3, *turn),
+    kernel=[vector(0, 0, *turn)],
+    note="As many as the correlation determines, in whichever way relative orientation is described.",
+)
+
+# %% [markdown]
 # ## The elements
 #
 # Triple products of the base and one axis of each image.
@@ -174,12 +191,12 @@ section.identity(
     note="The last column is Z32 = 1.",
 )
 section.identity(
-    "1.2/c32",
+    "1.2/beyond/c32",
     "in the normal case the divisor is the first component of the base",
     printed=matrix_of_base(b),
     derived=correlation(E3, E3, b),
-    note="What 'probably the biggest' rests on: c32 = b1, beside -b1, b2, b3 and their opposites.  Rotations can make "
-    "c32 vanish, see 2.1/beyond/c32.",
+    note="Not in the paper, but what its 'probably biggest' rests on: c32 = b1, beside -b1, b2, b3 and their "
+    "opposites.  Rotations can make c32 vanish, see 2.1/beyond/c32.",
 )
 section.up_to_scale(
     "1.2/homogeneous#h'",
@@ -297,18 +314,16 @@ section.numeric(
     "number of coplanar quadruples among eight points of the quadric",
     printed="0",
     derived=len(coplanar),
-    note="Not in the paper: the points of the counterexample 1.2/four-coplanar.",
+    note="Not in the paper: the points of 1.2/beyond/no-four-coplanar#rank.",
 )
 section.rank(
-    "1.2/four-coplanar",
-    "eight points of which no four are coplanar give a regular system",
-    printed=8,
+    "1.2/beyond/no-four-coplanar#rank",
+    "eight points of which no four are coplanar can give a singular system",
+    printed=7,
     derived=design_of_points(critical_points),
     kernel=[correlation_of_projectors, second_solution],
-    expect="false",
-    instead="1.2/beyond/critical",
-    note="The advice to keep every point away from the planes of three others, read as a means that avoids singular "
-    "systems.  It does not avoid the critical quadrics.",
+    note="Not in the paper, which advises to keep every point away from the planes of three others: that does not "
+    "avoid the critical quadrics.",
 )
 section.rank(
     "1.2/beyond/critical",

@@ -177,7 +177,7 @@ c_phi, s_phi, c_kappa, s_kappa, c_om, s_om = sympy.symbols("c_phi s_phi c_kappa 
 PHI_KAPPA = [cos_sin(c_phi, s_phi, phi), cos_sin(c_kappa, s_kappa, kappa)]
 ABOUT_PHI = "Tip, in radians."
 ABOUT_KAPPA = "Swing, in radians."
-about_base = "Base b = X0'' - X0' in the model system, any unit, which is that of C."
+about_base = "Base b = X0'' - X0' in the model system, in any unit.  C has this unit."
 orientations = {
     "arguments": {"R_left": R_left, "R_right": R_right},
     "describe": {"R_left": ABOUT_R_LEFT, "R_right": ABOUT_R_RIGHT},
@@ -207,7 +207,10 @@ section.kernel(
     "metric.correlation_matrix",
     "Matrix of correlation C = R'^T B R'' of two oriented images.",
     arguments={**orientations["arguments"], "b": b},
-    describe={**orientations["describe"], "b": about_base + "  (1, 0, 0) for the rotational relative orientation."},
+    describe={
+        **orientations["describe"],
+        "b": about_base + "  It is (1, 0, 0) for the rotational relative orientation.",
+    },
     derived=correlation(R_left, R_right, b),
     claims=["1.2/B", "1.2.3", "1.2.4"],
     example={

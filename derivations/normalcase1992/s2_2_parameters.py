@@ -10,7 +10,7 @@ from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_derivations.normalcase1992.s2_1_rotations import CIRCLES_LEFT, PYTHAGOREAN, R_p, R_pp
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import arctan2, cos_sin, let
-from algebroproj_sym.expressions import Matrix, adjugate, dot, over, vector
+from algebroproj_sym.expressions import Matrix, adjugate, columns, dot, over, vector
 
 section = Section("normalcase1992", "2.2", "Computation of the parameters")
 
@@ -23,6 +23,7 @@ section = Section("normalcase1992", "2.2", "Computation of the parameters")
 # %%
 X0_left = vector(*sympy.symbols("X01 X02 X03"))
 X0_right = X0_left + unit_base
+b_symbols = vector(*sympy.symbols("b1:4"))
 base_left, base_right = R_p.T * (X0_right - X0_left), R_pp.T * (X0_left - X0_right)
 
 section.identity(
@@ -35,6 +36,15 @@ section.identity(
     note="The left epipole; for both, and all rotations, see (1.2.5).",
 )
 section.identity(
+    "2.2/base",
+    "the epipoles are the images of the base",
+    printed=columns(R_p.T * b_symbols, -R_pp.T * b_symbols),
+    where=dict(zip(b_symbols, unit_base, strict=True)),
+    derived=columns(base_left, base_right),
+    note="Read as R''^T in the second equation, where the scan has lost a prime.  Derived are the images of the other "
+    "center.",
+)
+section.identity(
     "2.2/base#left",
     "image of the base in the left image",
     printed=vector(c_phip * c_kappap, -c_phip * s_kappap, s_phip),
@@ -45,7 +55,7 @@ section.identity(
     "image of the base in the right image",
     printed=-vector(c_phipp * c_kappapp, -c_phipp * s_kappapp, s_phipp),
     derived=base_right,
-    note="The scan has lost double primes.",
+    note="Read as phi'' and kappa'', where the scan has lost double primes.",
 )
 section.identity(
     "2.2/independent",
@@ -74,6 +84,13 @@ def epipole(base_image: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
 IMAGES = (
     ("'", "left", epipole(base_left), PHI_LEFT, KAPPA_LEFT),
     ("''", "right", epipole(base_right), PHI_RIGHT, KAPPA_RIGHT),
+)
+section.reference(
+    "2.2/ref-2.3.1",
+    "number of the equations for swing and tip",
+    printed="2.3.1",
+    meant="2.2.1",
+    note="The equation stands in section 2.2; section 2.3 has a (2.3.1) of its own, to which section 3.2 refers.",
 )
 for primes, image, coordinates, (_, _), (c_kappa, s_kappa) in IMAGES:
     section.identity(
@@ -164,6 +181,13 @@ section.identity(
     printed=c32 * z33 / (-k3 * s_omega),
     where=OF_C,
     derived=c_phipp,
+)
+section.reference(
+    "2.2/ref-2.3.2",
+    "number of the equations for the tilt",
+    printed="2.3.2",
+    meant="2.2.2",
+    note="The same slip as 2.2/ref-2.3.1.",
 )
 tangents = over(z33 * i2, z13 * k3 - z33 * i3), over(z33 * j2, z23 * k3 - z33 * j3)
 section.identity(
@@ -308,8 +332,8 @@ section.kernel(
     arguments={"C": C_symbols, "c": c},
     describe={
         "C": "Matrix of correlation R'^T B R'' of image vectors (x, y, -c), up to any factor.",
-        "c": "Principal distance c of the image vectors to which C refers, in their unit; as C refers to whole "
-        "vectors, the angles do not depend on it.",
+        "c": "Principal distance c of the image vectors to which C refers, in their unit.  The angles do not depend on "
+        "it.",
     },
     through=[
         named(A_symbols, adjugate(C_symbols)),

@@ -74,17 +74,17 @@ section.identity(
 B_a = columns(*(diff(d_coordinates, angle) for angle in d_angles))
 TABLE = "The display is scanned as a table without brackets: "
 BAR = TABLE + "the minus sign before 'xN yN' may be the bar of 1/c.  With it, the element would be wrong."
-BRACKETS = TABLE + "it shows -c^2 + xN^2.  If the scan has lost brackets after the minus sign, the print is right."
+BRACKETS = TABLE + "it shows -c^2 + xN^2, which is right in brackets after the minus sign and wrong without them."
 CELLS = (
     ("11", None, xn * yn / c, BAR),
-    ("12", (-(c**2) + xn**2) / c, -(c**2 + xn**2) / c, BRACKETS),
-    ("13", -yn, None, "The scan shows 'yM c' for yN c."),
+    ("12", None, -(c**2 + xn**2) / c, BRACKETS),
+    ("13", -yn, None, "Read as yN c, where the scan shows 'yM c'."),
     ("21", (c**2 + yn**2) / c, None, ""),
     ("22", -xn * yn / c, None, ""),
     ("23", xn, None, ""),
 )
 for name, printed, corrected, note in CELLS:
-    verdict = {"expect": "illegible" if printed is None else "misprint", "corrected": corrected} if corrected else {}
+    verdict = {"expect": "illegible", "corrected": corrected} if corrected else {}
     section.identity(
         f"3.2.1#B_a{name}",
         f"element {name[0]}, {name[1]} of the matrix of small rotations",
@@ -182,6 +182,16 @@ section.identity(
     derived=estimator * parallax_rows * (sigma**2 * Matrix.eye(12)) * of_first_point,
     note="Not in the paper: three points for all.  The estimator k takes parallaxes to rotations, h are the epipolar "
     "lines of each point.",
+)
+
+section.identity(
+    "3.2/independent",
+    "rotations and image coordinates are independent",
+    printed=Matrix.zeros(2, 4),
+    derived=(estimator * parallax_rows).row_join(Matrix.zeros(2, 4))
+    * (sigma**2 * Matrix.eye(16))
+    * Matrix.zeros(12, 4).col_join(Matrix.eye(4)),
+    note="For the images of any point that is not used in the adjustment; for one that is, see 3.2/beyond/dependent.",
 )
 
 # %% [markdown]

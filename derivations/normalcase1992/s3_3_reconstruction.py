@@ -8,6 +8,7 @@
 import sympy
 
 from algebroproj_derivations.normalcase1992.notation import *
+from algebroproj_derivations.normalcase1992.s3_2_propagation import estimator, parallax_rows
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, diff, dot, linear_system, solve, vector
 
@@ -152,6 +153,25 @@ jacobian_left = Matrix.hstack(Ba_left * untilted, Matrix.zeros(2, 3), Bx_left, M
 jacobian_right = Matrix.hstack(Matrix.zeros(2, 2), Ba_right, Matrix.zeros(2, 2), Bx_right)
 covariances = jacobian_left * joint * jacobian_right.T
 Q_mixed = Matrix.zeros(1, 3).col_join(Q12)
+errors = sigma**2 * Matrix.eye(16)
+of_left, of_right = (Matrix(16, 2, lambda r, s, first=first: int(r == first + s)) for first in (12, 14))
+section.identity(
+    "3.3/Q_a'''",
+    "cofactors of the rotations of both images",
+    printed=sigma**2 * Q_mixed,
+    derived=Matrix.diag(untilted, Matrix.eye(3))[:3, :] * rotations * Matrix.zeros(2, 3).col_join(Matrix.eye(3)),
+    note="The left image is not tilted: its row of zeros.",
+)
+section.identity(
+    "3.3/independent",
+    "image coordinates are correlated neither with the rotations nor with those of the other image",
+    printed=Matrix.zeros(2, 6),
+    derived=((estimator * parallax_rows).row_join(Matrix.zeros(2, 4)) * errors * of_left.row_join(of_right)).row_join(
+        of_left.T * errors * of_right
+    ),
+    note="Read as E{da' dx''^T} = E{dx' da''^T} = E{dx' dx''^T} = 0, where the scan has lost double primes.  For "
+    "points that are not used in the adjustment, as 3.2/independent.",
+)
 section.identity(
     "3.3/S_N'''",
     "covariances of the coordinates of both images",
@@ -162,12 +182,12 @@ section.identity(
 section.identity(
     "3.3/S_N'''#elements",
     "elements of the covariances of both images",
-    printed=Sigma[:2, 2:].T,
+    printed=None,
     derived=Matrix(2, 2, lambda r, s: expectation(d_left[r], d_right[s])),
-    expect="misprint",
+    expect="illegible",
     corrected=Sigma[:2, 2:],
     note="The scan has a sign of transposition behind the matrix, whose rows belong to x', y' already, as those of "
-    "E{dx' dx''^T}; it may be the end of a bracket.",
+    "E{dx' dx''^T}.  It may as well be the end of a bracket.",
 )
 section.identity(
     "3.3/separate",
@@ -248,9 +268,9 @@ section.kernel(
         "x_right": "Right image point (x'', y'') of the normal case, in the unit of c; y'' = y' is not used.",
         "c": ABOUT_C,
         "S_left": "Dispersion of (x', y'), in the square of the unit of c; symmetric.",
-        "S_right": "Dispersion of (x'', y''), in the square of the unit of c; its variance of x'' alone is used.",
+        "S_right": "Dispersion of (x'', y''), in the square of the unit of c; only the variance of x'' is used.",
         "S_mixed": "Covariances of (x', y'), rows, with (x'', y''), columns, in the square of the unit of c; "
-        "those with x'' alone are used.",
+        "only those with x'' are used.",
     },
     derived=jacobian * dispersion * jacobian.T,
     form=numerators * dispersion * numerators.T / parallax**4,

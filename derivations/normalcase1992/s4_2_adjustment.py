@@ -6,7 +6,7 @@
 # are the reciprocals of what (2.3.1) defines, and rotations about fixed axes that are added to angles.
 
 # %%
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import product
 
 import sympy
@@ -91,7 +91,11 @@ def weights(correlation: Matrix) -> Matrix:
     )
 
 
-weights_used = vector(*(sum(dot(line, line) for line in lines) / SCALE for lines in epipolar_lines(C)))
+def reciprocal_weights(correlation: Matrix) -> Matrix:
+    return vector(*(sum(dot(line, line) for line in lines) / SCALE for lines in epipolar_lines(correlation)))
+
+
+weights_used = reciprocal_weights(C)
 
 # %% [markdown]
 # ### The table
@@ -223,49 +227,46 @@ for i, j in product(range(5), repeat=2):
 # The standard error and the solutions, in gon.
 
 # %%
+squares_of_residuals = [(row[6], w**2) for row, w in zip(TABLE, unrounded.w, strict=True)]
+s0 = square_root(sum(sympy.Rational(g) * square for g, square in squares_of_residuals) / 3)
 section.numeric(
     "4/s0",
     "standard error of adjustment",
     printed="0.117",
-    derived=unrounded.s0,
-    expect="misprint",
-    corrected="0.118",
-    note="From other roundings: 0.1184 with the weights that give Q, 0.1171 if the same weights have one decimal as in "
-    "the table, see 4/beyond/s0.  The scan has + for the double sign.",
+    derived=s0,
+    note="0.1171, from the residuals without rounding and the weights with one decimal, as the table prints them; the "
+    "weights without rounding give 0.1184, 4/beyond/s0.  Read as plus or minus, where the scan has +.",
 )
-squares_of_residuals = [(row[6], w**2) for row, w in zip(TABLE, unrounded.w, strict=True)]
 section.numeric(
     "4/beyond/s0",
-    "standard error of the same residuals, with the weights of the table",
-    printed="0.117",
-    derived=square_root(sum(sympy.Rational(g) * square for g, square in squares_of_residuals) / 3),
-    note="Not in the paper: what the printed 0.117 seems to be, the residuals without rounding and the weights with "
-    "one decimal.",
-)
-section.identity(
-    "4/s#weights",
-    "average reciprocal weight, in mm^2, rounded to hundreds",
-    printed=5000,
-    derived=rounded(sum(SCALE / g for g in weights(C)) / len(left_points), -2),
-    note="Printed as an approximate number, about 5000: 4983; with the third components, as used, 5119.",
+    "standard error of the same residuals, with the weights without rounding",
+    printed="0.1184",
+    derived=unrounded.s0,
+    note="Not in the paper.",
 )
 MICROMETERS = 1000
+average_weight = sum(SCALE * g for g in weights_used) / len(left_points)
+section.identity(
+    "4/s#weights",
+    "average of the fictitious weights as used, rounded to thousands",
+    printed=5000,
+    derived=rounded(average_weight, -3),
+    note="5119, of the sums h'.h' + h''.h'' that the column g has in units of 5000.  These are reciprocals of weights, "
+    "see 4/beyond/weights#1; those of (2.3.1) have the average 4983.",
+)
 
 
-def micrometers(s0: sympy.Rational) -> sympy.Rational:
-    """Return the standard error of a coordinate: s0 sigma, where sigma^2 = 1 / 5000."""
-    return s0 / square_root(sympy.Integer(SCALE)) * MICROMETERS
+def micrometers(s0: sympy.Rational, weight: sympy.Rational) -> sympy.Rational:
+    """Return the standard error of a coordinate: s0 divided by the root of a weight."""
+    return s0 / square_root(weight) * MICROMETERS
 
 
 section.numeric(
     "4/s",
     "standard error of measured coordinates, in micrometers",
     printed="1.6",
-    derived=micrometers(unrounded.s0),
-    expect="misprint",
-    corrected="1.7",
-    note="s0 / sqrt(5000) is 1.674, with the printed s0 1.655; cut off after the first decimal, or an average weight "
-    "somewhat above the rounded 5000.  The scan alone cannot tell a slip of the scan from one of the print.",
+    derived=micrometers(s0, average_weight),
+    note="1.64, with the average 5119 of the weights; the rounded weight 5000 would give 1.66.",
 )
 
 SOLUTIONS = {
@@ -359,15 +360,13 @@ def standard_error(matrix: Matrix) -> sympy.Rational:
 
 definitive = correlation([sympy.Rational(angle) for angle in DEFINITIVE.values()])
 section.numeric(
-    "4/definitive",
+    "4/beyond/definitive",
     "standard error that the definitive rotations leave",
-    printed="0.117",
+    printed="0.561",
     derived=standard_error(definitive),
-    expect="false",
-    instead="4/beyond/adjusted#s0",
-    note="They leave 0.561, 7.9 micrometers in the image.  Two slips: the sign of dOmega'', and the small rotations "
+    note="Not in the paper: 7.9 micrometers in the image.  Two slips: the sign of dOmega'', and the small rotations "
     "about fixed axes, R = (E + dA)(R), that are added to angles; see 4/beyond/repaired#both.  The weights matter "
-    "little: they move the adjusted angles by less than 0.001 gon.",
+    "little, see 4/beyond/reciprocal#phip to #kappapp.",
 )
 LEFT_OVER = ("0.350", "0.386", "0.336", "0.290", "0.318", "0.233", "0.507", "0.255")
 for i, printed in enumerate(LEFT_OVER):
@@ -458,20 +457,29 @@ def derivatives_of_correlation(angles: Sequence[sympy.Rational]) -> list[Matrix]
     return by_left + [left.T * B * derivative for derivative in right_derivatives]
 
 
-def adjustment(angles: Sequence[sympy.Rational]) -> Adjustment:
+def adjustment(angles: Sequence[sympy.Rational], weights_of: Callable[[Matrix], Matrix] = weights) -> Adjustment:
     matrix = correlation(angles)
     jacobian = Matrix.hstack(*(parallaxes(derivative) for derivative in derivatives_of_correlation(angles)))
-    system = (-jacobian, parallaxes(matrix), weights(matrix))
+    system = (-jacobian, parallaxes(matrix), weights_of(matrix))
     return Adjustment(*(part.applyfunc(lambda cell: rounded(cell, DECIMALS)) for part in system))
 
 
 STEPS = 6
-angles = list(APPROXIMATE.values())
-for _ in range(STEPS):
-    step = adjustment(angles).da
-    angles = [rounded(angle + correction / GON, DECIMALS) for angle, correction in zip(angles, step, strict=True)]
+
+
+def adjusted_angles(weights_of: Callable[[Matrix], Matrix]) -> list[sympy.Rational]:
+    """Return the angles to which the adjustment converges, in gon."""
+    angles = list(APPROXIMATE.values())
+    for _ in range(STEPS):
+        step = adjustment(angles, weights_of).da
+        angles = [rounded(angle + correction / GON, DECIMALS) for angle, correction in zip(angles, step, strict=True)]
+    return angles
+
+
+angles = adjusted_angles(weights)
 adjusted = adjustment(angles)
 
+BY_WEIGHTS = ("-0.0006", "-0.0006", "0.0001", "-0.0007", "-0.0005")
 ADJUSTED = {
     "phip": ("-16.7281", "0.0223"),
     "kappap": ("-0.4617", "0.0099"),
@@ -503,6 +511,27 @@ for index, (slug, (angle, error)) in enumerate(ADJUSTED.items()):
         note="Not in the paper: the iteration has converged.",
     )
 section.numeric(
+    "4/definitive",
+    "the definitive tilt, in gon",
+    printed=DEFINITIVE["omega"],
+    derived=angles[list(UNKNOWNS).index("omega")],
+    expect="false",
+    instead="4/beyond/adjusted#omega",
+    note="The definitive rotations are those of the adjustment, section 2.3.  The printed ones are sums, "
+    "4/definitive#phip to #kappapp, of angles and of small rotations about fixed axes, one of which has the wrong "
+    "sign: see 4/beyond/definitive for what they leave.",
+)
+for (slug, name), angle, with_reciprocal, printed in zip(
+    UNKNOWNS.items(), angles, adjusted_angles(reciprocal_weights), BY_WEIGHTS, strict=True
+):
+    section.numeric(
+        f"4/beyond/reciprocal#{slug}",
+        f"by how much the reciprocal weights move {name}, in gon",
+        printed=printed,
+        derived=with_reciprocal - angle,
+        note="Not in the paper: the weights that are used, in place of those of (2.3.1), move no angle by 0.001 gon.",
+    )
+section.numeric(
     "4/beyond/adjusted#s0",
     "standard error of the adjustment without the slips",
     printed="0.117",
@@ -513,7 +542,7 @@ section.numeric(
     "4/beyond/adjusted#s",
     "standard error of measured coordinates, in micrometers",
     printed="1.66",
-    derived=micrometers(adjusted.s0),
+    derived=micrometers(adjusted.s0, sympy.Integer(SCALE)),
     note="Not in the paper.",
 )
 ADJUSTED_RESIDUALS = ("0.0069", "0.0968", "-0.0486", "-0.0006", "-0.0294", "-0.0422", "0.1272", "-0.1034")

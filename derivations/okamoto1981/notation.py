@@ -8,9 +8,13 @@
 # close-range photogrammetry) and 5 (concluding remarks).
 
 # %%
-import sympy
+from collections.abc import Sequence
+from fractions import Fraction
 
-from algebroproj_sym.expressions import Matrix, Scalar, columns, over, vector
+import sympy
+from sympy.polys.matrices import DomainMatrix
+
+from algebroproj_sym.expressions import Matrix, Scalar, columns, jacobian, over, vector
 
 X, Y, Z = sympy.symbols("X Y Z")
 Xo, Yo, Zo = sympy.symbols("Xo Yo Zo")
@@ -104,6 +108,32 @@ def coefficients_of(matrix: Matrix) -> Matrix:
     *entries, last = matrix
     reciprocal = over(1, last)
     return vector(*(entry * reciprocal for entry in entries))
+
+
+# %% [markdown]
+# Equations are counted where they hold.  Image coordinates are functions of the parameters and of unknown points; what
+# they say without the points are as many combinations as there are functions more than coordinates of points, those
+# that no movement of the points changes.  Their rates by the parameters, at one point with rational numbers, have a
+# rank that is also the rank in general: near such a solution there is no other if it is the number of the parameters.
+
+
+# %%
+def rates_of_equations(
+    functions: Matrix, parameters: Sequence[sympy.Symbol], unknown_points: Sequence[Matrix] = ()
+) -> Matrix:
+    """Return the rates by the parameters of the equations that are left when the unknown points are eliminated."""
+    coordinates = [coordinate for unknown in unknown_points for coordinate in unknown]
+    variables = (*parameters, *coordinates)
+    at = {symbol: Fraction((5 * k * k + 3 * k + 2) % 17 + 1, 7 * k % 11 + 19) for k, symbol in enumerate(variables)}
+    by_all = Matrix(jacobian(functions, at, variables))
+    by_parameters, by_coordinates = by_all[:, : len(parameters)], by_all[:, len(parameters) :]
+    return left_kernel(by_coordinates) * by_parameters if coordinates else by_parameters
+
+
+def left_kernel(matrix: Matrix) -> Matrix:
+    """Return independent rows, with whole numbers, that take a matrix of rational numbers to zero."""
+    rows = DomainMatrix.from_Matrix(matrix.T).to_field().nullspace().to_Matrix()
+    return Matrix.vstack(*(row * sympy.ilcm(*(entry.q for entry in row)) for row in map(rows.row, range(rows.rows))))
 
 
 # %% [markdown]

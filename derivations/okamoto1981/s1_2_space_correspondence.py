@@ -207,10 +207,11 @@ section.count(
     printed=15,
     derived=coefficients_of(camera_of_planes(other_planes, four_of_object, four_of_comparator)),
     variables=sixteen,
-    note="Read with the planes that are named above, since the paper does not say which planes its rotations turn.  "
-    "The number of parameters, which is the reason the paper gives, does not prove it: with the rotations of (2) it "
-    "is wrong, 1.2/beyond/ordinary-rotations, and without a rotation of T there is no perspective, "
-    "1.2/beyond/literal.  With general rotations it is true, 1.2/beyond/rotations-of-space.",
+    note="Favourable reading, with the planes that are named above; the paper does not say which planes its rotations "
+    "turn.  Of the 81 ways to turn a plane without the named axis 9 give fifteen at a rational point.  The number of "
+    "parameters, which is the reason the paper gives, does not prove it: with the rotations of (2) there are thirteen, "
+    "1.2/beyond/ordinary-rotations, and without a rotation of T there is no perspective, 1.2/beyond/literal.  With "
+    "general rotations it is true, 1.2/beyond/rotations-of-space.",
 )
 
 # %% [markdown]

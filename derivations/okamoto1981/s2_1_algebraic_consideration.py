@@ -11,7 +11,7 @@ import sympy
 
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import by_point
-from algebroproj_derivations.okamoto1981.s1_2_space_correspondence import collineation
+from algebroproj_derivations.okamoto1981.s1_2_space_correspondence import B, collineation, images_of_five
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import let
 from algebroproj_sym.expressions import (
@@ -21,6 +21,7 @@ from algebroproj_sym.expressions import (
     columns,
     cross,
     determinant,
+    diff,
     dot,
     linear_system,
     over,
@@ -97,7 +98,7 @@ for number, (equation, row) in enumerate(zip(equations, printed_rows, strict=Tru
         f"linear equation {number}",
         printed=dot(row, homogeneous_point),
         derived=equation,
-        note="The index 1 of the left photograph is scanned as r.",
+        note="Read as the index 1 of the left photograph, where the scan has r.",
     )
 
 # %% [markdown]
@@ -189,12 +190,12 @@ section.count(
     note="22 - 15 = 7, as in today's theory, where the fundamental matrix has seven degrees of freedom.",
 )
 section.rank(
-    "2.1/fifteen",
+    "2.1/beyond/fifteen",
     "fifteen parameters are not determined by the condition",
     printed=15,
     derived=columns(*collineations),
-    note="No infinitesimal collineation leaves both photographs as they are: the stereo model differs from the object "
-    "by any of the collineations (8), which five points determine by 8#independent.",
+    note="Not in the paper.  No infinitesimal collineation leaves both photographs as they are: the stereo model "
+    "differs from the object by any of the collineations (8), which five points determine by 2.1/fifteen.",
 )
 
 # %% [markdown]
@@ -205,7 +206,13 @@ section.rank(
 
 # %%
 three_coordinates = vector(*general_collinearity(A_left), general_collinearity(A_right)[0])
-section.definition("20", "three of the four equations", printed=three_coordinates)
+section.definition(
+    "20",
+    "three of the four equations",
+    printed=three_coordinates,
+    note="Read as the first three of (16) and (17): the scan has mu for the index 1, loses the index 2, and has A, I "
+    "and A_1 for X, Y and A_11.",
+)
 
 on_a_line = [
     vector(*image(P_left, p), image(P_right, p)[0]) for p in (vector(0, 0, 0), vector(1, 0, 0), vector(2, 0, 0))
@@ -236,6 +243,26 @@ section.identity(
     note=NO_COLLINEATION + "It is one if both photographs have the same denominator, 2.1/beyond/common-denominator.",
 )
 
+section.count(
+    "2.1/fifteen",
+    "five points determine the fifteen parameters of (21)",
+    printed=15,
+    derived=images_of_five,
+    variables=B,
+    note="Of (21) as a collineation, whose fifteen coefficients five points determine; that the solution of (20) is "
+    "one is false, 21.",
+)
+section.count(
+    "21#independent",
+    "the fifteen coefficients of (21) are independent",
+    printed=15,
+    derived=coefficients_of(adjugate(Matrix.vstack(P_left[:2, :], P_right[:1, :], P_left[2:, :]))),
+    variables=(*A_left, *A_right[:4]),
+    note="Favourable reading, for photographs with the same denominator: there the solution is a collineation, "
+    "2.1/beyond/common-denominator, and its coefficients are independent functions of fifteen of the photographs.  In "
+    "general it has more coefficients, which are not independent: 2.1/beyond/coefficients.",
+)
+
 # %% [markdown]
 # The denominator of the solution contains the products $x_{c1} x_{c2}$ and $y_{c1} x_{c2}$.  With $\mathbf l_i$ and
 # $\mathbf r_i$ for the first three elements of row $i$ of the matrices of projection:
@@ -262,9 +289,26 @@ section.identity(
     note="Not in the paper: the solution is a quotient of forms that are linear in the image point of either "
     "photograph, not in the three coordinates together.",
 )
+forms_of_solution = [
+    determinant(columns(*(three_right_sides if k == j else three_rows.col(k) for k in range(3)))) for j in range(4)
+]
+at_origin = dict.fromkeys((xc1, yc1, xc2), sympy.Integer(0))
+monomials_of_solution = ((), (xc1,), (yc1,), (xc2,), (xc1, xc2), (yc1, xc2))
+first_coefficient, *other_coefficients = [
+    (diff(form, *monomial) if monomial else form).xreplace(at_origin)
+    for form in reversed(forms_of_solution)
+    for monomial in monomials_of_solution
+]
+section.count(
+    "2.1/beyond/coefficients",
+    "of the 23 coefficients of the solution of three equations 18 are independent",
+    printed=18,
+    derived=vector(*(over(coefficient, first_coefficient) for coefficient in other_coefficients)),
+    variables=(*A_left, *A_right[:4], *A_right[8:]),
+    note="Not in the paper: as many as the three equations have.  Divided by the constant of the denominator.",
+)
 same_denominator = dict(zip(A_right[8:], A_left[8:], strict=True))
 stacked = Matrix.vstack(P_left[:2, :], P_right[:1, :], P_left[2:, :])
-B = vector(*sympy.symbols("B1:16"))
 section.identity(
     "2.1/beyond/common-denominator",
     "with a common denominator the solution is a collineation",
@@ -285,7 +329,73 @@ XM, YM, ZM = sympy.symbols("XM YM ZM")
 model = vector(XM, YM, ZM)
 E_ = vector(*sympy.symbols("E_1:16"))
 Ep = vector(*sympy.symbols("Ep_1:16"))
-section.definition("23", "model as a collineation of the object", printed=collineation(E_, point))
+
+# %% [markdown]
+# Let object and model coordinates be such that the left photograph has the matrix $[\mathbf 1\; \mathbf 0]$; stacked on
+# any plane, $\mathbf P_1$ is the collineation that makes it so.  The right photograph has $[\mathbf A\; \mathbf a]$ in
+# the object and $[\mathbf C\; \mathbf c]$ in the model.  The condition is $(\mathbf a \times \mathbf A)^T$; if both
+# have the same one, $\mathbf c$, which it takes to zero, is
+# $\lambda \mathbf a$, and $\mathbf C$, with its free factor, has
+# $\mathbf a \times \mathbf C = \mathbf a \times \mathbf A$.
+
+# %%
+A_object, C_model = Matrix(3, 3, sympy.symbols("a1:4(1:4)")), Matrix(3, 3, sympy.symbols("c1:4(1:4)"))
+a, lam = vector(*sympy.symbols("a1:4")), sympy.Symbol("lam")
+same_condition = [component for j in range(3) for component in cross(a, A_object.col(j) - C_model.col(j))]
+v_of_cameras = vector(*(over(dot(a, A_object.col(j) - C_model.col(j)), dot(a, a)) for j in range(3)))
+section.identity(
+    "23#cameras",
+    "two right photographs with the same condition differ by a multiple of the epipole in each column",
+    printed=C_model + a * v_of_cameras.T,
+    derived=A_object,
+    constraints=same_condition,
+    witness=dict(
+        zip(
+            (*A_object, *C_model, *a),
+            (*(2, 1, 0, 0, 1, 0, 0, 0, 1), *(1, 0, 0, 0, 1, 0, 0, 0, 1), 1, 0, 0),
+            strict=True,
+        )
+    ),
+    note="The vector product with a leaves nothing but multiples of a.",
+)
+
+# %% [markdown]
+# So $\mathbf C = \mathbf A - \mathbf a \mathbf v^T$.  The model point of an object point is where the rays of its two
+# images meet, seen by the photographs of the model: the first three of four linear equations.
+
+# %%
+v = vector(*sympy.symbols("v1:4"))
+left_image = vector(over(X, Z), over(Y, Z))
+right_image = image(columns(A_object, a), point)
+LEFT_OF_MODEL, RIGHT_OF_MODEL = columns(E3, vector(0, 0, 0)), columns(A_object - a * v.T, lam * a)
+in_model = dict(zip(point, model, strict=True))
+model_rows = [
+    form.xreplace(in_model).xreplace(measured)
+    for form, measured in (
+        *((form, dict(zip(x_left, left_image, strict=True))) for form in linear_equations(LEFT_OF_MODEL, x_left)),
+        (linear_equations(RIGHT_OF_MODEL, x_right)[0], dict(zip(x_right, right_image, strict=True))),
+    )
+]
+model_of_object = solve(*linear_system(model_rows, tuple(model)))
+explicit = {symbol: sympy.Integer(0) for symbol in E_} | {E_[0]: lam, E_[5]: lam, E_[10]: lam}
+explicit |= dict(zip(E_[12:], v, strict=True))
+section.identity(
+    "23",
+    "model as a collineation of the object",
+    printed=collineation(E_, point),
+    where=explicit,
+    derived=model_of_object,
+    note="Every stereo model that satisfies the condition, by 23#cameras, with its collineation: lam on the diagonal "
+    "and v in the denominator.  Today this is the theorem of projective reconstruction.",
+)
+H = Matrix(4, 4, sympy.symbols("h1:5(1:5)"))
+section.identity(
+    "23#converse",
+    "whatever is a collineation of the object satisfies the condition",
+    printed=determinant(H) * F,
+    derived=bilinear_form(P_left * H, P_right * H),
+    note="The converse: any collineation of space, followed by the photographs, gives the same condition.",
+)
 
 printed_inverse = collineation(Ep, model)
 printed_denominator = E_[12] * XM + Ep[13] * YM + Ep[14] * ZM + 1
@@ -302,8 +412,8 @@ section.identity(
     derived=solve(back_rows, back_right_sides),
     expect="misprint",
     corrected=printed_inverse,
-    note="In the first two denominators the prime of E13 is missing; the third has it.  Read as the coefficient of "
-    "(23) the form is wrong.  The scan alone cannot tell a slip of the scan from one of the print.",
+    note="In the first two denominators the prime of E13 is missing, while all their other coefficients have theirs; "
+    "the same slip twice.  As the coefficient of (23) E13 is wrong.",
 )
 
 # %% [markdown]
@@ -312,21 +422,20 @@ section.identity(
 # Seven pairs of image points give seven conditions (19), five object points fifteen equations (20).  To see that the 22
 # equations are independent, let the object points of the seven pairs be unknown: seven pairs and five object points
 # together have $28 + 15$ image coordinates, functions of the $22$ coefficients and of the $21$ coordinates of seven
-# points.
+# points.  Without these points 22 equations are left.
 
 # %%
 tie_points = [vector(*sympy.symbols(f"X_{k} Y_{k} Z_{k}")) for k in range(1, 8)]
 control_points = [vector(*p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 2, 3))]
 of_pairs = [image(matrix, p) for p in tie_points for matrix in (P_left, P_right)]
 of_control = [vector(*image(P_left, p), image(P_right, p)[0]) for p in control_points]
-section.count(
+section.rank(
     "2.1/twenty-two",
-    "seven pairs of image points and five object points determine the 22 coefficients",
-    printed=43,
-    derived=Matrix.vstack(*of_pairs, *of_control),
-    variables=(*both, *(coordinate for p in tie_points for coordinate in p)),
-    note="All 43 functions are independent; 21 of them place the points of the pairs, 22 equations are left for 22 "
-    "coefficients.",
+    "seven pairs of image points and five object points give 22 independent equations",
+    printed=22,
+    derived=rates_of_equations(Matrix.vstack(*of_pairs, *of_control), both, tie_points),
+    note="The rates of the equations by the 22 coefficients.  Local: near a solution there is no other; elsewhere "
+    "there can be two more, see 3/unique.",
 )
 
 # %% [markdown]
@@ -483,6 +592,12 @@ def equation_with_ray(matrix: Matrix, measured: Matrix, i: int, ray: Ray, unknow
     return measured[i] * last - first
 
 
+section.identity(
+    "2.1/rays",
+    "(19) is the condition that corresponding rays meet",
+    printed=coplanarity,
+    derived=moment(ray_of(P_left, x_left), ray_of(P_right, x_right)),
+)
 symbols_left, symbols_right = (dict(zip(PLACES, sympy.symbols(f"ray{k}_1:7"), strict=True)) for k in (1, 2))
 rows_of_equations = columns(coefficient_rows, right_sides)
 ray_values, ray_forms = {}, {}
@@ -556,7 +671,7 @@ minor_forms = {minors_of_four[i, j]: equation_with_ray(*own[i], j) for i in rang
 squares = dot(minors_of_four.col(3), minors_of_four.col(3))
 section.kernel(
     "collinearity.intersect",
-    "Object point from four linear equations by least squares with equal weights, which are not those of the images.",
+    "Object point from four linear equations by least squares with equal weights of the equations.",
     **with_images,
     through=[let(ray_values, form=ray_forms), let(minor_values, form=minor_forms)],
     derived=vector(*(over(dot(minors_of_four.col(3), minors_of_four.col(j)), squares) for j in range(3))),

@@ -352,16 +352,15 @@ def images_in_model(points: list[Matrix], left_inner: Matrix, right_inner: Matri
 
 
 nine_segments = squared_distances(seven[:5])[:9]
-section.count(
+equations_of_fifteen = Matrix.vstack(
+    images_in_model(seven, inner_of(inner_left), inner_of(inner_right)), ratios_to_first(nine_segments)
+)
+section.rank(
     "2.2/fifteen",
-    "seven conditions of coplanarity and eight of similarity determine the fifteen parameters",
-    printed=36,
-    derived=Matrix.vstack(
-        images_in_model(seven, inner_of(inner_left), inner_of(inner_right)), ratios_to_first(nine_segments)
-    ),
-    variables=(*fifteen, *(coordinate for p in seven for coordinate in p)),
-    note="All 36 functions are independent: 21 of them place the model points, 15 equations are left for 15 "
-    "parameters.",
+    "seven conditions of coplanarity and eight of similarity are fifteen independent equations",
+    printed=15,
+    derived=rates_of_equations(equations_of_fifteen, fifteen, seven),
+    note="The rates of the equations by the fifteen parameters.  Local, as 2.1/twenty-two.",
 )
 
 # %% [markdown]
@@ -384,6 +383,13 @@ def infinitesimal(movement: Movement) -> Matrix:
 
 mapped_ratios = ratios_to_first(squared_distances(mapped_points))
 followed_by_similarities = [vector(*(infinitesimal(s) * collineation_matrix)[:15]) for s in similarities]
+section.count(
+    "2.2/five-points",
+    "fifteen parameters are obtained from the correspondence if five points are given",
+    printed=15,
+    derived=Matrix.vstack(*mapped_points),
+    variables=B_,
+)
 section.count(
     "2.2/divided",
     "the correspondence is divided into the similarity condition and a similarity",

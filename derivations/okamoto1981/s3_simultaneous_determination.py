@@ -86,16 +86,12 @@ section.vanishing(
     derived=dot(base, cross(g1, g2)).xreplace(of_reduced),
     note="The lengths by which the coordinates are divided drop out.",
 )
-Xo6 = sympy.Symbol("Xo6")
 section.identity(
     "42#base",
     "the base",
-    printed=vector(Xo6 - Xo1, Yo2 - Yo1, Zo2 - Zo1),
+    printed=vector(Xo2 - Xo1, Yo2 - Yo1, Zo2 - Zo1),
     derived=base_vector,
-    expect="misprint",
-    corrected=vector(Xo2 - Xo1, Yo2 - Yo1, Zo2 - Zo1),
-    note="The index o6 of the first component must be o2.  The scan alone cannot tell a slip of the scan from one of "
-    "the print.",
+    note="Read as X_o2: the scan has X_o6, and there is no sixth photograph.",
 )
 
 # %% [markdown]
@@ -173,17 +169,20 @@ tie_points = free_points(2)
 control_points = [vector(*p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 2, 3))]
 camera_left = camera(inner_of(inner_left), left_rotation.T, center_left)
 camera_right = camera(inner_of(inner_right), right_rotation.T, center_right)
-section.count(
+section.rank(
     "3/twenty-two",
-    "seven conditions of coplanarity and five object points determine the 22 parameters",
-    printed=28,
-    derived=Matrix.vstack(
-        *(image(matrix, p) for p in (*control_points, *tie_points) for matrix in (camera_left, camera_right))
+    "seven conditions of coplanarity and five object points give 22 independent equations",
+    printed=22,
+    derived=rates_of_equations(
+        Matrix.vstack(
+            *(image(matrix, p) for p in (*control_points, *tie_points) for matrix in (camera_left, camera_right))
+        ),
+        twenty_two,
+        tie_points,
     ),
-    variables=(*twenty_two, *(coordinate for p in tie_points for coordinate in p)),
-    note="The seven pairs are those of five object points and of two further points: 28 image coordinates are "
-    "independent functions of 22 parameters and 6 coordinates.  For a pair that satisfies (42) the four image "
-    "coordinates of a given point say the same as (43).  2.1/twenty-two counts the coefficients, with other pairs.",
+    note="The seven pairs are those of five object points and of two further points.  For a pair that satisfies (42) "
+    "the four image coordinates of a given point say the same as (43).  Local: near a solution there is no other; "
+    "elsewhere there can be two more, 3/unique.  2.1/twenty-two counts the coefficients, with other pairs.",
 )
 
 # %% [markdown]
@@ -202,8 +201,6 @@ def in_reduced(expression: Scalar) -> Scalar:
     return expression.xreplace(of_reduced)
 
 
-Xp1, Yp1, Zp1 = sympy.symbols("Xp1 Yp1 Zp1")
-transformed = {Xp1: X1 + Xo1, Yp1: Y1 + Yo1, Zp1: Z1 + Zo1}
 section.identity(
     "44#directions",
     "first type, left photograph, from direction cosines",
@@ -213,14 +210,10 @@ section.identity(
 section.identity(
     "44",
     "first type, left photograph",
-    printed=vector(Xo1 + Xp1 / Zp1 * (Z - Zo1), Yo1 + Y1 / Zp1 * (Z - Zo1)),
-    where=transformed,
+    printed=vector(Xo1 + X1 / Z1 * (Z - Zo1), Yo1 + Y1 / Z1 * (Z - Zo1)),
     derived=vector(*(in_reduced(from_known(2, k, center_left, g1)) for k in (0, 1))),
-    expect="misprint",
-    corrected=vector(Xo1 + X1 / Z1 * (Z - Zo1), Yo1 + Y1 / Z1 * (Z - Zo1)),
-    note="The bars are missing on Xp1 and on both Zp1: without them these are the coordinates that are not reduced, "
-    "which contain the projection center.  (45) has the bars.  The scan alone cannot tell a slip of the scan from one "
-    "of the print.",
+    note="Read as the reduced coordinates, with bars, as in (45): the scan has lost the bars of X_p1 and of both Z_p1, "
+    "as it has all of them where the text before introduces the reduced coordinates.",
 )
 section.identity(
     "45#directions",

@@ -78,13 +78,19 @@ section.identity(
 
 # %%
 for number, side, rotations, index, damage in (
-    ("52", "left", about(ABOUT_Y, "1") * about(ABOUT_Z, "1"), "1", "The scan repeats the first component on the left."),
+    (
+        "52",
+        "left",
+        about(ABOUT_Y, "1") * about(ABOUT_Z, "1"),
+        "1",
+        "Read as the three components on the left, where the scan repeats the first one.",
+    ),
     (
         "53",
         "right",
         about(ABOUT_Y, "2") * about(ABOUT_X, "2") * about(ABOUT_Z, "2"),
         "2",
-        "The scan has bars on the letters M and on the measured coordinate.",
+        "Read as x_c2 without a bar; the scan has bars on it and on the letters M.",
     ),
 ):
     xci, yci, xhi, yhi, ci = sympy.symbols(f"xc{index} yc{index} xH{index} yH{index} c{index}")
@@ -93,11 +99,9 @@ for number, side, rotations, index, damage in (
     section.identity(
         number,
         f"reduced transformed coordinates of the {side} picture",
-        printed=None,
+        printed=rotations * vector(xci - xhi, yci - yhi, -ci),
         derived=reduced.xreplace(usual).xreplace(indexed),
-        expect="illegible",
-        corrected=rotations * vector(xci - xhi, yci - yhi, -ci),
-        note=f"{damage}  Reconstructed from (27), (28) and (50); the letters of the right side are legible.",
+        note=damage,
     )
 
 # %% [markdown]
@@ -195,8 +199,9 @@ section.count(
     printed=12,
     derived=coefficients_of_twelve,
     variables=twelve,
-    note="For the planes of 1.2/independent.  For other planes, and for a general rotation, the number is "
-    "another one: 55/beyond/ordinary-rotations, 55/beyond/rotations-of-space.",
+    note="Favourable reading, with the planes of 1.2/independent.  With the rotations of (2) there are eleven, and "
+    "with a general rotation thirteen: 55/beyond/ordinary-rotations, 55/beyond/rotations-of-space.  Of the 81 ways to "
+    "turn a plane without the named axis 18 give twelve at a rational point.",
 )
 PLACES = [vector(*p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
 images_of_four = [image(camera_of_planes(other_planes, four_of_object), p) for p in PLACES]
@@ -206,8 +211,8 @@ section.count(
     printed=12,
     derived=Matrix.vstack(*images_of_four),
     variables=twelve,
-    note="Under the reading of 55#twelve: the twelve coordinates are independent functions of the parameters.  Three "
-    "points have nine coordinates only.",
+    note="Favourable reading, that of 55#twelve: the twelve coordinates are independent functions of the parameters.  "
+    "Three points have nine coordinates only.",
 )
 turn = {t_mu: sin_mu * angle_rate(t_mu), c: c * cos_mu, To: To * cos_mu, zco: c * sin_mu}
 turn |= dict(zip(center, -To * sin_mu * axis_of_picture, strict=True))
@@ -275,19 +280,33 @@ left_camera = camera(inner_of(inner_left), left_rotation.T, vector(0, 0, 0))
 right_camera = camera(inner_of(inner_right), right_rotation.T, unit_base)
 rates_of_four = Matrix([*rates_of_conditions(left_camera), *rates_of_conditions(right_camera)])
 section.rank(
+    "4.2/beyond/four-conditions",
+    "the four equations are independent",
+    printed=4,
+    derived=rates_of_four,
+    note="Not in the paper: sixteen elements, one of them the scale, less four are eleven.",
+)
+at_instance = {symbol: sympy.Rational(k * k % 23 + 2, k % 7 + 3) for k, symbol in enumerate(eleven)}
+allowed = left_kernel(rates_of_four.xreplace(at_instance).doit().T).T
+scale_of_matrix = vector(*(int(k % 5 == 0) for k in range(16)))
+remaining_movements = (allowed - scale_of_matrix * allowed[15, :])[:15, :]
+section.rank(
     "4.2/twelve",
     "model and object differ by a correspondence of twelve parameters",
-    printed=3,
-    derived=rates_of_four,
+    printed=12,
+    derived=remaining_movements,
+    kernel=[vector(*entry) for entry in remaining_movements.nullspace()],
     expect="false",
     instead="4.2/beyond/eleven",
-    note="Fifteen parameters of a collineation less the rank of the derived matrix; twelve would need the rank 3.",
+    note="The columns are the infinitesimal collineations that satisfy the four equations, for one pair with rational "
+    "numbers.  By 4.2/beyond/four-conditions there are as many in general.",
 )
 section.rank(
     "4.2/beyond/eleven",
     "model and object differ by a correspondence of eleven parameters",
-    printed=4,
-    derived=rates_of_four,
+    printed=11,
+    derived=remaining_movements,
+    kernel=[vector(*entry) for entry in remaining_movements.nullspace()],
     note="Not in the paper: 15 - 4 = 11, and 18 = 7 + 11.  Seven of the eleven are a similarity.",
 )
 
@@ -370,40 +389,35 @@ section.count(
 
 
 # %%
-def equations_of(pairs_of_images: int, similarity_equations: int) -> tuple[Matrix, tuple[sympy.Symbol, ...]]:
-    """Return the functions, and what they are functions of; the first four points are the control points."""
+def equations_of(pairs_of_images: int, similarity_equations: int) -> Matrix:
+    """Return the rates of the equations by the eleven; the first four points are the control points."""
     points = free_points(pairs_of_images)
     ratios = ratios_to_first(squared_distances(points[:4]))[:similarity_equations, :]
     images = images_in_model(points, inner_of(inner_left), inner_of(inner_right))
-    return Matrix.vstack(images, ratios), (*eleven, *(coordinate for p in points for coordinate in p))
+    return rates_of_equations(Matrix.vstack(images, ratios), eleven, points)
 
 
-for number, title, of_coplanarity, of_similarity, rank, note in (
+for number, title, of_coplanarity, of_similarity, note in (
     (
         "4.2/eleven",
-        "six conditions of coplanarity and five of similarity determine the eleven parameters",
+        "six conditions of coplanarity and five of similarity are eleven independent equations",
         6,
         5,
-        29,
-        "The eleven equations are independent: 29 functions, 18 of which place six model points.  They are not all "
-        "that could be set up: 4.2/beyond/seven-and-four.",
+        "Local, as 2.1/twenty-two.  They are not all that could be set up: 4.2/beyond/seven-and-four.",
     ),
     (
         "4.2/beyond/seven-and-four",
-        "seven conditions of coplanarity and four of similarity determine them as well",
+        "seven conditions of coplanarity and four of similarity determine the eleven parameters as well",
         7,
         4,
-        32,
-        "Not in the paper: 32 functions, 21 of which place seven model points.",
+        "Not in the paper.",
     ),
     (
         "4.2/beyond/seven-and-five",
         "with seven conditions of coplanarity the fifth of similarity is a check",
         7,
         5,
-        32,
-        "Not in the paper: 33 functions of 32 variables.",
+        "Not in the paper: twelve equations, of which eleven are independent.",
     ),
 ):
-    functions, variables = equations_of(of_coplanarity, of_similarity)
-    section.count(number, title, printed=rank, derived=functions, variables=variables, note=note)
+    section.rank(number, title, printed=11, derived=equations_of(of_coplanarity, of_similarity), note=note)

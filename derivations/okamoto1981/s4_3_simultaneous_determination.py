@@ -81,23 +81,31 @@ def images(points: list[Matrix]) -> Matrix:
     return Matrix.vstack(*(image(matrix, p) for p in points for matrix in (camera_left, camera_right)))
 
 
-coordinates_of_ties = tuple(coordinate for p in tie_points for coordinate in p)
-section.count(
-    "4.3/four-points",
-    "four points are sufficient",
-    printed=27,
-    derived=images([*control_points, *tie_points]),
-    variables=(*eighteen, *coordinates_of_ties),
-    note="Seven pairs, four of them of given points: 28 image coordinates determine 18 parameters and 9 coordinates.",
+determined = rates_of_equations(images([*control_points, *tie_points]), eighteen, tie_points)
+of_three_points = Matrix.vstack(
+    seven_of_eighteen, *(vector(*image(camera_left, p), image(camera_right, p)[0]) for p in control_points[:3])
+)
+section.rank(
+    "4.3/beyond/four-points",
+    "four points and three further pairs determine the eighteen parameters",
+    printed=18,
+    derived=determined,
+    note="Not in the paper: seven pairs, four of them of given points.  Local, as 2.1/twenty-two.",
 )
 section.count(
-    "4.3/four-points#necessary",
-    "three points are not sufficient, however many pairs there are",
+    "4.3/beyond/three-points",
+    "three points leave two parameters open, however many pairs there are",
     printed=16,
-    derived=Matrix.vstack(
-        seven_of_eighteen, *(vector(*image(camera_left, p), image(camera_right, p)[0]) for p in control_points[:3])
-    ),
+    derived=of_three_points,
     variables=eighteen,
-    note="The condition of coplanarity, which is the same for all pairs, and three further equations for each of "
-    "three given points: sixteen independent functions of 18 parameters.",
+    note="Not in the paper: the condition of coplanarity, which is the same for all pairs, and three further equations "
+    "for each of three given points.",
+)
+section.identity(
+    "4.3/four-points",
+    "the number of points that are necessary",
+    printed=4,
+    derived=-(-(len(eighteen) - len(seven_of_eighteen)) // 3),
+    note="Eleven parameters are left, and a point gives three equations.  Four are sufficient, 4.3/beyond/four-points, "
+    "and three are not, 4.3/beyond/three-points.",
 )

@@ -13,6 +13,8 @@ from algebroproj_derivations.okamoto1981.s2_1_algebraic_consideration import bot
 from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
     angles_left,
     angles_right,
+    equations_of_fifteen,
+    fifteen,
     followed_by_similarities,
     free_points,
     inner_of,
@@ -20,12 +22,14 @@ from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
     mapped_ratios,
     ratios_to_first,
     right_rotation,
+    seven,
     squared_distances,
     unit_base,
 )
 from algebroproj_derivations.okamoto1981.s4_2_orientation_of_pairs import (
     common,
     distortion,
+    equations_of,
     images_of_four,
     seven_of_eleven,
     twelve,
@@ -102,7 +106,7 @@ section.count(
     printed=5,
     derived=ratios_to_first(squared_distances(images_of_four)),
     variables=twelve,
-    note="12 = 5 + 7, for the correspondence of 55#twelve.  The one that there is has 11 = 4 + 7 parameters, "
+    note="Favourable reading, that of 55#twelve: 12 = 5 + 7.  The one that there is has 11 = 4 + 7 parameters, "
     "4.2/beyond/seven-and-four.",
 )
 
@@ -124,14 +128,38 @@ triplet = [
     )
 ]
 tie_points = free_points(5)
-section.count(
+of_triplet = (*angles_left, *angles_right, *third_angles, *third_center, *common)
+section.rank(
     "5/triplet",
     "a triplet determines its model and a common interior orientation",
-    printed=29,
-    derived=Matrix.vstack(*(image(matrix, p) for p in tie_points for matrix in triplet)),
-    variables=(
-        *(*angles_left, *angles_right, *third_angles, *third_center, *common),
-        *(coordinate for p in tie_points for coordinate in p),
+    printed=len(of_triplet),
+    derived=rates_of_equations(
+        Matrix.vstack(*(image(matrix, p) for p in tie_points for matrix in triplet)), of_triplet, tie_points
     ),
-    note="Five points: 14 parameters and 15 coordinates are independent functions of 30 image coordinates.",
+    note="That the model can be constructed means that all fourteen parameters are determined: five points give "
+    "fifteen equations for them.  Local, as 2.1/twenty-two.",
+)
+
+# %% [markdown]
+# ## Calibration
+#
+# Ratios of distances, the conditions of similarity, know nothing of the object but distances.  Together with the
+# conditions of coplanarity they determine all parameters of the model, the interior orientation among them.
+
+# %%
+section.rank(
+    "5/calibration",
+    "in the usual case distances alone determine the interior orientation",
+    printed=len(eleven_of_pair),
+    derived=equations_of(7, 5),
+    note="Seven pairs, and the ratios of the six distances of four points: all eleven parameters, six of them of the "
+    "interior orientation, are determined.  Local, as 2.1/twenty-two.",
+)
+section.rank(
+    "5/calibration#general",
+    "in the general case distances alone determine the interior orientation",
+    printed=len(fifteen),
+    derived=rates_of_equations(equations_of_fifteen, fifteen, seven),
+    note="The equations of 2.2/fifteen: seven pairs, and the ratios of nine distances of five points.  Local, as "
+    "2.1/twenty-two.",
 )

@@ -12,11 +12,17 @@ Four functions take a function of this package and change how it computes.  `dd`
 computes the factors that must not be zero.
 """
 
-from . import affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space
-from ._backend import backend
-from ._double_double import DoubleDouble
-from ._hypotheses import hypotheses
-from ._plain import plain
-from ._precision import bounds, dd
+from pathlib import Path
 
+from . import affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space
+from ._runtime.accuracy import tell_errors
+from ._runtime.backend import backend
+from ._runtime.double_double import DoubleDouble
+from ._runtime.hypotheses import hypotheses
+from ._runtime.plain import plain
+from ._runtime.precision import bounds, dd
+
+__version__ = "0.1.0"
 __all__ = ["DoubleDouble", "backend", "bounds", "dd", "hypotheses", "plain", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]
+
+tell_errors(Path(__file__).with_name("accuracy.json"), [affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space])

@@ -9,9 +9,9 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._backend import ufunc
-from ._compensated import rounded, wide
-from ._evaluation import Signature, evaluate
+from ._runtime.backend import ufunc
+from ._runtime.compensated import rounded, wide
+from ._runtime.evaluation import Signature, evaluate
 
 __all__ = [
     "determinant",
@@ -59,10 +59,6 @@ def determinant(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | No
     Operations: 159 (13 additions, 51 subtractions, 95 multiplications).
     The derived expression takes 3184 as written.
     With compensation of sums that may cancel: 993 (95 of them compute errors of products).
-
-    Measured error in float64: 0.291 ULP in the median, at most 172.0 ULP (150 samples, some near singularities).
-    Without compensation (`plain`): 2.55 ULP in the median; at most 213 ULP on ordinary input, 2.3e+18 ULP on all
-    samples.
 
     Examples
     --------
@@ -122,7 +118,7 @@ def _determinant(
     return (rounded(t148 - wide(up32) * upp31 * (t73 * t30 + t50 * t118 - t33 * t139 - t62 * t105)),)
 
 
-_DETERMINANT_SIGNATURE = Signature("determinant", (("u_left", (5, 2)), ("u_right", (5, 2))), ((),), twin=ufunc("critical_determinant"), recordable=True)
+_DETERMINANT_SIGNATURE = Signature("determinant", (("u_left", (5, 2)), ("u_right", (5, 2))), ((),), twin=ufunc("critical_determinant"), plain_twin=ufunc("plain_critical_determinant"), recordable=True)
 
 
 def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -163,10 +159,6 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None =
     The derived expression takes 30 as written.
     With compensation of sums that may cancel: 153 (15 of them compute errors of products).
 
-    Measured error in float64: 0.281 ULP in the median, at most 0.67 ULP (150 samples, some near singularities).
-    Without compensation (`plain`): 1.22 ULP in the median; at most 11.5 ULP on ordinary input, 2.38e+15 ULP on all
-    samples.
-
     Examples
     --------
     >>> algebraic_distance([[0, -1, -1, -1], [-1, 2, 0, 0], [-1, 0, 2, 0], [-1, 0, 0, 2]], [0.625, 0.75, 0.25]).round(6).tolist()
@@ -184,11 +176,11 @@ def _algebraic_distance(
     return (rounded(t42),)
 
 
-_ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), ("y", (3,))), ((),), twin=ufunc("critical_algebraic_distance"), recordable=True)
+_ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), ("y", (3,))), ((),), twin=ufunc("critical_algebraic_distance"), plain_twin=ufunc("plain_critical_algebraic_distance"), recordable=True)
 
 
 def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Quadric of the points that make the five equations singular, beside four given points.
+    """Quadric of the points that, with four given points, make the five equations singular.
 
     fundamentals1996, section 2.3; proved by (2.3.3), (2.3/X), (2.3/Q), (2.3/beyond/theorem).
 
@@ -247,10 +239,6 @@ def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_righ
     The derived expression takes 99702 as written.
     With compensation of sums that may cancel: 5668 (496 of them compute errors of products).
     This is the cheapest accurate one of 2 programs that are proved equal.
-
-    Measured error in float64: 0.251 ULP in the median, at most 23300.0 ULP (150 samples, some near singularities).
-    Without compensation (`plain`): 3.21 ULP in the median; at most 3.25e+03 ULP on ordinary input, 1.38e+19 ULP on
-    all samples.
 
     Examples
     --------
@@ -467,11 +455,11 @@ def _quadric(
     )
 
 
-_QUADRIC_SIGNATURE = Signature("quadric", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,)), ("y", (4, 3))), ((4, 4),), recordable=True)
+_QUADRIC_SIGNATURE = Signature("quadric", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,)), ("y", (4, 3))), ((4, 4),), plain_twin=ufunc("plain_critical_quadric"), recordable=True)
 
 
 def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Coefficients of the characteristic polynomials of a quadric and of its block at infinity, below the leading one.
+    """Coefficients below the leading ones in the characteristic polynomials of a quadric and its block at infinity.
 
     fundamentals1996, section 2.3; proved by (2.3/beyond/invariants#whole), (2.3/beyond/invariants#at-infinity), (2.3/beyond/invariants#affine).
 
@@ -514,10 +502,6 @@ def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = 
     The derived expression takes 191 as written.
     With compensation of sums that may cancel: 526 (55 of them compute errors of products).
     This is the cheapest accurate one of 2 programs that are proved equal.
-
-    Measured error in float64: 0.237 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
-    Without compensation (`plain`): 0.439 ULP in the median; at most 219 ULP on ordinary input, 2.67e+15 ULP on all
-    samples.
 
     Examples
     --------
@@ -562,7 +546,7 @@ def _invariants(
     )
 
 
-_INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)), twin=ufunc("critical_invariants"), recordable=True)
+_INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)), twin=ufunc("critical_invariants"), plain_twin=ufunc("plain_critical_invariants"), recordable=True)
 
 # These call functions of this module, and are imported after them.
 from .drivers import classify  # noqa: E402

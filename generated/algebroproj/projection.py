@@ -9,9 +9,9 @@ from typing import Any
 
 from numpy.typing import ArrayLike, NDArray
 
-from ._backend import ufunc
-from ._compensated import rounded, rounded_twice, wide
-from ._evaluation import Signature, evaluate
+from ._runtime.backend import ufunc
+from ._runtime.compensated import rounded, rounded_twice, wide
+from ._runtime.evaluation import Signature, evaluate
 
 __all__ = [
     "camera_matrix",
@@ -77,10 +77,6 @@ def camera_matrix(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = No
     Operations: 5 (3 subtractions, 2 multiplications).
     The derived expression takes 5 as written.
 
-    Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
-    Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
-    samples.
-
     Examples
     --------
     >>> camera_matrix([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
@@ -95,7 +91,7 @@ def _camera_matrix(
     return 1, mu1 - 1, mu2 - 1, mu3 - 1, 0, mu1, 0, mu3 * u31, 0, 0, mu2, mu3 * u32
 
 
-_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"), recordable=True)
+_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"), plain_twin=ufunc("plain_projection_camera_matrix"), recordable=True)
 
 
 def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -142,10 +138,6 @@ def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     With compensation of sums that may cancel: 44.
     This is the cheapest accurate one of 2 programs that are proved equal.
 
-    Measured error in float64: 0.411 ULP in the median, at most 2.3 ULP (400 samples, some near singularities).
-    Without compensation (`plain`): 0.571 ULP in the median; at most 14.2 ULP on ordinary input, 1.71e+14 ULP on all
-    samples.
-
     Examples
     --------
     >>> mu_from_center([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
@@ -162,7 +154,7 @@ def _mu_from_center(
     return u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -(y00 / (u30 * y03))
 
 
-_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"), recordable=True)
+_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"), plain_twin=ufunc("plain_projection_mu_from_center"), recordable=True)
 
 
 def _mu_from_center_factors(
@@ -177,7 +169,7 @@ _MU_FROM_CENTER_FACTORS = (
 
 
 def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Derivatives of the entries of `mu_from_center`, row by row, by those of its arguments, in order.
+    """Derivatives of `mu_from_center`: rows are entries of the result, columns of the arguments.
 
     fundamentals1996, section 1.3; proved by (1.3.5#mu1), (1.3.5#mu2), (1.3.5#mu3).
 
@@ -232,10 +224,6 @@ def mu_from_center_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] |
     With compensation of sums that may cancel: 105.
     This is the cheapest accurate one of 12 programs that are proved equal.
 
-    Measured error in float64: 0.432 ULP in the median, at most 3.02 ULP (400 samples, some near singularities).
-    Without compensation (`plain`): 0.526 ULP in the median; at most 38.9 ULP on ordinary input, 3.6e+14 ULP on all
-    samples.
-
     Examples
     --------
     >>> mu_from_center_jacobian([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
@@ -267,7 +255,7 @@ def _mu_from_center_jacobian(
     )
 
 
-_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"), recordable=True)
+_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"), plain_twin=ufunc("plain_projection_mu_from_center_jacobian"), recordable=True)
 
 
 def _mu_from_center_jacobian_factors(
@@ -325,10 +313,6 @@ def center_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = N
     With compensation of sums that may cancel: 69 (7 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.456 ULP in the median, at most 2.55 ULP (200 samples, some near singularities).
-    Without compensation (`plain`): 0.906 ULP in the median; at most 9.03 ULP on ordinary input, 8.33e+14 ULP on all
-    samples.
-
     Examples
     --------
     >>> center_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
@@ -349,7 +333,7 @@ def _center_from_mu(
     return t13 * rounded(t23), t13 * rounded(t20), -(rounded(t11) * t12)
 
 
-_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"), recordable=True)
+_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"), plain_twin=ufunc("plain_projection_center_from_mu"), recordable=True)
 
 
 def _center_from_mu_factors(
@@ -415,10 +399,6 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     With compensation of sums that may cancel: 77 (5 of them compute errors of products).
     This is the cheapest accurate one of 18 programs that are proved equal.
 
-    Measured error in float64: 0.429 ULP in the median, at most 2.6 ULP (400 samples, some near singularities).
-    Without compensation (`plain`): 0.665 ULP in the median; at most 167 ULP on ordinary input, 1.94e+14 ULP on all
-    samples.
-
     Examples
     --------
     >>> projection_matrix([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
@@ -448,7 +428,7 @@ def _projection_matrix(
     )
 
 
-_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"), recordable=True)
+_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"), plain_twin=ufunc("plain_projection_projection_matrix"), recordable=True)
 
 
 def _projection_matrix_factors(
@@ -463,7 +443,7 @@ _PROJECTION_MATRIX_FACTORS = (
 
 
 def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Derivatives of the entries of `projection_matrix`, row by row, by those of its arguments, in order.
+    """Derivatives of `projection_matrix`: rows are entries of the result, columns of the arguments.
 
     fundamentals1996, section 1.3; proved by (1.3.6#row0), (1.3.6#rows12).
 
@@ -556,10 +536,6 @@ def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any
     With compensation of sums that may cancel: 345 (37 of them compute errors of products).
     This is the cheapest accurate one of 12 programs that are proved equal.
 
-    Measured error in float64: 0.25 ULP in the median, at most 0.522 ULP (400 samples, some near singularities).
-    Without compensation (`plain`): 0.574 ULP in the median; at most 30 ULP on ordinary input, 6.22e+14 ULP on all
-    samples.
-
     Examples
     --------
     >>> projection_matrix_jacobian([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
@@ -610,7 +586,7 @@ def _projection_matrix_jacobian(
     )
 
 
-_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"), recordable=True)
+_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"), plain_twin=ufunc("plain_projection_projection_matrix_jacobian"), recordable=True)
 
 
 def _projection_matrix_jacobian_factors(
@@ -669,10 +645,6 @@ def projection_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any]
     Operations: 5 (3 subtractions, 2 multiplications).
     The derived expression takes 5 as written.
 
-    Measured error in float64: 0.0 ULP in the median, at most 0.5 ULP (150 samples, some near singularities).
-    Without compensation (`plain`): 0.0 ULP in the median; at most 0.5 ULP on ordinary input, 0.5 ULP on all
-    samples.
-
     Examples
     --------
     >>> projection_matrix_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
@@ -687,7 +659,7 @@ def _projection_matrix_from_mu(
     return mu1 - 1, mu2 - 1, mu3 - 1, mu1, 0, mu3 * u31, 0, mu2, mu3 * u32
 
 
-_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"), recordable=True)
+_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"), plain_twin=ufunc("plain_projection_projection_matrix_from_mu"), recordable=True)
 
 
 def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -732,10 +704,6 @@ def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | 
     With compensation of sums that may cancel: 82 (8 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
-    Measured error in float64: 0.234 ULP in the median, at most 0.499 ULP (350 samples, some near singularities).
-    Without compensation (`plain`): 1.07 ULP in the median; at most 5.19 ULP on ordinary input, 8.68e+12 ULP on all
-    samples.
-
     Examples
     --------
     >>> projection_determinant([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
@@ -752,7 +720,7 @@ def _projection_determinant(
     return (rounded(-(wide(u31) * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03))),)
 
 
-_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"), recordable=True)
+_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"), plain_twin=ufunc("plain_projection_projection_determinant"), recordable=True)
 
 
 def _projection_determinant_factors(
@@ -805,10 +773,6 @@ def projection_determinant_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray
     With compensation of sums that may cancel: 63 (7 of them compute errors of products).
     This is the cheapest accurate one of 2 programs that are proved equal.
 
-    Measured error in float64: 0.296 ULP in the median, at most 0.499 ULP (150 samples, some near singularities).
-    Without compensation (`plain`): 0.952 ULP in the median; at most 8.78 ULP on ordinary input, 2.47e+15 ULP on all
-    samples.
-
     Examples
     --------
     >>> projection_determinant_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
@@ -824,7 +788,7 @@ def _projection_determinant_from_mu(
     return (rounded(t18),)
 
 
-_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"), recordable=True)
+_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"), plain_twin=ufunc("plain_projection_projection_determinant_from_mu"), recordable=True)
 
 
 def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -881,10 +845,6 @@ def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     With compensation of sums that may cancel: 116 (6 of them compute errors of products).
     This is the cheapest accurate one of 18 programs that are proved equal.
 
-    Measured error in float64: 0.216 ULP in the median, at most 2.86 ULP (550 samples, some near singularities).
-    Without compensation (`plain`): 0.315 ULP in the median; at most 69.7 ULP on ordinary input, 1.4e+15 ULP on all
-    samples.
-
     Examples
     --------
     >>> reconstruction_matrix([-1.0679613, -0.2268166, 4.1115155], [0.2718578, 0.0577379]).round(6).tolist()
@@ -917,7 +877,7 @@ def _reconstruction_matrix(
     )
 
 
-_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"), recordable=True)
+_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"), plain_twin=ufunc("plain_projection_reconstruction_matrix"), recordable=True)
 
 
 def _reconstruction_matrix_factors(
@@ -983,10 +943,6 @@ def reconstruction_matrix_from_mu(mu: ArrayLike, u3: ArrayLike, *, out: NDArray[
     With compensation of sums that may cancel: 94 (9 of them compute errors of products).
     This is the cheapest accurate one of 10 programs that are proved equal.
 
-    Measured error in float64: 0.453 ULP in the median, at most 2.2 ULP (200 samples, some near singularities).
-    Without compensation (`plain`): 1.01 ULP in the median; at most 123 ULP on ordinary input, 4.87e+15 ULP on all
-    samples.
-
     Examples
     --------
     >>> reconstruction_matrix_from_mu([0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
@@ -1019,7 +975,7 @@ def _reconstruction_matrix_from_mu(
     )
 
 
-_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"), recordable=True)
+_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"), plain_twin=ufunc("plain_projection_reconstruction_matrix_from_mu"), recordable=True)
 
 
 def _reconstruction_matrix_from_mu_factors(
@@ -1079,10 +1035,6 @@ def project(y: ArrayLike, mu: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | N
     With compensation of sums that may cancel: 77 (8 of them compute errors of products).
     This is the cheapest accurate one of 6 programs that are proved equal.
 
-    Measured error in float64: 0.409 ULP in the median, at most 2.7 ULP (200 samples, some near singularities).
-    Without compensation (`plain`): 1.27 ULP in the median; at most 1.62e+03 ULP on ordinary input, 2.13e+14 ULP on
-    all samples.
-
     Examples
     --------
     >>> project([0.5756072, 0.1487681, 0.1279697], [0.625, 0.75, 0.5], [0.25, 0.125]).round(6).tolist()
@@ -1100,7 +1052,7 @@ def _project(
     return rounded_twice(wide(mu1) * y1 + t10 * u31) * t13, rounded_twice(wide(mu2) * y2 + t10 * u32) * t13
 
 
-_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"), recordable=True)
+_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"), plain_twin=ufunc("plain_projection_project"), recordable=True)
 
 
 def _project_factors(

@@ -1,41 +1,16 @@
-"""The kinds of claims: for each, how a printed form is compared with the derived one.
-
-A kind is a function ``compare(claim, printed, engine)`` that returns a `Proof`; every decision in it is made by
-`prove`.  `printed` is given apart from the claim, because a corrected form is compared in the same way.
-"""
+"""The kinds of claims, each a module of this folder, which nothing else has to name."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from importlib import import_module
+from pkgutil import iter_modules
 
-from algebroproj_sym.declaring.claim import Claim, Kind
-from algebroproj_sym.declaring.kinds import (
-    count,
-    definition,
-    identity,
-    limit,
-    numeric,
-    projective,
-    rank,
-    reference,
-    structure,
-    vanishing,
-)
-from algebroproj_sym.proving import Proof
+from algebroproj_sym.declaring.kind import Kind
 
-Compare = Callable[[Claim, Any, str], Proof]
-
-KINDS: dict[Kind, Compare] = {
-    "identity": identity.compare,
-    "identity under constraints": identity.compare,
-    "identity up to scale": projective.compare,
-    "structure": structure.compare,
-    "vanishing": vanishing.compare,
-    "rank": rank.compare,
-    "count": count.compare,
-    "limit": limit.compare,
-    "numeric": numeric.compare,
-    "reference": reference.compare,
-    "definition": definition.compare,
+KINDS: dict[str, Kind] = {
+    kind.name: kind
+    for module in sorted(info.name for info in iter_modules(__path__))
+    for kind in vars(import_module(f"{__name__}.{module}")).values()
+    if isinstance(kind, Kind)
 }
+"""The kinds by their names."""

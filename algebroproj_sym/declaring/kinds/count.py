@@ -6,11 +6,12 @@ functions stay what they are.  The derivatives are those of dual numbers, over f
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Unpack
 
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.kind import Declaring, Kind, Options
 from algebroproj_sym.declaring.kinds.minor import Minor, largest_minor
 from algebroproj_sym.declaring.kinds.rank import Bound, bounded, generic_rank, polynomial_vectors, values_at
 from algebroproj_sym.expressions import columns, derivatives, entries, evaluate, jacobian, symbols_of
@@ -51,3 +52,26 @@ def _is_invariant(claim: Claim, direction: sympy.MatrixBase, field: RationalFunc
     along = evaluate(direction, field.variables, field.lift)
     changes = derivatives(functions, field.variables, claim.variables, along, field.lift)
     return all(change.is_zero for change in changes)
+
+
+def count(
+    section: Declaring, number: str, title: str, *, printed: int, derived: Any, **options: Unpack[Options]
+) -> Claim:
+    """Declare how many of the functions `derived` of `variables` are independent.
+
+    `kernel` are independent directions, in the variables, along which no function changes.
+    """
+    return section.declare(COUNT, number, title, printed, derived, **options)
+
+
+COUNT = Kind(
+    "count",
+    count,
+    compare,
+    "The number of independent functions.",
+    takes=("variables", "kernel"),
+    is_reduced=False,
+    printed="Printed: how many are independent",
+    derived="Derived: the functions",
+    applied=r"\operatorname{rank} \partial %(derived)s",
+)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from itertools import islice
-from typing import Any
+from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim
+from algebroproj_sym.declaring.kind import Declaring, Kind, Options
 from algebroproj_sym.expressions import Expression, evaluate, symbols_of
 from algebroproj_sym.proving import Point, Proof, prove, rational_points, seed_of
 
@@ -30,3 +31,11 @@ def _values(printed: Expression, point: Point) -> tuple[Any, ...] | None:
         return evaluate(printed, point)
     except ZeroDivisionError:
         return None
+
+
+def definition(section: Declaring, number: str, title: str, *, printed: Any, **options: Unpack[Options]) -> Claim:
+    """Declare a notation."""
+    return section.declare(DEFINITION, number, title, printed, None, **options)
+
+
+DEFINITION = Kind("definition", definition, compare, "It introduces a notation.", is_notation=True)

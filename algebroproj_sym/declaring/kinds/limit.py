@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, Unpack
 
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.kind import Declaring, Kind, Options
 from algebroproj_sym.expressions import entries, evaluate, over, symbols_of, text, vector
 from algebroproj_sym.proving import Proof, RationalFunction, RationalFunctionField, prove
 
@@ -57,3 +58,24 @@ def _lowest(field: RationalFunctionField, polynomial: Any, variable: sympy.Symbo
     lowest = min(powers[place] for powers in terms)
     kept = {powers: value for powers, value in terms.items() if powers[place] == lowest}
     return lowest, field.expression(field.ring.polynomial(kept)).xreplace({variable: sympy.Integer(1)})
+
+
+def limit(
+    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+) -> Claim:
+    """Declare the limit of an expression where `variable` goes to zero."""
+    return section.declare(LIMIT, number, title, printed, derived, **options)
+
+
+LIMIT = Kind(
+    "limit",
+    limit,
+    compare,
+    "The limit of the expression.",
+    takes=("variable",),
+    one_shape=True,
+    is_marked=True,
+    printed="Printed: the limit",
+    derived="Derived: the expression",
+    applied=r"\lim_{%(variable)s \to 0} \left(%(derived)s\right)",
+)

@@ -1,13 +1,14 @@
-"""Equality of homogeneous vectors or matrices: equality but for a common factor."""
+"""Equality of homogeneous vectors or matrices: equality up to a common factor."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations, takewhile
-from typing import Any
+from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.kind import Declaring, Kind, Options
 from algebroproj_sym.declaring.kinds.identity import decided
 from algebroproj_sym.expressions import Scalar, entries, evaluate, vector
 from algebroproj_sym.proving import Point, Proof
@@ -71,3 +72,25 @@ def _differing_at(p: Sequence[Scalar], d: Sequence[Scalar], point: Point) -> dic
 def _is_zero(claim: Claim, entry: Scalar, engine: str) -> Proof:
     """Decide whether an entry is zero wherever the conditions hold; a refutation has a point at which it is not."""
     return decided(claim, entry, 0, engine)
+
+
+def up_to_scale(
+    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+) -> Claim:
+    """Declare that two vectors or matrices are equal up to a common factor."""
+    return section.declare(PROJECTIVE, number, title, printed, derived, **options)
+
+
+PROJECTIVE = Kind(
+    "identity up to scale",
+    up_to_scale,
+    compare,
+    "Both sides are equal up to a common factor.",
+    takes=("constraints", "nonzero", "assumed"),
+    one_shape=True,
+    is_equality=True,
+    is_marked=True,
+    derived="Derived, up to a factor",
+    relation=r"\sim",
+    negated=r"\nsim",
+)

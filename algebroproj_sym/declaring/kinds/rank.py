@@ -10,11 +10,12 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import islice
 from math import lcm
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Unpack
 
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.kind import Declaring, Kind, Options
 from algebroproj_sym.declaring.kinds.minor import Minor, largest_minor
 from algebroproj_sym.expressions import Expression, columns, evaluate, symbols_of, text, vector
 from algebroproj_sym.proving import (
@@ -170,3 +171,23 @@ def values_at(matrix: Any, point: Point) -> list[list[Fraction]]:
     """Return a matrix at a point, as rows of fractions."""
     values = evaluate(matrix, point)
     return [list(values[i * matrix.cols : (i + 1) * matrix.cols]) for i in range(matrix.rows)]
+
+
+def rank(
+    section: Declaring, number: str, title: str, *, printed: int, derived: Any, **options: Unpack[Options]
+) -> Claim:
+    """Declare the rank that a matrix has in general; `kernel` are independent vectors that it takes to zero."""
+    return section.declare(RANK, number, title, printed, derived, **options)
+
+
+RANK = Kind(
+    "rank",
+    rank,
+    compare,
+    "The generic rank of the matrix.",
+    takes=("kernel",),
+    is_reduced=False,
+    printed="Printed: the rank",
+    derived="Derived: the matrix",
+    applied=r"\operatorname{rank} %(derived)s",
+)

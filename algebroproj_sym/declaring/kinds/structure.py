@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, Unpack
 
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.kind import Declaring, Kind, Options
 from algebroproj_sym.expressions import entries, vector
 from algebroproj_sym.proving import Proof, prove
 
@@ -51,3 +52,20 @@ def _expected(mark: Any, entry: sympy.Expr, representatives: dict[sympy.Expr, sy
     if not name.is_Symbol:
         raise DeclarationError(f"{claim.number}: expected symbols with signs and integers as pattern, got {mark}")
     return sign * representatives.setdefault(name, sign * entry)
+
+
+def structure(
+    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+) -> Claim:
+    """Declare where a matrix has zeros, equal entries and opposite entries: `printed` is a pattern of symbols."""
+    return section.declare(STRUCTURE, number, title, printed, derived, **options)
+
+
+STRUCTURE = Kind(
+    "structure",
+    structure,
+    compare,
+    "The pattern says which entries are zero, equal or opposite.",
+    one_shape=True,
+    printed="Printed: the pattern",
+)

@@ -10,11 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import islice
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, Unpack
 
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.kind import Declaring, Kind, Options
 from algebroproj_sym.expressions import evaluate, symbols_of, written
 from algebroproj_sym.proving import (
     Point,
@@ -119,3 +120,24 @@ def _tells_apart(point: Point, derived: sympy.Expr, product: sympy.Expr, nonzero
         return bool((evaluate(derived, point)[0] == 0) != (evaluate(product, point)[0] == 0))
     except ZeroDivisionError:
         return False
+
+
+def vanishing(
+    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+) -> Claim:
+    """Declare that an expression is zero exactly where one of the factors `printed` is."""
+    return section.declare(VANISHING, number, title, tuple(printed), derived, **options)
+
+
+VANISHING = Kind(
+    "vanishing",
+    vanishing,
+    compare,
+    "The expression is zero exactly where one of the printed factors is.",
+    takes=("nonzero",),
+    printed="Printed: where it is zero",
+    derived="Derived: the expression",
+    relation=r"= 0 \iff",
+    negated=r"= 0 \nLeftrightarrow",
+    derived_first=True,
+)

@@ -2,23 +2,3 @@
 
 catalogue (what there is) → formulas, comparison, evidence, plots (as HTML) → pages → folder (written as a whole).
 """
-
-from algebroproj_sym.reporting.site.catalogue import Catalogue, catalogue
-from algebroproj_sym.reporting.site.folder import OccupiedError, replace, require_free
-from algebroproj_sym.reporting.site.function_pages import functions_of
-from algebroproj_sym.reporting.site.pages import render_site
-from algebroproj_sym.reporting.site.records import RecordError, Speed, read_checked, read_speed
-
-__all__ = [
-    "Catalogue",
-    "OccupiedError",
-    "RecordError",
-    "Speed",
-    "catalogue",
-    "functions_of",
-    "read_checked",
-    "read_speed",
-    "render_site",
-    "replace",
-    "require_free",
-]

@@ -52,11 +52,6 @@ def claim_page(paper: str, number: str) -> str:
     return f"{paper}/{slug(number)}.html"
 
 
-def claim_record_file(paper: str, number: str) -> str:
-    """Return the address of the ledger's record of a claim."""
-    return f"{paper}/{slug(number)}.json"
-
-
 def function_page(qualified_name: str) -> str:
     """Return the address of the page of a generated function."""
     return f"functions/{qualified_name}.html"

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from algebroproj_sym.declaring import Derivation, Judgement, Publication, publication
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Publication, publication
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.notebooks import Notebook
 from algebroproj_sym.reporting.site.addresses import claim_page, function_page, notebook_page, slug
-from algebroproj_sym.reporting.site.records import Speed, Timing
 from algebroproj_sym.verifying import Verification
 
 
@@ -52,29 +51,14 @@ class Entry:
     derivation: Derivation
 
     @property
-    def paper(self) -> str:
-        """The paper key."""
-        return self.judgement.claim.paper
-
-    @property
-    def number(self) -> str:
-        """The paper's own number."""
-        return self.judgement.claim.number
-
-    @property
-    def title(self) -> str:
-        """What the claim says."""
-        return self.judgement.claim.title
-
-    @property
-    def verdict(self) -> str:
-        """The verdict."""
-        return self.judgement.verdict
+    def claim(self) -> Claim:
+        """What is declared."""
+        return self.judgement.claim
 
     @property
     def page(self) -> str:
         """The address of its page."""
-        return claim_page(self.paper, self.number)
+        return claim_page(self.claim.paper, self.claim.number)
 
 
 @dataclass(frozen=True)
@@ -93,11 +77,6 @@ class Paper:
     about: Publication
     chapters: tuple[Chapter, ...]
 
-    @property
-    def key(self) -> str:
-        """The paper key."""
-        return self.about.key
-
     @cached_property
     def entries(self) -> tuple[Entry, ...]:
         """All claims in the paper's order."""
@@ -110,7 +89,7 @@ class Paper:
 
     def with_verdict(self, *verdicts: str) -> tuple[Entry, ...]:
         """Return the claims with one of some verdicts."""
-        return tuple(entry for entry in self.entries if entry.verdict in verdicts)
+        return tuple(entry for entry in self.entries if entry.judgement.verdict in verdicts)
 
 
 @dataclass(frozen=True)
@@ -125,17 +104,11 @@ class Catalogue:
         In the order of the kernels.
     notebooks : tuple of Notebook
         The derivations, run; none unless they are wanted.
-    checked : set of pair of str
-        Paper and number of the claims that the kernel of a proof assistant has accepted.
-    speed : Speed or None
-        How long the functions take, if it was measured.
     """
 
     papers: tuple[Paper, ...]
     functions: tuple[Function, ...]
     notebooks: tuple[Notebook, ...] = ()
-    checked: Set[tuple[str, str]] = frozenset()
-    speed: Speed | None = None
 
     @property
     def entries(self) -> tuple[Entry, ...]:
@@ -145,34 +118,18 @@ class Catalogue:
     @cached_property
     def by_number(self) -> Mapping[tuple[str, str], Entry]:
         """The claims by paper and number."""
-        return {(entry.paper, entry.number): entry for entry in self.entries}
+        return {(entry.claim.paper, entry.claim.number): entry for entry in self.entries}
 
     def cell_of(self, entry: Entry) -> str | None:
         """Return the address of the cell that derives a claim, if the notebook was run."""
         module = entry.derivation.module
         ran = any(notebook.module == module for notebook in self.notebooks)
-        return f"{notebook_page(module)}#{slug(entry.number)}" if ran else None
+        return f"{notebook_page(module)}#{slug(entry.claim.number)}" if ran else None
 
-    def is_checked(self, entry: Entry) -> bool:
-        """Whether the kernel of a proof assistant has accepted a claim."""
-        return (entry.paper, entry.number) in self.checked
-
-    def timings(self, function: Function) -> tuple[Timing, ...]:
-        """Return how long a function takes, as far as it was measured."""
-        return self.speed.functions.get(function.name, ()) if self.speed else ()
-
-    def functions_on(self, entry: Entry) -> tuple[Function, ...]:
+    def functions_on(self, claim: Claim) -> tuple[Function, ...]:
         """Return the functions that rest on a claim."""
-        return self._functions_by_claim.get((entry.paper, entry.number), ())
-
-    @cached_property
-    def _functions_by_claim(self) -> Mapping[tuple[str, str], tuple[Function, ...]]:
-        found: dict[tuple[str, str], tuple[Function, ...]] = {}
-        for function in self.functions:
-            kernel = function.lowered.kernel
-            for number in kernel.claims:
-                found[kernel.paper, number] = (*found.get((kernel.paper, number), ()), function)
-        return found
+        kernels = ((function, function.lowered.kernel) for function in self.functions)
+        return tuple(f for f, kernel in kernels if kernel.paper == claim.paper and claim.number in kernel.claims)
 
 
 def catalogue(
@@ -180,8 +137,6 @@ def catalogue(
     derivations: Sequence[Derivation],
     functions: Sequence[Function] = (),
     notebooks: Sequence[Notebook] = (),
-    checked: Set[tuple[str, str]] = frozenset(),
-    speed: Speed | None = None,
 ) -> Catalogue:
     """Return what the site is about.
 
@@ -195,33 +150,29 @@ def catalogue(
         The generated functions.
     notebooks : sequence of Notebook
         The derivations, run.
-    checked : set of pair of str
-        Paper and number of the claims that the kernel of a proof assistant has accepted.
-    speed : Speed, optional
-        How long the functions take.
     """
     entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
-    groups = _grouped(sorted(entries, key=_place), lambda entry: entry.paper)
-    papers = tuple(Paper(publication(key), _chapters(group)) for key, group in groups)
-    return Catalogue(papers, tuple(functions), tuple(notebooks), checked, speed)
+    groups = _grouped(sorted(entries, key=_place), lambda entry: entry.claim.paper)
+    papers = tuple(Paper(publication(key), _chapters(group)) for key, group in groups.items())
+    return Catalogue(papers, tuple(functions), tuple(notebooks))
 
 
 def _place(entry: Entry) -> tuple[str, str, int]:
     """Return where a claim stands: paper, module, and place in the module."""
-    return entry.paper, entry.derivation.module, entry.derivation.section.claims.index(entry.judgement.claim)
+    return entry.claim.paper, entry.derivation.module, entry.derivation.section.claims.index(entry.claim)
 
 
 def _chapters(entries: Sequence[Entry]) -> tuple[Chapter, ...]:
-    sections = _grouped(entries, lambda entry: entry.judgement.claim.section)
-    return tuple(Chapter(number, _titles(group), tuple(group)) for number, group in sections)
+    sections = _grouped(entries, lambda entry: entry.claim.section)
+    return tuple(Chapter(number, _titles(group), tuple(group)) for number, group in sections.items())
 
 
-def _grouped(entries: Sequence[Entry], key: Callable[[Entry], str]) -> list[tuple[str, list[Entry]]]:
+def _grouped(entries: Sequence[Entry], key: Callable[[Entry], str]) -> Mapping[str, list[Entry]]:
     """Return the claims by a key, keys in the order of their first claims."""
     groups: dict[str, list[Entry]] = {}
     for entry in entries:
         groups.setdefault(key(entry), []).append(entry)
-    return list(groups.items())
+    return groups
 
 
 def _titles(entries: Sequence[Entry]) -> str:

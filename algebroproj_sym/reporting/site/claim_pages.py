@@ -2,79 +2,64 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
-from typing import Any
-
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Part, as_declared, bibtex, quotations
-from algebroproj_sym.reporting.site.addresses import claim_record_file, errata_page, paper_page
+from algebroproj_sym.declaring import KINDS, bibtex, quotations
+from algebroproj_sym.reporting.site.addresses import errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
     comparison,
-    conditions,
     forms_of,
     marks_of,
-    reference_text,
     relation,
     where,
 )
 from algebroproj_sym.reporting.site.evidence import evidence
-from algebroproj_sym.reporting.site.formulas import Form, block, described, listed
+from algebroproj_sym.reporting.site.formulas import block, described, listed
 from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.templating import page
+from algebroproj_sym.showing import Part, as_declared
 
 
-def claim_files(catalogue: Catalogue, paper: Paper, place: int, ledger_record: Mapping[str, Any]) -> dict[str, str]:
-    """Return the page of a claim, and its record in the ledger if something was too long for the page."""
+def claim_html(catalogue: Catalogue, paper: Paper, place: int) -> str:
+    """Return the page of a claim."""
     entry = paper.entries[place]
-    claim = entry.judgement.claim
-    forms, found = comparison(entry.judgement), evidence(entry.judgement)
-    meanings = where(claim)
-    instead = catalogue.by_number.get((entry.paper, claim.instead))
-    complete = forms.complete and found.complete and all(form.complete for _, form in meanings)
-    record = None if complete else claim_record_file(entry.paper, entry.number)
-    html = page(
+    claim = entry.claim
+    sides, differences = comparison(entry.judgement)
+    sentences, tables = evidence(entry.judgement)
+    return page(
         "claim",
         entry.page,
         entry=entry,
         claim=claim,
         paper=paper,
         relation=relation(claim),
-        comparison=forms,
-        conditions=conditions(entry.judgement),
-        where=meanings,
-        constraints=[block(expression) for expression in claim.constraints],
-        nonzero=[block(expression) for expression in claim.nonzero],
-        evidence=found,
-        note=linked(claim.note, entry.paper, entry.page, catalogue),
-        instead=instead,
-        instead_conditions=conditions(instead.judgement) if instead else "",
-        functions=catalogue.functions_on(entry),
-        quote=quotations(entry.derivation.path.parent).quotes.get(entry.number),
+        sides=sides,
+        differences=differences,
+        where=where(claim),
+        sentences=sentences,
+        tables=tables,
+        note=linked(claim.note, entry.claim.paper, entry.page, catalogue),
+        instead=catalogue.by_number.get((entry.claim.paper, claim.instead)),
+        functions=catalogue.functions_on(entry.claim),
+        quote=quotations(entry.derivation.path.parent).quotes.get(entry.claim.number),
         cell=catalogue.cell_of(entry),
-        checked=catalogue.is_checked(entry),
         previous=paper.entries[place - 1] if place else None,
         following=paper.entries[place + 1] if place + 1 < len(paper.entries) else None,
-        record=record,
     )
-    if record is None:
-        return {entry.page: html}
-    return {entry.page: html, record: json.dumps(ledger_record, indent=1, ensure_ascii=False) + "\n"}
 
 
 def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
     """Return the pages that list the claims of a paper: all of them, and the errata."""
-    address = paper_page(paper.key)
-    files = {address: page("paper", address, paper=paper, line=_line, conditions=conditions)}
-    address = errata_page(paper.key)
+    address = paper_page(paper.about.key)
+    files = {address: page("paper", address, paper=paper, line=_line)}
+    address = errata_page(paper.about.key)
 
     def note(entry: Entry) -> Markup:
-        return linked(entry.judgement.claim.note, paper.key, address, catalogue)
+        return linked(entry.claim.note, paper.about.key, address, catalogue)
 
     def instead(entry: Entry) -> Entry | None:
-        return catalogue.by_number.get((paper.key, entry.judgement.claim.instead))
+        return catalogue.by_number.get((paper.about.key, entry.claim.instead))
 
     files[address] = page(
         "errata",
@@ -82,7 +67,6 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
         paper=paper,
         bibtex=bibtex(paper.about),
         forms=_erratum,
-        conditions=conditions,
         stated=_stated,
         note=note,
         instead=instead,
@@ -92,9 +76,9 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
 
 def _line(entry: Entry) -> Markup:
     """Return what is printed, and what is right instead, as far as it fits into a line."""
-    claim = entry.judgement.claim
-    if claim.kind == "reference":
-        printed, corrected = Markup(reference_text(claim.printed)), Markup(reference_text(claim.derived))
+    claim = entry.claim
+    if as_text := KINDS[claim.kind].text:
+        printed, corrected = (Markup("({})").format(as_text(form)) for form in (claim.printed, claim.derived))
         return printed if claim.printed == claim.derived else _arrow(printed, corrected)
     forms = forms_of(claim)
     marks = marks_of(entry.judgement, forms)
@@ -117,22 +101,18 @@ def _summary(statement: object) -> Markup:
     return Markup('<span class="summary">{}</span>').format(described(statement))
 
 
-def _erratum(entry: Entry) -> tuple[Form, Form]:
+def _erratum(entry: Entry) -> tuple[Markup, ...]:
     """Return the printed and the corrected form of a misprint, the difference marked."""
-    claim = entry.judgement.claim
-    if claim.kind == "reference":
-        pair = (reference_text(claim.printed), reference_text(claim.derived))
-        return Form(Markup('<p class="number">{}</p>').format(pair[0])), Form(
-            Markup('<p class="number">{}</p>').format(pair[1])
-        )
+    claim = entry.claim
+    if as_text := KINDS[claim.kind].text:
+        as_number = Markup('<p class="number">({})</p>')
+        return as_number.format(as_text(claim.printed)), as_number.format(as_text(claim.derived))
     forms = forms_of(claim)
     marks = marks_of(entry.judgement, forms)
-    printed, corrected = (
-        block(forms[part], marks[part], f"{part} form", ordered=False) for part in ("printed", "corrected")
-    )
-    return printed, corrected
+    parts: tuple[Part, ...] = ("printed", "corrected")
+    return tuple(block(forms[part], marks[part], f"{part} form", ordered=False) for part in parts)
 
 
-def _stated(entry: Entry) -> Form:
-    part: Part = "corrected" if entry.judgement.claim.printed is None else "printed"
-    return block(as_declared(entry.judgement.claim, part), label="form", ordered=False)
+def _stated(entry: Entry) -> Markup:
+    part: Part = "corrected" if entry.claim.printed is None else "printed"
+    return block(as_declared(entry.claim, part), label="form", ordered=False)

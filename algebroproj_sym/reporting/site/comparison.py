@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -11,14 +10,12 @@ from typing import Any
 import sympy
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Claim, Judgement, Part, arranged, as_declared, differing_entries, in_names
-from algebroproj_sym.declaring.latex import NOTHING, WHOLE, Marks, latex
-from algebroproj_sym.expressions import assumption, evaluate, size
-from algebroproj_sym.reporting.forms import derived_form
+from algebroproj_sym.declaring import KINDS, Claim, Judgement
+from algebroproj_sym.expressions import assumption, evaluate, shape, size
+from algebroproj_sym.reporting.explaining import apart, plain_rows
 from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.formulas import (
     SMALL,
-    Form,
     block,
     derived_number,
     described,
@@ -30,85 +27,38 @@ from algebroproj_sym.reporting.site.formulas import (
 )
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
+from algebroproj_sym.showing import Part, arranged, as_declared, derived_form, differing_entries, in_names
+from algebroproj_sym.showing.latex import NOTHING, WHOLE, Marks, latex
 
-_RELATIONS = {
-    "identity": "Both sides are equal wherever they are defined.",
-    "identity up to scale": "Both sides are equal but for a common factor.",
-    "identity under constraints": "Both sides are equal wherever the constraints hold.",
-    "structure": "The pattern says which entries are zero, equal or opposite.",
-    "vanishing": "The expression is zero exactly where one of the printed factors is.",
-    "rank": "The rank that the matrix has in general.",
-    "count": "How many of the functions are independent.",
-    "limit": "The limit of the expression.",
-    "reference": "Where the reference points.",
-    "definition": "It introduces a notation.",
-}
-_ROUNDINGS = {
-    "nearest": "The printed number is the nearest to the exact one with as many decimals.",
-    "cut": "The printed number is the exact one, with its further digits cut off.",
-}
-_DERIVED = {
-    "identity up to scale": "Derived, but for a factor",
-    "vanishing": "Derived: the expression",
-    "rank": "Derived: the matrix",
-    "count": "Derived: the functions",
-    "limit": "Derived: the expression",
-    "reference": "Meant",
-}
-_PRINTED = {
-    "vanishing": "Printed: where it is zero",
-    "rank": "Printed: the rank",
-    "count": "Printed: how many are independent",
-    "limit": "Printed: the limit",
-    "structure": "Printed: the pattern",
-}
 MOST = 6
 """How many conditions are shown in a line."""
-_ENTRYWISE = ("identity", "identity up to scale", "identity under constraints", "limit", "reference")
+LARGEST_CELL = 60
+LONGEST_CELL = 160
+"""Symbols and numbers of the largest formula in a table, and characters of the longest text there."""
 
 
-@dataclass(frozen=True)
-class Side:
-    """One of the forms that stand side by side."""
-
-    caption: str
-    form: Form
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """The forms of a claim, and its differences as a table."""
-
-    sides: tuple[Side, ...]
-    differences: Table | None
-
-    @property
-    def complete(self) -> bool:
-        """Whether all forms are shown in full."""
-        return all(side.form.complete for side in self.sides)
-
-
-def comparison(judgement: Judgement) -> Comparison:
-    """Return printed, derived and corrected form of a claim."""
+def comparison(judgement: Judgement) -> tuple[list[tuple[str, Markup]], Table | None]:
+    """Return printed, derived and corrected form of a claim with their captions, and its differences as a table."""
     claim = judgement.claim
     forms = forms_of(claim)
     marks = marks_of(judgement, forms)
+    kind = KINDS[claim.kind]
     captions: dict[Part, str] = {
-        "printed": _PRINTED.get(claim.kind, "Printed"),
-        "derived": _DERIVED.get(claim.kind, "Derived"),
+        "printed": kind.printed,
+        "derived": kind.derived,
         "corrected": "Reconstructed" if claim.printed is None else "Corrected",
     }
     sides = [
-        Side(caption, _form(claim, part, forms[part], marks[part]))
+        (caption, _form(claim, part, forms[part], marks[part]))
         for part, caption in captions.items()
-        if part == "printed" or (forms[part] is not None and (part, claim.kind) != ("corrected", "reference"))
+        if part == "printed" or (forms[part] is not None and not (part == "corrected" and kind.text))
     ]
-    return Comparison(tuple(sides), _table(judgement, forms))
+    return sides, _table(judgement, forms)
 
 
 def relation(claim: Claim) -> str:
     """Return how the printed form is compared with the derived one."""
-    return _ROUNDINGS[claim.rounding] if claim.kind == "numeric" else _RELATIONS[claim.kind]
+    return KINDS[claim.kind].sentence(claim)
 
 
 def forms_of(claim: Claim) -> Mapping[Part, Any]:
@@ -120,21 +70,10 @@ def forms_of(claim: Claim) -> Mapping[Part, Any]:
     }
 
 
-def reference_text(statement: Any) -> str:
-    """Return a reference that is declared as numbers in a row.
-
-    Examples
-    --------
-    >>> reference_text(sympy.Matrix([[1, 3, 8]]))
-    '(1.3.8)'
-    """
-    return f"({'.'.join(map(str, statement))})"
-
-
-def _form(claim: Claim, part: Part, form: Any, marks: Marks) -> Form:
-    if claim.kind == "reference":
-        return Form(Markup('<p class="number">{}</p>').format(reference_text(form)))
-    if claim.kind == "numeric" and part == "derived":
+def _form(claim: Claim, part: Part, form: Any, marks: Marks) -> Markup:
+    if as_text := KINDS[claim.kind].text:
+        return Markup('<p class="number">({})</p>').format(as_text(form))
+    if isinstance(claim.printed, Decimal) and part == "derived":
         return derived_number(claim, _exact(claim.derived))
     label = "reconstructed form" if part == "corrected" and claim.printed is None else f"{part} form"
     whole = block(form, marks, label, ordered=False)
@@ -151,14 +90,14 @@ def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, M
     """Return what to mark in the forms of a claim: where the printed one differs from the right one."""
     none: Mapping[Part, Marks] = {"printed": NOTHING, "derived": NOTHING, "corrected": NOTHING}
     claim = judgement.claim
-    if judgement.verdict not in ("misprint", "false") or claim.printed is None:
+    if judgement.verdict not in ("misprint", "error", "false") or claim.printed is None:
         return none
     if isinstance(claim.printed, Decimal):
         if not isinstance(claim.corrected, Decimal):
             return {**none, "printed": WHOLE}
         printed, corrected = digits_that_differ(claim.printed, claim.corrected)
         return {**none, "printed": printed, "corrected": corrected}
-    if claim.kind not in _ENTRYWISE:
+    if not KINDS[claim.kind].is_marked:
         return none
     right: Part = "derived" if claim.corrected is None else "corrected"
     left_marks, right_marks = difference(forms["printed"], forms[right])
@@ -172,26 +111,35 @@ def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, M
 
 
 def _table(judgement: Judgement, forms: Mapping[Part, Any]) -> Table | None:
-    """Return the entries that differ, in words, for those who do not see the marks."""
+    """Return what differs, in words, for those who do not see the marks: entries, or the place in a long form."""
     claim = judgement.claim
-    if judgement.verdict not in ("misprint", "false") or claim.kind != "identity":
+    if judgement.verdict not in ("misprint", "error", "false") or claim.kind != "identity":
         return None
-    if not isinstance(claim.printed, sympy.MatrixBase):
-        return None
-    width = claim.printed.cols
     right: Part = "derived" if claim.corrected is None else "corrected"
-    rows = [
-        (
-            f"row {place // width + 1}, column {place % width + 1}",
-            *(_cell(forms[part][place]) for part in ("printed", right)),
-        )
-        for place, _, _ in differing_entries(claim)
-    ]
+    pair = forms["printed"], forms[right]
+    if isinstance(claim.printed, sympy.MatrixBase):
+        places = [place for place, _, _ in differing_entries(claim)]
+        rows = [(place_of(claim, place), *_cells(*(form[place] for form in pair))) for place in places]
+    else:
+        rows = [] if all(map(is_formula, pair)) else [(place_of(claim, 0), *_cells(*pair))]
     return Table("Entries that differ", ("entry", "printed", right), rows) if rows else None
 
 
-def _cell(entry: Any) -> Markup | str:
-    return inline(entry, most=60, ordered=False) or described(entry)
+def place_of(claim: Claim, place: int) -> str:
+    """Return where an entry of a form stands."""
+    if not shape(claim.derived):
+        return "value"
+    row, column = divmod(place, claim.derived.cols)  # type: ignore[union-attr]
+    return f"row {row + 1}, column {column + 1}"
+
+
+def _cells(printed: Any, right: Any) -> tuple[Markup, ...]:
+    """Return two entries as formulas, or as texts where one is long."""
+    formulas = [inline(entry, LARGEST_CELL, ordered=False) for entry in (printed, right)]
+    if all(formulas):
+        return tuple(formula for formula in formulas if formula)
+    texts = apart(plain_rows(printed)[0], plain_rows(right)[0], LONGEST_CELL)
+    return tuple(Markup("<code>{}</code>").format(text) for text in texts)
 
 
 def conditions(judgement: Judgement) -> Markup:
@@ -213,6 +161,6 @@ def _condition(expression: Any, relation: str) -> Markup:
     return in_line(Markup("{} {} 0").format(shown, relation), focusable=size(expression) > SMALL)
 
 
-def where(claim: Claim) -> list[tuple[Markup, Form]]:
+def where(claim: Claim) -> list[tuple[Markup, Markup]]:
     """Return what symbols of the printed form stand for."""
     return [(math(latex(symbol)), block(value)) for symbol, value in claim.where.items()]

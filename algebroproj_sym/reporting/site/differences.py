@@ -10,9 +10,9 @@ from typing import Any, TypeAlias
 
 import sympy
 
-from algebroproj_sym.declaring.arranging import value_of
-from algebroproj_sym.declaring.latex import NOTHING, SIGN, WHOLE, Marks
 from algebroproj_sym.expressions import over, shape
+from algebroproj_sym.showing.arranging import value_of
+from algebroproj_sym.showing.latex import NOTHING, SIGN, WHOLE, Marks
 
 Pair: TypeAlias = tuple[Marks, Marks]
 Parts: TypeAlias = Mapping[int, Any]
@@ -26,7 +26,7 @@ def difference(left: Any, right: Any) -> Pair:
 
     Examples
     --------
-    >>> from algebroproj_sym.declaring.arranging import arranged
+    >>> from algebroproj_sym.showing.arranging import arranged
     >>> x, y, z = sympy.symbols("x y z")
     >>> difference(x + y, x + y)[0] == NOTHING
     True

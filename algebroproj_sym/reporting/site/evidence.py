@@ -2,77 +2,56 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-import sympy
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Claim, Judgement
-from algebroproj_sym.declaring.claim import in_derived_terms
-from algebroproj_sym.expressions import evaluate, shape, text
-from algebroproj_sym.reporting.site.formulas import bullet, symbol
+from algebroproj_sym.declaring import Judgement
+from algebroproj_sym.expressions import text
+from algebroproj_sym.reporting.explaining import sides_at_counterexample
+from algebroproj_sym.reporting.site.comparison import place_of
+from algebroproj_sym.reporting.site.formulas import folded, symbol
 from algebroproj_sym.reporting.site.tables import Table
 
 LONGEST_VALUE = 1200
 
 METHODS = {
     "normal form": "Both sides have the same normal form in the field of rational functions over Q.",
-    "ideal membership": "The numerator of the difference, times a power of the multiplier, is a combination of the "
-    "constraints: the cofactors are below, and multiplied out they give it.",
+    "ideal membership": "The numerator of the difference, times the multiplier, is a combination of the constraints. "
+    "The cofactors are below; multiplying them out shows it.",
+    "radical membership": "A power of the numerator of the difference, times the multiplier, is a combination of the "
+    "constraints. The cofactors are below; multiplying them out shows it.",
+    "sums of squares": "The difference vanishes where a sum of squares does, which the constraints make zero.",
+    "case distinction": "The difference vanishes in each of the cases below.",
     "exact rounding": "The exact number, rounded as declared, was compared with the printed one.",
-    "rank at a point and kernel vectors": "From below by the exact rank at a rational point, from above by vectors "
-    "that are taken to zero.",
+    "rank at a point and kernel vectors": "The exact rank at a rational point bounds the rank from below. Independent "
+    "vectors in the kernel bound it from above.",
     "factorisation": "The irreducible factors of the numerator were compared with the printed ones.",
-    "instance": "The notation is well-formed; one exact instance is below.",
-    "comparison of references": "The reference was compared with what it must point to.",
-    "counterexample": "At an exact rational point it does not hold.",
+    "instance": "The notation is well-formed. One exact instance is below.",
+    "comparison of references": "The printed number was compared with the number of the formula that is meant.",
+    "counterexample": "It fails at a rational point, computed exactly.",
     "leading coefficients": "The limit is the quotient of the coefficients of the lowest powers.",
-    "kernel vectors": "Vectors that are taken to zero bound the rank from above.",
-    "divergence": "The expression has a pole there.",
+    "kernel vectors": "Independent vectors in the kernel bound the rank from above.",
+    "divergence": "The expression has a pole where the variable goes to zero.",
 }
 _SHOWN_ELSEWHERE = ("method", "reason", "refutation", "entries", "left", "right", "witness", "point", "instance")
-_WITH_VALUES = ("identity", "identity under constraints", "identity up to scale")
 
 
-@dataclass(frozen=True)
-class Evidence:
-    """The evidence for a verdict.
-
-    Attributes
-    ----------
-    sentences : tuple of str
-        How the verdict was found.
-    hypotheses : tuple of Markup
-        What must not vanish.
-    tables : tuple of Table
-        Points, values and certificates.
-    complete : bool
-        Whether nothing was too long to be shown.
-    """
-
-    sentences: tuple[str, ...]
-    hypotheses: tuple[Markup, ...]
-    tables: tuple[Table, ...]
-    complete: bool
-
-
-def evidence(judgement: Judgement) -> Evidence:
-    """Return the evidence for a verdict."""
+def evidence(judgement: Judgement) -> tuple[tuple[str, ...], list[Table]]:
+    """Return the evidence for a verdict: sentences on how it was found; points, values and certificates as tables."""
     certificate: Mapping[str, Any] = judgement.certificate or {}
     refutation: Mapping[str, Any] = certificate.get("refutation") or {}
     tables = [
         *_counterexample(judgement),
         *_data("Refutation of the printed form", _rest(refutation, judgement)),
         *(_points(certificate)),
-        *_cofactors(judgement.claim, certificate),
+        *_cofactors(certificate),
         *_data("Certificate", _rest(certificate, judgement)),
     ]
-    hypotheses = tuple(map(bullet, judgement.hypotheses))
-    cut = [cell for table in tables for row in table.rows for cell in row if "…" in cell]
-    return Evidence(_sentences(judgement, certificate, refutation), hypotheses, tuple(tables), not cut)
+    return _sentences(judgement, certificate, refutation), tables
 
 
 def _sentences(judgement: Judgement, certificate: Mapping[str, Any], refutation: Mapping[str, Any]) -> tuple[str, ...]:
@@ -80,7 +59,7 @@ def _sentences(judgement: Judgement, certificate: Mapping[str, Any], refutation:
     if method == "none":
         return (f"Undecided: {certificate['reason']}.",)
     found = METHODS.get(method, method)
-    if judgement.verdict == "misprint":
+    if judgement.verdict in ("misprint", "error"):
         return f"The printed form: {_lowered(METHODS.get(refutation.get('method', ''), ''))}", (
             f"The corrected form: {_lowered(found)}"
         )
@@ -99,33 +78,19 @@ def _counterexample(judgement: Judgement) -> list[Table]:
         return []
     rows = [(symbol(key.name), _fraction(value)) for key, value in point.items()]
     tables = [Table("Counterexample: a point at which it fails", ("symbol", "value"), rows)]
-    values = _values(judgement.claim, point)
+    values = _values(judgement)
     if values:
         note = ", which are not proportional" if judgement.claim.kind == "identity up to scale" else ""
         tables.append(Table(f"Both sides at this point{note}", ("entry", "printed", "derived"), values))
     return tables
 
 
-def _values(claim: Claim, point: Mapping[sympy.Symbol, Fraction]) -> list[tuple[Markup | str, ...]]:
-    if claim.kind not in _WITH_VALUES or claim.printed is None or claim.derived is None:
-        return []
-    printed: Any = in_derived_terms(claim.printed, claim.where)
-    try:
-        pairs = list(zip(evaluate(printed, point), evaluate(claim.derived, point), strict=True))
-    except (KeyError, ZeroDivisionError):
-        return []
-    marked = claim.kind != "identity up to scale"
+def _values(judgement: Judgement) -> list[tuple[Markup | str, ...]]:
+    marked = judgement.claim.kind != "identity up to scale"
     return [
-        (_place(claim, k), _fraction(p, marked and p != d), _fraction(d, marked and p != d))
-        for k, (p, d) in enumerate(pairs)
+        (place_of(judgement.claim, k), *(_fraction(value, marked and p != d) for value in (p, d)))
+        for k, (p, d) in enumerate(sides_at_counterexample(judgement))
     ]
-
-
-def _place(claim: Claim, place: int) -> str:
-    if not shape(claim.derived):
-        return "value"
-    width = claim.derived.cols  # type: ignore[union-attr]
-    return f"row {place // width + 1}, column {place % width + 1}"
 
 
 def _fraction(value: Fraction, marked: bool = False) -> Markup | str:
@@ -135,7 +100,7 @@ def _fraction(value: Fraction, marked: bool = False) -> Markup | str:
 def _points(certificate: Mapping[str, Any]) -> list[Table]:
     captions = {
         "witness": "Witness: a point that satisfies constraints and hypotheses",
-        "point": "The point from below",
+        "point": "Point with this rank",
         "instance": "Instance",
     }
     return [
@@ -145,15 +110,18 @@ def _points(certificate: Mapping[str, Any]) -> list[Table]:
     ]
 
 
-def _cofactors(claim: Claim, certificate: Mapping[str, Any]) -> list[Table]:
+def _cofactors(certificate: Mapping[str, Any]) -> list[Table]:
+    entries = [(f"entry {k}", entry) for k, entry in enumerate(certificate.get("entries", ()), 1)]
     rows = [
-        (f"entry {k + 1}, constraint {i + 1}", str(entry["power"]), _code(cofactor))
-        for k, entry in enumerate(certificate.get("entries", ()))
-        for i, cofactor in enumerate(entry["cofactors"])
+        (f"{name}, constraint {int(i) + 1}", str(entry["exponent"]), _code(entry["multiplier"]), _code(cofactor))
+        for name, entry in entries
+        for i, cofactor in entry.get("cofactors", {}).items()
+        if "steps" not in entry
     ]
-    if not rows:
-        return []
-    return [Table("Cofactors of the constraints", ("of", "power of the multiplier", "cofactor"), rows)]
+    cases = [(name, _code(json.dumps(e))) for name, e in entries if "steps" in e or "cofactors" not in e]
+    headings = ("of", "power of the difference", "multiplier", "cofactor")
+    tables = (Table("Cofactors of the constraints", headings, rows), Table("Proof by steps", ("of", "steps"), cases))
+    return [table for table in tables if table.rows]
 
 
 def _rest(certificate: Mapping[str, Any], judgement: Judgement) -> Mapping[str, Any]:
@@ -185,8 +153,5 @@ def _items(values: Iterable[Any]) -> Markup:
 
 
 def _code(text: str) -> Markup:
-    return Markup("<code>{}</code>").format(_cut(text))
-
-
-def _cut(text: str) -> str:
-    return text if len(text) <= LONGEST_VALUE else f"{text[:LONGEST_VALUE]} … ({len(text)} characters)"
+    code = Markup("<code>{}</code>").format(text)
+    return code if len(text) <= LONGEST_VALUE else folded(f"{len(text):,} characters", code)

@@ -1,9 +1,8 @@
-"""Forms of claims and kernels as HTML: as a formula, as text where that is too long, or in a sentence."""
+"""Forms of claims and kernels as HTML: as a formula, or as text, which is folded where it is long."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -11,13 +10,14 @@ from typing import Any
 import sympy
 from markupsafe import Markup, escape
 
-from algebroproj_sym.declaring import Claim, Named, Statement, latex_of_name, named_latex, shown
-from algebroproj_sym.declaring.latex import MARK, NOTHING, WHOLE, Marks, latex
-from algebroproj_sym.declaring.names import letter, parts
-from algebroproj_sym.declaring.naming import Meaning
+from algebroproj_sym.declaring import Claim, Statement
 from algebroproj_sym.expressions import decimals, entries, leading, size
-from algebroproj_sym.reporting.site.addresses import claim_record_file
+from algebroproj_sym.reporting.explaining import plain_rows, shared_out
 from algebroproj_sym.reporting.site.mathml import math
+from algebroproj_sym.showing import Named, latex_of_name, named_latex
+from algebroproj_sym.showing.latex import MARK, NOTHING, WHOLE, Marks, latex
+from algebroproj_sym.showing.names import letter, parts
+from algebroproj_sym.showing.naming import Meaning
 
 LARGEST_FORMULA = 400
 LARGEST_ENTRY = 90
@@ -25,26 +25,14 @@ LARGEST_INLINE = 24
 LARGEST_FACTOR = 8
 SMALL = 6
 LONGEST_TEXT = 5000
+BEGINNING = 600
+"""Characters of a text that is not folded, and of what is shown of one that is."""
 LONGEST_FRACTION = 40
 
 
-@dataclass(frozen=True)
-class Form:
-    """A form as HTML.
-
-    Attributes
-    ----------
-    html : Markup
-        What to show.
-    complete : bool
-        Whether it is all there; what is not is in the ledger's record of the claim.
-    """
-
-    html: Markup
-    complete: bool = True
-
-
-def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "formula", *, ordered: bool = True) -> Form:
+def block(
+    statement: Statement | None, marks: Marks = NOTHING, label: str = "formula", *, ordered: bool = True
+) -> Markup:
     """Return a form as a block of its own.
 
     Parameters
@@ -59,24 +47,24 @@ def block(statement: Statement | None, marks: Marks = NOTHING, label: str = "for
         Whether to put terms and factors in order, or to leave them as they are.
     """
     if statement is None:
-        return Form(Markup("<p>The scan does not preserve it.</p>"))
+        return Markup("<p>The scan does not preserve it.</p>")
     if isinstance(statement, Decimal):
-        return Form(Markup('<p class="number">{}</p>').format(number(statement, marks)))
+        return Markup('<p class="number">{}</p>').format(number(statement, marks))
     if isinstance(statement, tuple):
         if not all(map(is_formula, statement)):
             return _as_text(statement, label)
         pieces = [
             equation(latex(factor, ordered=ordered), sympy.Integer(0), extent=size(factor)) for factor in statement
         ]
-        return Form(Markup("<p>or</p>").join(pieces))
+        return Markup("<p>or</p>").join(pieces)
     if is_formula(statement):
         shown = math(latex(statement, marks, ordered=ordered), "block")
-        return Form(scrolling(shown, label, focusable=size(statement) > SMALL))
+        return scrolling(shown, label, focusable=size(statement) > SMALL)
     return _as_text(statement, label)
 
 
 def inline(
-    statement: Statement | None, marks: Marks = NOTHING, most: int = LARGEST_INLINE, *, ordered: bool = True
+    statement: Statement | None, most: int = LARGEST_INLINE, marks: Marks = NOTHING, *, ordered: bool = True
 ) -> Markup | None:
     """Return a form within a line, None if it is too long for that."""
     if statement is None:
@@ -89,14 +77,18 @@ def inline(
     return math(latex(statement, marks, ordered=ordered)) if size(statement, most) <= most else None
 
 
-def named(form: Named, whole: Form) -> Form:
+def named(form: Named, whole: Markup) -> Markup:
     """Return a long form by the names of what it is made of, what these stand for, and all of it to be unfolded."""
     names = form.source.names
     formula = scrolling(math(named_latex(form.written, names), "block"), "formula", focusable=True)
     lines = Markup("").join(_meaning(meaning, latex_of_name(meaning.name, form), names) for meaning in form.meanings)
     lines = Markup("<p>where</p>{}").format(lines) if lines else lines
-    folded = Markup("<details><summary>All of it</summary>{}</details>").format(whole.html)
-    return Form(formula + lines + folded, whole.complete)
+    return formula + lines + folded("All of it", whole)
+
+
+def folded(summary: str, content: Markup) -> Markup:
+    """Return what is shown only if a reader unfolds it."""
+    return Markup("<details><summary>{}</summary>{}</details>").format(summary, content)
 
 
 def _meaning(meaning: Meaning, name: str, names: Mapping[str, Any]) -> Markup:
@@ -121,19 +113,19 @@ def equation(left: str, expression: Any, extent: int = 1) -> Markup:
     if is_formula(expression):
         content = math(f"{left} = {latex(expression)}", "block")
         return scrolling(content, "formula", focusable=extent + size(expression) > SMALL)
-    return Markup("<p>{} =</p>{}").format(math(left), _as_text(expression, "formula").html)
+    return Markup("<p>{} =</p>{}").format(math(left), _as_text(expression, "formula"))
 
 
 def bullet(expression: Any) -> Markup:
     """Return a factor in a list of factors, as a formula that scrolls or as text."""
     if size(expression) > LARGEST_ENTRY:
-        return Markup("<code>{}</code>").format(_shortened(str(expression)))
+        return Markup("<code>{}</code>").format(expression)
     return scrolling(math(latex(expression)), "factor", focusable=size(expression) > SMALL)
 
 
 def listed(statement: Statement | None, marks: Marks = NOTHING) -> Markup | None:
     """Return an arranged form within a line of a list, where a longer formula scrolls; None if it is too long."""
-    shown = inline(statement, marks, ordered=False)
+    shown = inline(statement, marks=marks, ordered=False)
     if shown is None or isinstance(statement, Decimal | tuple) or size(statement) <= SMALL:
         return shown
     return scrolling(shown, "formula", focusable=size(statement) > SMALL)
@@ -176,17 +168,17 @@ def digits_that_differ(left: Decimal, right: Decimal) -> tuple[Marks, Marks]:
     return marks, marks
 
 
-def derived_number(claim: Claim, exact: sympy.Rational) -> Form:
+def derived_number(claim: Claim, exact: sympy.Rational) -> Markup:
     """Return the exact number that belongs to a printed one, with three digits more than printed."""
     printed = next(form for form in (claim.printed, claim.corrected, Decimal(0)) if isinstance(form, Decimal))
     decimal = leading(Fraction(int(exact.p), int(exact.q)), decimals(printed) + 3)
+    value = Markup('<p class="number">{}{}</p>')
+    if exact.q == 1:
+        return value.format(decimal, "")
     if len(str(exact)) <= LONGEST_FRACTION:
-        shown = math(latex(exact))
-        return Form(Markup('<p class="number">{}{}</p>').format(decimal, _exactly(shown) if exact.q != 1 else ""))
-    return Form(
-        Markup('<p class="number">{}</p><p>An exact fraction of {} digits.</p>').format(decimal, len(str(exact))),
-        False,
-    )
+        return value.format(decimal, Markup(" <span>exactly {}</span>").format(math(latex(exact))))
+    summary = f"The exact fraction, {len(str(exact)):,} characters"
+    return value.format(decimal, "") + folded(summary, Markup("<p><code>{}</code></p>").format(exact))
 
 
 def described(statement: Statement | None) -> str:
@@ -198,12 +190,6 @@ def described(statement: Statement | None) -> str:
     if isinstance(statement, sympy.Add):
         return f"a sum of {len(statement.args)} terms"
     return "a long expression"
-
-
-def record_link(claim: Claim) -> Markup:
-    """Return the link to the ledger's record of a claim, from its page."""
-    address = claim_record_file("", claim.number).removeprefix("/")
-    return Markup('<a href="{}">ledger record</a>').format(address)
 
 
 def scrolling(content: Markup, label: str, *, focusable: bool) -> Markup:
@@ -230,14 +216,6 @@ def in_line(content: Markup, *, focusable: bool) -> Markup:
     return Markup('<span class="line-formula" tabindex="0" role="group" aria-label="formula">{}</span>').format(content)
 
 
-def _shortened(text: str) -> str:
-    return text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]} …"
-
-
-def _exactly(shown: Markup) -> Markup:
-    return Markup(" <span>exactly {}</span>").format(shown)
-
-
 def _vanishing(piece: Markup | None) -> Markup:
     return Markup('<span class="nowrap">{} = 0</span>').format(piece)
 
@@ -248,23 +226,20 @@ def is_formula(expression: Any) -> bool:
     return size(expression) <= LARGEST_FORMULA and all(size(piece) <= LARGEST_ENTRY for piece in pieces)
 
 
-def _as_text(statement: Any, label: str) -> Form:
-    text = _lines(statement) if sum(size(part, LONGEST_TEXT) for part in _parts(statement)) < LONGEST_TEXT // 3 else ""
-    if 0 < len(text) <= LONGEST_TEXT:
-        wrapped = Markup('<pre class="text" tabindex="0" role="group" aria-label="{}">{}</pre>')
-        return Form(wrapped.format(f"{label}, as text", text))
-    terms = sum(len(sympy.Add.make_args(sympy.fraction(entry)[0])) for entry in _parts(statement))
-    sentence = Markup("<p>{}, with {} terms in its numerators: too long for a page.</p>")
-    return Form(sentence.format(described(statement).capitalize(), terms), False)
+def _as_text(statement: Any, label: str) -> Markup:
+    """Return a form as text, an entry of a matrix in each line; of a long one the beginning, and all of it folded."""
+    lines = plain_rows(statement)
+    if isinstance(statement, sympy.MatrixBase):
+        places = [(i + 1, j + 1) for i in range(statement.rows) for j in range(statement.cols)]
+        lines = [f"[{i}, {j}]  {plain_rows(statement[i - 1, j - 1])[0]}" for i, j in places]
+    whole = _text(lines, f"{label}, as text")
+    length = sum(map(len, lines))
+    if length <= LONGEST_TEXT:
+        return whole
+    sentence = Markup("<p>{}, {:,} characters. It begins:</p>").format(described(statement).capitalize(), length)
+    return sentence + _text(shared_out(lines, BEGINNING), f"{label}, the beginning") + folded("All of it", whole)
 
 
-def _parts(statement: Any) -> tuple[Any, ...]:
-    return statement if isinstance(statement, tuple) else entries(statement)
-
-
-def _lines(statement: Any) -> str:
-    """Return a form as text, an entry of a matrix in each line."""
-    if not isinstance(statement, sympy.MatrixBase):
-        return shown(statement)
-    places = [(i, j) for i in range(statement.rows) for j in range(statement.cols)]
-    return "\n".join(f"[{i + 1}, {j + 1}]  {shown(statement[i, j])}" for i, j in places)
+def _text(lines: Sequence[str], label: str) -> Markup:
+    wrapped = Markup('<pre class="text" tabindex="0" role="group" aria-label="{}">{}</pre>')
+    return wrapped.format(label, "\n".join(lines))

@@ -9,24 +9,22 @@ from typing import Any
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import Kernel, Stage
-from algebroproj_sym.declaring.latex import latex
 from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
-from algebroproj_sym.reporting.site.comparison import conditions
-from algebroproj_sym.reporting.site.formulas import block, bullet, equation, inline
+from algebroproj_sym.reporting.site.formulas import block, equation, inline
 from algebroproj_sym.reporting.site.plots import accuracy_plot
-from algebroproj_sym.reporting.site.records import Timing
 from algebroproj_sym.reporting.site.tables import Table
 from algebroproj_sym.reporting.site.templating import page
+from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.verifying import BOUND, Stratum, Verification
 
 _PRIMITIVES = {
-    "cos_sin": "are cosine and sine of",
-    "arctan2": "is the angle of the direction with the ordinate and abscissa",
-    "solve": "solve the linear system of the coefficients and, in the last column, the right side",
-    "null_vector": "span the null space, with a largest component 1, of",
+    "cos_sin": "are cosine and sine of this angle:",
+    "arctan2": "is the angle of the direction (x, y) with these y and x:",
+    "solve": "solve the linear system with this matrix. Its last column is the right side:",
+    "null_vector": "span the null space of this matrix, scaled so that the largest component is 1:",
 }
 
 
@@ -73,15 +71,12 @@ def _page(catalogue: Catalogue, function: Function) -> str:
         arguments=_arguments(kernel),
         results=[(result.name, _batched(result.shape)) for result in kernel.results],
         formulas=formulas_of(kernel),
-        singular=[bullet(factor) for factor in low.hypotheses],
+        singular=low.hypotheses,
         claims=[(number, _claim(catalogue, kernel, number)) for number in kernel.claims],
-        conditions=conditions,
         figures=figures,
         accuracy=_accuracy(figures),
         plot=accuracy_plot(figures.accuracy),
         operations=_operations(low),
-        speed=_speed(catalogue.timings(function)),
-        machine=catalogue.speed.machine if catalogue.speed else "",
         bound=f"{BOUND:g}",
     )
 
@@ -117,7 +112,7 @@ def _stage(stage: Stage) -> list[Markup]:
     if stage.primitive == "let":
         return [equation(latex(s), entry) for s, entry in zip(stage.results, entries(stage.form), strict=True)]
     names = Markup(", ").join(inline(symbol) or Markup() for symbol in stage.results)
-    return [Markup("<p>{} {}</p>{}").format(names, _PRIMITIVES[stage.primitive], block(stage.form).html)]
+    return [Markup("<p>{} {}</p>{}").format(names, _PRIMITIVES[stage.primitive], block(stage.form))]
 
 
 def _accuracy(figures: Verification) -> Table:
@@ -138,18 +133,13 @@ def _figures(stratum: Stratum) -> tuple[str, ...]:
     )
 
 
-def _speed(timings: Sequence[Timing]) -> Table | None:
-    rows = [(f"{timing.batch:,}", f"{timing.nanoseconds:,.0f}") for timing in timings]
-    return Table("Time", ("formulas in a call", "nanoseconds a formula"), rows, numeric=True) if rows else None
-
-
 def _operations(low: Lowered) -> Table:
     counts = operation_counts(low)
     by_kind = low.plain.operations()
     listed = ", ".join(f"{count} {kind}" for kind, count in sorted(by_kind.items(), key=str) if count)
     rows = [
         ("the derived expression as written", str(counts.derived), ""),
-        ("after common subexpressions of SymPy", str(counts.sympy_cse), ""),
+        ("after cse of SymPy", str(counts.sympy_cse), ""),
         ("the generated program", str(counts.program), listed),
     ]
     return Table("Operations", ("of", "count", "which"), rows)

@@ -48,12 +48,12 @@ def notebook_files(catalogue: Catalogue) -> dict[str, str]:
 
 
 def _page(catalogue: Catalogue, notebook: Notebook) -> str:
-    (paper,) = {entry.paper for entry in catalogue.entries if entry.derivation.module == notebook.module}
+    (paper,) = {entry.claim.paper for entry in catalogue.entries if entry.derivation.module == notebook.module}
     return page(
         "notebook",
         notebook_page(notebook.module),
         module=notebook.module,
-        paper=next(each for each in catalogue.papers if each.key == paper),
+        paper=next(each for each in catalogue.papers if each.about.key == paper),
         cells=[_cell(cell) for cell in notebook.cells],
         entries={number: entry for (key, number), entry in catalogue.by_number.items() if key == paper},
     )

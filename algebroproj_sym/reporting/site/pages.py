@@ -8,7 +8,7 @@ from algebroproj_sym.declaring import VERDICTS, quotes_of
 from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.site.addresses import LEDGER, SEARCH, START
 from algebroproj_sym.reporting.site.catalogue import Catalogue
-from algebroproj_sym.reporting.site.claim_pages import claim_files, paper_files
+from algebroproj_sym.reporting.site.claim_pages import claim_html, paper_files
 from algebroproj_sym.reporting.site.folder import MARKER
 from algebroproj_sym.reporting.site.function_pages import function_files
 from algebroproj_sym.reporting.site.notebook_pages import notebook_files
@@ -32,7 +32,6 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
             START,
             catalogue=catalogue,
             verdicts=VERDICTS,
-            checked=sum(map(catalogue.is_checked, catalogue.entries)),
         ),
         SEARCH: page("search", SEARCH, catalogue=catalogue),
         MARKER: search_script(catalogue),
@@ -41,9 +40,8 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
         "font-licence.txt": licence(),
         "search.js": static("search.js"),
     }
-    records = iter(record["claims"])
     for paper in catalogue.papers:
         files |= paper_files(catalogue, paper)
         for place in range(len(paper.entries)):
-            files |= claim_files(catalogue, paper, place, next(records))
+            files[paper.entries[place].page] = claim_html(catalogue, paper, place)
     return files | function_files(catalogue) | notebook_files(catalogue)

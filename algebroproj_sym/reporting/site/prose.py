@@ -21,6 +21,6 @@ def linked(text: str, paper: str, page: str, catalogue: Catalogue) -> Markup:
         entry = catalogue.by_number.get((paper, match.group()))
         if entry is None or entry.page == page:
             continue
-        link = Markup('<a href="{}">{}</a>').format(relative(entry.page, page), entry.number)
+        link = Markup('<a href="{}">{}</a>').format(relative(entry.page, page), entry.claim.number)
         result, end = result + escape(text[end : match.start()]) + link, match.end()
     return result + escape(text[end:])

@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from algebroproj_sym.declaring import Claim
-from algebroproj_sym.declaring.names import plain_name
 from algebroproj_sym.expressions import symbols_of
 from algebroproj_sym.reporting.site.catalogue import Catalogue
+from algebroproj_sym.showing.names import plain_name
 
 MOST_SYMBOLS = 60
 
@@ -17,7 +17,14 @@ MOST_SYMBOLS = 60
 def search_index(catalogue: Catalogue) -> list[list[str]]:
     """Return an entry for each claim and function: address, where, number or name, title, verdict, symbols."""
     claims = [
-        [entry.page, entry.paper, entry.number, entry.title, entry.verdict, _symbols(entry.judgement.claim)]
+        [
+            entry.page,
+            entry.claim.paper,
+            entry.claim.number,
+            entry.claim.title,
+            entry.judgement.verdict,
+            _symbols(entry.claim),
+        ]
         for entry in catalogue.entries
     ]
     functions = [

@@ -10,15 +10,18 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.reporting.site import addresses
+from algebroproj_sym.reporting.site.comparison import conditions
+from algebroproj_sym.reporting.site.formulas import block, bullet
 
 FONT = "stix-two-math.woff2"
 FORMULAS = "Formulas"
 VERDICT_MEANING = {
     "proved": "The printed statement holds wherever its hypotheses do.",
-    "misprint": "The printed form is refuted; the corrected form is proved.",
+    "misprint": "The printed form is refuted. The corrected form is proved.",
+    "error": "The author's computation is wrong. The corrected form is proved.",
     "false": "The statement is refuted, and no local correction makes it true.",
-    "illegible": "The scan does not preserve it; a reconstruction is proved.",
-    "definition": "It introduces notation; it is well-formed.",
+    "illegible": "The scan does not preserve it. A reconstruction is proved.",
+    "definition": "It introduces notation and is well-formed.",
     "open": "Undecided.",
 }
 
@@ -30,7 +33,9 @@ _TEMPLATES = Environment(
     lstrip_blocks=True,
     keep_trailing_newline=True,
 )
-_TEMPLATES.globals.update(addresses=addresses, verdict_meaning=VERDICT_MEANING)
+_TEMPLATES.globals.update(
+    addresses=addresses, verdict_meaning=VERDICT_MEANING, conditions=conditions, block=block, bullet=bullet
+)
 
 
 def page(template: str, address: str, **content: Any) -> str:

@@ -1,0 +1,128 @@
+"""The C++ backend: a library of headers, whose functions are templates over the type of the numbers.
+
+Statement by statement a function does what the NumPy source does: without contraction of operations both give the same
+bits.  Functions that call one of the C library, whose last digit is not the same everywhere, are left out, as are those
+that are too long for a compiler; so is what is written by hand for NumPy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import groupby
+from textwrap import wrap
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from algebroproj_sym.declaring import LINEAR, Driver, Kernel
+from algebroproj_sym.generating.backends.c.printer import c_operand, computations, is_compiled, is_free, solver
+from algebroproj_sym.generating.description import formula, singularities
+from algebroproj_sym.generating.expansion import expanded
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.runtime.program import Call, Operand
+from algebroproj_sym.generating.writing import NOTICE
+
+__all__ = ["declaration", "render"]
+
+_TEMPLATES = Environment(
+    loader=PackageLoader("algebroproj_sym.generating.backends.cpp"),
+    undefined=StrictUndefined,
+    keep_trailing_newline=True,
+)
+
+
+def render(lowered: Iterable[Lowered], drivers: Sequence[Driver] = (), package: str = "algebroproj") -> dict[str, str]:
+    """Return the headers: one for each module name of the kernels, what they share, and one that includes them all."""
+    compiled = sorted(filter(is_compiled, lowered), key=lambda low: low.kernel.module)
+    modules = {name: list(group) for name, group in groupby(compiled, key=lambda low: low.kernel.module)}
+    files = {
+        f"{name}.hpp": _rendered(
+            "module.hpp.j2",
+            package,
+            module=name,
+            functions=[_function(low) for low in group],
+            systems=any(low.kernel.solves_systems for low in group),
+        )
+        for name, group in modules.items()
+    }
+    calls = [step for low in compiled for step in low.program.steps if isinstance(step, Call)]
+    sizes = sorted({(call.primitive, len(call.rows)) for call in calls if call.primitive in LINEAR})
+    files["systems.hpp"] = _rendered("systems.hpp.j2", package, solvers=[_solver(*size) for size in sizes])
+    files["arithmetic.hpp"] = _rendered("arithmetic.hpp.j2", package)
+    files[f"{package}.hpp"] = _rendered("package.hpp.j2", package, modules=sorted(modules))
+    return files
+
+
+def _rendered(template: str, package: str, **given: object) -> str:
+    return _TEMPLATES.get_template(template).render(notice=NOTICE, package=package, **given)
+
+
+def _solver(primitive: str, height: int) -> dict[str, object]:
+    parts = solver(primitive, height, refined=True)
+    return parts | {"body": [line for line in parts["body"] if not line.startswith(("range =", "return range"))]}
+
+
+def _function(low: Lowered) -> dict[str, object]:
+    kernel = low.kernel
+    names, head = declaration(kernel)
+    vectors = [names[argument.name] for argument in kernel.arguments if argument.shape]
+    read = [f"{names[argument.name]}{place}" for argument in kernel.arguments for place in _places(argument.shape)]
+    lines, results = computations(expanded(low.program), read, _solved, vectors)
+    numbers = [number.removeprefix("constant(").removesuffix(")") for number in results]
+    return {
+        "documentation": _documentation(low),
+        "head": head,
+        "body": [*lines, f"return {{{', '.join(numbers)}}};"],
+    }
+
+
+def declaration(kernel: Kernel) -> tuple[Mapping[str, str], str]:
+    """Return the parameters by the arguments, whose names they have wherever C++ leaves these free, and the head.
+
+    What several results are returned in is declared before it.
+    """
+    names = {a.name: a.name if is_free(a.name) else f"{a.name}_value" for a in kernel.arguments}
+    parameters = ", ".join(_parameter(names[a.name], a.shape) for a in kernel.arguments)
+    types = [_type(result.shape) for result in kernel.results]
+    members = [f"    {kind} {result.name};" for kind, result in zip(types, kernel.results, strict=True)]
+    template, several = "template <typename real>", f"{kernel.name}_results"
+    if len(types) == 1:
+        return names, f"{template}\nconstexpr {types[0]} {kernel.name}({parameters})"
+    struct = "\n".join([template, f"struct {several} {{", *members, "};"])
+    return names, f"{struct}\n\n{template}\nconstexpr {several}<real> {kernel.name}({parameters})"
+
+
+def _places(shape: tuple[int, ...]) -> list[str]:
+    """Return the subscripts of the entries, row by row."""
+    if not shape:
+        return [""]
+    return [f"[{row}]{rest}" for row in range(shape[0]) for rest in _places(shape[1:])]
+
+
+def _type(shape: tuple[int, ...]) -> str:
+    return f"std::array<{_type(shape[1:])}, {shape[0]}>" if shape else "real"
+
+
+def _parameter(name: str, shape: tuple[int, ...]) -> str:
+    return f"const {_type(shape)} &{name}" if shape else f"const real {name}"
+
+
+def _solved(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
+    size = len(call.rows)
+    rows = [[c_operand(operand, names) for operand in row] for row in call.rows]
+    padded = [[*row, *["0"] * (2 * size + 2 - len(row))] for row in rows]
+    return [
+        f"const real system{place}[{size}][{2 * size + 2}] = {{",
+        *(f"    {{{', '.join(row)}}}," for row in padded),
+        "};",
+        f"real solution{place}[{len(call.names)}] = {{}};",
+        f"{call.primitive}_{size}(system{place}, solution{place});",
+        *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names)),
+    ]
+
+
+def _documentation(low: Lowered) -> list[str]:
+    kernel = low.kernel
+    proved = f"{kernel.paper}, section {kernel.section}; proved by {', '.join(f'({n})' for n in kernel.claims)}."
+    described = [f"{argument.name}: {kernel.describe[argument.name]}" for argument in kernel.arguments]
+    text = [kernel.summary, "", proved, "", *described, "", *formula(kernel), "", *singularities(low)]
+    return [part for line in text for part in (wrap(line, 110, subsequent_indent="    ") or [""])]

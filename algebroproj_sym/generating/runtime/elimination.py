@@ -1,0 +1,222 @@
+"""Elimination of linear equations, written once for numbers of every kind.
+
+Numbers are arrays of any library, single ones, pairs, exact ones, or such as are recorded: then what is done with them
+is a program, which is printed in other languages.  There are no branches: rows are exchanged by selection.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .double_double import chosen, two_product, two_sum
+from .namespace import namespace
+
+__all__ = ["is_finite", "is_larger", "null_vector_of", "selected", "solution_of"]
+
+
+def is_larger(candidate: Any, other: Any) -> Any:
+    """Return where the absolute value of a number is larger than that of another one."""
+    if hasattr(candidate, "is_larger"):
+        return candidate.is_larger(other)
+    if hasattr(candidate, "hi"):
+        candidate, other = candidate.hi, other.hi
+    return abs(candidate) > abs(other)
+
+
+def is_finite(number: Any) -> Any:
+    """Return where a number is finite."""
+    return number.is_finite() if hasattr(number, "is_finite") else namespace([number]).isfinite(number)
+
+
+def selected(condition: Any, first: Any, second: Any) -> Any:
+    """Return one number where a condition holds, and another one elsewhere."""
+    if hasattr(condition, "selected"):
+        return condition.selected(first, second)
+    if isinstance(condition, bool | np.bool_):
+        return first if condition else second
+    if hasattr(first, "hi"):
+        return chosen(condition, first, second)
+    return namespace([condition]).where(condition, first, second)
+
+
+class _Step(NamedTuple):
+    """A step of elimination: which lines were swapped with the first one, the multiples taken off, the pivot's row."""
+
+    swaps: list[Any]
+    factors: list[Any]
+    head: list[Any]
+
+
+def solution_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]] | None = None) -> list[Any]:
+    """Solve a linear system whose rows are coefficients and right side, with partial pivoting.
+
+    Parameters
+    ----------
+    rows : sequence of sequence of number
+        n rows of n + 1 entries.
+    rests : sequence of sequence of number, optional
+        What rounding took from the entries.  If they are given, the solution is refined once, with the residual in
+        twice the precision.
+
+    Returns
+    -------
+    list of number
+        The n unknowns.
+
+    Examples
+    --------
+    >>> solution_of([[2.0, 1.0, 5.0], [1.0, -1.0, 1.0]])
+    [2.0, 1.0]
+    """
+    steps, left = [], [list(row) for row in rows]
+    while left:
+        (pivot, *below), swaps = _pivoted(left)
+        factors = [row[0] / pivot[0] for row in below]
+        left = [_without(row[1:], factor, pivot[1:]) for row, factor in zip(below, factors, strict=True)]
+        steps.append(_Step(swaps, factors, pivot))
+    unknowns = _substituted_backwards([step.head[:-1] for step in steps], [step.head[-1] for step in steps])
+    if rests is None:
+        return unknowns
+    right = [(row[-1], rest[-1]) for row, rest in zip(rows, rests, strict=True)]
+    with np.errstate(all="ignore"):
+        residual = _substituted_forwards(steps, _residuals(rows, rests, unknowns, right))
+        return _refined(unknowns, _substituted_backwards([step.head[:-1] for step in steps], residual))
+
+
+def null_vector_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]] | None = None) -> list[Any]:
+    """Span the null space of a matrix with one column more than rows, with pivoting among the columns.
+
+    Parameters
+    ----------
+    rows : sequence of sequence of number
+        n rows of n + 1 entries.
+    rests : sequence of sequence of number, optional
+        What rounding took from the entries.  If they are given, the vector is refined as a solution is.
+
+    Returns
+    -------
+    list of number
+        The n + 1 components, scaled so that the largest one is 1.
+
+    Examples
+    --------
+    >>> null_vector_of([[1.0, 4.0]])
+    [1.0, -0.25]
+    """
+    steps, columns = [], [list(column) for column in zip(*rows, strict=True)]
+    while columns[0]:
+        (pivot, *others), swaps = _pivoted(columns)
+        factors = [entry / pivot[0] for entry in pivot[1:]]
+        steps.append(_Step(swaps, factors, [pivot[0], *(column[0] for column in others)]))
+        columns = [
+            [entry - factor * column[0] for entry, factor in zip(column[1:], factors, strict=True)] for column in others
+        ]
+    zero = rows[0][0] * 0
+    vector = _substituted_in_order(steps, [zero] * len(steps), zero + 1)
+    if rests is not None:
+        with np.errstate(all="ignore"):
+            residual = _residuals(rows, rests, vector, [(zero, zero)] * len(rows))
+            residual = _substituted_forwards([step._replace(swaps=[]) for step in steps], residual)
+            vector = _refined(vector, _substituted_in_order(steps, residual, zero))
+    largest = vector[0]
+    for component in vector[1:]:
+        largest = selected(is_larger(component, largest), component, largest)
+    return [component / largest for component in vector]
+
+
+def _is_better_pivot(candidate: Any, pivot: Any) -> Any:
+    """Return where a candidate is the larger one; among exact numbers, any pivot but zero will do."""
+    if _is_exact(pivot):
+        return (candidate != 0) & (pivot == 0)
+    return is_larger(candidate, pivot)
+
+
+def _is_exact(number: Any) -> bool:
+    """Whether a number is a Python object, or an array of such."""
+    if hasattr(number, "dtype"):
+        return getattr(number.dtype, "kind", "") == "O"
+    return not (isinstance(number, float | complex) or hasattr(number, "hi") or hasattr(number, "is_larger"))
+
+
+def _pivoted(lines: list[list[Any]]) -> tuple[list[list[Any]], list[Any]]:
+    """Bring the line whose first entry is the largest to the top; return the lines, and which were swapped with it."""
+    first, *others = lines
+    swapped, swaps = [], []
+    for line in others:
+        swap = _is_better_pivot(line[0], first[0])
+        pairs = [_swapped(swap, a, b) for a, b in zip(first, line, strict=True)]
+        first, line = [pair[0] for pair in pairs], [pair[1] for pair in pairs]
+        swapped.append(line)
+        swaps.append(swap)
+    return [first, *swapped], swaps
+
+
+def _swapped(swap: Any, first: Any, second: Any) -> tuple[Any, Any]:
+    return selected(swap, second, first), selected(swap, first, second)
+
+
+def _without(row: Sequence[Any], factor: Any, pivot: Sequence[Any]) -> list[Any]:
+    return [entry - factor * above for entry, above in zip(row, pivot, strict=True)]
+
+
+def _substituted_forwards(steps: Sequence[_Step], right: Sequence[Any]) -> list[Any]:
+    """Do to a right side what elimination did to the rows."""
+    values, done = list(right), []
+    for step in steps:
+        for i, swap in enumerate(step.swaps, start=1):
+            values[0], values[i] = _swapped(swap, values[0], values[i])
+        first, *others = values
+        done.append(first)
+        values = [value - factor * first for value, factor in zip(others, step.factors, strict=True)]
+    return done
+
+
+def _substituted_backwards(heads: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
+    unknowns: list[Any] = []
+    for head, value in zip(reversed(heads), reversed(right), strict=True):
+        unknowns = [_solved(head, value, unknowns), *unknowns]
+    return unknowns
+
+
+def _substituted_in_order(steps: Sequence[_Step], right: Sequence[Any], last: Any) -> list[Any]:
+    """Substitute backwards, the last unknown being given, and put the unknowns where their columns were."""
+    unknowns = [last]
+    for step, value in zip(reversed(steps), reversed(right), strict=True):
+        unknowns = [_solved(step.head, value, unknowns), *unknowns]
+        for j, swap in reversed(list(enumerate(step.swaps, start=1))):
+            unknowns[0], unknowns[j] = _swapped(swap, unknowns[0], unknowns[j])
+    return unknowns
+
+
+def _solved(head: Sequence[Any], value: Any, unknowns: Sequence[Any]) -> Any:
+    """Solve one equation for its first unknown."""
+    pivot, *entries = head
+    for entry, unknown in zip(entries, unknowns, strict=True):
+        value = value - entry * unknown
+    return value / pivot
+
+
+def _residuals(
+    rows: Sequence[Sequence[Any]],
+    rests: Sequence[Sequence[Any]],
+    unknowns: Sequence[Any],
+    right: Sequence[tuple[Any, Any]],
+) -> list[Any]:
+    """Return right side minus matrix times unknowns, computed with about twice the digits."""
+    residuals = []
+    for row, rest, (high, low) in zip(rows, rests, right, strict=True):
+        for entry, missing, unknown in zip(row, rest, unknowns, strict=False):
+            product, error = two_product(entry, unknown)
+            high, rounding = two_sum(high, -product)
+            low = low + (rounding - (error + missing * unknown))
+        residuals.append(high + low)
+    return residuals
+
+
+def _refined(values: Sequence[Any], corrections: Sequence[Any]) -> list[Any]:
+    """Add corrections where the sum is finite."""
+    sums = [value + correction for value, correction in zip(values, corrections, strict=True)]
+    return [selected(is_finite(total), total, value) for total, value in zip(sums, values, strict=True)]

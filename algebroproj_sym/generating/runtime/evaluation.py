@@ -1,0 +1,338 @@
+"""Calling the body of a generated function: core dimensions last, leading dimensions broadcast, dtype preserved.
+
+A body takes the entries of the arguments, and returns those of the results: numbers, or arrays that broadcast.  Large
+batches of NumPy arrays go through it in blocks that fit into the cache, and straight into the results; arrays of other
+libraries go through it whole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import import_module
+from itertools import product
+from math import prod
+from types import FunctionType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .backend import evaluated
+from .namespace import is_foreign, namespace
+from .tape import tape_of
+
+__all__ = ["Signature", "evaluate"]
+
+BLOCK = 8192
+"""How many points of a batch are computed at once."""
+
+COMPILED = (np.dtype(np.float64), np.dtype(np.float32), np.dtype(np.longdouble))
+"""Of which dtypes there are compiled functions."""
+
+Shape = tuple[int, ...]
+Body = Callable[..., tuple[Any, ...]]
+
+
+@dataclass(frozen=True)
+class Signature:
+    """What a generated function takes and returns.
+
+    Attributes
+    ----------
+    name : str
+        The name of the function, for error messages.
+    arguments : tuple of (str, shape)
+        The arguments with their core shapes.
+    results : tuple of shape
+        The core shapes of the results.
+    block : int
+        How many points of a batch are computed at once if they are not recorded.
+    twin, plain_twin : ufunc, optional
+        The compiled versions of the body, with compensation and without.
+    recordable : bool
+        Whether the body consists of + - * / alone, so that it may be run in buffers.
+    """
+
+    name: str
+    arguments: tuple[tuple[str, Shape], ...]
+    results: tuple[Shape, ...]
+    block: int = BLOCK
+    twin: Any = None
+    plain_twin: Any = None
+    recordable: bool = False
+
+
+def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = None) -> Any:
+    """Return the results of a body for the given arguments.
+
+    Parameters
+    ----------
+    signature : Signature
+        What the function takes and returns.
+    body : callable
+        From the entries of all arguments to the entries of all results.
+    given : sequence of array_like
+        The arguments.  Integers become float64; Python scalars do not widen the dtype of arrays.
+    out : ndarray or tuple of ndarray, optional
+        Where the results are written; it may share memory with the arguments.
+
+    Returns
+    -------
+    array or tuple of arrays
+
+    Raises
+    ------
+    ValueError
+        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+    TypeError
+        If an argument is not numeric, `out` has another dtype, or arrays of several libraries meet.
+
+    Examples
+    --------
+    >>> ratio = Signature("ratio", (("x", (2,)),), ((),))
+    >>> float(evaluate(ratio, lambda x0, x1: (x0 / x1,), ([1, 2],)))
+    0.5
+    """
+    if signature.twin is not None and out is None:
+        results = evaluated(signature.twin, tuple(given))
+        if results is not None:
+            return results
+    if signature.twin is not None and _are_alike(given) and (out is None or _is_fitting(signature, given, out)):
+        try:
+            return signature.twin(*given) if out is None else signature.twin(*given, out)
+        except ValueError:  # another shape, of which the rest of this function knows what to say
+            pass
+    if any(map(is_foreign, given)):
+        return _of_other_library(signature, body, given, out)
+    arrays = [np.asarray(value) for value in given]
+    batch = _batch(signature, [array.shape for array in arrays])
+    dtype = _dtype(signature, given, arrays)
+    if signature.twin is not None and dtype in COMPILED:
+        wanted = (None,) * len(signature.results) if out is None else _checked(signature, out, batch, dtype)
+        return signature.twin(*(array.astype(dtype, copy=False) for array in arrays), out=wanted)
+    results = _allocated(signature, batch, dtype) if out is None else _checked(signature, out, batch, dtype)
+    if not batch:
+        values = _of_a_point(signature, body, arrays, dtype)
+        if out is None:
+            return values[0] if len(values) == 1 else values
+        for result, value in zip(results, values, strict=True):
+            result[...] = value
+        return out
+    if out is not None:
+        arrays = [_apart(array, results) for array in arrays]
+    _fill(signature, body, arrays, results, batch, dtype)
+    return results[0] if len(results) == 1 else results
+
+
+def parts_of(function: Callable[..., Any], asked: str) -> tuple[Signature, Body]:
+    """Return the signature and the body of a generated function; `asked` is who asks, for error messages.
+
+    The function may be of another generated package, whose numbers are not those of this one.  Its body then calls the
+    functions of this runtime.
+    """
+    names = getattr(function, "__globals__", {})
+    name = getattr(function, "__name__", repr(function))
+    signature: Any = names.get(f"_{name.upper()}_SIGNATURE")
+    if type(signature).__name__ != Signature.__name__:
+        raise TypeError(f"{asked}: expected a generated function, got {name}")
+    body: Body = names[f"_{name}"]
+    return signature, body if isinstance(signature, Signature) else _brought_here(body)
+
+
+@lru_cache(maxsize=256)
+def _brought_here(body: FunctionType) -> Body:
+    """Return the body of a function of another package, in which the functions of its runtime are those of this one."""
+    names = dict(body.__globals__)
+    for name, value in body.__globals__.items():
+        package, _, module = str(getattr(value, "__module__", None)).rpartition(".")
+        if isinstance(value, FunctionType) and package.endswith("._runtime"):
+            names[name] = getattr(import_module(f".{module}", __package__), value.__name__)
+    return FunctionType(body.__code__, names, body.__name__)
+
+
+def require_count(signature: Signature, arguments: Sequence[Any]) -> None:
+    """Refuse arguments that are too few or too many."""
+    if len(arguments) != len(signature.arguments):
+        expected = ", ".join(name for name, _ in signature.arguments)
+        raise TypeError(f"{signature.name}: expected the arguments {expected}, got {len(arguments)}")
+
+
+def _are_alike(given: Sequence[Any]) -> bool:
+    """Whether all arguments are arrays of one dtype of which there are compiled functions."""
+    dtype = getattr(given[0], "dtype", None)
+    for array in given:
+        if type(array) is not np.ndarray or array.dtype is not dtype:
+            return False
+    return dtype in COMPILED
+
+
+def _is_fitting(signature: Signature, given: Sequence[Any], out: Any) -> bool:
+    """Whether alike arguments have the same leading shape, and the one array for the result has it as well."""
+    first = given[0]
+    if type(out) is not np.ndarray or out.dtype is not first.dtype or len(signature.results) > 1:
+        return False
+    batch = first.shape[: first.ndim - len(signature.arguments[0][1])]
+    cores = [core for _, core in signature.arguments]
+    return out.shape == batch + signature.results[0] and all(
+        array.shape == batch + core for array, core in zip(given, cores, strict=True)
+    )
+
+
+def _batch(signature: Signature, shapes: Sequence[Shape]) -> Shape:
+    """Return the shape that the leading dimensions of the arguments broadcast to."""
+    batches = []
+    for (name, core), shape in zip(signature.arguments, shapes, strict=True):
+        split = len(shape) - len(core)
+        if split < 0 or shape[split:] != core:
+            expected = ", ".join(["...", *map(str, core)])
+            raise ValueError(f"{signature.name}: expected {name} of shape ({expected}), got shape {shape}")
+        batches.append(shape[:split])
+    different = {batch for batch in batches if batch}
+    if len(different) < 2:
+        return different.pop() if different else ()
+    try:
+        return np.broadcast_shapes(*different)
+    except ValueError:
+        listed = ", ".join(f"{name} {batch}" for (name, _), batch in zip(signature.arguments, batches, strict=True))
+        raise ValueError(f"{signature.name}: expected leading shapes that broadcast, got {listed}") from None
+
+
+def _dtype(signature: Signature, given: Sequence[Any], arrays: Sequence[NDArray[Any]]) -> np.dtype[Any]:
+    """Return the dtype of the results: that of the arguments, in which Python scalars do not count."""
+    for (name, _), array in zip(signature.arguments, arrays, strict=True):
+        if array.dtype.kind not in "fcOiub":
+            raise TypeError(f"{signature.name}: expected numbers for {name}, got dtype {array.dtype}")
+    dtype = arrays[0].dtype
+    if any(array.dtype != dtype for array in arrays):
+        pairs = zip(given, arrays, strict=True)
+        dtype = np.result_type(*(value if _is_weak(value) else array.dtype for value, array in pairs))
+    return dtype if dtype.kind in "fcO" else np.dtype(np.float64)
+
+
+def _of_a_point(
+    signature: Signature, body: Body, arrays: Sequence[NDArray[Any]], dtype: np.dtype[Any]
+) -> tuple[Any, ...]:
+    """Return the results at a single point: scalars are faster than arrays of one entry."""
+    values = body(*(entry for array in arrays for entry in array.astype(dtype, copy=False).reshape(-1)))
+    entries = np.empty(len(values), dtype)
+    for place, value in enumerate(values):
+        entries[place] = value
+    results, start = [], 0
+    for core in signature.results:
+        stop = start + prod(core)
+        results.append(entries[start:stop].reshape(core)[()])
+        start = stop
+    return tuple(results)
+
+
+def _allocated(signature: Signature, batch: Shape, dtype: np.dtype[Any]) -> tuple[NDArray[Any], ...]:
+    """Return empty results in whose memory the points of a batch are neighbours, which is how they are filled."""
+    empty = [np.empty(core + batch, dtype) for core in signature.results]
+    axes = [tuple(range(len(core), len(core) + len(batch))) + tuple(range(len(core))) for core in signature.results]
+    return tuple(array.transpose(order) for array, order in zip(empty, axes, strict=True))
+
+
+def _checked(signature: Signature, out: Any, batch: Shape, dtype: np.dtype[Any]) -> tuple[NDArray[Any], ...]:
+    """Return the arrays that the caller wants to be filled."""
+    results = out if isinstance(out, tuple) else (out,)
+    if len(results) != len(signature.results) or not all(isinstance(array, np.ndarray) for array in results):
+        wanted = "an array" if len(signature.results) == 1 else f"a tuple of {len(signature.results)} arrays"
+        raise TypeError(f"{signature.name}: expected {wanted} as out, got {type(out).__name__}")
+    for array, core in zip(results, signature.results, strict=True):
+        if array.shape != batch + core:
+            raise ValueError(f"{signature.name}: expected out of shape {batch + core}, got shape {array.shape}")
+        if array.dtype != dtype:
+            raise TypeError(f"{signature.name}: expected out of dtype {dtype}, got dtype {array.dtype}")
+        if not array.flags.writeable:
+            raise ValueError(f"{signature.name}: expected out to be writeable, got a read-only array")
+    return results
+
+
+def _apart(array: NDArray[Any], results: Sequence[NDArray[Any]]) -> NDArray[Any]:
+    """Return an argument that keeps its values while the results are written."""
+    return array.copy() if any(np.may_share_memory(array, result) for result in results) else array
+
+
+def _fill(
+    signature: Signature,
+    body: Body,
+    arrays: Sequence[NDArray[Any]],
+    results: Sequence[NDArray[Any]],
+    batch: Shape,
+    dtype: np.dtype[Any],
+) -> None:
+    cores = [core for _, core in signature.arguments]
+    entries = [entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)]
+    targets = [to for array, core in zip(results, signature.results, strict=True) for to in _entries(array, core)]
+    if signature.recordable and dtype.kind in "fc" and all(entry.shape == batch for entry in entries):
+        tape = tape_of(body, len(entries))
+        for block in _blocks(batch, tape.block):
+            whole = [entry[block].astype(dtype, order="C", copy=False) for entry in entries]
+            tape.run(whole, [target[block] for target in targets])
+        return
+    if prod(batch) <= signature.block:
+        values = body(*(entry.astype(dtype, copy=False) for entry in entries))
+        for target, value in zip(targets, values, strict=True):
+            target[...] = value
+        return
+    for block in _blocks(batch, signature.block):
+        taken = (_part(entry, block).astype(dtype, order="C", copy=False) for entry in entries)
+        for target, value in zip(targets, body(*taken), strict=True):
+            target[block] = value
+
+
+def _entries(array: Any, core: Shape) -> list[Any]:
+    """Return the entries of the core dimensions, row by row, as arrays of the leading dimensions."""
+    if not core:
+        return [array]
+    return [array[(..., *place)] for place in product(*map(range, core))]
+
+
+def _blocks(batch: Shape, size: int) -> Iterator[tuple[slice, ...]]:
+    """Cut a batch, along its first dimensions, into blocks of about the given size."""
+    inner = 1
+    cut = []
+    for length in reversed(batch):
+        step = max(1, min(length, size // inner))
+        cut.append([slice(start, start + step) for start in range(0, length, step)])
+        inner *= length
+    return product(*reversed(cut))
+
+
+def _part(entry: NDArray[Any], block: tuple[slice, ...]) -> NDArray[Any]:
+    """Return what a block takes of an entry, whose dimensions may broadcast."""
+    own = block[len(block) - entry.ndim :]
+    return entry[tuple(part if length > 1 else slice(None) for part, length in zip(own, entry.shape, strict=True))]
+
+
+def _of_other_library(signature: Signature, body: Body, given: Sequence[Any], out: Any) -> Any:
+    """Evaluate whole arrays of a library that follows the Python array API standard."""
+    xp = namespace(given)
+    if any(is_foreign(value) and namespace([value]) is not xp for value in given):
+        kinds = sorted({type(value).__name__ for value in given if is_foreign(value)})
+        raise TypeError(f"{signature.name}: expected arrays of one library, got {', '.join(kinds)}")
+    if out is not None:
+        raise TypeError(f"{signature.name}: expected no out with arrays of {xp.__name__}, got one")
+    arrays = [
+        value if is_foreign(value) or _is_weak(value) else xp.asarray(np.asarray(value).tolist()) for value in given
+    ]
+    dtype = xp.result_type(*arrays)
+    if not xp.isdtype(dtype, ("real floating", "complex floating")):
+        dtype = xp.asarray(0.0).dtype
+    arrays = [xp.asarray(array, dtype=dtype) for array in arrays]
+    batch = _batch(signature, [tuple(array.shape) for array in arrays])
+    cores = [core for _, core in signature.arguments]
+    entries = body(*(entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)))
+    whole = [xp.broadcast_to(xp.asarray(entry, dtype=dtype), batch) for entry in entries]
+    results, start = [], 0
+    for core in signature.results:
+        stop = start + prod(core)
+        results.append(xp.reshape(xp.stack(whole[start:stop], axis=-1), batch + core))
+        start = stop
+    return results[0] if len(results) == 1 else tuple(results)
+
+
+def _is_weak(value: Any) -> bool:
+    return type(value) in (int, float, complex)

@@ -1,0 +1,73 @@
+"""Generated functions without compensation: every operation rounds once, and linear systems are not refined."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from types import FunctionType
+from typing import Any
+
+from .compensated import DIGITS
+from .evaluation import BLOCK, parts_of
+from .primitives import null_vector_once, solve_once
+
+__all__ = ["plain"]
+
+
+def plain(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a generated function that computes without compensation.
+
+    It is faster and less accurate.  It runs the same formula, compiled where the function is compiled, but no sum is
+    computed with extra digits.  On ordinary input the error is a few units in the last place.  Near a singularity all
+    digits may be lost.  `bounds` of the new function tells how many are left.
+
+    Parameters
+    ----------
+    function : callable
+        A generated function of this package.
+
+    Returns
+    -------
+    callable
+        It has the parameters of the function, ``out`` included, and raises the same errors.
+
+    Raises
+    ------
+    TypeError
+        If the function is not a generated one.
+
+    Examples
+    --------
+    >>> import algebroproj
+    >>> quickly = algebroproj.plain(algebroproj.optics.scale)
+    >>> float(quickly(1.0, 2.0))
+    0.3333333333333333
+    """
+    signature, body = parts_of(function, "plain")
+    assert isinstance(function, FunctionType)
+    assert isinstance(body, FunctionType)
+    names = function.__globals__ | _WITHOUT_COMPENSATION
+    names[body.__name__] = _with_names(body, names)
+    names[f"_{function.__name__.upper()}_SIGNATURE"] = replace(signature, block=BLOCK, twin=signature.plain_twin)
+    return _with_names(function, names)
+
+
+def _unchanged(number: Any) -> Any:
+    return number
+
+
+_WITHOUT_COMPENSATION = {
+    **dict.fromkeys(DIGITS, _unchanged),
+    "solve": solve_once,
+    "null_vector": null_vector_once,
+}
+"""What the names mean that a body uses for more digits."""
+
+
+def _with_names(function: FunctionType, names: dict[str, Any]) -> FunctionType:
+    """Return a function of the same code that finds other meanings of global names."""
+    copy = FunctionType(function.__code__, names, function.__name__, function.__defaults__, function.__closure__)
+    copy.__kwdefaults__ = function.__kwdefaults__
+    copy.__annotations__, copy.__doc__ = function.__annotations__, function.__doc__
+    copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
+    return copy

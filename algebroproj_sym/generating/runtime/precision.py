@@ -1,0 +1,135 @@
+"""Generated functions with twice the digits, and with bounds of their errors.
+
+Both run the source of a function on another kind of number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from .double_double import DoubleDouble, Unrounded
+from .error_bounds import Bounded, guaranteed
+from .evaluation import Body, Signature, evaluate, parts_of, require_count
+
+__all__ = ["bounds", "dd"]
+
+
+def dd(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a generated function that computes with twice the digits.
+
+    Parameters
+    ----------
+    function : callable
+        A generated function of this package.
+
+    Returns
+    -------
+    callable
+        It takes the arguments of the function, as arrays or `DoubleDouble` numbers.  It returns `DoubleDouble`
+        numbers ``hi + lo``.  For float64 these have about 31 digits, less those that cancellation takes.
+
+    Raises
+    ------
+    TypeError
+        If the function is not a generated one, or an argument is not real.
+
+    Examples
+    --------
+    >>> import algebroproj
+    >>> third = algebroproj.dd(algebroproj.optics.scale)(1.0, 2.0)
+    >>> float(third.hi), float(third.lo)
+    (0.3333333333333333, 1.850371707708594e-17)
+    """
+    signature, body = parts_of(function, "dd")
+    names = [f"{name} (second part)" for name, _ in signature.arguments]
+    rests = tuple((name, core) for name, (_, core) in zip(names, signature.arguments, strict=True))
+    both = Signature(
+        signature.name,
+        (*signature.arguments, *rests),
+        signature.results * 2,
+        recordable=signature.recordable,
+    )
+
+    def with_twice_the_digits(*arguments: Any) -> Any:
+        require_count(signature, arguments)
+        pairs = [number if isinstance(number, DoubleDouble) else DoubleDouble(number) for number in arguments]
+        heads = [_real(signature, pair.hi) for pair in pairs]
+        tails = [0 * head if pair.lo is None else pair.lo for head, pair in zip(heads, pairs, strict=True)]
+        parts = evaluate(both, _on_pairs(body), [*heads, *tails])
+        count = len(signature.results)
+        results = tuple(map(DoubleDouble, parts[:count], parts[count:]))
+        return results[0] if count == 1 else results
+
+    return with_twice_the_digits
+
+
+def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a generated function that also returns a guaranteed bound of the absolute error.
+
+    Parameters
+    ----------
+    function : callable
+        A generated function of this package.
+
+    Returns
+    -------
+    callable
+        It takes the arguments of the function and returns a pair (value, bound) for each result.  The value is what
+        the function returns.  The bound assumes that the arguments are exact.  It is infinite where no bound is
+        known.
+
+    Raises
+    ------
+    TypeError
+        If the function is not a generated one, or an argument is not real.
+
+    Examples
+    --------
+    >>> import algebroproj
+    >>> value, bound = algebroproj.bounds(algebroproj.optics.scale)(1.0, 2.0)
+    >>> float(value), bool(2e-17 < bound < 2e-16)
+    (0.3333333333333333, True)
+    """
+    signature, body = parts_of(function, "bounds")
+    both = Signature(signature.name, signature.arguments, signature.results * 2)
+
+    def with_bounds(*arguments: Any) -> Any:
+        require_count(signature, arguments)
+        with np.errstate(all="ignore"):
+            parts = evaluate(both, _on_bounded(body), [_real(signature, argument) for argument in arguments])
+        count = len(signature.results)
+        results = tuple(zip(parts[:count], parts[count:], strict=True))
+        return results[0] if count == 1 else results
+
+    return with_bounds
+
+
+@lru_cache(maxsize=256)
+def _on_pairs(body: Body) -> Body:
+    def on_pairs(*parts: Any) -> tuple[Any, ...]:
+        count = len(parts) // 2
+        results = body(*map(Unrounded, parts[:count], parts[count:]))
+        pairs = [result if isinstance(result, DoubleDouble) else DoubleDouble(result) for result in results]
+        return (*(pair.hi for pair in pairs), *(0 if pair.lo is None else pair.lo for pair in pairs))
+
+    return on_pairs
+
+
+def _on_bounded(body: Body) -> Body:
+    def on_bounded(*entries: Any) -> tuple[Any, ...]:
+        results = body(*(Bounded(entry, 0 * entry) for entry in entries))
+        numbers = [guaranteed(result) if isinstance(result, Bounded) else Bounded(result, 0) for result in results]
+        return (*(number.value for number in numbers), *(number.error for number in numbers))
+
+    return on_bounded
+
+
+def _real(signature: Signature, value: Any) -> Any:
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiub":
+        raise TypeError(f"{signature.name}: expected real machine numbers, got dtype {array.dtype}")
+    return array if array.dtype.kind == "f" else array.astype(np.float64)

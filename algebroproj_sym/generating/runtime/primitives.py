@@ -1,0 +1,207 @@
+"""Primitive functions that the generated functions call where + - * / do not suffice.
+
+They use nothing but what the Python array API standard has, and take numbers of any exact kind as well.  The entries of
+linear systems are given row by row, and broadcast; the results have the shape that they broadcast to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from .bounded_primitives import (
+    arctan2_with_bound,
+    cos_sin_with_bounds,
+    null_vector_with_bounds,
+    solution_with_bounds,
+)
+from .compensated import Compensated, double_double
+from .double_double import DoubleDouble, Unrounded
+from .elementary import arctan2_of_pair, cos_sin_of_pair
+from .elimination import null_vector_of, solution_of
+from .error_bounds import Bounded
+from .namespace import namespace
+
+Rows: TypeAlias = Sequence[Sequence[Any]]
+
+__all__ = ["arctan2", "cos_sin", "null_vector", "null_vector_once", "solve", "solve_once"]
+
+
+def cos_sin(angle: Any) -> tuple[Any, Any]:
+    """Return cosine and sine of an angle in radians, with as many digits as the angle has."""
+    if isinstance(angle, Bounded):
+        return cos_sin_with_bounds(angle, cos_sin)
+    if isinstance(angle, DoubleDouble | Compensated):
+        cosine, sine = cos_sin_of_pair(double_double(angle))
+        return type(angle)(cosine.hi, cosine.lo), type(angle)(sine.hi, sine.lo)
+    xp = namespace([angle])
+    return xp.cos(angle), xp.sin(angle)
+
+
+def arctan2(y: Any, x: Any) -> Any:
+    """Return the angle, in radians between -pi and pi, of the direction (x, y), with as many digits as these have."""
+    if isinstance(y, Bounded) or isinstance(x, Bounded):
+        return arctan2_with_bound(y, x, arctan2)
+    kind = next((type(number) for number in (y, x) if isinstance(number, DoubleDouble | Compensated)), None)
+    if kind is not None:
+        angle = arctan2_of_pair(double_double(y), double_double(x))
+        return kind(angle.hi, angle.lo)
+    return namespace([y, x]).atan2(y, x)
+
+
+def solve(*rows: Sequence[Any]) -> tuple[Any, ...]:
+    """Solve linear systems whose rows are coefficients and right side.
+
+    Gaussian elimination with partial pivoting; real floating-point solutions are refined once, with residuals in twice
+    the precision, for which the entries may have twice the digits.  Where a system is singular, the unknowns are not
+    finite.  Numbers that are no machine numbers (Fraction, mpmath) are taken for exact: any pivot but zero will do.
+
+    Parameters
+    ----------
+    *rows : sequence of array
+        n rows of n + 1 entries, which broadcast.
+
+    Returns
+    -------
+    tuple of array
+        The n unknowns.
+
+    Examples
+    --------
+    >>> x, y = solve([2.0, 1.0, 5.0], [1.0, -1.0, 1.0])
+    >>> float(x), float(y)
+    (2.0, 1.0)
+    """
+    if _have_bounds(rows):
+        return tuple(solution_with_bounds(rows, solve))
+    return tuple(solution_of(*_with_rests(rows)))
+
+
+def solve_once(*rows: Sequence[Any]) -> tuple[Any, ...]:
+    """Solve linear systems as `solve` does, without refinement.
+
+    Parameters
+    ----------
+    *rows : sequence of array
+        n rows of n + 1 entries, which broadcast.
+
+    Returns
+    -------
+    tuple of array
+        The n unknowns.
+
+    Examples
+    --------
+    >>> x, y = solve_once([2.0, 1.0, 5.0], [1.0, -1.0, 1.0])
+    >>> float(x), float(y)
+    (2.0, 1.0)
+    """
+    if _have_bounds(rows):
+        return tuple(solution_with_bounds(rows, solve_once))
+    return tuple(solution_of(_of_one_kind(rows)))
+
+
+def null_vector(*rows: Sequence[Any]) -> tuple[Any, ...]:
+    """Span the null spaces of matrices with one column more than rows.
+
+    Gaussian elimination with pivoting among the columns; the vector is refined as the solution of a system is.
+
+    Parameters
+    ----------
+    *rows : sequence of array
+        n rows of n + 1 entries, which broadcast.
+
+    Returns
+    -------
+    tuple of array
+        The n + 1 components, scaled so that the largest one is 1; not finite if the null space has more dimensions.
+
+    Examples
+    --------
+    >>> x, y = null_vector([1.0, 4.0])
+    >>> float(x), float(y)
+    (1.0, -0.25)
+    """
+    if _have_bounds(rows):
+        return tuple(null_vector_with_bounds(rows, null_vector, solve))
+    return tuple(null_vector_of(*_with_rests(rows)))
+
+
+def null_vector_once(*rows: Sequence[Any]) -> tuple[Any, ...]:
+    """Span null spaces as `null_vector` does, without refinement.
+
+    Parameters
+    ----------
+    *rows : sequence of array
+        n rows of n + 1 entries, which broadcast.
+
+    Returns
+    -------
+    tuple of array
+        The n + 1 components, scaled so that the largest one is 1; not finite if the null space has more dimensions.
+
+    Examples
+    --------
+    >>> x, y = null_vector_once([1.0, 4.0])
+    >>> float(x), float(y)
+    (1.0, -0.25)
+    """
+    if _have_bounds(rows):
+        return tuple(null_vector_with_bounds(rows, null_vector_once, solve_once))
+    return tuple(null_vector_of(_of_one_kind(rows)))
+
+
+def _have_bounds(rows: Rows) -> bool:
+    return any(isinstance(entry, Bounded) for row in rows for entry in row)
+
+
+def _with_rests(rows: Rows) -> tuple[Rows, Rows | None]:
+    """Return the entries as numbers of one kind, and what rounding took from those whose errors can be split off."""
+    if any(isinstance(entry, Unrounded) for row in rows for entry in row):
+        return _of_one_kind(rows), None
+    pairs = [[_two_parts(entry) for entry in row] for row in rows]
+    heads = _of_one_kind([[pair.hi for pair in row] for row in pairs])
+    if not _is_refinable(heads[0][0]):
+        return heads, None
+    return heads, [[0 if pair.lo is None else pair.lo for pair in row] for row in pairs]
+
+
+def _two_parts(number: Any) -> Compensated | DoubleDouble:
+    """Return a number of two parts, of which the first one is near the number."""
+    if isinstance(number, Compensated):
+        return number.nearest()
+    return number if isinstance(number, DoubleDouble) else DoubleDouble(number)
+
+
+def _of_one_kind(rows: Rows) -> Rows:
+    """Return the entries as numbers of one kind, in which the integers of a formula do not count."""
+    entries = [entry for row in rows for entry in row]
+    pair = next((type(entry) for entry in entries if isinstance(entry, DoubleDouble)), None)
+    if pair is not None:
+        return [[entry if isinstance(entry, DoubleDouble) else pair(entry) for entry in row] for row in rows]
+    counting = [entry for entry in entries if not isinstance(entry, int)]
+    xp = namespace(entries)
+    dtypes = {entry.dtype if hasattr(entry, "dtype") else np.asarray(entry).dtype for entry in counting}
+    dtype = xp.result_type(*dtypes) if dtypes else np.dtype(np.float64)
+    if _is_objects(dtype):
+        zero = counting[0] * 0
+        return [[zero + entry if isinstance(entry, int) else entry for entry in row] for row in rows]
+    dtype = np.dtype(np.float64) if xp is np and dtype.kind in "biu" else dtype
+    return [[_as_dtype(xp, entry, dtype) for entry in row] for row in rows]
+
+
+def _as_dtype(xp: Any, entry: Any, dtype: Any) -> Any:
+    return entry if hasattr(entry, "dtype") and entry.dtype == dtype else xp.asarray(entry, dtype=dtype)[()]
+
+
+def _is_refinable(number: Any) -> bool:
+    """Whether a number is a real floating-point one, whose errors can be split off."""
+    if not hasattr(number, "dtype") or _is_objects(number.dtype):
+        return False
+    return bool(namespace([number]).isdtype(number.dtype, "real floating"))
+
+
+def _is_objects(dtype: Any) -> bool:
+    return getattr(dtype, "kind", "") == "O"

@@ -1,0 +1,135 @@
+"""Proving C++ source: executed on rational functions, it must give the derivation, as the C source must.
+
+The body of a function is C but for its head, the list that it returns and the array it lets a solution be written to.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from algebroproj_sym.declaring import LINEAR, Kernel
+from algebroproj_sym.generating import is_compiled
+from algebroproj_sym.generating.backends.cpp import declaration
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.proving import RationalFunctionField
+from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, Source, body_values
+from algebroproj_sym.verifying.proof_of_c_source import is_proved, product_errors_are_proved, solver_is_proved
+
+_COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
+_FUNCTION = re.compile(
+    r"((?:^template <typename real>\nstruct \w+ \{\n[^}]*\};\n\s*)?"
+    r"^template <typename real>\nconstexpr [^\n]*? (\w+)\([^\n]*\))\n(\{\n.*?^\})",
+    re.DOTALL | re.MULTILINE,
+)
+_FRAME = re.compile(
+    r'#pragma once|#include "(arithmetic|systems)\.hpp"|namespace [\w:]+ \{|using namespace arithmetic;|\}'
+)
+_RETURN = re.compile(r"return \{((?:-?\w+(?:, )?)+)\};\s*\}$")
+_SYSTEM = re.compile(r"const real \(&system\)\[(\d+)\]\[(\d+)\], real \(&solution\)\[(\d+)\]\)$")
+_ERROR = (
+    "constexpr real product_error(const std::common_type_t<real> a, const std::common_type_t<real> b, const real p)"
+)
+
+
+@dataclass(frozen=True)
+class Header:
+    """The functions of a header: what stands before each, and its body."""
+
+    heads: Mapping[str, str]
+    bodies: Mapping[str, str]
+
+
+def header_of(text: str) -> Header:
+    """Take a header apart into its functions.
+
+    Raises
+    ------
+    NotUnderstoodError
+        If there is anything else in it, or a function twice.
+    """
+    bare = _COMMENT.sub("", text)
+    found = _FUNCTION.findall(bare)
+    rest = [
+        line for line in _FUNCTION.sub("", bare).splitlines() if line.strip() and not _FRAME.fullmatch(line.strip())
+    ]
+    names = [name for _, name, _ in found]
+    if rest or len(names) != len({*names}):
+        raise NotUnderstoodError(f"C++ source: expected nothing but functions, each once, got {rest[:1] or names}")
+    return Header({name: head for head, name, _ in found}, {name: body for _, name, body in found})
+
+
+def cpp_source_is_proved(lowered: Lowered, files: Mapping[str, str], engine: str = "flint") -> bool:
+    """Whether the C++ source of a kernel, executed on rational functions, is identical to the derivation.
+
+    Parameters
+    ----------
+    lowered : Lowered
+        The kernel and its program.
+    files : mapping of str to str
+        The headers by their names.
+    engine : {"flint", "sympy"}
+        The polynomial arithmetic.
+
+    Returns
+    -------
+    bool
+        True also for a kernel that is left out.
+    """
+    if not is_compiled(lowered):
+        return True
+    kernel = lowered.kernel
+    try:
+        header, systems = header_of(files[f"{kernel.module}.hpp"]), _solvers(header_of(files["systems.hpp"]))
+        errors = Source({}, {}, {"split_product_error": _product_error(files["arithmetic.hpp"])})
+        called = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
+        solved = all(solver_is_proved(systems, primitive, height, engine) for primitive, height in called)
+        return solved and product_errors_are_proved(errors, engine) and function_is_proved(kernel, header, engine)
+    except (NotUnderstoodError, KeyError):
+        return False
+
+
+def function_is_proved(kernel: Kernel, header: Header, engine: str = "flint") -> bool:
+    """Whether a function gives the derivation, if what it calls solves linear systems and takes errors of products."""
+    names, head = declaration(kernel)
+    if header.heads[kernel.name].split() != head.split():
+        raise NotUnderstoodError(f"{kernel.name}: expected {head}, got {header.heads[kernel.name]}")
+    body = re.sub(r"(real solution\d+\[\d+\]) = \{\};", r"\1;", header.bodies[kernel.name])
+    returned = _RETURN.search(body)
+    if returned is None:
+        raise NotUnderstoodError(f"{kernel.name}: expected a list of results at the end")
+
+    def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
+        given: dict[str, Any] = {}
+        for argument in kernel.arguments:
+            entries = iter([field.variables[symbol] for symbol in argument.symbols])
+            given[names[argument.name]] = _shaped(entries, argument.shape)
+        return body_values(f"{body[: returned.start()]}}}", given, returned[1].split(", "), meaning)
+
+    return is_proved(kernel, engine, outputs, once=False)
+
+
+def _shaped(entries: Any, shape: tuple[int, ...]) -> Any:
+    return [_shaped(entries, shape[1:]) for _ in range(shape[0])] if shape else next(entries)
+
+
+def _solvers(header: Header) -> Source:
+    """Return the functions that solve linear systems, each of which takes the arrays that belong to its name."""
+    for name, head in header.heads.items():
+        height = int(name.rpartition("_")[2])
+        width = height + name.startswith("null_vector")
+        system = _SYSTEM.search(head)
+        if system is None or tuple(map(int, system.groups())) != (height, 2 * height + 2, width):
+            raise NotUnderstoodError(f"{name}: expected a system and its solution, got {head}")
+    return Source({}, header.bodies, {})
+
+
+def _product_error(text: str) -> str:
+    """Return the function for errors of products as C has it, whose splitter is any number."""
+    _, found, rest = text.partition(f"template <typename real>\n{_ERROR}\n")
+    if not found:
+        raise NotUnderstoodError("C++ source: expected a function for errors of products")
+    body = rest[: rest.index("\n}") + 2].replace("splitter<real>", "splitter")
+    return f"(const real a, const real b, const real p)\n{body}"

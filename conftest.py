@@ -1,0 +1,132 @@
+"""What a run of the tests includes.
+
+By default it is what is quick.  ``--part rest`` is what that leaves out: builds and other long tests, tests that need
+an extra, and properties again with all their examples.  ``--part all`` is both.  CI runs both, with every extra.
+"""
+
+import os
+import subprocess
+import sys
+from functools import cache
+from importlib.metadata import PackageNotFoundError, distribution, requires
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, settings
+from packaging.requirements import Requirement
+
+from algebroproj_sym.declaring import kernels
+from algebroproj_sym.generating import lower
+
+PROJECT = "algebroproj-sym"
+# The extra that the modules of a file or folder import.  A test that needs one is marked with `extra`.
+IMPORTS = {
+    "algebroproj_sym/study": "study",
+    "tests/test_browser.py": "dev",
+    "tests/test_docs.py": "docs",
+    "tests/test_notebooks.py": "report",
+    "tests/test_site.py": "report",
+    "tests/test_study_": "study",
+}
+REPEATABLE = settings(derandomize=True, deadline=None, print_blob=True, suppress_health_check=[HealthCheck.too_slow])
+settings.register_profile("quick", REPEATABLE, max_examples=20)
+settings.register_profile("whole", REPEATABLE)
+
+
+def pytest_addoption(parser):
+    parser.addoption("--part", choices=("quick", "rest", "all"), default="quick", help="Which tests to run.")
+    parser.addoption(
+        "--built", type=Path, help="The folder that `algebroproj build` has written; built anew otherwise."
+    )
+    parser.addoption("--site", type=Path, help="Check every page of this site in the browser, not of a small one.")
+
+
+def pytest_configure(config):
+    config.addinivalue_line("markers", "whole: what takes long, such as a build.")
+    config.addinivalue_line("markers", "extra(name): the test needs this extra.")
+    settings.load_profile("quick" if config.getoption("part") == "quick" else "whole")
+
+
+def pytest_collection_modifyitems(config, items):
+    part = config.getoption("part")
+    if part != "all":
+        chosen = is_quick if part == "quick" else is_rest
+        config.hook.pytest_deselected(items=[item for item in items if not chosen(item)])
+        items[:] = filter(chosen, items)
+
+
+def is_quick(item):
+    return item.get_closest_marker("whole") is None
+
+
+def is_rest(item):
+    """Whether a quick run leaves a test out, skips it without an extra, or gives it fewer examples."""
+    needs_extra = extra_of(item) is not None or item.get_closest_marker("extra") is not None
+    return not is_quick(item) or needs_extra or hasattr(getattr(item, "obj", None), "hypothesis")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_make_collect_report(collector):
+    """Skip a file, before it is imported, that needs an extra which is absent."""
+    extra = extra_of(collector) if isinstance(collector, pytest.File) else None
+    reason = extra and collector.config.getoption("part") == "quick" and absent(extra)
+    return pytest.CollectReport(collector.nodeid, "skipped", (collector.nodeid, 0, reason), []) if reason else None
+
+
+def pytest_runtest_setup(item):
+    for mark in item.iter_markers("extra"):
+        reason = item.config.getoption("part") == "quick" and absent(*mark.args)
+        if reason:
+            pytest.skip(reason)
+
+
+def extra_of(node):
+    return next((extra for place, extra in IMPORTS.items() if node.nodeid.startswith(place)), None)
+
+
+@cache
+def absent(extra):
+    """Return a sentence on what is not installed of what an extra requires, or None."""
+    names = sorted(name for name in required(extra) if not is_installed(name))
+    return f"needs the extra {extra}, of which {names[0]} is not installed" if names else None
+
+
+def required(extra):
+    """Return the names of the distributions that an extra requires and the core does not."""
+    every = [Requirement(text) for text in requires(PROJECT)]
+    for requirement in every:
+        if requirement.marker and requirement.marker.evaluate({"extra": extra}):
+            if requirement.name == PROJECT:
+                yield from (name for inner in requirement.extras for name in required(inner))
+            else:
+                yield requirement.name
+
+
+def is_installed(name):
+    try:
+        return distribution(name) is not None
+    except PackageNotFoundError:
+        return False
+
+
+@pytest.fixture(scope="session")
+def repository() -> Path:
+    return Path(__file__).resolve().parent
+
+
+@pytest.fixture(scope="session")
+def built(request, tmp_path_factory):
+    """Return the folder of a build of everything."""
+    folder = request.config.getoption("built")
+    if folder is None:
+        folder = tmp_path_factory.mktemp("built")
+        command = [sys.executable, "-m", "algebroproj_sym", "build", "--out", str(folder), "--jobs", "2"]
+        subprocess.run(command, env=os.environ | {"PYTHONHASHSEED": "1"}, capture_output=True, check=True)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def lowered():
+    """Return a function from the name of a kernel of the papers to its program; each is lowered once."""
+    declared = {kernel.qualified_name: kernel for kernel in kernels()}
+    return cache(lambda name: lower(declared[name]))

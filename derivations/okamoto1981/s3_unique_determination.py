@@ -1,0 +1,139 @@
+# %% [markdown]
+# # 3 Are the 22 parameters unique?
+#
+# The 22 equations are independent: near a solution there is no other.  But seven pairs of image points leave a pencil
+# of bilinear forms $\mathbf F + t\, \mathbf G$, of which those are conditions of coplanarity whose determinant is zero.
+# That is a cubic in $t$.  Each of its roots gives a stereo model, and five points take each model to the object.
+
+# %%
+import sympy
+
+from algebroproj_derivations.okamoto1981.notation import *
+from algebroproj_derivations.okamoto1981.s2_1_algebraic_consideration import (
+    A_left,
+    A_right,
+    control_points,
+    coplanarity,
+    x_left,
+    x_right,
+)
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, columns, cross, determinant, dot, inverse, over, solve, vector
+
+section = Section("okamoto1981", "3", "Unique determination, general case")
+
+# %% [markdown]
+# ## Seven pairs
+#
+# Two conditions of coplanarity are given, and seven left image points.  The right image point that belongs to a left
+# one under both conditions is where its two lines meet.
+
+# %%
+F, G = Matrix([[-2, 0, 1], [1, -2, -2], [0, -4, -3]]), Matrix([[2, 2, 0], [-2, 0, 2], [1, 2, 1]])
+left_points = [vector(*p, 1) for p in ((-3, -3), (3, 3), (1, 2), (-3, 0), (4, -1), (-1, 2), (1, -3))]
+right_points = [cross(F.T * u, G.T * u) for u in left_points]
+pairs = list(zip(left_points, right_points, strict=True))
+t = sympy.Symbol("t")
+section.rank(
+    "3/beyond/pencil",
+    "seven pairs leave a pencil of bilinear forms",
+    printed=7,
+    derived=Matrix([[u[i] * v[j] for i in range(3) for j in range(3)] for u, v in pairs]),
+    kernel=[vector(*F), vector(*G)],
+    note="Not in the paper: an example with integers.",
+)
+THIRD = sympy.Rational(1)
+section.vanishing(
+    "3/beyond/pencil#cubic",
+    "two of the conditions of coplanarity in the pencil, beside the second of the given ones",
+    printed=(t, t - THIRD),
+    derived=determinant(F + t * G),
+    note="Not in the paper: t = 0 is the first one, and the second one, G, is the third root of the cubic, at "
+    "infinity.",
+)
+forms = (F, G, F + THIRD * G)
+
+# %% [markdown]
+# ## Three models
+#
+# Let the left photograph have the matrix $[\mathbf 1\; \mathbf 0]$, and the right one
+# $[\,\mathbf a \times \mathbf F^T\; \mathbf a\,]$ with $\mathbf F \mathbf a = \mathbf 0$: then $\mathbf u_1^T \mathbf F
+# \mathbf u_2 = 0$ for the images of every point.  A model point is $(\mathbf u_1, w)$.
+
+
+# %%
+def model_of(form: Matrix) -> tuple[Matrix, list[Matrix]]:
+    """Return the matrix of the right photograph, and the points of the first five pairs."""
+    a = cross(form.row(0).T, form.row(1).T)
+    turned = columns(*(cross(a, form.T.col(j)) for j in range(3)))
+
+    def model_point(u: Matrix, v: Matrix) -> Matrix:
+        towards, along = cross(v, turned * u), cross(v, a)
+        return vector(*u, over(-dot(towards, along), dot(along, along)))
+
+    return columns(turned, a), [model_point(u, v) for u, v in pairs[:5]]
+
+
+# %% [markdown]
+# ## Three pairs of photographs
+#
+# The first five pairs are those of the control points.  The collineation that takes the five model points to them is
+# a product of two matrices, each of which takes the five unit points to five points.
+
+
+# %%
+def from_unit_points(points: list[Matrix]) -> Matrix:
+    """Return the matrix that takes the four unit points and (1, 1, 1, 1) to five homogeneous points."""
+    four = columns(*points[:4])
+    return four * Matrix.diag(*solve(four, points[4]))
+
+
+def photographs_of(form: Matrix) -> tuple[Matrix, Matrix]:
+    right, model_points = model_of(form)
+    to_object = from_unit_points([vector(*p, 1) for p in control_points])
+    to_model = from_unit_points(model_points) * inverse(to_object)
+    left = columns(E3, vector(0, 0, 0))
+    return tuple(coefficients_of(matrix * to_model).doit() for matrix in (left, right))
+
+
+solutions = [photographs_of(form) for form in forms]
+
+
+def measured(u: Matrix) -> Matrix:
+    return vector(over(u[0], u[2]), over(u[1], u[2]))
+
+
+def left_over(left: Matrix, right: Matrix) -> Matrix:
+    """Return what the equations of seven pairs and five control points leave."""
+    of_photographs = dict(zip((*A_left, *A_right), (*left, *right), strict=True))
+    conditions = [
+        coplanarity.xreplace(of_photographs | dict(zip((*x_left, *x_right), (*measured(u), *measured(v)), strict=True)))
+        for u, v in pairs
+    ]
+    of_control = [
+        image(matrix_of(a), p) - measured(w)
+        for p, pair in zip(control_points, pairs[:5], strict=True)
+        for a, w in zip((left, right), pair, strict=True)
+    ]
+    return Matrix.vstack(vector(*conditions), *of_control)
+
+
+section.identity(
+    "3/beyond/three-solutions",
+    "three pairs of photographs satisfy seven conditions of coplanarity and have the same images of five object points",
+    printed=Matrix.zeros(27, 3),
+    derived=columns(*(left_over(*solution) for solution in solutions)),
+    note="Not in the paper: the conditions (42) of seven pairs, and twenty image coordinates of the five points, which "
+    "say the same as (43).  All numbers are rational.",
+)
+section.identity(
+    "3/unique",
+    "seven pairs and five object points determine the parameters uniquely",
+    printed=vector(*solutions[1][0], *solutions[1][1]),
+    derived=vector(*solutions[0][0], *solutions[0][1]),
+    expect="false",
+    instead="3/beyond/three-solutions",
+    note="Printed and derived are the 22 coefficients of two solutions for the same measurements, which would have to "
+    "be equal.  The equations are independent, 3/twenty-two: near a solution there is no other.  An eighth pair "
+    "decides between the three.",
+)

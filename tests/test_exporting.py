@@ -129,7 +129,7 @@ def every_kind():
     section.reference("1.25", "reference", printed="1.3.8", meant="1.3.8")
     section.reference("1.26", "wrong reference", printed="1.3.8", meant="1.3.9")
     section.definition("1.27", "definition", printed=vector(x / (y - 1), a), where={a: x**2})
-    section.identity("1.28", "error", printed=x / y, derived=over(y, x), corrected=y / x, expect="error")
+    section.identity("1.29", "error", printed=x / y, derived=over(y, x), corrected=y / x, expect="error")
     return ledger([judge(claim) for claim in section.claims], timed=False)["claims"]
 
 

@@ -555,7 +555,7 @@ def test_hostile_titles_and_names_compile(records, library):
 def test_every_word_of_coq_that_a_file_uses_is_no_name_of_a_variable(records):
     files = render(export(records))
     symbols = {symbol for record in records for symbol in re.findall(r"[A-Za-z]\w*", json.dumps(record))}
-    numbered = r"(claim|nonzero|unit|zero|is|held)_\w+"
+    numbered = r"(claim|nonzero|unit|zero|is|held|side)_\w+"
     for word_of_coq in re.findall(r"[A-Za-z_][\w']*", outside_comments(files["s_demo_1.v"])):
         if word_of_coq not in symbols and not re.fullmatch(numbered, word_of_coq):
             assert word_of_coq in reserved() | COMMANDS, word_of_coq
@@ -702,8 +702,9 @@ def test_steps_that_make_another_form_are_noticed(objects):
     (record,) = [record for record in records if record["number"] == "1.3"]
     other = made["demo", "1.8"]
     claim = translated(record, other)
-    assert not claim.definitions
-    assert claim.why == "the steps of the derivation make another form than the ledger has"
+    assert claim.refused
+    assert not claim.theorems
+    assert claim.reason == "the steps of the derivation make another form than the ledger has"
 
 
 @pytest.mark.whole

@@ -72,7 +72,7 @@ class Section:
         if any(claim.number == number for claim in self.claims):
             raise DeclarationError(f"claim {self.paper}:{number}: expected each number once, got this one twice")
         source = calling(depth=2)
-        provenance.declare((self.paper, number), derived)
+        derived = provenance.declare((self.paper, number), derived)
         claim = declared(self.paper, self.number, number, title, kind.name, printed, derived, source=source, **options)
         self.claims.append(claim)
         return claim

@@ -5,14 +5,19 @@
     computation with polynomials over Q, or with rational numbers.  Everything here is proved; a reader of a theorem
     needs to believe none of it. *)
 
-From Coq Require Import Reals QArith Qreals List ZArith Lia Lra.
+From Coq Require Import Reals QArith Qreals Qabs Qround List ZArith Lia Lra.
 From Coq Require Import BinList Ring_theory Ring_polynom.
 Import ListNotations.
 Open Scope R_scope.
 
 (** * Formulas and what they say *)
 
-(** [Div a b c h]: the numerator of b is c times the product of the divisors with the exponents h. *)
+(** The largest integer that is not greater; and 1 if a is at most b, else 0. *)
+Definition floor (x : R) : R := IZR (Int_part x).
+Definition at_most (a b : R) : R := if Rle_dec a b then 1 else 0.
+
+(** [Div a b c h]: the numerator of b is c times the product of the divisors with the exponents h.  The last three
+    operations are for numbers alone. *)
 Inductive expr : Type :=
 | Int (n : Z)
 | Var (k : nat)
@@ -21,7 +26,10 @@ Inductive expr : Type :=
 | Sub (a b : expr)
 | Mul (a b : expr)
 | Div (a b : expr) (c : Q) (h : list Z)
-| Pow (a : expr) (n : nat).
+| Pow (a : expr) (n : nat)
+| Abs (a : expr)
+| Floor (a : expr)
+| Compare (a b : expr).
 
 Fixpoint eval (env : list R) (e : expr) : R :=
   match e with
@@ -33,6 +41,9 @@ Fixpoint eval (env : list R) (e : expr) : R :=
   | Mul a b => eval env a * eval env b
   | Div a b _ _ => eval env a / eval env b
   | Pow a n => eval env a ^ n
+  | Abs a => Rabs (eval env a)
+  | Floor a => floor (eval env a)
+  | Compare a b => at_most (eval env a) (eval env b)
   end.
 
 Inductive literal : Type :=
@@ -323,6 +334,7 @@ Fixpoint normal (values : list fraction) (e : expr) : option fraction :=
   | Mul a b => both a b (fun v w => Some (fmul v w))
   | Div a b c h => both a b (fun v w => fdiv v w c h)
   | Pow a n => option_map (fun v => fpow v n) (normal values a)
+  | _ => None
   end.
 
 Definition faithful (env : list R) (values : list fraction) : Prop :=
@@ -331,7 +343,7 @@ Definition faithful (env : list R) (values : list fraction) : Prop :=
 Lemma normal_sound env values : faithful env values ->
   forall e v, normal values e = Some v -> eval env e = meaning v.
 Proof.
-  intro F. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intros u H;
+  intro F. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n|a IH|a IH|a IHa b IHb]; simpl; intros u H; try discriminate H;
     try (destruct (normal values a) as [v|]; [|discriminate]; rewrite (IH v) by reflexivity; injection H as <-);
     try (destruct (normal values a) as [v|]; [|discriminate]; destruct (normal values b) as [w|]; [|discriminate];
          rewrite (IHa v), (IHb w) by reflexivity; try injection H as <-).
@@ -532,6 +544,9 @@ Fixpoint number (env : list Q) (e : expr) : option Q :=
   | Mul a b => both a b (fun p q => Some (p * q)%Q)
   | Div a b _ _ => both a b (fun p q => if Qeq_bool q 0 then None else Some (p / q)%Q)
   | Pow a n => option_map (fun p => qpow p n) (number env a)
+  | Abs a => option_map Qabs (number env a)
+  | Floor a => option_map (fun p => inject_Z (Qfloor p)) (number env a)
+  | Compare a b => both a b (fun p q => Some (if Qle_bool p q then 1%Q else 0%Q))
   end.
 
 Fixpoint numbers (env : list Q) (definitions : list expr) : option (list Q) :=
@@ -578,9 +593,31 @@ Proof. apply Qeq_eqR, Qred_correct. Qed.
 Lemma Q2R_power q n : Q2R (qpow q n) = Q2R q ^ n.
 Proof. induction n as [|n IH]; simpl; [exact Q2R_1|]. unfold qmul. now rewrite Q2R_red, Q2R_mult, IH. Qed.
 
+Lemma Q2R_floor q : floor (Q2R q) = Q2R (inject_Z (Qfloor q)).
+Proof.
+  rewrite Q2R_Z. unfold floor. f_equal. destruct (base_Int_part (Q2R q)) as [L1 U1].
+  pose proof (Qle_Rle _ _ (Qfloor_le q)) as L. pose proof (Qlt_Rlt _ _ (Qlt_floor q)) as U.
+  rewrite Q2R_Z in L, U. rewrite plus_IZR in U.
+  apply Z.le_antisymm; apply Z.lt_succ_r, lt_IZR; rewrite succ_IZR; lra.
+Qed.
+Lemma Q2R_absolute q : Rabs (Q2R q) = Q2R (Qabs q).
+Proof.
+  destruct (Qlt_le_dec q 0) as [N|P].
+  - rewrite Qabs_neg by now apply Qlt_le_weak. apply Qlt_Rlt in N. rewrite Q2R_0 in N.
+    rewrite Q2R_opp. now apply Rabs_left.
+  - rewrite Qabs_pos by assumption. apply Qle_Rle in P. rewrite Q2R_0 in P. apply Rabs_right. lra.
+Qed.
+Lemma Q2R_compared p q : at_most (Q2R p) (Q2R q) = Q2R (if Qle_bool p q then 1 else 0).
+Proof.
+  unfold at_most. destruct (Rle_dec (Q2R p) (Q2R q)) as [L|L]; destruct (Qle_bool p q) eqn:E;
+    rewrite ?Q2R_1, ?Q2R_0; try reflexivity.
+  - apply Rle_Qle, Qle_bool_iff in L. congruence.
+  - apply Qle_bool_iff, Qle_Rle in E. contradiction.
+Qed.
+
 Lemma number_sound env values : rational env values -> forall e q, number values e = Some q -> eval env e = Q2R q.
 Proof.
-  intro F. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intros u H;
+  intro F. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n|a IH|a IH|a IHa b IHb]; simpl; intros u H;
     try (destruct (number values a) as [p|]; [|discriminate]; rewrite (IH p) by reflexivity; injection H as <-);
     try (destruct (number values a) as [p|]; [|discriminate]; destruct (number values b) as [q|]; [|discriminate];
          rewrite (IHa p), (IHb q) by reflexivity; try injection H as <-);
@@ -594,6 +631,9 @@ Proof.
   - destruct (Qeq_bool q 0) eqn:E; [discriminate|]. injection H as <-.
     rewrite Q2R_div; [reflexivity|now apply Qeq_bool_neq].
   - now rewrite Q2R_power.
+  - apply Q2R_absolute.
+  - apply Q2R_floor.
+  - apply Q2R_compared.
 Qed.
 
 Lemma numbers_rational env definitions : forall values more,
@@ -716,7 +756,7 @@ Fixpoint entire (e : expr) : bool :=
   | Int _ | Var _ => true
   | Opp a | Pow a _ => entire a
   | Add a b | Sub a b | Mul a b => entire a && entire b
-  | Div _ _ _ _ => false
+  | _ => false
   end.
 
 Lemma same_continuous (f g : R -> R) t : (forall u, f u = g u) -> continuity_pt f t -> continuity_pt g t.
@@ -724,7 +764,7 @@ Proof. intros E C e He. destruct (C e He) as (a & Ha & H). exists a. split; auto
 
 Lemma entire_continuous xs e t : entire e = true -> continuity_pt (fun t => eval (xs ++ [t]) e) t.
 Proof.
-  induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intro H;
+  induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n|a IH|a IH|a IHa b IHb]; simpl; intro H;
     try discriminate; try (apply andb_prop in H as [H1 H2]).
   - apply continuity_pt_const. now intros ? ?.
   - destruct (Nat.lt_trichotomy k (length xs)) as [L|[->|L]].
@@ -843,6 +883,7 @@ Fixpoint differentiated (values : list dual) (e : expr) : option dual :=
   | Mul a b => both a b (fun u v => Some (dtimes u v))
   | Div a b c h => both a b (fun u v => dquotient u v c h)
   | Pow a n => option_map (fun u => dpower u n) (differentiated values a)
+  | _ => None
   end.
 
 Fixpoint drun (values : list dual) (definitions : list expr) : option (list dual) :=
@@ -900,7 +941,7 @@ Definition tracked (env : R -> list R) (values : list dual) : Prop :=
 Lemma differentiated_sound env values : tracked env values ->
   forall e u, differentiated values e = Some u -> has (fun t => eval (env t) e) u.
 Proof.
-  intro T. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n]; simpl; intros w H;
+  intro T. induction e as [n|k|a IH|a IHa b IHb|a IHa b IHb|a IHa b IHb|a IHa b IHb c h|a IH n|a IH|a IH|a IHa b IHb]; simpl; intros w H; try discriminate H;
     try (destruct (differentiated values a) as [u|]; [|discriminate]; specialize (IH u eq_refl); cbn [option_map] in H; injection H as <-);
     try (destruct (differentiated values a) as [u|]; [|discriminate];
          destruct (differentiated values b) as [v|]; [|discriminate];

@@ -67,10 +67,28 @@ Definition solution (m b : matrix) : matrix :=
 Definition system_matrix (at_zero : matrix) (at_units : list matrix) : matrix :=
   transposed (map (fun m => concat (difference m at_zero)) at_units).
 
+(** The rows of a table where conditions are not 0. *)
+Fixpoint chosen_rows (conditions : list R) (m : matrix) : matrix :=
+  match conditions, m with
+  | c :: conditions, row :: m => if Req_EM_T c 0 then chosen_rows conditions m else row :: chosen_rows conditions m
+  | _, _ => []
+  end.
+Definition chosen (conditions m : matrix) : matrix := chosen_rows (concat conditions) m.
+Lemma chosen_row conditions row m : chosen_rows (1 :: conditions) (row :: m) = row :: chosen_rows conditions m.
+Proof. simpl. destruct (Req_EM_T 1 0); [lra|reflexivity]. Qed.
+Lemma left_row conditions row m : chosen_rows (0 :: conditions) (row :: m) = chosen_rows conditions m.
+Proof. simpl. destruct (Req_EM_T 0 0); [reflexivity|lra]. Qed.
+Ltac choose := unfold chosen; cbn [concat app]; rewrite ?chosen_row, ?left_row; repeat rewrite ?chosen_row, ?left_row; reflexivity.
+
 (** * Theorems about matrices from equations between entries *)
 
 Definition left_side (env : list R) (g : goal) : R := let '(Equation a _ _ _ _) := g in eval env a.
 Definition right_side (env : list R) (g : goal) : R := let '(Equation _ b _ _ _) := g in eval env b.
+
+Lemma nonzero_by d : 1 / d * d = 1 -> d <> 0.
+Proof. intros E ->. lra. Qed.
+
+Definition equal (g : goal) : literal := let '(Equation a b _ _ _) := g in Equal a b.
 
 Theorem same_matrix env (rows : list (list goal)) :
   all (map (concludes env) (concat rows)) -> map (map (left_side env)) rows = map (map (right_side env)) rows.

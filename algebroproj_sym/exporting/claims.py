@@ -21,7 +21,7 @@ from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero,
 from algebroproj_sym.exporting.rational_functions import exact_quotient, hypotheses, ratio, vector
 from algebroproj_sym.exporting.reading import decimal, formula_of, natural, symbol
 from algebroproj_sym.exporting.reading import form as read
-from algebroproj_sym.exporting.refusal import NotExportable, Silent
+from algebroproj_sym.exporting.refusal import AnotherForm, NotExportable, Silent
 from algebroproj_sym.exporting.statement import Point, Statement
 from algebroproj_sym.exporting.terms import (
     Term,
@@ -79,22 +79,39 @@ def identity(statement: Statement, form: str, certificate: Certificate) -> Prove
     return {"holds": universal(given, [Goal(a, b) for a, b in zip(left.entries, right.entries, strict=True)])}
 
 
-def about(statement: Statement, form: str, made: Object) -> Proved:
+def about(statement: Statement, form: str, certificate: Certificate, made: Object) -> Proved:
     """Show that an object which the derivation makes step by step is what is printed."""
     printed, derived = statement.written(form), statement.written("derived")
     given = _hypotheses(statement, printed, derived)
-    entries = [entry for row in made.rows for entry in row]
-    given = replace(given, variables=tuple(sorted({*given.variables, *made.variables})))
-    field = splitting(given).field
+    piece = made.piece
+    entries = [entry for row in piece.rows for entry in row]
+    given = replace(given, variables=tuple(sorted({*given.variables, *piece.variables})))
     expected = inlined(derived.entries, derived.definitions)
-    if len(entries) != len(expected) or any(
-        field.value(difference(a, b)).numerator for a, b in zip(entries, expected, strict=True)
-    ):
-        raise NotExportable("the steps of the derivation make another form than the ledger has")
-    goals = [Goal(a, b) for a, b in zip(entries, printed.entries, strict=True)]
-    width = len(made.rows[0])
+    if not _same(given, entries, expected):
+        raise AnotherForm("the steps of the derivation make another form than the ledger has")
+    right = printed.entries if given.variables else inlined(printed.entries, printed.definitions)
+    goals = [Goal(a, b) for a, b in zip(entries, right, strict=True)]
+    if "constraints" in statement.setting:
+        given = _constrained(statement, given)
+        found = _members(given, [(goal.right, goal.left) for goal in goals], certificate, len(given.units))
+        goals = [Goal(g.right, g.left, 1, g.multiplier, tuple(map(negative, g.cofactors))) for g in found]
+    width = len(piece.rows[0])
     rows = [goals[start : start + width] for start in range(0, len(goals), width)]
-    return {"holds": universal_of_matrix(given, rows, made.text, scalar=made.scalar)}
+    holds = universal_of_matrix(
+        given, rows, piece.text, scalar=piece.scalar, first=made.rewriting, required=piece.needs
+    )
+    if "constraints" in statement.setting:
+        return {"holds": holds, "witness": _witness(given, statement.point(certificate["witness"]))}
+    return {"holds": holds}
+
+
+def _same(given: Hypotheses, left: Sequence[Term], right: Sequence[Term]) -> bool:
+    if len(left) != len(right):
+        return False
+    if not given.variables:
+        return points.values({}, {}, left) == points.values({}, {}, right) is not None
+    field = splitting(given).field
+    return not any(field.value(difference(a, b)).numerator for a, b in zip(left, right, strict=True))
 
 
 def constrained(statement: Statement, form: str, certificate: Certificate) -> Proved:
@@ -531,7 +548,7 @@ def theorems(record: Mapping[str, Any], made: Object | None = None) -> Proved:
     statement = Statement(record)
     found = Proved()
     if verdict != "false" and made is not None:
-        found |= about(statement, "printed" if verdict == "proved" else "corrected", made)
+        found |= about(statement, "printed" if verdict == "proved" else "corrected", certificate, made)
     elif verdict != "false":
         found |= _translated(PROOFS, kind)(statement, "printed" if verdict == "proved" else "corrected", certificate)
     if verdict in ("misprint", "error", "false"):

@@ -13,7 +13,7 @@ from typing import Any
 from algebroproj_sym.exporting.claims import Proved, theorems
 from algebroproj_sym.exporting.gallina import LEMMAS
 from algebroproj_sym.exporting.objects import Definition, Object
-from algebroproj_sym.exporting.refusal import NotExportable, Silent
+from algebroproj_sym.exporting.refusal import AnotherForm, NotExportable, Silent
 from algebroproj_sym.exporting.terms import free
 from algebroproj_sym.exporting.theorems import Theorem
 from algebroproj_sym.replaying import Replayed, replay_claim
@@ -53,6 +53,8 @@ class Exported:
         The objects that the theorems are about.
     why : str
         Why there are no such objects, if it is known.
+    line : int
+        The line of the paper that has the claim, 0 if none is quoted.
     """
 
     paper: str
@@ -66,6 +68,7 @@ class Exported:
     refused: bool = False
     definitions: tuple[Definition, ...] = ()
     why: str = ""
+    line: int = 0
 
     @property
     def equations(self) -> int:
@@ -117,9 +120,11 @@ def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     missing = made if isinstance(made, str) else ""
     found: Proved = {}
     try:
-        if isinstance(made, Object) and record["kind"] == "identity":
+        if isinstance(made, Object):
             try:
                 found, definitions = theorems(record, made), made.definitions
+            except AnotherForm:
+                raise
             except (NotExportable, RecursionError) as error:
                 missing = str(error) or "the expressions are too large"
         found = found or theorems(record)
@@ -140,7 +145,9 @@ def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
 
 def _exported(record: Mapping[str, Any], **found: Any) -> Exported:
     paper, number, section, title, kind, verdict = (str(record.get(key)) for key in ABOUT)
-    return Exported(paper, number, section, title, kind, verdict, **found)
+    quote = record.get("quote")
+    line = quote.get("line") if isinstance(quote, Mapping) else None
+    return Exported(paper, number, section, title, kind, verdict, line=line if type(line) is int else 0, **found)
 
 
 def export(
@@ -241,10 +248,9 @@ def _reason(claim: Exported) -> str:
 
 
 def _convention(claim: Exported) -> str:
-    about = (
-        f"{claim.paper}:{claim.number}  {claim.trivial} of {claim.equations}: {claim.why or NO_STEPS}: {claim.title}"
-    )
-    return f"{plain(about)}\n"
+    where = f"line {claim.line} of the paper" if claim.line else "not in the paper"
+    counted = f"{claim.trivial} of {claim.equations}, {where}"
+    return f"{plain(f'{claim.paper}:{claim.number}  {counted}: {claim.why or NO_STEPS}: {claim.title}')}\n"
 
 
 def _section(claims: Sequence[Exported]) -> tuple[str, list[str]]:

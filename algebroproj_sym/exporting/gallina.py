@@ -50,6 +50,9 @@ def reserved() -> frozenset[str]:
     return frozenset([*_KEYWORDS.split(), *_LIBRARY.split(), *_BOUND, *defined])
 
 
+FUNCTIONS = {"Rabs": "Abs", "floor": "Floor", "at_most": "Compare"}
+"""Functions of numbers, and their trees."""
+
 LONG = 10**15
 _SUM, _PRODUCT, _SIGN, _POWER, _ATOM = range(5)
 
@@ -88,6 +91,8 @@ def _formula(term: Term) -> tuple[str, int]:
         return f"{formula(first, _PRODUCT)} / {formula(others[0], _POWER)}", _PRODUCT
     if term.kind == "*":
         return " * ".join([formula(first, _PRODUCT), *(formula(other, _POWER) for other in others)]), _PRODUCT
+    if term.kind in FUNCTIONS:
+        return " ".join([term.kind, *(formula(part, _ATOM) for part in term.parts)]), _POWER
     return "".join([formula(first, _SUM), *map(_signed, others)]), _SUM
 
 
@@ -132,6 +137,8 @@ def tree(term: Term, places: Mapping[str, int], splits: Splits) -> str:
             return f"Div {above} {below} 1 []"
         content, exponents = splits[term]
         return f"Div {above} {below} {rational(content)} {exponent_list(exponents)}"
+    if term.kind in FUNCTIONS:
+        return " ".join([FUNCTIONS[term.kind], *(_inner(part, places, splits) for part in term.parts)])
     text = tree(term.parts[0], places, splits)
     for part in term.parts[1:]:
         operation = "Mul" if term.kind == "*" else "Sub" if part.kind == "-" else "Add"

@@ -25,7 +25,7 @@ def made_by_derivations(
     workshops: dict[str, Workshop] = {}
     objects = {}
     for _, claim in found:
-        if claim.kind == "identity":
+        if claim.kind in ("identity", "identity under constraints"):
             key = claim.paper, claim.number
             section = f"{claim.paper}:{claim.section}"
             workshop = workshops.setdefault(section, Workshop(record.names))

@@ -7,16 +7,19 @@ part by part in the same order.  Coq compares the two; if they differ, it reject
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, TypeAlias
 
 import sympy
 
 from algebroproj_sym.exporting.gallina import formula, identifier, listed
+from algebroproj_sym.exporting.points import values
+from algebroproj_sym.exporting.rational_functions import in_lowest_terms
 from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import (
     Term,
+    applied,
     integer,
     name,
     names,
@@ -29,26 +32,38 @@ from algebroproj_sym.exporting.terms import (
     substituted,
     total,
 )
+from algebroproj_sym.exporting.theorems import Goal, Hypotheses, universal_of_matrix
 from algebroproj_sym.expressions import over
 from algebroproj_sym.expressions.provenance import Made
 
 Rows: TypeAlias = tuple[tuple[Term, ...], ...]
-MOST_PARTS = 30_000
+LARGE, LARGE_NUMBER = 1_500, 150
+"""From how many parts on a step has a theorem of its own, which later steps rest on."""
+MOST_PARTS, MOST_UNKNOWNS = 60_000, 6
 
 
 @dataclass(frozen=True)
 class Definition:
-    """A definition of Coq: its name, its variables, and its text."""
+    """A definition of Coq: its name, its variables, and its text.
+
+    There may be a lemma that says what it is: its statement and proof, and what must not be zero.
+    """
 
     name: str
     variables: tuple[str, ...]
     text: str
+    lemma: tuple[str, str] | None = None
+    divisors: tuple[Term, ...] = ()
 
     @property
     def command(self) -> str:
-        """The command that makes it."""
+        """The commands that make it, and prove the lemma."""
         bound = f" ({' '.join(map(identifier, self.variables))} : R)" if self.variables else ""
-        return f"Definition {self.name}{bound} :=\n  {self.text}."
+        made = f"Definition {self.name}{bound} :=\n  {self.text}."
+        if self.lemma is None:
+            return made
+        statement, proof = self.lemma
+        return f"{made}\nLemma {self.name}_is :\n{statement}.\nProof.\n{proof}\nQed."
 
 
 @dataclass(frozen=True)
@@ -65,6 +80,8 @@ class Piece:
     scalar : bool
     made : bool
         Whether some operation made it, other than writing its entries down.
+    needs : tuple of Term
+        What must not be zero for the lemmas about its parts.
     """
 
     text: str
@@ -72,17 +89,16 @@ class Piece:
     variables: frozenset[str]
     scalar: bool
     made: bool
+    needs: tuple[Term, ...] = ()
 
 
 @dataclass(frozen=True)
 class Object:
-    """What a claim is about: its definitions in order, and the derived form in their terms."""
+    """What a claim is about: its definitions in order, the derived form in their terms, and how lemmas rewrite it."""
 
     definitions: tuple[Definition, ...]
-    text: str
-    rows: Rows
-    variables: frozenset[str]
-    scalar: bool
+    piece: Piece
+    rewriting: str
 
 
 class Workshop:
@@ -98,6 +114,7 @@ class Workshop:
         self.called = called
         self.pieces: dict[Made, Piece] = {}
         self.defined: dict[Made, Definition] = {}
+        self.operands: dict[Made, list[Made]] = {}
         self.taken: set[str] = set()
 
     def object(self, made: Made) -> Object | None:
@@ -105,55 +122,132 @@ class Workshop:
         piece = self.piece(made)
         if not piece.made:
             return None
-        order: dict[Made, None] = {}
-        self._collect(made, order, set())
-        return Object(
-            tuple(self.defined[step] for step in order), piece.text, piece.rows, piece.variables, piece.scalar
-        )
+        order = tuple(self.defined[step] for step in self._steps([made]))
+        return Object(order, piece, self._rewriting([made]))
 
-    def _collect(self, made: Made, order: dict[Made, None], met: set[Made]) -> None:
-        if made in met:
-            return
-        met.add(made)
-        for part in _operands(made):
-            self._collect(part, order, met)
-        if made in self.defined:
-            order[made] = None
+    def _steps(self, roots: Sequence[Made], behind_lemmas: bool = True) -> list[Made]:
+        """Return the definitions of some values, those that others use before them."""
+        waiting, met, order = [(root, False) for root in reversed(roots)], set[Made](), []
+        while waiting:
+            made, ready = waiting.pop()
+            if ready:
+                order.append(made)
+            elif made not in met:
+                met.add(made)
+                waiting += [(made, True)] if made in self.defined else []
+                if behind_lemmas or made not in self.defined or self.defined[made].lemma is None:
+                    waiting += [(part, False) for part in reversed(self._operands(made))]
+        return order
+
+    def _rewriting(self, roots: Sequence[Made]) -> str:
+        """Return the tactic that puts values into a text that lemmas have for its parts."""
+        steps = [self.defined[step] for step in self._steps(roots, behind_lemmas=False)]
+        lemmas = [f"?{step.name}_is" for step in steps if step.lemma is not None]
+        unfolded = " ".join(step.name for step in steps if step.lemma is None)
+        opened = f"cbv beta delta [{unfolded}].\n" if unfolded else ""
+        return f"{opened}rewrite {', '.join(lemmas)} by assumption." if lemmas else ""
+
+    def _operands(self, made: Made) -> list[Made]:
+        return self.operands.get(made) or _operands(made)
 
     def piece(self, made: Made) -> Piece:
-        """Return a value, after defining it if it has a name."""
+        """Return a value, after defining it if it has a name, or is large."""
         if made not in self.pieces:
             found = self._made(made)
-            if size([entry for row in found.rows for entry in row]) > MOST_PARTS:
+            known = [self.pieces[part] for part in self._operands(made) if part in self.pieces]
+            needs = dict.fromkeys(need for part in known for need in part.needs)
+            found = replace(found, needs=tuple(needs))
+            large = found.made and _size(found) > (LARGE if found.variables else LARGE_NUMBER)
+            if large or made.operation == "chosen" or self._at_other_places(made):
+                found = self._with_lemma(made, found)
+            if _size(found) > MOST_PARTS:
                 raise NotExportable("the steps are too many to be written out")
-            self.pieces[made] = self._named(made, found) if made in self.called and found.made else found
+            if made in self.called and made not in self.defined and (found.made or not found.variables):
+                found = self._named(made, found)
+            self.pieces[made] = found
         return self.pieces[made]
 
-    def _named(self, made: Made, piece: Piece, wanted: str = "") -> Piece:
-        called = identifier(f"the_{wanted or self.called[made]}")
+    def _at_other_places(self, made: Made) -> bool:
+        """Whether lemmas about the parts of a value assume something of other values of its variables."""
+        return made.operation == "substituted" and bool(self.pieces[self._operands(made)[0]].needs)
+
+    def _named(self, made: Made, piece: Piece, wanted: str = "step") -> Piece:
+        """Return a value after defining it."""
+        wanted = self.called.get(made, wanted)
+        called, count = identifier(f"the_{wanted}"), 1
         while called in self.taken:
-            called += "'"
+            called, count = identifier(f"the_{wanted}_{count + 1}"), count + 1
         self.taken.add(called)
         variables = tuple(sorted(piece.variables))
         self.defined[made] = Definition(called, variables, piece.text.removeprefix("(").removesuffix(")"))
-        return Piece(_applied(called, map(identifier, variables)), piece.rows, piece.variables, piece.scalar, True)
+        return replace(piece, text=_applied(called, map(identifier, variables)))
+
+    def _with_lemma(self, made: Made, piece: Piece) -> Piece:
+        """Return a value after defining it, with a lemma that has shorter formulas for it, if there are any."""
+        required, rewriting = piece.needs, [self._rewriting(self._operands(made))]
+        sides: tuple[Term, ...] = ()
+        if self._at_other_places(made):
+            whole, pairs = self._operands(made)[0], made.operands[1]
+            values = {old: self.pieces[new].rows[0][0] for old, new in pairs if old in self.pieces[whole].variables}
+            required = sides = tuple(substituted(self.pieces[whole].needs, values))
+            rewriting = [self._rewriting([new for old, new in pairs if old in values])]
+            required += tuple(need for old, new in pairs if old in values for need in self.pieces[new].needs)
+        found = _shorter(piece, required)
+        if found is None or (
+            made.operation not in ("substituted", "same", "chosen") and size(_flat(found[0])) > _size(piece)
+        ):
+            return piece
+        rows, divisors = found
+        named = self._named(made, piece)
+        definition = self.defined[made]
+        goals = [[Goal(a, b) for a, b in zip(*pair, strict=True)] for pair in zip(piece.rows, rows, strict=True)]
+        given = Hypotheses(definition.variables, divisors)
+        first = "\n".join(filter(None, [f"unfold {definition.name}.", *rewriting]))
+        statement, proof = universal_of_matrix(
+            given,
+            goals,
+            named.text,
+            scalar=piece.scalar,
+            first=first,
+            required=required,
+            lemma=f"{self.defined[self._operands(made)[0]].name}_is" if sides else "",
+            sides=len(sides),
+        )
+        lemma = statement, f"{first}\nchoose." if made.operation == "chosen" else proof
+        self.defined[made] = replace(definition, lemma=lemma, divisors=divisors)
+        return replace(named, rows=rows, needs=divisors)
 
     def _made(self, made: Made) -> Piece:
-        if made.operation == "scalar":
+        operation = made.operation
+        if operation == "scalar":
             return self._scalar(made)
-        if made.operation == "entries":
+        if operation == "entries":
             return self._entries(made)
-        if made.operation == "substituted":
+        if operation == "substituted":
             return self._substituted(made)
-        if made.operation.startswith("system"):
+        if operation.startswith("system"):
             return self._system(made)
-        if made.operation == "part":
+        if operation == "part":
             return self._part(made)
         parts = [
             self.piece(operand if isinstance(operand, Made) else Made("scalar", (), sympy.sympify(operand)))
             for operand in made.operands
         ]
-        return _OPERATIONS[made.operation](*parts)
+        if operation == "same":
+            return parts[0]
+        if operation == "chosen":
+            return self._chosen(*parts)
+        if operation in _OF_SCALARS and all(part.scalar for part in parts):
+            return _scalar(operation, *parts)
+        if operation == "solve" and len(parts[0].rows) > MOST_UNKNOWNS and not parts[0].variables | parts[1].variables:
+            return self._entries(Made("entries", (made.value.shape, *map(_literal, made.value.flat())), made.value))
+        return _OPERATIONS[operation](*parts)
+
+    def _chosen(self, conditions: Piece, table: Piece) -> Piece:
+        """Rows of a table where conditions hold."""
+        flags = values({}, {}, _flat(conditions.rows)) or []
+        kept = tuple(row for row, flag in zip(table.rows, flags, strict=True) if flag)
+        return Piece(f"(chosen {conditions.text} {table.text})", kept, frozenset(), scalar=False, made=True)
 
     def _scalar(self, made: Made) -> Piece:
         known: dict[Any, Term] = {}
@@ -194,11 +288,13 @@ class Workshop:
         values = {old: self.piece(new) for old, new in pairs if old in piece.variables}
         if not values:
             return piece
-        if whole not in self.defined:
-            if not piece.made:
-                self.pieces[whole] = piece = self._named(whole, piece, self.called.get(whole, "entries"))
-            else:
-                self.pieces[whole] = piece = self._named(whole, piece, self.called.get(whole, "step"))
+        if piece.needs and (whole not in self.defined or self.defined[whole].lemma is None):
+            same = Made("same", (whole,), None)
+            self.operands[made] = [same, *(new for _, new in pairs)]
+            self.pieces[same] = piece = self._with_lemma(same, piece)
+            whole = same
+        elif whole not in self.defined:
+            self.pieces[whole] = piece = self._named(whole, piece, "step" if piece.made else "entries")
         definition = self.defined[whole]
         arguments = [values[v].text if v in values else identifier(v) for v in definition.variables]
         variables = (piece.variables - values.keys()).union(*(value.variables for value in values.values()))
@@ -213,18 +309,14 @@ class Workshop:
     def _system(self, made: Made) -> Piece:
         """Linear equations at zero and at units."""
         forms, unknowns = made.operands
-        piece = self.piece(forms)
-        if forms not in self.defined:
-            self.pieces[forms] = piece = self._named(forms, piece, self.called.get(forms, "equations"))
-        definition = self.defined[forms]
+        self.piece(forms)
 
-        def at(unknown: str | None) -> Piece:
-            values = {v: integer(int(v == unknown)) for v in unknowns}
-            arguments = [formula(values[v]) if v in values else identifier(v) for v in definition.variables]
-            variables = piece.variables - values.keys()
-            return Piece(_applied(definition.name, arguments), _replaced(piece.rows, values), variables, False, True)
+        def at(unknown: str | None) -> Made:
+            values = ((v, Made("scalar", (), sympy.Integer(int(v == unknown)))) for v in unknowns)
+            return Made("substituted", (forms, tuple(values)), None)
 
-        at_zero, at_units = at(None), [at(unknown) for unknown in unknowns]
+        self.operands[made] = [at(None), *map(at, unknowns)]
+        at_zero, *at_units = map(self.piece, self.operands[made])
         if made.operation == "system right side":
             return _OPERATIONS["negated"](at_zero)
         columns = [_flat(_difference(unit.rows, at_zero.rows)) for unit in at_units]
@@ -253,6 +345,24 @@ class Workshop:
         return Piece(f"(part {piece.text} {places})", chosen, piece.variables, scalar=False, made=piece.made)
 
 
+def _size(piece: Piece) -> int:
+    return size(_flat(piece.rows))
+
+
+def _shorter(piece: Piece, required: Sequence[Term]) -> tuple[Rows, tuple[Term, ...]] | None:
+    """Return shorter formulas for the entries, and what they and other formulas divide by; None if there are none."""
+    entries = _flat(piece.rows)
+    if piece.variables:
+        shorter, divisors = in_lowest_terms(tuple(sorted(piece.variables)), entries, required)
+    else:
+        numbers = values({}, {}, entries)
+        shorter, divisors = [] if numbers is None else [*map(number, numbers)], ()
+    if not shorter:
+        return None
+    found = iter(shorter)
+    return tuple(tuple(next(found) for _ in row) for row in piece.rows), divisors
+
+
 def _operands(made: Made) -> list[Made]:
     found: list[Made] = []
     waiting: list[Any] = [*made.operands]
@@ -263,6 +373,10 @@ def _operands(made: Made) -> list[Made]:
         elif isinstance(value, tuple):
             waiting = [*value, *waiting]
     return found
+
+
+def _literal(value: Any) -> Made:
+    return Made("scalar", (), sympy.sympify(value).doit())
 
 
 def _applied(called: str, arguments: Any) -> str:
@@ -326,7 +440,7 @@ def _without(k: int, items: Sequence[Any]) -> tuple[Any, ...]:
 def _determinant(rows: Rows) -> Term:
     if not rows:
         return integer(1)
-    if len(rows) > 5:
+    if len(rows) > MOST_UNKNOWNS:
         raise NotExportable("the steps are too many to be written out")
     first, *rest = rows
     found = integer(0)
@@ -370,6 +484,19 @@ def _called(function: str, compute: Callable[..., Any], scalar: bool = False) ->
     return make
 
 
+def _scalar(operation: str, *parts: Piece) -> Piece:
+    texts, compute = _OF_SCALARS[operation]
+    variables = frozenset().union(*(part.variables for part in parts))
+    row = (compute(*(part.rows[0][0] for part in parts)),)
+    return Piece(f"({texts.format(*(part.text for part in parts))})", (row,), variables, scalar=True, made=True)
+
+
+def _power(base: Term, exponent: Term) -> Term:
+    if exponent.kind != "int":
+        raise NotExportable("an exponent is no natural number")
+    return power(base, int(exponent.value))
+
+
 def _times(a: Piece, b: Piece) -> Piece:
     if a.scalar or b.scalar:
         k, m = (a, b) if a.scalar else (b, a)
@@ -386,6 +513,17 @@ def _columns(*parts: Piece) -> Piece:
     return found
 
 
+_OF_SCALARS: Mapping[str, tuple[str, Callable[..., Term]]] = {
+    "plus": ("{} + {}", lambda a, b: total([a, b])),
+    "minus": ("{} - {}", lambda a, b: total([a, negative(b)])),
+    "times": ("{} * {}", lambda a, b: product([a, b])),
+    "divided": ("{} / {}", quotient),
+    "power": ("{} ^ {}", _power),
+    "negated": ("- {}", negative),
+    "absolute": ("Rabs {}", lambda a: applied("Rabs", a)),
+    "floor": ("floor {}", lambda a: applied("floor", a)),
+    "at most": ("at_most {} {}", lambda a, b: applied("at_most", a, b)),
+}
 _OPERATIONS: Mapping[str, Callable[..., Piece]] = {
     "plus": _called("sum", lambda a, b: _zipped(lambda x, y: total([x, y]), a, b)),
     "minus": _called("difference", _difference),

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import prod
+from math import floor, prod
 
-from algebroproj_sym.exporting.gallina import conjoined, formula, identifier, listed, rational, tree
+from algebroproj_sym.exporting.gallina import FUNCTIONS, conjoined, formula, identifier, listed, rational, tree
 from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import Term, names, used, walk
 from algebroproj_sym.exporting.theorems import CHECKED, premises_of_definitions, spelled
@@ -129,24 +129,36 @@ def inverse(matrix: Sequence[Sequence[Fraction]]) -> tuple[tuple[Fraction, ...],
 def values(point: Point, definitions: Mapping[str, Term], terms: Sequence[Term]) -> list[Fraction] | None:
     """Return the values of terms at a point, None if a divisor is zero there, or a name has no value."""
     known = dict(point)
+    found: dict[Term, Fraction] = {}
     try:
         for called, definition in definitions.items():
-            known[called] = _value(definition, known)
-        return [_value(term, known) for term in terms]
+            known[called] = _value(definition, known, found)
+        return [_value(term, known, found) for term in terms]
     except (ZeroDivisionError, KeyError):
         return None
 
 
-def _value(term: Term, known: Mapping[str, Fraction]) -> Fraction:
+def _value(term: Term, known: Mapping[str, Fraction], found: dict[Term, Fraction]) -> Fraction:
     if term.kind == "int":
         return Fraction(term.value)
     if term.kind == "name":
         return known[str(term.value)]
-    first, *others = (_value(part, known) for part in term.parts)
+    if term not in found:
+        found[term] = _combined(term, *(_value(part, known, found) for part in term.parts))
+    return found[term]
+
+
+def _combined(term: Term, first: Fraction, *others: Fraction) -> Fraction:
     if term.kind == "-":
         return -first
     if term.kind == "^":
         return first ** int(term.value)
     if term.kind == "/":
         return first / others[0]
+    if term.kind in FUNCTIONS:
+        return (
+            abs(first)
+            if term.kind == "Rabs"
+            else Fraction(floor(first) if term.kind == "floor" else first <= others[0])
+        )
     return sum(others, first) if term.kind == "+" else prod(others, start=first)

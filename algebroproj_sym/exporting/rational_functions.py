@@ -14,9 +14,9 @@ from typing import Any, TypeAlias
 
 import flint
 
-from algebroproj_sym.exporting.gallina import Split, formula
+from algebroproj_sym.exporting.gallina import FUNCTIONS, Split, formula
 from algebroproj_sym.exporting.refusal import NotExportable
-from algebroproj_sym.exporting.terms import Term, integer, name, negative, power, product, total
+from algebroproj_sym.exporting.terms import Term, integer, name, negative, power, product, quotient, total
 
 Polynomial: TypeAlias = Any
 Exponents: TypeAlias = dict[int, int]
@@ -77,6 +77,8 @@ class Field:
             if term.value not in self.known:
                 raise NotExportable(f"the name {term.value} does not occur in the statement")
             return self.known[str(term.value)]
+        if term.kind in FUNCTIONS:
+            raise NotExportable(f"{term.kind} of what is no number")
         first, *others = map(self.value, term.parts)
         if term.kind == "-":
             return Value(-first.numerator, first.exponents, first.denominator)
@@ -210,6 +212,34 @@ def expanded(polynomial: Polynomial, variables: Sequence[str]) -> Term:
         term = product([*([] if scale == 1 and powers else [integer(scale)]), *powers])
         terms.append(term if int(coefficient) > 0 else negative(term))
     return total(terms)
+
+
+def in_lowest_terms(
+    variables: tuple[str, ...], terms: Sequence[Term], nonzero: Sequence[Term]
+) -> tuple[list[Term], tuple[Term, ...]]:
+    """Return formulas multiplied out, and what they divide by, or what divides others that are not zero.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.exporting.reading import formula_of
+    >>> found, divisors = in_lowest_terms(("x", "y"), [formula_of("(x + y)*(x - y)/(2*y) + y/2")], [])
+    >>> [formula(term) for term in found], [formula(divisor) for divisor in divisors]
+    (['x ^ 2 / (2 * y)'], ['y'])
+    """
+    field = Field(variables)
+    found = [field.value(term) for term in terms]
+    for term in nonzero:
+        field.value(quotient(integer(1), term))
+    divisors = tuple(expanded(divisor, variables) for divisor in field.divisors)
+
+    def written(value: Value) -> Term:
+        powers = {divisors[place]: exponent for place, exponent in value.exponents.items()}
+        above = [expanded(value.numerator, variables), *(power(d, n) for d, n in powers.items() if n > 0)]
+        below = [*([integer(value.denominator)] if value.denominator > 1 else [])]
+        below += [power(d, -n) for d, n in powers.items() if n < 0]
+        return quotient(product(above), product(below)) if below else product(above)
+
+    return [*map(written, found)], divisors
 
 
 def hypotheses(variables: Sequence[str], listed: Sequence[Term], formulas: Sequence[Term]) -> tuple[Term, ...]:

@@ -13,6 +13,8 @@ from functools import lru_cache
 class Term:
     """A formula: ``int``, ``name``, ``-`` of one, ``+`` and ``*`` of several, ``/`` and ``^`` of two terms.
 
+    Of numbers there are also ``Rabs`` and ``floor`` of one, and ``at_most`` of two, which is 1 or 0.
+
     Attributes
     ----------
     kind : str
@@ -80,6 +82,11 @@ def power(base: Term, exponent: int) -> Term:
     if exponent < 0:
         return quotient(integer(1), power(base, -exponent))
     return base if exponent == 1 else _made("^", (base,), exponent)
+
+
+def applied(function: str, *terms: Term) -> Term:
+    """Return the value of ``Rabs``, ``floor`` or ``at_most``."""
+    return _made(function, terms, 0)
 
 
 def difference(left: Term, right: Term) -> Term:

@@ -10,7 +10,7 @@ from typing import TypeAlias
 from algebroproj_sym.exporting.gallina import conjoined, exponent_list, formula, identifier, listed, tree
 from algebroproj_sym.exporting.rational_functions import Field
 from algebroproj_sym.exporting.refusal import NotExportable
-from algebroproj_sym.exporting.terms import Term, free, used
+from algebroproj_sym.exporting.terms import Term, free, integer, product, quotient, used
 
 CHECKED = "all: vm_cast_no_check (@eq_refl bool true)."
 
@@ -25,13 +25,14 @@ class Theorem:
 
     @property
     def _sides(self) -> list[tuple[str, str]]:
-        return re.findall(r"^([^\n]+) = ([^\n]+?)(?: /\\)?$", self.statement, re.MULTILINE)
+        found = re.findall(r"^([^\n]+) = ([^\n]+?)(?: /\\)?$", self.statement, re.MULTILINE)
+        return [(left, right) for left, right in found if not right.endswith("->")]
 
     @property
     def equations(self) -> int:
         """How many equations it states; one between matrices counts as often as there are entries."""
-        _, matrix, entries = self.statement.rpartition(" =\n[[")
-        return entries.count(";") + 1 if matrix else len(self._sides)
+        _, equal, right = self.statement.rpartition(" =\n")
+        return right.count(";") + 1 if equal else len(self._sides)
 
     @property
     def trivial(self) -> int:
@@ -96,6 +97,8 @@ class Splitting:
 
     def tree(self, term: Term) -> str:
         """Return a term as a tree, after its divisors were split; each must be listed."""
+        if not self.places:
+            return tree(term, {}, {})
         self.field.value(term)
         if len(self.field.divisors) > len(self.field.listed):
             raise NotExportable("a division meets a factor that is no hypothesis")
@@ -183,6 +186,10 @@ def universal_of_matrix(
     scalar: bool = False,
     pattern: Sequence[Sequence[Term]] = (),
     marks: Mapping[str, Term] | None = None,
+    first: str = "",
+    required: Sequence[Term] = (),
+    lemma: str = "",
+    sides: int = 0,
 ) -> tuple[str, str]:
     """Return statement and proof that matrices are equal.
 
@@ -199,6 +206,13 @@ def universal_of_matrix(
         The right side, if it is not the matrix of the right sides.
     marks : mapping of str to Term
         Names that occur in the pattern, and values for which it holds.
+    first : str
+        A tactic that makes of `left` what Coq shall compute.
+    required : sequence of Term
+        What must not be zero for the lemmas that this tactic uses.
+    lemma : str
+        Another lemma to be used after it, which assumes as many of the first of these.
+    sides : int
     """
     goals = [goal for row in rows for goal in row]
     named = [*(marks or {}).values()]
@@ -219,9 +233,24 @@ def universal_of_matrix(
         f"pose (rows := {listed_rows}).",
         f"assert (all (map (concludes {environment}) (concat rows))) as same.",
         f"{{ refine ({_following(given, split, 'concat rows', introduced)}).\n{CHECKED} }}",
+        *_nonzero(given, split, required, introduced),
+        *filter(None, [first]),
+        *([f"rewrite {lemma}; [|{'|'.join(f'vm_cast_no_check side_{k}' for k in range(sides))}]."] if lemma else []),
         "vm_cast_no_check same." if scalar else f"vm_cast_no_check (same_matrix {environment} rows same).",
     ]
     return statement, "\n".join(tactics)
+
+
+def _nonzero(given: Hypotheses, split: Splitting, terms: Sequence[Term], introduced: Introduced) -> list[str]:
+    """Return the tactics that show of formulas that they are not zero where the hypotheses hold."""
+    found = []
+    for place, term in enumerate(terms):
+        proof = f"computed [] [] [] [Nonzero ({split.tree(term)})] _ I"
+        if split.places:
+            goal = Goal(product([quotient(integer(1), term), term]), integer(1))
+            proof = f"nonzero_by _ ({_following(given, split, listed([_goal(goal, split)]), introduced)})"
+        found.append(f"assert ({formula(term)} <> 0) as side_{place}.\n{{ refine ({proof}).\n{CHECKED} }}")
+    return found
 
 
 def _environment(given: Hypotheses) -> str:
@@ -261,6 +290,8 @@ def consequence(given: Hypotheses, goals: Sequence[Goal], introduced: Introduced
 
 
 def _following(given: Hypotheses, split: Splitting, certificates: str, introduced: Introduced) -> str:
+    if not split.places:
+        return f"computed [] [] [] (map equal ({certificates})) _ I"
     variables, definitions = (listed([identifier(n) for n in part]) for part in (given.variables, given.definitions))
     return (
         f"follows {variables} {definitions}\n {split.trees(given.divisors)}\n"

@@ -1,6 +1,7 @@
 """Rational expressions: what they are, how they are built without losing a divisor, how they are evaluated."""
 
 from algebroproj_sym.expressions.bounds import TooLargeError, require_bounded
+from algebroproj_sym.expressions.counting import at_most, chosen, floor
 from algebroproj_sym.expressions.differentiation import diff
 from algebroproj_sym.expressions.dual import derivatives, jacobian
 from algebroproj_sym.expressions.evaluation import evaluate
@@ -19,6 +20,7 @@ from algebroproj_sym.expressions.grammar import (
 from algebroproj_sym.expressions.linear import (
     Matrix,
     adjugate,
+    at_point,
     columns,
     cross,
     determinant,
@@ -53,6 +55,9 @@ __all__ = [
     "admits",
     "assumed",
     "assumption",
+    "at_most",
+    "at_point",
+    "chosen",
     "columns",
     "cross",
     "decimals",
@@ -63,6 +68,7 @@ __all__ = [
     "dot",
     "entries",
     "evaluate",
+    "floor",
     "free_symbols",
     "homogeneous",
     "in_steps",

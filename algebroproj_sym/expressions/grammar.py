@@ -11,6 +11,7 @@ from typing import Any, TypeAlias
 import sympy
 
 from algebroproj_sym.expressions.bounds import TooLargeError
+from algebroproj_sym.expressions.provenance import noted
 from algebroproj_sym.expressions.quotient import over
 from algebroproj_sym.expressions.symbols import is_plain
 from algebroproj_sym.expressions.writing import written
@@ -165,7 +166,9 @@ def _symbols(roots: tuple[Scalar, ...]) -> frozenset[sympy.Symbol]:
 def divided(expression: Expression) -> Expression:
     """Return the expression with every `over` carried out."""
     if isinstance(expression, sympy.MatrixBase):
-        return sympy.ImmutableDenseMatrix(*expression.shape, list(map(_divided, expression.flat())))
+        kind = type(expression) if isinstance(expression, sympy.ImmutableDenseMatrix) else sympy.ImmutableDenseMatrix
+        result = kind(*expression.shape, list(map(_divided, expression.flat())))
+        return result if result.free_symbols else noted("same", (expression,), result)
     return _divided(expression)
 
 

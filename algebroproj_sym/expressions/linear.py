@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import cache, lru_cache
 from typing import Any, TypeAlias
 
@@ -10,8 +11,18 @@ import flint
 import sympy
 
 from algebroproj_sym.expressions.differentiation import diff
+from algebroproj_sym.expressions.evaluation import evaluate
 from algebroproj_sym.expressions.grammar import REMEMBERED, Scalar, free_symbols
-from algebroproj_sym.expressions.provenance import is_recording, made_of, noted
+from algebroproj_sym.expressions.provenance import (
+    Made,
+    is_noted,
+    is_recording,
+    made_of,
+    noted,
+    noting,
+    plain,
+    with_provenance,
+)
 from algebroproj_sym.expressions.quotient import over
 
 Places: TypeAlias = tuple[int, ...]
@@ -106,13 +117,22 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
         """Return one above the other."""
         return noted("above", (self, other), super().col_join(other))
 
-    def subs(self, *arguments: Any, **options: Any) -> Any:
-        """Substitute."""
-        return _substituted(self, arguments, super().subs(*arguments, **options))
+    subs = noting(sympy.ImmutableDenseMatrix.subs)
+    xreplace = noting(sympy.ImmutableDenseMatrix.xreplace)
 
-    def xreplace(self, rule: Any) -> Any:
-        """Replace."""
-        return _substituted(self, (rule,), super().xreplace(rule))
+    def cross(self, other: Any) -> Any:
+        """Return the cross product."""
+        return cross(self, other)
+
+    @classmethod
+    def _new(cls, *arguments: Any, **options: Any) -> Any:
+        if not is_recording() or options or (len(arguments) == 1 and isinstance(arguments[0], cls)):
+            return super()._new(*arguments, **options)
+        height, width, entries = cls._handle_creation_inputs(*arguments)
+        if not any(map(is_noted, entries)):
+            return super()._new(height, width, entries)
+        found = super()._new(height, width, [*map(plain, entries)])
+        return with_provenance(found, Made("entries", ((height, width), *map(made_of, entries)), found))
 
     def _eval_matrix_mul(self, other: Any) -> Any:
         parts = {*self.flat(), *other.flat()}
@@ -126,16 +146,6 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
         return self._new(self.rows, other.cols, [entry(row, column) for row in left for column in range(other.cols)])
 
 
-def _substituted(matrix: Matrix, arguments: tuple[Any, ...], result: Any) -> Any:
-    if not is_recording():
-        return result
-    (given, *more) = arguments
-    pairs = [(given, *more)] if more else [*given.items()] if hasattr(given, "items") else [*given]
-    if not all(isinstance(old, sympy.Symbol) for old, _ in pairs):
-        return result
-    return noted("substituted", (matrix, tuple((old.name, made_of(new)) for old, new in pairs)), result)
-
-
 @lru_cache(maxsize=REMEMBERED)
 def _has_infinity(node: Any) -> bool:
     return node in _INFINITE or any(map(_has_infinity, node.args))
@@ -144,6 +154,21 @@ def _has_infinity(node: Any) -> bool:
 def _nonzero(matrix: list[list[Any]]) -> list[list[tuple[int, Any]]]:
     """Return the entries that are not the number zero, row by row, each with its column."""
     return [[(place, entry) for place, entry in enumerate(row) if entry is not sympy.S.Zero] for row in matrix]
+
+
+def at_point(expressions: Matrix, point: Mapping[sympy.Symbol, sympy.Rational]) -> Matrix:
+    """Return the exact values of expressions; nothing is substituted, which would take longer.
+
+    Examples
+    --------
+    >>> x = sympy.Symbol("x")
+    >>> at_point(Matrix([over(1, x)]), {x: sympy.Integer(2)})
+    Matrix([[1/2]])
+    """
+    known = {symbol: Fraction(int(value.p), int(value.q)) for symbol, value in point.items()}
+    values = [sympy.Rational(*value.as_integer_ratio()) for value in evaluate(expressions, known)]
+    pairs = tuple((symbol.name, made_of(value)) for symbol, value in point.items()) if is_recording() else ()
+    return noted("substituted", (expressions, pairs), Matrix(*expressions.shape, values))
 
 
 def vector(*components: Scalar | int) -> Matrix:

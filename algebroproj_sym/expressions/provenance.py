@@ -1,14 +1,16 @@
 """Provenance: of which operation on which operands a value is the result, noted while derivations are imported.
 
-Nothing rests on it: an export writes the operations out, and a proof assistant computes them again.  A matrix carries
-its provenance; a scalar, of which SymPy keeps one copy, is found by its value, as it was made last.
+Nothing rests on it: an export writes the operations out, and a proof assistant computes them again.  A matrix and a
+number carry their provenance; any other scalar, of which SymPy keeps one copy, is found by its value, as it was made
+last.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import wraps
 from typing import Any, TypeVar
 
 import sympy
@@ -44,7 +46,7 @@ class Record:
     scalars : dict of Expr to Made
         How scalars were made, the last time.
     atoms : list of Made
-        Results since the last claim that are a number or a symbol, which say nothing by their value.
+        Results since the last claim that are a symbol, which says nothing by its value.
     names : dict of Made to str
         What modules call their objects.
     """
@@ -72,10 +74,13 @@ def recording() -> Iterator[Record]:
     'times'
     """
     _records.append(Record())
+    kept = sympy.Basic.subs, sympy.Basic.xreplace
+    sympy.Basic.subs, sympy.Basic.xreplace = map(noting, kept)
     try:
         yield _records[-1]
     finally:
         _records.pop()
+        sympy.Basic.subs, sympy.Basic.xreplace = kept
 
 
 def is_recording() -> bool:
@@ -83,20 +88,130 @@ def is_recording() -> bool:
     return bool(_records)
 
 
-def noted(operation: str, operands: tuple[Any, ...], result: Result) -> Result:
+def noted(operation: str, operands: tuple[Any, ...], result: Any) -> Any:
     """Return the result of an operation, after noting how it was made; plain data among operands stay as they are."""
     if not _records or not isinstance(result, sympy.Expr | sympy.MatrixBase):
         return result
-    made = Made(operation, tuple(map(_operand, operands)), result)
+    made = Made(operation, tuple(map(_operand, operands)), plain(result))
     if isinstance(result, sympy.MatrixBase):
-        if hasattr(result, "__dict__"):
-            result = result._new(result.rows, result.cols, list(result.flat()))
-            result.__dict__["made"] = made
-    elif result.args:
+        return with_provenance(result._new(result.rows, result.cols, list(result.flat())), made)
+    if isinstance(result, sympy.Rational):
+        return _number(made)
+    if result.args:
         _records[-1].scalars[result] = made
     else:
         _records[-1].atoms.append(made)
     return result
+
+
+def with_provenance(matrix: Result, made: Made) -> Result:
+    """Return a matrix after writing into it how it was made."""
+    if hasattr(matrix, "__dict__"):
+        matrix.__dict__["made"] = made
+    return matrix
+
+
+def noting(substitute: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a method that substitutes, and notes what stands for which symbol, but not how it carries that out."""
+
+    @wraps(substitute)
+    def method(whole: Any, *arguments: Any, **options: Any) -> Any:
+        if not _records or _within or not isinstance(whole, sympy.Expr | sympy.MatrixBase):
+            return substitute(whole, *arguments, **options)
+        given, *more = arguments
+        pairs = [(given, *more)] if more else [*given.items()] if hasattr(given, "items") else [*given]
+        _within.append(True)
+        try:
+            result = substitute(whole, *_without_provenance(given, more, pairs), **options)
+        finally:
+            _within.pop()
+        if not all(isinstance(old, sympy.Symbol) for old, _ in pairs):
+            return result
+        return noted("substituted", (whole, tuple((old.name, made_of(new)) for old, new in pairs)), result)
+
+    return method
+
+
+def _without_provenance(given: Any, more: list[Any], pairs: list[Any]) -> tuple[Any, ...]:
+    if more:
+        return given, plain(sympy.sympify(more[0]))
+    known = [(old, plain(sympy.sympify(new))) for old, new in pairs]
+    return (dict(known) if hasattr(given, "items") else known,)
+
+
+_within: list[bool] = []
+
+
+class _Noted:
+    """A number that knows how it was made; it is equal to any other of this value."""
+
+    made: Made
+    p: int
+    q: int
+
+    def __hash__(self) -> int:
+        return hash(_value(self))
+
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        return _value(self).__reduce_ex__(protocol)
+
+
+class _Integer(_Noted, sympy.Integer):  # type: ignore[misc]
+    pass
+
+
+class _Rational(_Noted, sympy.Rational):  # type: ignore[misc]
+    pass
+
+
+def _number(made: Made) -> Any:
+    value = made.value
+    kind = _Integer if value.q == 1 else _Rational
+    found = sympy.Expr.__new__(kind)
+    found.p, found.made = value.p, made
+    if kind is _Rational:
+        found.q = value.q
+    return found
+
+
+def _value(number: Any) -> Any:
+    return sympy.Rational(int(number.p), int(number.q)) if isinstance(number, _Noted) else number
+
+
+def _counting(name: str, operation: str, reflected: bool = False) -> Callable[..., Any]:
+    """Return a method for numbers that know how they were made."""
+
+    def method(self: Any, *others: Any) -> Any:
+        if any(isinstance(other, sympy.MatrixBase) for other in others):
+            return NotImplemented
+        result = getattr(_value(self), name)(*map(_value, others))
+        exact = all(isinstance(other, int) or (not reflected and isinstance(other, sympy.Rational)) for other in others)
+        operands = map(sympy.sympify, (*others, self) if reflected else (self, *others))
+        return noted(operation, (*operands,), result) if exact and isinstance(result, sympy.Rational) else result
+
+    return method
+
+
+for _name, _operation in {"add": "plus", "sub": "minus", "mul": "times", "truediv": "divided"}.items():
+    setattr(_Noted, f"__{_name}__", _counting(f"__{_name}__", _operation))
+    setattr(_Noted, f"__r{_name}__", _counting(f"__r{_name}__", _operation, reflected=True))
+for _name, _operation in {"pow": "power", "neg": "negated", "abs": "absolute"}.items():
+    setattr(_Noted, f"__{_name}__", _counting(f"__{_name}__", _operation))
+
+
+def is_noted(value: Any) -> bool:
+    """Whether a value is a number that knows how it was made."""
+    return isinstance(value, _Noted)
+
+
+def plain(value: Any) -> Any:
+    """Return an expression or a matrix whose numbers do not know how they were made."""
+    if isinstance(value, sympy.MatrixBase):
+        return value
+    found = {atom for atom in value.atoms(sympy.Rational) if isinstance(atom, _Noted)}
+    if not found:
+        return value
+    return _value(value) if value in found else value._xreplace({atom: _value(atom) for atom in found})[0]
 
 
 def _operand(value: Any) -> Any:
@@ -114,8 +229,10 @@ def made_of(value: Any) -> Made:
         found: Made = kept["made"]
         return found
     value = sympy.sympify(value)
+    if isinstance(value, _Noted):
+        return value.made
     scalars = _records[-1].scalars if _records else {}
-    return scalars.get(value) or Made("scalar", tuple(_references(value, scalars)), value)
+    return scalars.get(value) or Made("scalar", tuple(_references(value, scalars)), plain(value))
 
 
 def _references(value: Any, scalars: dict[Any, Made]) -> list[tuple[Any, Made]]:
@@ -123,7 +240,9 @@ def _references(value: Any, scalars: dict[Any, Made]) -> list[tuple[Any, Made]]:
     found, waiting, met = [], list(value.args), set()
     while waiting:
         node = waiting.pop()
-        if node in scalars:
+        if isinstance(node, _Noted):
+            found.append((_value(node), node.made))
+        elif node in scalars:
             found.append((node, scalars[node]))
         elif node not in met:
             met.add(node)
@@ -131,20 +250,26 @@ def _references(value: Any, scalars: dict[Any, Made]) -> list[tuple[Any, Made]]:
     return found
 
 
-def declare(key: tuple[str, str], derived: Any) -> None:
-    """Note how the derived form of a claim was made."""
-    if _records and isinstance(derived, sympy.Expr | sympy.MatrixBase):
-        record = _records[-1]
-        record.claims[key] = _with_atoms(made_of(derived), record.atoms)
-        record.atoms.clear()
+def declare(key: tuple[str, str], derived: Any) -> Any:
+    """Return the derived form of a claim, after noting how it was made."""
+    if not _records or not isinstance(derived, sympy.Expr | sympy.MatrixBase):
+        return derived
+    record = _records[-1]
+    record.claims[key] = _with_atoms(made_of(derived), record.atoms)
+    record.atoms.clear()
+    return plain(derived)
 
 
 def name(objects: Mapping[str, Any]) -> None:
     """Note what a module calls its objects."""
     for called, value in objects.items() if _records else ():
         made = None
-        if isinstance(value, sympy.MatrixBase):
+        if isinstance(value, dict) and all(isinstance(key, str) for key in value):
+            name({f"{called}_{key}": part for key, part in value.items() if isinstance(part, sympy.MatrixBase | dict)})
+        elif isinstance(value, sympy.MatrixBase):
             made = getattr(value, "__dict__", {}).get("made")
+        elif isinstance(value, _Noted):
+            made = value.made
         elif isinstance(value, sympy.Expr) and value.args:
             made = _records[-1].scalars.get(value)
         if made is not None and not called.startswith("_"):

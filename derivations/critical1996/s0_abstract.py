@@ -29,6 +29,7 @@ from algebroproj_sym.expressions import (
     diff,
     dot,
     homogeneous,
+    linear_system,
     minors_of,
     over,
     rows,
@@ -171,7 +172,7 @@ section.identity(
     "0/introduction-coefficients",
     "the coefficients are composed of the image coordinates",
     printed=vector(*coefficients(u_left, u_right)),
-    derived=vector(*(diff(coplanarity, element) for element in C_general)),
+    derived=linear_system([coplanarity], list(C_general))[0].T,
 )
 
 # %% [markdown]

@@ -294,7 +294,7 @@ section.up_to_scale(
 
 def parallel(first: Matrix, second: Matrix) -> sympy.Expr:
     """Return what is zero if two lines, at constant distances from the principal plane, are parallel."""
-    return first[1] * second[2] - first[2] * second[1]
+    return determinant(columns(first[1:, :], second[1:, :]))
 
 
 section.identity(

@@ -313,9 +313,7 @@ def characteristic(matrix: Matrix) -> Matrix:
     return vector(
         *(
             (-1) ** order
-            * sympy.Add(
-                *(determinant(matrix[list(chosen), list(chosen)]) for chosen in combinations(range(size), order))
-            )
+            * sum(determinant(matrix[list(chosen), list(chosen)]) for chosen in combinations(range(size), order))
             for order in range(1, size + 1)
         )
     )

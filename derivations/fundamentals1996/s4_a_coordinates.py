@@ -13,7 +13,18 @@ from math import comb, factorial
 import sympy
 
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, Rounding, columns, decimals, divided, rounded, solve, vector
+from algebroproj_sym.expressions import (
+    Matrix,
+    Rounding,
+    at_most,
+    chosen,
+    columns,
+    decimals,
+    divided,
+    rounded,
+    solve,
+    vector,
+)
 
 section = Section("fundamentals1996", "4", "Numerical example")
 
@@ -276,13 +287,15 @@ for side, printed_matrix in MATRICES.items():
 
 
 # %%
-def follows(printed: str, exact: sympy.Rational, rounding: Rounding = "nearest") -> bool:
-    """Whether a printed number is the exact one, rounded."""
-    number = Decimal(printed)
-    return rounded(Fraction(int(exact.p), int(exact.q)), decimals(number), rounding) == number
+def follows(printed: str, exact: sympy.Rational, rounding: Rounding = "nearest") -> sympy.Integer:
+    """Return 1 if a printed number is the exact one, rounded, else 0."""
+    number, digit = sympy.Rational(printed), sympy.Rational(1, 10 ** decimals(Decimal(printed)))
+    least = abs(number) - (digit / 2 if rounding == "nearest" else 0)
+    size = exact * sympy.sign(number) if number else abs(exact)
+    return at_most(least, size) * (1 - at_most(least + digit, size))
 
 
-def elements_that_follow(half_turn: Fraction, sides: tuple[str, ...] = ("left", "right")) -> int:
+def elements_that_follow(half_turn: Fraction, sides: tuple[str, ...] = ("left", "right")) -> sympy.Integer:
     matrices = {side: rotation(ANGLES[side], half_turn) for side in sides}
     return sum(follows(MATRICES[s][i][j], matrices[s][i, j], ROUNDING[s]) for s in sides for i, j in ELEMENTS)
 
@@ -291,7 +304,7 @@ section.identity(
     "4/b/beyond/gon#true",
     "the matrices R' and R'' are rotations by round angles in gon of pi/200: how many of their 18 elements follow",
     printed=4,
-    derived=sympy.Integer(elements_that_follow(TRUE_HALF_TURN)),
+    derived=elements_that_follow(TRUE_HALF_TURN),
     note="Not in the paper, which gives no angles: with the true pi most elements do not follow.  The constant for pi "
     "was 3.14159159, see 4/b/beyond/gon; how much rests on it is said in 4/i/beyond/gon.",
 )
@@ -307,8 +320,9 @@ section.identity(
     "4/b/beyond/gon#nine-decimals",
     "numbers for pi from 3.141591580 to 3.141591599 with which eight elements of R'' follow: the last two digits",
     printed=vector(*range(86, 93)),
-    derived=vector(
-        *(80 + step for step, each in enumerate(NINE_DECIMALS) if elements_that_follow(each, ("right",)) == 8)
+    derived=chosen(
+        vector(*(at_most(sympy.Integer(8), elements_that_follow(each, ("right",))) for each in NINE_DECIMALS)),
+        vector(*range(80, 100)),
     ),
     note="Not in the paper.  Three elements of R'' have ten decimals.",
 )
@@ -343,7 +357,7 @@ def picture(rotation_matrix: Matrix, center: str) -> dict[str, Matrix]:
     directions = {
         name: rotation_matrix * (X - object_points[center]) for name, X in object_points.items() if name != center
     }
-    return {name: -PRINCIPAL_DISTANCE / v[2] * vector(v[0], v[1]) for name, v in directions.items()}
+    return {name: -PRINCIPAL_DISTANCE * vector(v[0], v[1]) / v[2] for name, v in directions.items()}
 
 
 def cells(points: dict[str, Matrix], name: str) -> tuple[sympy.Rational, ...]:

@@ -7,7 +7,6 @@
 
 # %%
 from collections.abc import Iterable, Mapping
-from fractions import Fraction
 from types import MappingProxyType
 from typing import Any
 
@@ -62,9 +61,9 @@ from algebroproj_derivations.fundamentals1996.s4_a_coordinates import (
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
+    at_point,
     columns,
     divided,
-    evaluate,
     homogeneous,
     linear_system,
     solve,
@@ -76,12 +75,8 @@ section = Section("fundamentals1996", "4", "Numerical example")
 
 def at(expressions: Matrix, *values: tuple[Iterable[sympy.Symbol], Iterable[sympy.Rational]]) -> Matrix:
     """Return the exact values of a matrix of expressions, given symbols and their values group by group."""
-    known = {
-        symbol: Fraction(int(value.p), int(value.q))
-        for symbols, numbers in values
-        for symbol, value in zip(symbols, numbers, strict=True)
-    }
-    return Matrix(*expressions.shape, [sympy.Rational(*v.as_integer_ratio()) for v in evaluate(expressions, known)])
+    pairs = (zip(symbols, numbers, strict=True) for symbols, numbers in values)
+    return at_point(expressions, {symbol: value for group in pairs for symbol, value in group})
 
 
 # %% [markdown]

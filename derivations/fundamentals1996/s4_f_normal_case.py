@@ -81,7 +81,18 @@ from algebroproj_derivations.fundamentals1996.s4_c_correlation import (
 )
 from algebroproj_derivations.fundamentals1996.s4_c_correlation import section as correlation_section
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, divided, homogeneous, linear_system, rounded, solve, vector
+from algebroproj_sym.expressions import (
+    Matrix,
+    at_most,
+    columns,
+    divided,
+    dot,
+    homogeneous,
+    linear_system,
+    rounded,
+    solve,
+    vector,
+)
 
 section = Section("fundamentals1996", "4", "Numerical example")
 
@@ -878,13 +889,33 @@ cells = [
     for claim in part.claims
     if claim.kind == "numeric" and claim.number in with_true_pi
 ]
+
+
+def number_of(flags: list[sympy.Integer]) -> sympy.Integer:
+    """Return how many flags are 1."""
+    return dot(vector(*flags), vector(*[1] * len(flags)))
+
+
+def number_with_pi(claim) -> sympy.Rational:
+    number = with_true_pi[claim.number]
+    return sympy.Rational(int(number.p), int(number.q))
+
+
+def moved(claim) -> sympy.Integer:
+    number = number_with_pi(claim)
+    return 1 - at_most(number, claim.derived) * at_most(claim.derived, number)
+
+
+def lost(claim) -> sympy.Integer:
+    held = claim.expected == "proved"
+    return 1 - follows(f"{claim.printed:f}", number_with_pi(claim), claim.rounding) if held else sympy.Integer(0)
+
+
+by_item = [[claim for claim in cells if claim.number.startswith(f"4/{item}")] for item in "bcdefghi"]
 RESTING = {
-    "cells": len(cells),
-    "moved": sum(claim.derived != with_true_pi[claim.number] for claim in cells),
-    "lost": sum(
-        claim.expected == "proved" and not follows(f"{claim.printed:f}", with_true_pi[claim.number], claim.rounding)
-        for claim in cells
-    ),
+    "cells": sum(number_of([sympy.Integer(1)] * len(part)) for part in by_item),
+    "moved": sum(number_of([*map(moved, part)]) for part in by_item),
+    "lost": sum(number_of([*map(lost, part)]) for part in by_item),
 }
 section.identity(
     "4/i/beyond/gon",

@@ -10,7 +10,7 @@ import sympy
 from algebroproj_derivations.drivers import adjust
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, determinant, diff, dot, inverse, over, vector
+from algebroproj_sym.expressions import Matrix, determinant, diff, dot, inverse, linear_system, over, vector
 
 section = Section("normalcase1992", "2.3", "Adjustment")
 
@@ -158,7 +158,7 @@ section.identity(
     printed=coefficients_of_projectors,
     derived=vector(
         *(
-            -derivative(rotated, angle).xreplace(NO_TURN).subs(NO_TURN_LEFT)
+            (linear_system([rotated], angle)[0] * vector(angle[1], -angle[0])).xreplace(NO_TURN).subs(NO_TURN_LEFT)[0]
             for angle in (PHI_LEFT, KAPPA_LEFT, OMEGA, PHI_RIGHT, KAPPA_RIGHT)
         )
     ),
@@ -174,7 +174,7 @@ section.identity(
 # %%
 h1p, h2p, h3p = line_left = vector(*sympy.symbols("h1p h2p h3p"))
 h1pp, h2pp, h3pp = line_right = vector(*sympy.symbols("h1pp h2pp h3pp"))
-fictitious = dot(line_left, v_left) + dot(line_right, v_right)
+fictitious = dot(line_left.col_join(line_right), v_left.col_join(v_right))
 section.identity(
     "2.3/w",
     "fictitious residual",

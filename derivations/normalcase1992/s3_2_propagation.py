@@ -10,7 +10,7 @@ import sympy
 
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, diff, dot, over, vector
+from algebroproj_sym.expressions import Matrix, columns, diff, dot, linear_system, over, vector
 
 section = Section("normalcase1992", "3.2", "Propagation of errors concerning transformation")
 
@@ -227,7 +227,8 @@ section.identity(
 
 # %%
 parallax = dot(x_left, correlation(E3, E3, unit_base) * x_right)
-variance = sum(sigma**2 * diff(parallax, coordinate) ** 2 for coordinate in (xp, yp, xpp, ypp))
+slopes, _ = linear_system([parallax], (xp, yp, xpp, ypp))
+variance = dot(sigma * slopes.T, sigma * slopes.T)
 section.identity(
     "3.2.3",
     "weight of a fictitious residual in the normal case",

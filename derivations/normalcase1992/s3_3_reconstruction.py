@@ -10,7 +10,7 @@ import sympy
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_derivations.normalcase1992.s3_2_propagation import estimator, parallax_rows
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, diff, dot, over, vector
+from algebroproj_sym.expressions import Matrix, columns, diff, dot, linear_system, solve, vector
 
 section = Section("normalcase1992", "3.3", "Propagation of errors concerning reconstruction")
 
@@ -26,12 +26,12 @@ section.reference(
 # ## Differentials
 #
 # $\mathbf X = \mathbf X'_0 + \lambda_N \mathbf x'_N$ with $\lambda_N = 1 / (x'_N - x''_N)$, sections 1.3 and 3.1; the
-# center and the principal distance do not vary.
+# center and the principal distance do not vary.  The factor takes both images to the same abscissa of the model.
 
 # %%
 lam_n, dlam, dxp, dyp, dxpp, dypp = sympy.symbols("lam_n dlam dxp dyp dxpp dypp")
 X0_left = vector(*sympy.symbols("X01 X02 X03"))
-factor = over(1, xp - xpp)
+(factor,) = solve(*linear_system([(lam_n * x_left - unit_base - lam_n * x_right)[0]], [lam_n]))
 point = X0_left + factor * x_left
 coordinates, shifts = (xp, yp, xpp), (dxp, dyp, dxpp)
 

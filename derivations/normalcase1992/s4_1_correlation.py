@@ -13,7 +13,18 @@ import mpmath
 import sympy
 
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, cross, determinant, divided, solve, vector
+from algebroproj_sym.expressions import (
+    Matrix,
+    at_most,
+    chosen,
+    cross,
+    determinant,
+    divided,
+    floor,
+    linear_system,
+    solve,
+    vector,
+)
 
 section = Section("normalcase1992", "4", "Numerical example: correlation")
 
@@ -102,9 +113,9 @@ def image_vector(x: sympy.Expr, y: sympy.Expr) -> Matrix:
     return vector(x, y, -c)
 
 
-def correlation_is_met(matrix: Matrix, left: Matrix, right: Matrix) -> bool:
-    """Whether a point meets the equation of correlation as closely as the rounding of Z lets it."""
-    return bool(abs((left.T * matrix * right)[0]) <= HALF_UNIT * sum(map(abs, left)) * sum(map(abs, right)))
+def correlation_is_met(matrix: Matrix, left: Matrix, right: Matrix) -> sympy.Integer:
+    """Return 1 if a point meets the equation of correlation as closely as the rounding of Z lets it, else 0."""
+    return at_most(abs((left.T * matrix * right)[0]), sum(map(abs, left)) * sum(map(abs, right)) * HALF_UNIT)
 
 
 left_points = [image_vector(*left_coordinates.row(i)) for i in range(8)]
@@ -128,7 +139,7 @@ for title, slug, matrix, met in (
         f"4/beyond/sign-of-z33#{slug}",
         f"complete points that meet the equation of correlation, Z {title}",
         printed=met,
-        derived=sympy.Integer(sum(correlation_is_met(matrix, *pair) for pair in complete_points)),
+        derived=sum(correlation_is_met(matrix, *pair) for pair in complete_points),
         note="Not in the paper: an exact count of the seven points with two printed coordinates in both images, each "
         "against the largest error that five decimals of Z allow.",
     )
@@ -141,19 +152,20 @@ for title, slug, matrix, met in (
 
 
 # %%
-def seven_points_fit(lost: int) -> bool:
+def seven_points_fit(lost: int) -> sympy.Integer:
     kept = [i for i in range(8) if i != lost]
-    return all(
+    fitting = sum(
         correlation_is_met(Z_rounded, left_points[i], image_vector(x, right_y[i]))
         for i, x in zip(kept, right_x, strict=True)
     )
+    return at_most(sympy.Integer(7), fitting)
 
 
 section.identity(
     "4/beyond/lost-number#place",
     "points whose x'' can be the lost number",
     printed=vector(8),
-    derived=vector(*(i + 1 for i in range(8) if seven_points_fit(i))),
+    derived=chosen(vector(*map(seven_points_fit, range(8))), vector(*range(1, 9))),
     note="Not in the paper: the eight possible places, tried out exactly.",
 )
 
@@ -173,14 +185,11 @@ UNKNOWN = tuple(element for element in z if element != z[2, 1])
 def elements_from(
     equations: list[sympy.Expr], unknowns: tuple[sympy.Symbol, ...]
 ) -> dict[sympy.Symbol, sympy.Rational]:
-    matrix = Matrix(len(equations), len(unknowns), lambda i, j: equations[i].coeff(unknowns[j]))
-    origin = dict.fromkeys(unknowns, 0)
-    constants = vector(*(equation.xreplace(origin) for equation in equations))
-    return dict(zip(unknowns, divided(solve(matrix, -constants)), strict=True))
+    return dict(zip(unknowns, divided(solve(*linear_system(equations, unknowns))), strict=True))
 
 
 def correlation_equation(left: Matrix, right: Matrix) -> sympy.Expr:
-    return sympy.expand((left.T * z * right)[0].subs(z[2, 1], 1))
+    return (left.T * z * right)[0].subs(z[2, 1], 1)
 
 
 seven_equations = [correlation_equation(*pair) for pair in complete_points]
@@ -191,13 +200,12 @@ def lost_number(z12: sympy.Rational) -> sympy.Rational:
     given = {z[0, 1]: z12}
     others = tuple(element for element in UNKNOWN if element not in given)
     elements = given | elements_from([equation.subs(given) for equation in seven_equations], others)
-    equation = sympy.expand(eighth_equation.subs(elements))
-    return -equation.subs(lost_x, 0) / equation.coeff(lost_x)
+    return divided(solve(*linear_system([eighth_equation.subs(elements)], [lost_x])))[0]
 
 
 def rounded(value: sympy.Rational, decimals: int) -> sympy.Rational:
     unit = sympy.Integer(10) ** -decimals
-    return sympy.floor(value / unit + sympy.Rational(1, 2)) * unit
+    return floor(value / unit + sympy.Rational(1, 2)) * unit
 
 
 x8 = sympy.Rational("-4.346")
@@ -231,16 +239,17 @@ right_points = [image_vector(x, y) for x, y in zip([*right_x, x8], right_y, stri
 
 
 # %%
-def sign_choices(left: Matrix, right: Matrix) -> list[tuple[int, ...]]:
-    return [
-        signs
-        for signs in product((1, -1), repeat=5)
-        if correlation_is_met(
+def sign_choices(left: Matrix, right: Matrix) -> Matrix:
+    choices = [*product((1, -1), repeat=5)]
+    met = (
+        correlation_is_met(
             Matrix(3, 3, [*Z_rounded[:8], signs[0] * Z_rounded[8]]),
             vector(signs[1] * left[0], signs[2] * left[1], left[2]),
             vector(signs[3] * right[0], signs[4] * right[1], right[2]),
         )
-    ]
+        for signs in choices
+    )
+    return chosen(vector(*met), Matrix(choices))
 
 
 for i, (left, right) in enumerate(zip(left_points, right_points, strict=True), start=1):
@@ -248,7 +257,7 @@ for i, (left, right) in enumerate(zip(left_points, right_points, strict=True), s
         f"4/beyond/signs#{i}",
         f"signs of z33, x', y', x'', y'' of point {i} that meet the equation of correlation",
         printed=Matrix([[1, 1, 1, 1, 1]]),
-        derived=Matrix(sign_choices(left, right)),
+        derived=sign_choices(left, right),
         note="Not in the paper: all 32 choices, tried out exactly; 1 keeps the sign that is used.",
     )
 

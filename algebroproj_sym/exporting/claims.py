@@ -93,8 +93,7 @@ def about(statement: Statement, form: str, certificate: Certificate, made: Objec
     goals = [Goal(a, b) for a, b in zip(entries, right, strict=True)]
     if "constraints" in statement.setting:
         given = _constrained(statement, given)
-        found = _members(given, [(goal.right, goal.left) for goal in goals], certificate, len(given.units))
-        goals = [Goal(g.right, g.left, 1, g.multiplier, tuple(map(negative, g.cofactors))) for g in found]
+        goals = _members(given, [(goal.left, goal.right) for goal in goals], certificate)
     width = len(piece.rows[0])
     rows = [goals[start : start + width] for start in range(0, len(goals), width)]
     holds = universal_of_matrix(

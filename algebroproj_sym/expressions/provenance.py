@@ -88,15 +88,17 @@ def is_recording() -> bool:
     return bool(_records)
 
 
-def noted(operation: str, operands: tuple[Any, ...], result: Any) -> Any:
+def noted(operation: str, operands: tuple[Any, ...], result: Result) -> Result:
     """Return the result of an operation, after noting how it was made; plain data among operands stay as they are."""
     if not _records or not isinstance(result, sympy.Expr | sympy.MatrixBase):
         return result
     made = Made(operation, tuple(map(_operand, operands)), plain(result))
     if isinstance(result, sympy.MatrixBase):
-        return with_provenance(result._new(result.rows, result.cols, list(result.flat())), made)
+        copied: Result = result._new(result.rows, result.cols, list(result.flat()))
+        return with_provenance(copied, made)
     if isinstance(result, sympy.Rational):
-        return _number(made)
+        number: Result = _number(made)
+        return number
     if result.args:
         _records[-1].scalars[result] = made
     else:

@@ -100,7 +100,7 @@ section.identity(
     printed=rows(*((-1) ** i * components(k, i) / D for i, j, k in cyclic)),
     where={D: determinant(B)},
     derived=inverse(B),
-    expect="misprint",
+    expect="error",
     corrected=rows(*(components(k, i) / D for i, j, k in cyclic)),
     note="The three vectors are compared as rows of one matrix.  The factor (-1)^i does not belong here: the cyclic "
     "order has taken care of the sign.  Taken modulo 3, i = 2, 0, 1 gives the signs + + -, not reduced, i = -1, 0, 1, "
@@ -114,7 +114,7 @@ section.identity(
     printed=rows(*((-1) ** j * cross(base[k], base[i]) / D for i, j, k in cyclic)),
     where={D: determinant(B)},
     derived=inverse(B),
-    expect="misprint",
+    expect="error",
     corrected=rows(*(cross(base[k], base[i]) / D for i, j, k in cyclic)),
     note="The second and the third form of (1.1.3).  The factor (-1)^j, that is + - +, belongs to the other two "
     "indices in ascending order, k < i, but the text says cyclic, i = j - 1 and k = j + 1; an interchange of k and i, "

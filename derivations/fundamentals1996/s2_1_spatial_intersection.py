@@ -54,7 +54,7 @@ section.identity(
     "base of the two centers",
     printed=center_left - center_right,
     derived=base,
-    expect="misprint",
+    expect="error",
     corrected=center_right - center_left,
     note="With the printed base (2.1.1) would hold for rays from the object to the centers, but (1.1.4), on which the "
     "section goes on to build, has mu p = y - y0; a negative sign of both mu, or an interchange of the two images, "
@@ -378,7 +378,7 @@ section.identity(
     printed=P_right.T * (D_printed * (P_right * mu_u_right)),
     where=homologous,
     derived=moment_left,
-    expect="misprint",
+    expect="error",
     corrected=P_left.T * (D_printed * (P_right * mu_u_right)),
     note="The first factor must be P'^T, and in the second equation P''^T: the same exchange twice, in products that "
     "exist, so that the scan alone did not make it.  The equation is (2.1.7) multiplied from the left by P'^T on both "
@@ -400,7 +400,7 @@ section.identity(
     "second equation: second member",
     printed=P_left.T * (D_printed * (P_left * (factor_left * u_left))),
     derived=moment_right,
-    expect="misprint",
+    expect="error",
     corrected=P_right.T * (D_printed * (P_left * (factor_left * u_left))),
     note="The first factor must be P''^T, as in the first equation it must be P'^T: see 2.1.8#left-second.",
 )
@@ -473,7 +473,7 @@ section.identity(
     printed=skew(*reciprocal_products) / DET,
     where={DET: determinant(P)} | inverses,
     derived=P.T * D * P,
-    expect="misprint",
+    expect="error",
     corrected=DET * skew(*reciprocal_products),
     note="The factor is D = det(P), not 1/D: the reciprocal vectors of (1.1.3) are cross products divided by D, hence "
     "the cross products are D times the reciprocal vectors.  1/D is right if D is the determinant of P*, but the text "

@@ -508,7 +508,7 @@ section.identity(
     printed=printed_left / D,
     where={D: D_printed},
     derived=epipole_left,
-    expect="misprint",
+    expect="error",
     corrected=-printed_left / D,
     note=SIGN,
 )
@@ -518,7 +518,7 @@ section.identity(
     printed=printed_right / D,
     where={D: D_printed},
     derived=epipole_right,
-    expect="misprint",
+    expect="error",
     corrected=-printed_right / D,
     note=SIGN,
 )

@@ -345,9 +345,9 @@ section.identity(
     "2.3/A5#expansion",
     "the line along which the determinant is expanded has one element",
     printed=A7_reduced[:, 0],
-    derived=vector(1, *[0] * 6),
+    derived=A7_reduced[0, :].T,
     expect="misprint",
-    corrected=A7_reduced[0, :].T,
+    corrected=vector(1, *[0] * 6),
     note="Printed: expanding two times with respect to the first columns.  The first column keeps the coordinates u''1 "
     "of all points; the first row, and then the next one, has a single element.",
 )

@@ -288,7 +288,7 @@ section.identity(
     "second parameter of the left image",
     printed=z01 / (z01 + z20 + z21 + z01 * z20),
     derived=parameters_of_z[1].xreplace({z_n: z_of_21}),
-    expect="misprint",
+    expect="error",
     corrected=(z01 + z20 + z21 + z01 * z20) / z01,
     note="The fraction is inverted: tau2' = z20/z_N.  The example of section 4 i has 1.079591, in agreement with the "
     "corrected form.  The printed value would belong to the inverse transformation, from P_N to P, which is not that "
@@ -300,7 +300,7 @@ section.identity(
     "second parameter of the right image",
     printed=1 / (1 + z12),
     derived=parameters_of_z[3].xreplace({z_n: z_of_12}),
-    expect="misprint",
+    expect="error",
     corrected=1 + z12,
     note="The fraction is inverted: tau2'' = -z02/z_N.  The example of section 4 i has 1.07973 = 1 + z12.  A slip "
     "of the scan cannot be told from one of the print.",

@@ -5,8 +5,6 @@
 # What can be checked in the comparison are linearity and counts.
 
 # %%
-from itertools import combinations_with_replacement
-
 import sympy
 
 from algebroproj_derivations.fundamentals1996.notation import *
@@ -45,7 +43,7 @@ section = Section("fundamentals1996", "5", "Final remarks")
 # ## Linearity
 #
 # The steps of the paper and the unknowns of each, what is known from the step before being given: an equation is linear
-# exactly if its second derivatives are zero.
+# exactly if it is its value at the origin plus the unknowns times their slopes there.
 
 # %%
 steps = (
@@ -61,12 +59,14 @@ steps = (
     ("normal-case", "transformation to the normal case", [product[p] - Z[p] for p in border], parameters),
 )
 for slug, title, equations, sought in steps:
-    unknown_pairs = list(combinations_with_replacement(sought, 2))
+    forms = vector(*equations)
+    origin = dict.fromkeys(sought, sympy.S.Zero)
+    linear_part = sum((diff(forms, unknown).xreplace(origin) * unknown for unknown in sought), forms.xreplace(origin))
     section.identity(
         f"5/linear#{slug}",
         f"linear equations: {title}",
-        printed=Matrix.zeros(len(equations), len(unknown_pairs)),
-        derived=Matrix([[diff(form, *pair) for pair in unknown_pairs] for form in equations]),
+        printed=linear_part,
+        derived=forms,
         note="Complete linearity is read of the steps, one after the other.  The condition det(Z) = 0, which no step "
         "uses, is not linear; see 2.2/beyond/first-equation for what it is needed for."
         if slug == "correlation"

@@ -130,7 +130,7 @@ section.identity(
     printed=-c / root,
     where=IMAGES[1][2] | {root: over(c_phipp, lam0)},
     derived=over(s_phipp, c_phipp),
-    expect="misprint",
+    expect="error",
     corrected=c / root,
     note="The equation is printed for both images.  With a positive factor lambda0'', that is x0'' < 0 if cos kappa'' "
     "> 0, the minus sign of the image of the base turns the sign around: in the example x0'' is -178.264 and phi'' "

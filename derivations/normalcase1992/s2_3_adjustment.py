@@ -129,9 +129,7 @@ SIGN = (
 )
 for unknown, (name, coefficient) in PRINTED.items():
     verdict = (
-        {"expect": "misprint", "corrected": -coefficient, "note": SIGN}
-        if unknown == domega_pp
-        else {"note": LOST_PRIMES}
+        {"expect": "error", "corrected": -coefficient, "note": SIGN} if unknown == domega_pp else {"note": LOST_PRIMES}
     )
     section.identity(
         f"2.3/linear#{name}",

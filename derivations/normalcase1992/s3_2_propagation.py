@@ -117,7 +117,7 @@ section.identity(
     printed=B_x_printed / dot(row3, x_vector),
     where=OF_IMAGE,
     derived=B_x,
-    expect="misprint",
+    expect="error",
     corrected=-B_x_printed / dot(row3, x_vector),
     note="The sign is wrong: tau = -e3.x/c is the divisor.  The paper's own special case, B_x = E with e3.x = -c, "
     "needs the minus sign.  The dispersion, quadratic in B_x, is not affected.",
@@ -234,7 +234,7 @@ section.identity(
     "weight of a fictitious residual in the normal case",
     printed=2 * sigma**2 * (y**2 + c**2),
     derived=variance,
-    expect="misprint",
+    expect="error",
     corrected=2 * sigma**2 * c**2,
     note="The parallax is c (y' - y''), so that its variance is 2 c^2 sigma^2.  The printed form also counts the "
     "third components y of the lines (0, c, y) and -(0, c, y), to which no residual belongs: (2.3.1) has h1 and h2 "

@@ -149,7 +149,7 @@ for i, printed in enumerate(TABLE):
             printed=printed[j],
             derived=table[i, j],
             **(
-                {"expect": "misprint", "corrected": slip[0], "note": slip[1]}
+                {"expect": "misprint" if slip[1] is LOST_SIGN else "error", "corrected": slip[0], "note": slip[1]}
                 if slip
                 else {"note": NOTES.get((i, j), "")}
             ),

@@ -23,7 +23,7 @@ from algebroproj_derivations.okamoto1981.s3_simultaneous_determination import (
 )
 from algebroproj_derivations.okamoto1981.s4_2_orientation_of_pairs import inner_left, inner_right
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, vector
+from algebroproj_sym.expressions import Matrix, floor, vector
 
 section = Section("okamoto1981", "4.3", "Simultaneous determination of all orientation unknowns, usual case")
 
@@ -105,7 +105,7 @@ section.identity(
     "4.3/four-points",
     "the number of points that are necessary",
     printed=4,
-    derived=-(-(len(eighteen) - len(seven_of_eighteen)) // 3),
+    derived=-floor(-sympy.Rational(len(eighteen) - len(seven_of_eighteen), 3)),
     note="Eleven parameters are left, and a point gives three equations.  Four are sufficient, 4.3/beyond/four-points, "
     "and three are not, 4.3/beyond/three-points.",
 )

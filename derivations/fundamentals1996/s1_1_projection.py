@@ -105,8 +105,8 @@ section.identity(
     note="The three vectors are compared as rows of one matrix.  The factor (-1)^i does not belong here: the cyclic "
     "order has taken care of the sign.  Taken modulo 3, i = 2, 0, 1 gives the signs + + -, not reduced, i = -1, 0, 1, "
     "it gives - + -; the signs proved are + + +.  The order of k and i and the handedness of the base are no way out, "
-    "they change all three signs or none.  The two forms of (1.1.3) contradict each other, too.  The scan alone cannot "
-    "tell a slip of the scan from one of the print.",
+    "they change all three signs or none.  The two forms of (1.1.3) contradict each other, too: the sign is wrong "
+    "in both, which no single slip of the press explains.",
 )
 section.identity(
     "1.1.3#cross",
@@ -118,8 +118,8 @@ section.identity(
     corrected=rows(*(cross(base[k], base[i]) / D for i, j, k in cyclic)),
     note="The second and the third form of (1.1.3).  The factor (-1)^j, that is + - +, belongs to the other two "
     "indices in ascending order, k < i, but the text says cyclic, i = j - 1 and k = j + 1; an interchange of k and i, "
-    "or of rows and columns of B, changes all three signs or none.  The scan alone cannot tell a slip of the scan "
-    "from one of the print.",
+    "or of rows and columns of B, changes all three signs or none.  The factor stands in both forms, which "
+    "no single slip of the press explains.",
 )
 
 # %% [markdown]

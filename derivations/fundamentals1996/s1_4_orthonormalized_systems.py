@@ -126,7 +126,7 @@ section.identity(
     "matrix of the affine image coordinates",
     printed=Matrix([[1, 0, 0], [xj - x_center for xj in xs], [yj - y_center for yj in ys]]),
     derived=A_v,
-    expect="error",
+    expect="misprint",
     corrected=Matrix(
         [
             [1, 0, 0],

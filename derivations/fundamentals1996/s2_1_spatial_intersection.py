@@ -54,7 +54,7 @@ section.identity(
     "base of the two centers",
     printed=center_left - center_right,
     derived=base,
-    expect="error",
+    expect="misprint",
     corrected=center_right - center_left,
     note="With the printed base (2.1.1) would hold for rays from the object to the centers, but (1.1.4), on which the "
     "section goes on to build, has mu p = y - y0; a negative sign of both mu, or an interchange of the two images, "
@@ -477,8 +477,8 @@ section.identity(
     corrected=DET * skew(*reciprocal_products),
     note="The factor is D = det(P), not 1/D: the reciprocal vectors of (1.1.3) are cross products divided by D, hence "
     "the cross products are D times the reciprocal vectors.  1/D is right if D is the determinant of P*, but the text "
-    "defines D = det(P); with the adjugate of P for P* the factor would be 1.  The scan alone cannot tell a slip of "
-    "the scan from one of the print.",
+    "defines D = det(P); with the adjugate of P for P* the factor would be 1.  The factor as a whole is "
+    "inverted, which no single sign or letter explains.",
 )
 section.structure("2.1.9#kappa", "K is skew-symmetric", printed=skew(*kappa), derived=P.T * D * P)
 section.identity(

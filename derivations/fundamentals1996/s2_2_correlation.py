@@ -497,8 +497,7 @@ SIGN = (
     "is right, all four are wrong; with -D, z12 z21 - z11 z22, all four would be right.  Ruled out: an interchange of "
     "Z and its transpose or of the two images, which would change the letters and not the sign, and a free sign of "
     "the epipole, whose leading 1 fixes it.  The example of section 4, item c), has the signs of the corrected form: "
-    "its Z gives u'01 = 1.647 and u''01 = 1.617.  The scan alone cannot tell a slip of the scan from one of the print, "
-    "but one slip of the scan cannot do it."
+    "its Z gives u'01 = 1.647 and u''01 = 1.617.  No single slip of the press gives four wrong signs."
 )
 printed_left = vector(-z22 * (1 + z11) + z21 * (z20 + z22), -z11 * (z20 + z22) + z12 * (1 + z11))
 printed_right = vector(z22 - z12 * z20, z11 * z20 - z21)

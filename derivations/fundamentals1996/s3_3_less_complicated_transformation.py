@@ -292,8 +292,8 @@ section.identity(
     corrected=(z01 + z20 + z21 + z01 * z20) / z01,
     note="The fraction is inverted: tau2' = z20/z_N.  The example of section 4 i has 1.079591, in agreement with the "
     "corrected form.  The printed value would belong to the inverse transformation, from P_N to P, which is not that "
-    "of (3.3.1) and (3.3.5); an exchange of the two images, or of rows and columns, does not give it.  A slip of the "
-    "scan cannot be told from one of the print.",
+    "of (3.3.1) and (3.3.5); an exchange of the two images, or of rows and columns, does not give it.  Both fractions "
+    "of (3.3.7) are inverted, which no slip of the press explains.",
 )
 section.identity(
     "3.3.7#right",
@@ -302,8 +302,8 @@ section.identity(
     derived=parameters_of_z[3].xreplace({z_n: z_of_12}),
     expect="error",
     corrected=1 + z12,
-    note="The fraction is inverted: tau2'' = -z02/z_N.  The example of section 4 i has 1.07973 = 1 + z12.  A slip "
-    "of the scan cannot be told from one of the print.",
+    note="The fraction is inverted: tau2'' = -z02/z_N.  The example of section 4 i has 1.07973 = 1 + z12.  "
+    "Both fractions of (3.3.7) are inverted, which no slip of the press explains.",
 )
 
 # %% [markdown]

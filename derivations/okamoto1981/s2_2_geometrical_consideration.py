@@ -499,7 +499,7 @@ section.identity(
     "the scale of (38) in the quotient of (37)",
     printed=m**2,
     derived=over(dot(difference, difference), dot(m * difference, m * difference)),
-    expect="error",
+    expect="misprint",
     corrected=1 / m**2,
     note="(37) defines m as model over object, (38) multiplies the model by m to get the object: one of the two is the "
     "reciprocal of the other.  Squared and without the rotation, as in 37.  Read as two different numbers with one "

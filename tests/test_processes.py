@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 
 import pytest
 
@@ -56,6 +57,12 @@ def left():
 
 def echoing(there):
     there.send(there.recv())
+
+
+@pytest.fixture(autouse=True)
+def importable(monkeypatch):
+    """A process that is spawned imports the functions of this module by its name."""
+    monkeypatch.syspath_prepend(Path(__file__).parent.parent)
 
 
 @pytest.fixture(params=[pytest.param("fork", marks=linux), "spawn"])

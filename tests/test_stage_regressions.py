@@ -118,7 +118,7 @@ def test_a_call_too_many_is_not_proved(tmp_path):
 
 def test_a_module_without_the_primitive_function_is_not_proved(tmp_path):
     kernel = of_xy(c, [cos_sin(c, s, x)])
-    changes = ("from .primitives import cos_sin\n", ""), ("c, s = cos_sin(x)", "c, s = x, y")
+    changes = ("from ._runtime.primitives import cos_sin\n", ""), ("c, s = cos_sin(x)", "c, s = x, y")
     assert not source_is_proved(kernel, shipped(tmp_path, kernel, *changes))
 
 

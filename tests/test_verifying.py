@@ -111,10 +111,10 @@ def test_every_kernel_has_values_at_inputs_without_structure(lowered):
     [
         ("projection.mu_from_center", "u31 * y00 / (u30 * y01)", "u32 * y00 / (u30 * y01)"),
         ("projection.projection_determinant_from_mu", "(wide(mu3) - 1)", "(wide(mu3) + 1)"),
-        ("projection.project", "/ delta", "/ (delta + 1e-9)"),
+        ("projection.project", "/ delta", "/ (delta + delta / 10**9)"),
         ("space.map_points", "return ", "return -"),
         ("optics.scale", "f / (f + x3)", "(f + x3) / f"),
-        ("affine.plane_coordinates", "rounded_twice(c11 * d2", "1e-12 + rounded_twice(c11 * d2"),
+        ("affine.plane_coordinates", "rounded_twice(c11 * d2", "rounded_twice(c11 / 10**12 + c11 * d2"),
     ],
 )
 def test_a_planted_error_is_caught_by_the_proof_and_by_the_samples(name, old, new, lowered):

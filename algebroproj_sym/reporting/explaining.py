@@ -37,6 +37,7 @@ LONGEST_MEANING = 2 * ROW
 LONGEST_QUOTE = 5 * ROW
 LONGEST_ENTRY = ROW - 20
 """Characters of what is not shortened: forms and lists, values of names, quotes, entries that differ."""
+MOST_ROWS = 16
 MOST_DIFFERING = 4
 FULL = "To see everything in full, add --full."
 
@@ -88,7 +89,7 @@ def form_lines(claim: Claim, part: Part, most: int, *, full: bool = False) -> li
     """
     form = arranged(derived_form(claim)) if part == "derived" else as_declared(claim, part)
     rows = plain_rows(form)
-    if full or sum(map(len, rows)) <= most:
+    if full or (sum(map(len, rows)) <= most and len(rows) <= MOST_ROWS):
         return rows
     named = in_names(claim, part)
     if named is None:

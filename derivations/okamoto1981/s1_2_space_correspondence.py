@@ -221,11 +221,15 @@ section.count(
 
 # %%
 literal = (ABOUT_Y, ABOUT_X, ABOUT_Z, ABOUT_Z)
+of_object, of_comparator = (
+    rotation(*((plane, *sympy.symbols(f"cos{k} sin{k}")) for k, plane in enumerate(literal, first)), size=4)
+    for first in (1, 5)
+)
 section.identity(
     "1.2/beyond/literal",
     "without a rotation that turns T the denominator does not depend on the object point",
     printed=vector(0, 0, 0, -To).T,
-    derived=camera_of_planes(literal, four_of_object, four_of_comparator)[3, :],
+    derived=camera_of_space(seen_by_comparator(of_comparator[:3, :], c, spatial_center), of_object.T)[3, :],
     note="Not in the paper: mu must turn a plane that contains the axis T.",
 )
 

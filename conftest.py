@@ -23,6 +23,7 @@ PROJECT = "algebroproj-sym"
 IMPORTS = {
     "algebroproj_sym/reporting/site": "report",
     "algebroproj_sym/study": "study",
+    "derivations/studies": "study",
     "tests/test_browser.py": "dev",
     "tests/test_docs.py": "docs",
     "tests/test_notebooks.py": "report",

@@ -26,3 +26,4 @@ __version__ = "0.1.0"
 __all__ = ["DoubleDouble", "backend", "bounds", "dd", "hypotheses", "plain", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]
 
 tell_errors(Path(__file__).with_name("accuracy.json"), [affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space])
+del Path, tell_errors

@@ -474,7 +474,7 @@ def test_the_search_finds_numbers_titles_and_symbols(site):
     lines = site["search-index.js"].split("\n")[1:-2]
     index = [json.loads(line.rstrip(",")) for line in lines]
     (found,) = [entry for entry in index if entry[2] == "2.2.6"]
-    assert found[:5] == ["fundamentals1996/2.2.6.html", "fundamentals1996", "2.2.6", "epipole in P'", "misprint"]
+    assert found[:5] == ["fundamentals1996/2.2.6.html", "fundamentals1996", "2.2.6", "epipole in P'", "error"]
     assert "z11" in found[5].split()
     assert any("u'1" in entry[5].split() and "up1" in entry[5].split() for entry in index)
     assert any(entry[1] == "function" and entry[2].startswith("correlation.") for entry in index)

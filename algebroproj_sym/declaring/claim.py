@@ -20,6 +20,8 @@ from algebroproj_sym.expressions import (
 
 Verdict = Literal["proved", "misprint", "error", "false", "illegible", "definition", "open"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
+CORRECTED: tuple[Verdict, ...] = ("misprint", "error")
+"""Verdicts of a printed form that is refuted, and of a corrected one that is proved."""
 
 Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring.claim import VERDICTS, Claim, DeclarationError, Statement, expressions_of
+from algebroproj_sym.declaring.claim import CORRECTED, VERDICTS, Claim, DeclarationError, Statement, expressions_of
 from algebroproj_sym.declaring.kind import FIELDS
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import (
@@ -139,7 +139,7 @@ def _require_complete(claim: Claim, where: str) -> None:
     if claim.expected not in VERDICTS or claim.expected == "open":
         allowed = ", ".join(verdict for verdict in VERDICTS if verdict != "open")
         raise DeclarationError(f"{where}, expect: expected one of {allowed}, got {claim.expected!r}")
-    if claim.expected in ("misprint", "error", "illegible") and claim.corrected is None:
+    if claim.expected in (*CORRECTED, "illegible") and claim.corrected is None:
         raise DeclarationError(f"{where}, corrected: expected a form for a claim declared {claim.expected}, got none")
     if claim.expected == "false" and not claim.instead:
         raise DeclarationError(f"{where}, instead: expected the number of the true claim for a false one, got none")

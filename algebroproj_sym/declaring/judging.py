@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim, Statement, Verdict, expressions_of, in_derived_terms
+from algebroproj_sym.declaring.claim import CORRECTED, Claim, Statement, Verdict, expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import free_symbols, symbols_of, values_of
 from algebroproj_sym.processes import mapped
@@ -118,7 +118,7 @@ def _with_whole_witness(
 ) -> Mapping[str, Any] | None:
     if certificate is None or "witness" not in certificate:
         return certificate
-    form = claim.corrected if verdict in ("misprint", "error", "illegible") else claim.printed
+    form = claim.corrected if verdict in (*CORRECTED, "illegible") else claim.printed
     witness = {sympy.Symbol(name): value for name, value in certificate["witness"].items()}
     completed = _completed(claim, form, witness) or {}
     return {**certificate, "witness": {symbol.name: str(value) for symbol, value in completed.items()}}
@@ -153,10 +153,10 @@ def _verdict(claim: Claim, printed: Proof | None, corrected: Proof | None) -> Ve
 
 def _evidence(verdict: Verdict, printed: Proof | None, corrected: Proof | None) -> Proof:
     """Return the proof of what is true: of the corrected form where the printed one is refuted or missing."""
-    chosen = corrected if verdict in ("misprint", "error", "illegible") else printed
+    chosen = corrected if verdict in (*CORRECTED, "illegible") else printed
     evidence = chosen or corrected
     assert evidence is not None
-    if verdict in ("misprint", "error") and printed is not None:
+    if verdict in CORRECTED and printed is not None:
         refutation = {"refutation": printed.certificate}
         return replace(evidence, certificate={**(evidence.certificate or {}), **refutation})
     return evidence

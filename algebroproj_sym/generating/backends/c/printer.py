@@ -94,7 +94,7 @@ _WORDS = """
     alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t class compl constexpr const_cast decltype
     delete dynamic_cast explicit export false friend mutable namespace new noexcept not not_eq nullptr operator or or_eq
     private protected public reinterpret_cast static_assert static_cast template this thread_local throw true try typeid
-    typename using virtual wchar_t xor xor_eq std is_larger
+    typename using virtual wchar_t xor xor_eq std
     in out i points real range ranges variant absolute headroom is_larger multiply_add product_error splitter
     constant within
 """

@@ -12,9 +12,9 @@ from algebroproj_sym.generating.runtime.bounded_primitives import (
     null_vector_with_bounds,
     solution_with_bounds,
 )
-from algebroproj_sym.generating.runtime.double_double import DoubleDouble
 from algebroproj_sym.generating.runtime.elimination import null_vector_of, solution_of
 from algebroproj_sym.generating.runtime.error_bounds import Bounded
+from algebroproj_sym.generating.runtime.pairs import DoubleDouble
 from algebroproj_sym.generating.runtime.primitives import arctan2, cos_sin, null_vector, solve
 
 BATCH = 12

@@ -21,8 +21,8 @@ from algebroproj_sym.declaring import arctan2, cos_sin, let, null_vector, soluti
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.generating import PACKAGE, LoweringError, Program, Step, lower, render, run, write
 from algebroproj_sym.generating.backends.numpy.printer import LINE, statements
+from algebroproj_sym.generating.program import Call
 from algebroproj_sym.generating.runtime import primitives as primitives
-from algebroproj_sym.generating.runtime.program import Call
 from algebroproj_sym.generating.writing import NOTICE
 from algebroproj_sym.proving import ENGINES
 from algebroproj_sym.study.arithmetics import double_double, float64_balls, mpmath_digits

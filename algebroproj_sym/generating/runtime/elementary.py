@@ -13,8 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from .double_double import DoubleDouble, chosen, two_sum
+from .error_free import two_sum
 from .namespace import is_foreign, namespace
+from .pairs import DoubleDouble, chosen
 
 __all__ = ["arctan2_of_pair", "cos_sin_of_pair"]
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 from types import FunctionType
 from typing import Any
 
-from .compensated import DIGITS
 from .evaluation import BLOCK, parts_of
+from .pairs import DIGITS
 from .primitives import null_vector_once, solve_once
 
 __all__ = ["plain"]

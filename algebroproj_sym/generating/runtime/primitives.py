@@ -17,12 +17,11 @@ from .bounded_primitives import (
     null_vector_with_bounds,
     solution_with_bounds,
 )
-from .compensated import Compensated, double_double
-from .double_double import DoubleDouble, Unrounded
 from .elementary import arctan2_of_pair, cos_sin_of_pair
 from .elimination import null_vector_of, solution_of
 from .error_bounds import Bounded
 from .namespace import namespace
+from .pairs import DoubleDouble, Pair, double_double
 
 Rows: TypeAlias = Sequence[Sequence[Any]]
 
@@ -33,7 +32,7 @@ def cos_sin(angle: Any) -> tuple[Any, Any]:
     """Return cosine and sine of an angle in radians, with as many digits as the angle has."""
     if isinstance(angle, Bounded):
         return cos_sin_with_bounds(angle, cos_sin)
-    if isinstance(angle, DoubleDouble | Compensated):
+    if isinstance(angle, Pair):
         cosine, sine = cos_sin_of_pair(double_double(angle))
         return type(angle)(cosine.hi, cosine.lo), type(angle)(sine.hi, sine.lo)
     xp = namespace([angle])
@@ -44,7 +43,7 @@ def arctan2(y: Any, x: Any) -> Any:
     """Return the angle, in radians between -pi and pi, of the direction (x, y), with as many digits as these have."""
     if isinstance(y, Bounded) or isinstance(x, Bounded):
         return arctan2_with_bound(y, x, arctan2)
-    kind = next((type(number) for number in (y, x) if isinstance(number, DoubleDouble | Compensated)), None)
+    kind = next((type(number) for number in (y, x) if isinstance(number, Pair)), None)
     if kind is not None:
         angle = arctan2_of_pair(double_double(y), double_double(x))
         return kind(angle.hi, angle.lo)
@@ -159,28 +158,20 @@ def _have_bounds(rows: Rows) -> bool:
 
 def _with_rests(rows: Rows) -> tuple[Rows, Rows | None]:
     """Return the entries as numbers of one kind, and what rounding took from those whose errors can be split off."""
-    if any(isinstance(entry, Unrounded) for row in rows for entry in row):
+    if any(isinstance(entry, DoubleDouble) for row in rows for entry in row):
         return _of_one_kind(rows), None
-    pairs = [[_two_parts(entry) for entry in row] for row in rows]
+    pairs = [[(entry if isinstance(entry, Pair) else Pair(entry)).nearest() for entry in row] for row in rows]
     heads = _of_one_kind([[pair.hi for pair in row] for row in pairs])
     if not _is_refinable(heads[0][0]):
         return heads, None
     return heads, [[0 if pair.lo is None else pair.lo for pair in row] for row in pairs]
 
 
-def _two_parts(number: Any) -> Compensated | DoubleDouble:
-    """Return a number of two parts, of which the first one is near the number."""
-    if isinstance(number, Compensated):
-        return number.nearest()
-    return number if isinstance(number, DoubleDouble) else DoubleDouble(number)
-
-
 def _of_one_kind(rows: Rows) -> Rows:
     """Return the entries as numbers of one kind, in which the integers of a formula do not count."""
     entries = [entry for row in rows for entry in row]
-    pair = next((type(entry) for entry in entries if isinstance(entry, DoubleDouble)), None)
-    if pair is not None:
-        return [[entry if isinstance(entry, DoubleDouble) else pair(entry) for entry in row] for row in rows]
+    if any(isinstance(entry, DoubleDouble) for entry in entries):
+        return [[double_double(entry) for entry in row] for row in rows]
     counting = [entry for entry in entries if not isinstance(entry, int)]
     xp = namespace(entries)
     dtypes = {entry.dtype if hasattr(entry, "dtype") else np.asarray(entry).dtype for entry in counting}

@@ -15,8 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from .compensated import double_double
-from .double_double import DoubleDouble, chosen
 from .error_bounds import (
     DOUBLED,
     SLACK,
@@ -30,6 +28,7 @@ from .error_bounds import (
     tail,
     unit_of,
 )
+from .pairs import Pair, chosen, double_double
 
 __all__ = ["arctan2_with_bound", "cos_sin_with_bounds", "null_vector_with_bounds", "solution_with_bounds"]
 
@@ -110,7 +109,7 @@ def _is_one(number: Any) -> Any:
 
 def _either(condition: Any, first: Any, second: Any) -> Any:
     """Return one number where a condition holds, and another one elsewhere."""
-    if isinstance(first, DoubleDouble):
+    if isinstance(first, Pair):
         return chosen(condition, first, second)
     return np.where(condition, first, second)
 

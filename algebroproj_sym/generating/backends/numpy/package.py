@@ -22,9 +22,9 @@ from algebroproj_sym.generating.description import factor_name, formula, singula
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.operation_counts import operation_counts
+from algebroproj_sym.generating.program import Call, Step, run
 from algebroproj_sym.generating.runtime import primitives as primitives
-from algebroproj_sym.generating.runtime.compensated import DIGITS
-from algebroproj_sym.generating.runtime.program import Call, Step, run
+from algebroproj_sym.generating.runtime.pairs import DIGITS
 from algebroproj_sym.generating.writing import NOTICE, PACKAGE
 
 OPERATIONS = {"+": "addition", "-": "subtraction", "*": "multiplication", "/": "division", "neg": "negation"}
@@ -233,5 +233,4 @@ def _signature(low: Lowered) -> str:
     block = f", block={LINEAR_BLOCK}" if kernel.solves_systems else ""
     twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(low) else ""
     twin += f', plain_twin=ufunc("plain_{c_name(kernel)}")' if is_compiled_plain(low) else ""
-    recordable = ", recordable=True" if all(stage.primitive == "let" for stage in kernel.stages) else ""
-    return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin}{recordable})".replace("'", '"')
+    return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin})".replace("'", '"')

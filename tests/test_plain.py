@@ -16,7 +16,7 @@ import algebroproj
 from algebroproj import correlation, normal_case, optics, projection
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating import PACKAGE, c_name, plain_files, run
-from algebroproj_sym.generating.runtime.primitives import null_vector_once, solve_once
+from algebroproj_sym.generating.runtime.systems import null_vector_once, solve_once
 from algebroproj_sym.verifying import call, function_of, source_is_proved, stratified, truths, without_twin
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, plain_outputs, source_of
 from algebroproj_sym.verifying.identity import SPECIAL, same_bits

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._runtime.backend import ufunc
 from ._runtime.evaluation import Signature, evaluate
 from ._runtime.pairs import rounded, rounded_twice, wide
-from ._runtime.primitives import cos_sin
+from ._runtime.cos_sin import cos_sin
 
 __all__ = [
     "coefficients",

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._runtime.backend import ufunc
 from ._runtime.evaluation import Signature, evaluate
 from ._runtime.pairs import rounded, rounded_twice, wide
-from ._runtime.primitives import null_vector, solve
+from ._runtime.systems import null_vector, solve
 
 __all__ = [
     "design_row",

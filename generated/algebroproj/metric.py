@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from ._runtime.backend import ufunc
 from ._runtime.evaluation import Signature, evaluate
 from ._runtime.pairs import rounded, wide
-from ._runtime.primitives import arctan2, cos_sin
+from ._runtime.arctan2 import arctan2
+from ._runtime.cos_sin import cos_sin
 
 __all__ = [
     "reconstruct",
@@ -499,7 +500,7 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
 
     No input is singular.
 
-    Operations: 85 (14 additions, 12 subtractions, 49 multiplications, 2 negations, 3 cos_sin, 5 arctan2).
+    Operations: 85 (14 additions, 12 subtractions, 49 multiplications, 2 negations, 5 arctan2, 3 cos_sin).
     The derived expression takes 78 as written.
     With compensation of sums that may cancel: 472 (47 of them compute errors of products).
 

@@ -28,6 +28,9 @@ SLACK = 16
 DOUBLED = 16
 """What an operation on double-double numbers rounds at most, in u**2 of its result."""
 
+LIBRARY = 4
+"""By how many units in the last place an elementary function of an array library is assumed to err at most."""
+
 _FLOAT64 = np.dtype(np.float64)
 
 
@@ -126,6 +129,12 @@ def guaranteed(number: Bounded) -> Bounded:
     """Return a number whose bound is infinite where computing it, or its value, has failed."""
     failed = np.isnan(number.error) | ~np.isfinite(high(number.value))
     return Bounded(number.value, np.where(failed, np.inf, number.error))
+
+
+def of_library(value: Number) -> Number:
+    """Return the assumed error of a function of a library, and that of its double-double counterpart, below 1."""
+    unit = unit_of(value)
+    return 4 * DOUBLED * unit * unit if hasattr(value, "hi") else 2 * LIBRARY * unit
 
 
 def _value(number: Number) -> Number:

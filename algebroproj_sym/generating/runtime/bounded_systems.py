@@ -1,9 +1,8 @@
-"""Guaranteed bounds for cosines, angles and linear systems of numbers that carry bounds themselves.
+"""Guaranteed bounds for the solutions of linear systems of numbers that carry bounds themselves.
 
 A solution is bounded after the fact: an approximate inverse R of the matrix A and the residual r of the solution x, in
 twice the digits, give ``|x - exact| <= |R r| + g / (1 - g) max |R r|`` wherever the norm g of ``R A - 1`` is less
-than 1; all uncertainties of the entries enter r and g.  Of cosine, sine and arctangent of the array library it is
-assumed that they err by less than four units in the last place.
+than 1; all uncertainties of the entries enter r and g.
 """
 
 from __future__ import annotations
@@ -20,49 +19,15 @@ from .error_bounds import (
     bounded,
     guaranteed,
     high,
-    least,
     magnitude,
-    separated,
     tail,
     unit_of,
 )
 from .pairs import Pair, chosen, double_double
 
-__all__ = ["arctan2_with_bound", "cos_sin_with_bounds", "null_vector_with_bounds", "solution_with_bounds"]
+__all__ = ["null_vector_with_bounds", "solution_with_bounds"]
 
-ULPS = 4
-FARTHEST = 1e8
 Function = Callable[..., Any]
-
-
-def cos_sin_with_bounds(angle: Bounded, function: Function) -> tuple[Bounded, Bounded]:
-    """Return cosine and sine, whose slopes are at most 1."""
-    cosine, sine = function(angle.value)
-    error = angle.error + _of_library(cosine)
-    error = np.where(magnitude(angle.value) < FARTHEST, error, np.inf)
-    return bounded(cosine, error), bounded(sine, error)
-
-
-def arctan2_with_bound(y: Any, x: Any, function: Function) -> Bounded:
-    """Return the angle of a direction.
-
-    A point that moves by a part of its distance from the origin turns by less than pi/2 times that part.
-    Where the point may lie on the cut of the angle, or be the origin, nothing is said.
-    """
-    y, x = (number if isinstance(number, Bounded) else Bounded(number, 0.0) for number in (y, x))
-    angle = function(y.value, x.value)
-    moved = y.error + x.error
-    distance = np.maximum(least(y.value), least(x.value)) * (1 - SLACK * unit_of(angle))
-    right = separated(x.value)
-    on_cut = (least(y.value) <= y.error) & (high(right) - tail(right) - x.error <= 0) & (moved > 0)
-    turned = np.where((moved < distance) & ~on_cut, 1.5708 * moved / distance, np.inf)
-    return bounded(angle, turned + 4 * _of_library(angle))
-
-
-def _of_library(value: Any) -> Any:
-    """Return the assumed error of a function of the library, and that of its double-double counterpart, below 1."""
-    unit = unit_of(value)
-    return 4 * DOUBLED * unit * unit if hasattr(value, "hi") else 2 * ULPS * unit
 
 
 def solution_with_bounds(rows: Sequence[Sequence[Any]], solve: Function) -> list[Bounded]:

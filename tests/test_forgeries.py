@@ -524,6 +524,24 @@ def squares_that_are_none():
             yield honest, inside
 
 
+def positive_sums_that_are_none():
+    """A sum of squares that may vanish, since none of them is a number other than zero."""
+    for c in numbers():
+        def of(squares, total, c=c):
+            about = "x", str(c), f"(x - {c})*({total})", f"x - {c}", end("1", multiplier=total), {"x": str(c)}
+            entry = following(*about, steps=[{"squares": squares, "not zero": total}])
+            entry["certificate"]["method"] = entry["method"] = "sums of squares"
+            return entry
+
+        honest = of([["1", "x"], [str(c), "1"]], f"x**2 + {c}")
+        yield honest, of([["1", "x"]], "x**2")
+        yield honest, of([["1", "x"], ["1", "0"]], "x**2")
+        yield honest, of([["1", "x"], [str(c), "x - x"]], "x**2")
+        yield honest, of([["1", "x"], ["1", "2*x"]], "5*x**2")
+        yield honest, of([["1", "x"], [f"-{c}", "1"]], f"x**2 - {c}")
+        yield honest, of([["1", "x"], [str(c), "1"]], "x**2")
+
+
 def shown_numbers():
     """A counterexample in an extension field that is shown and is not the one that was checked."""
     for c in (2, 3, 5, 6, 7, 10, 11, 13, 14, 15, 17, 19, 21, 22, 23, 26, 29, 30, 31, 33):
@@ -604,6 +622,7 @@ IDENTITIES = (
     steps_of_others,
     invented_units,
     squares_that_are_none,
+    positive_sums_that_are_none,
     shown_numbers,
     moved_statements,
 )

@@ -422,7 +422,7 @@ def test_a_change_anywhere_in_any_kind_of_claim_is_noticed(small, data):
     require_rejection(record, lambda options: data.draw(st.sampled_from(options)))
 
 
-@settings(max_examples=300)
+@settings(max_examples=4 * settings.default.max_examples)
 @given(data=st.data())
 def test_a_change_anywhere_in_a_real_claim_is_noticed(real, data):
     record = data.draw(st.sampled_from(real["claims"]))

@@ -527,6 +527,7 @@ def squares_that_are_none():
 def positive_sums_that_are_none():
     """A sum of squares that may vanish, since none of them is a number other than zero."""
     for c in numbers():
+
         def of(squares, total, c=c):
             about = "x", str(c), f"(x - {c})*({total})", f"x - {c}", end("1", multiplier=total), {"x": str(c)}
             entry = following(*about, steps=[{"squares": squares, "not zero": total}])

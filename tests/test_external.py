@@ -24,7 +24,8 @@ ITEMS = [(name, item) for name in FILES for item in json.loads((CORPUS / f"{name
 REPLAYED = 4_000
 # Each of these takes a second or more.
 HARD = {
-    "orthogonal matrix of trace three, diagonal", "orthogonal matrix of trace three", "one circumcentre, no point at it",
+    "orthogonal matrix of trace three, diagonal", "orthogonal matrix of trace three",
+    "one circumcentre, no point at it",
     "same fifth root twice", "011_7_Book_00EE_03_E039-28: coll d a f", "Weitzenboeck, equality", "Zeng: four variables",
     "Coq nsatz symmetric 5, without the last equation", "power sums 1, 2, 3 give the fifth",
     "orthogonal matrix of trace one", "003_6_GDD_FULL_more_E022-12: cong c f d b", "same cube root twice",

@@ -106,7 +106,7 @@ def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     x - 1 <> 0 ->
     (x ^ 2 - 1) / (x - 1) = x + 1
     >>> exported({**record, "derived": "x + 2"}).reason
-    'the evidence does not replay: the digest is not that of the declaration'
+    'the evidence does not replay: the digest differs from that of the declaration'
     """
     replayed = replay_claim(record)
     if replayed.status == "replayed":

@@ -30,7 +30,7 @@ from algebroproj_sym.expressions import (
     shape,
     vector,
 )
-from algebroproj_sym.expressions.bounds import MAX_EXPONENT
+from algebroproj_sym.expressions.bounds import MAX_BITS, MAX_EXPONENT
 from algebroproj_sym.reading.lexing import Piece, UnreadableError, pieces_of, tokens_of
 
 Names = Callable[[str], Any]
@@ -39,7 +39,9 @@ Formula = Tree[Token]
 
 _ENDINGS = (".", ";", ",", r"\Rightarrow", r"\implies", r"\quad", r"\qquad", "\\ ", r"\,", r"\;", r"\:", r"\!", "~")
 MOST_FACTORIAL = 100
-MOST_MATRIX_POWER = 10
+MOST_MATRIX_POWER = 4
+MOST_ROWS = 6
+DETERMINANT_ROWS = 8
 
 _SEEN = re.compile("NUMBER|SYMBOL|OPAQUE|CALLEE|FUNCTION|BIG|MARK|SIGN|DOT|CROSS|CIRCLED|RELATION|BEGIN|CONDITION")
 
@@ -190,6 +192,19 @@ def _as_unreadable(error: BaseException) -> UnreadableError:
     return UnreadableError(next(iter(str(error).splitlines()), type(error).__name__))
 
 
+def regrouped(tree: Formula) -> Formula:
+    """Return a tree with each slash before a product dividing by the first factor alone: a/b c as (a/b) c."""
+    children = [regrouped(child) if isinstance(child, Tree) else child for child in tree.children]
+    if tree.data == "quotient" and any(isinstance(part, Tree) and part.data == "run" for part in children[1:]):
+        parts: list[Any] = [children[0]]
+        for part in children[1:]:
+            factors = part.children if isinstance(part, Tree) and part.data == "run" else [part]
+            divided = Tree("quotient", [parts.pop() if len(parts) == 1 else Tree("run", parts), factors[0]])
+            parts = [divided, *factors[1:]]
+        return Tree("run", parts) if len(parts) > 1 else parts[0]
+    return Tree(tree.data, children)
+
+
 def symbols_in(tree: Formula) -> list[str]:
     """Return the symbols of a tree, as tables write them, in their order."""
     kinds = ("SYMBOL", "CALLEE", "OPAQUE")
@@ -212,7 +227,8 @@ class _Expressions(Transformer[Token, Any]):
 
     def sum(self, *parts: Any) -> Any:
         terms = parts if isinstance(parts[0], Token) else ("+", *parts)
-        return reduce(_plus, (_signed(str(sign), term) for sign, term in _pairs(terms)))
+        signed = [_signed(str(sign), term) for sign, term in _pairs(terms)]
+        return reduce(_plus, signed) if any(map(shape, signed)) else sympy.Add(*signed)
 
     def product(self, first: Any, *rest: Any) -> Any:
         return reduce(lambda left, right: _JOINED[right[0].type](left, right[1]), _pairs(rest), first)
@@ -274,7 +290,7 @@ class _Expressions(Transformer[Token, Any]):
         raise UnreadableError(f"{name} is read, and not computed", name.start_pos)
 
     def absolute(self, inside: Any) -> Any:
-        return determinant(inside) if shape(inside) else sympy.Abs(inside)
+        return _determinant(inside) if shape(inside) else sympy.Abs(inside)
 
     def norm(self, inside: Any) -> Any:
         return sympy.sqrt(dot(inside, inside)) if shape(inside) else sympy.Abs(inside)
@@ -283,9 +299,6 @@ class _Expressions(Transformer[Token, Any]):
         if len(items) != 2:
             raise UnreadableError("an inner product is of two vectors")
         return _dotted(*items)
-
-    def determinant(self, matrix: Any) -> Any:
-        return determinant(matrix)
 
     def group(self, value: Any) -> Any:
         return value
@@ -306,7 +319,7 @@ class _Expressions(Transformer[Token, Any]):
 
     def matrix(self, begin: Token, *rows: Any) -> Any:
         assembled = _assembled(list(rows))
-        return determinant(assembled) if "vmatrix" in begin else assembled
+        return _determinant(assembled) if "vmatrix" in begin else assembled
 
     def case(self, value: Any, condition: Token) -> Any:
         return value
@@ -373,19 +386,37 @@ def _quotient(above: Any, below: Any) -> Any:
 def _raised(base: Any, exponent: Any) -> Any:
     if shape(base):
         if exponent == -1 and base.rows == base.cols:
-            return inverse(base)
+            return inverse(_small(base))
         if isinstance(exponent, sympy.Integer) and 1 <= exponent <= MOST_MATRIX_POWER and base.rows == base.cols:
-            return reduce(_times, [base] * int(exponent))
+            return reduce(_times, [_small(base)] * int(exponent))
         raise UnreadableError(f"a matrix of shape {base.shape} cannot be raised to the power {exponent}")
     if shape(exponent):
         raise UnreadableError("an exponent is a number, got a matrix")
     if isinstance(exponent, sympy.Rational) and max(abs(exponent.p), exponent.q) > MAX_EXPONENT:
         raise UnreadableError(f"expected an exponent of at most {MAX_EXPONENT}, got {_short(exponent)}")
+    coefficient = base.as_coeff_Mul()[0]
+    if isinstance(coefficient, sympy.Rational) and isinstance(exponent, sympy.Rational):
+        bits = max(int(coefficient.p).bit_length(), int(coefficient.q).bit_length()) * abs(int(exponent))
+        if bits > MAX_BITS:
+            raise UnreadableError(f"expected a number of at most {MAX_BITS} bits, got one of about {bits}")
     if isinstance(exponent, sympy.Integer) and exponent < 0:
         return _quotient(sympy.Integer(1), base**-exponent)
     if base.is_number and exponent.is_number and not (base.is_Rational and exponent.is_Integer):
         return sympy.Pow(base, exponent, evaluate=False)
     return base**exponent
+
+
+def _small(matrix: Any) -> Any:
+    """Return a matrix, unless it is larger than one that is computed with letter by letter."""
+    if matrix.rows > MOST_ROWS and not all(entry.is_Rational for entry in matrix.flat()):
+        raise UnreadableError(f"a matrix with {matrix.rows} rows is read, and not computed; the most is {MOST_ROWS}")
+    return matrix
+
+
+def _determinant(matrix: Any) -> Any:
+    if matrix.rows != matrix.cols:
+        raise UnreadableError(f"a determinant is of a square matrix, got shape {matrix.shape}")
+    return determinant(matrix if matrix.rows <= DETERMINANT_ROWS else _small(matrix))
 
 
 def _short(number: Any) -> str:
@@ -420,8 +451,8 @@ _FUNCTIONS: dict[str, Any] = {
     **{"ln": sympy.log, "sgn": sympy.sign, "atan2": sympy.atan2, "arctan2": sympy.atan2},
 }
 _OF_MATRICES: dict[str, Any] = {
-    "det": determinant,
-    "adj": adjugate,
+    "det": lambda matrix: _determinant(matrix),
+    "adj": lambda matrix: adjugate(_small(matrix)),
     **dict.fromkeys(
         ("tr", "Tr", "trace"), lambda matrix: sum((matrix[i, i] for i in range(matrix.rows)), sympy.S.Zero)
     ),

@@ -30,6 +30,9 @@ _BOLD = {
     r"\pmb": r"\mathbf",
     r"\bs": r"\mathbf",
     r"\textbf": r"\mathbf",
+    r"\cal": r"\mathcal",
+    r"\bold": r"\mathbf",
+    r"\mathbfit": r"\mathbf",
 }
 
 
@@ -70,7 +73,9 @@ RELATIONS = dict(
 _TRANSPOSED = _words(r"T t \top \intercal \mathsf{T} \mathsfT \sfT \mathtt{T} \trans")
 
 _MARKS = {**dict.fromkeys(_TRANSPOSED, "T"), r"\wedge": "hat", r"\times": "hat", r"\vee": "vee"}
-_PART_OF_NAME = re.compile(r"\(.*\)|[-+*]|\\(?:star|ast|dagger|circ|perp|parallel|prime)|\[.*\]")
+_PART_OF_NAME = re.compile(
+    r"\(.*\)|\\math(?:cal|scr|frak|bb)\W.*|[-+*]|\\(?:star|ast|dagger|circ|perp|parallel|prime)|\[.*\]"
+)
 _MATRIX = re.compile(r"\\begin\{(?:[bpvVB]?matrix|smallmatrix|array)\}")
 _OPENING = {"(": "LP", "[": "LS", r"\{": "LB", r"\lbrace": "LB", r"\lbrack": "LS", r"\langle": "ANGLE_OPEN"}
 _CLOSING = {")": "RP", "]": "RS", r"\}": "RB", r"\rbrace": "RB", r"\rbrack": "RS", r"\rangle": "ANGLE_CLOSE"}
@@ -437,7 +442,9 @@ class _Lexer:
 
     def symbol(self) -> None:
         start = self.place
-        letter = self.letter()
+        self.scripted(self.letter(), start)
+
+    def scripted(self, letter: str, start: int) -> None:
         if self.functions is not None and letter in _DIFFERENTIALS and self.is_factor_symbol():
             self.differential(letter, start)
             return
@@ -447,13 +454,13 @@ class _Lexer:
         if not above or self.known(whole):
             self.name(whole, start)
         elif re.fullmatch(r"\*(T|-1|\\top)", above):
-            self.name(written(letter, primes, below, "*"), start)
+            self.name(written(letter, primes, below, "*"), start, raised=True)
             self.power(above[1:], self.raised[1:])
         elif _PART_OF_NAME.fullmatch(above):
             self.name(whole, start)
         else:
-            self.name(bare, start)
-            self.power(above, self.raised)
+            self.name(bare, start, raised=True)
+            self.power(above, [piece for piece in self.raised if piece.text not in ("'", r"\prime")])
         self.after()
 
     def is_factor_symbol(self) -> bool:
@@ -470,8 +477,9 @@ class _Lexer:
             self.power(above, self.raised)
         self.after()
 
-    def name(self, whole: str, start: int) -> None:
-        called = self.functions is not None and self.peek() == "(" and (whole in self.functions or self.is_argument())
+    def name(self, whole: str, start: int, *, raised: bool = False) -> None:
+        before_bracket = self.functions is not None and not raised and self.peek() == "("
+        called = before_bracket and (whole in (self.functions or ()) or self.is_argument())
         self.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))
 
     def is_argument(self) -> bool:
@@ -745,10 +753,23 @@ class _Lexer:
         self.opened.pop()
 
     def braces(self) -> None:
-        inside = self.group()
-        if any(not piece.text.isspace() for piece in inside):
+        start, inside = self.place, self.group()
+        lexer = _Lexer(inside, self.known, self.functions, self.wide, self.depth + 1)
+        if self.peek() in ("_", "^", "'") and inside and lexer.depth < MAX_NESTING and lexer.is_lone_letter():
+            self.scripted(lexer.letter(), start)
+        elif any(not piece.text.isspace() for piece in inside):
             self.inner(inside)
             self.after()
+
+    def is_lone_letter(self) -> bool:
+        """Whether there is nothing but a letter, with its style and accents."""
+        self.skip()
+        if not self.is_symbol():
+            return False
+        self.letter()
+        self.skip()
+        alone, self.index = self.index == len(self.pieces), 0
+        return alone
 
     def before_letter(self) -> None:
         """Read a subscript before its letter: it goes first in the one behind it."""
@@ -775,14 +796,14 @@ def _bare(pieces: Sequence[Piece]) -> str:
     return re.sub(r"\\(?:mathrm|text|textrm|mathit|bf|rm|left|right|[,;:!])(?![a-z])|[{}\s,]", "", text)
 
 
-def split_pieces(pieces: Sequence[Piece], marks: Collection[str]) -> list[list[Piece]]:
-    """Return the parts between marks that stand in no bracket, brace or environment."""
+def split_pieces(pieces: Sequence[Piece], marks: Collection[str], brackets: bool = True) -> list[list[Piece]]:
+    """Return the parts between marks that stand in no brace or environment, and in no bracket if that matters."""
     parts: list[list[Piece]] = [[]]
     depth = 0
     for piece in pieces:
         text = piece.text
-        depth += (text in ("{", "(", "[", r"\{") or text.startswith(r"\begin{")) - (
-            text in ("}", ")", "]", r"\}") or text.startswith(r"\end{")
+        depth += (text == "{" or (brackets and text in ("(", "[", r"\{")) or text.startswith(r"\begin{")) - (
+            text == "}" or (brackets and text in (")", "]", r"\}")) or text.startswith(r"\end{")
         )
         if depth <= 0 and text in marks:
             parts.append([])

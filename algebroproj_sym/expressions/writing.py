@@ -91,7 +91,7 @@ def _as_stored(node: Any, style: _Style) -> Written:
     """Return the text of a sum, product or integer power, part by part."""
     if type(node) is sympy.Pow:
         base, exponent = node.args
-        return f"{_within(base, _POWER, style)}**({exponent.p})", _POWER
+        return f"{_within(base, _POWER, style)}**({_written(exponent, style)[0]})", _POWER
     level, sign = (_SUM, " + ") if type(node) is sympy.Add else (_PRODUCT, "*")
     return sign.join(_within(argument, level, style) for argument in node.args), level
 

@@ -392,6 +392,8 @@ def _raised(base: Any, exponent: Any) -> Any:
         raise UnreadableError(f"a matrix of shape {base.shape} cannot be raised to the power {exponent}")
     if shape(exponent):
         raise UnreadableError("an exponent is a number, got a matrix")
+    if not exponent.free_symbols:
+        exponent = exponent.doit()
     if isinstance(exponent, sympy.Rational) and max(abs(exponent.p), exponent.q) > MAX_EXPONENT:
         raise UnreadableError(f"expected an exponent of at most {MAX_EXPONENT}, got {_short(exponent)}")
     coefficient = base.as_coeff_Mul()[0]

@@ -43,6 +43,7 @@ HENCE = re.compile(
 """Words by which an equation is said to follow from what is above it."""
 DEFINES = re.compile(r"(?:\bwhere|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is a definition."""
+NOT_COMPUTED = "stands for is not computed"
 MOST_REPAIRS = 8
 POINTS = (Fraction(3, 2), Fraction(-5, 3), Fraction(7, 5), Fraction(11, 4), Fraction(-13, 7))
 NEAR = 250
@@ -415,7 +416,7 @@ class _Reader:
             s for s in symbols if s in self.vocabulary.definitions and not self.vocabulary.definitions[s].usable
         )
         if unusable:
-            return f"what {self.vocabulary.name(unusable[0])} stands for is not computed"
+            return f"what {self.vocabulary.name(unusable[0])} {NOT_COMPUTED}"
         lone = [tree for tree in (left, right) if _defined(tree)[0]]
         for tree in lone:
             definition = self.vocabulary.definitions.get(_defined(tree)[0])
@@ -593,9 +594,10 @@ def _refuted(asked: _Asked, refutation: Outcome, repair: Repair | None) -> Link:
         suggestion = f"{now} instead of {before}"
     asserted = asked.identity or (not asked.doubt and (asked.certain or (repair is not None and repair.kind in STRONG)))
     reason = "" if asserted else asked.doubt or "it holds for some values of its letters, and not for all"
+    undecided = asked.doubt.endswith(NOT_COMPUTED)
     return replace(
         asked.link,
-        verdict="contradicts" if asserted else "independent",
+        verdict="contradicts" if asserted else "not decided" if undecided else "independent",
         reason=reason,
         counterexample=refutation.counterexample,
         suggestion=suggestion,

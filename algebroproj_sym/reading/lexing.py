@@ -31,6 +31,7 @@ _BOLD = {
     r"\bs": r"\mathbf",
     r"\textbf": r"\mathbf",
     r"\cal": r"\mathcal",
+    r"\bf": r"\mathbf",
     r"\bold": r"\mathbf",
     r"\mathbfit": r"\mathbf",
 }
@@ -47,7 +48,7 @@ _STYLES = _words(
 _UPRIGHT = _words(r"\mathrm \operatorname \operatorname* \text \textrm \mathop \textit")
 _DROPPED = _words(
     r"\left \right \displaystyle \textstyle \scriptstyle \big \Big \bigg \Bigg \bigl \bigr \Bigl \Bigr \biggl \biggr "
-    r"\Biggl \Biggr \middle \limits \nolimits \nonumber \notag \rm \bf \it \mathord \mathbin \, \; \: \! ~ \/ \hfill "
+    r"\Biggl \Biggr \middle \limits \nolimits \nonumber \notag \rm \it \mathord \mathbin \, \; \: \! ~ \/ \hfill "
     r"\hline \mathrm \allowbreak \nobreak \relax \protect \ensuremath \strut \mathstrut \scriptscriptstyle"
 )
 _WIDE = frozenset((r"\quad", r"\qquad", "\\ "))

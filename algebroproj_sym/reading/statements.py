@@ -13,6 +13,7 @@ _INNER = re.compile(r"\\(begin|end)\{(?:split|aligned|gathered|alignedat|multlin
 _TAGGED = re.compile(r"\\(?:nonumber|notag|tag)(?![a-z])")
 _WORDS = (r"\text", r"\mbox", r"\textrm", r"\textnormal", r"\intertext", r"\shortintertext")
 _WIDE = (r"\quad", r"\qquad")
+_OPENS = re.compile(r"\b(?:for|if|when|where|with|at|and|or|as|all|every|any)\s*$")
 _ELLIPSES = (r"\ldots", r"\dots", r"\cdots", "…")
 _IDLE = (r"\nonumber", r"\notag", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
 
@@ -180,6 +181,9 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
         ranges = False
         for part, words in _separated(column):
             part = _without_idle(part)
+            if part and statements and _OPENS.search(statements[-1][1][-1] if statements[-1][1] else ""):
+                statements[-1][1].append("".join(piece.text for piece in part))
+                part = []
             if part and all(piece.text in _ELLIPSES or piece.text.isspace() for piece in part):
                 if len(statements) > 1:
                     statements[-2][1].append("".join(piece.text for piece in statements.pop()[0]))

@@ -246,13 +246,15 @@ class _Expressions(Transformer[Token, Any]):
         found = self.names(str(token))
         if found is None:
             raise UnreadableError(f"no table of symbols has {token}", token.start_pos)
+        if not isinstance(found, sympy.Basic | sympy.MatrixBase):
+            raise UnreadableError(f"{token} is a function, and stands without its argument", token.start_pos)
         return found
 
     opaque = symbol
 
     def call(self, token: Token, arguments: list[Any]) -> Any:
         function = self.names(str(token))
-        if function is None:
+        if function is None or isinstance(function, sympy.Basic | sympy.MatrixBase):
             raise UnreadableError(f"no definition of the function {token} is known", token.start_pos)
         return function(*arguments)
 

@@ -51,6 +51,7 @@ NEAR = 250
 _SPACE_OF = re.compile(
     r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
 )
+_LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf{j}"))
 _EQUALITIES = ("=", ":=", "=:", "≡")
 
@@ -265,8 +266,8 @@ class _Reader:
 
     def _where(self, statement: Statement) -> str:
         number = statement.number or statement.label
-        line = self.document.line_of(statement.pieces[0].place) if statement.pieces else statement.display.line
-        return f"({number}), line {line}" if number else f"line {line}"
+        line = f"line {statement.display.line}"
+        return f"({number}), {line}" if number else line
 
     def _named(self, statement: Statement, names: frozenset[str]) -> bool:
         return bool(names & {statement.number, statement.label, f"line {statement.display.line}", "all"} - {""})
@@ -398,7 +399,8 @@ class _Reader:
         """
         left, right = formula.sides[index], formula.sides[index + 1]
         before = statement.display.before[-NEAR:]
-        behind = re.split(r"[.]\s", statement.display.after)[0][:NEAR]
+        ended = _LABELS.sub("", statement.display.latex).rstrip().endswith(".")
+        behind = "" if ended else re.split(r"[.]\s", statement.display.after)[0][:NEAR]
         words = f"{before} {statement.condition} {behind}"
         symbols = {*symbols_in(left), *symbols_in(right)}
         used = [each for tree in (left, right) for each in self.vocabulary.used_in(tree)]

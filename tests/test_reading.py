@@ -109,6 +109,7 @@ def test_formulas_become_expressions(latex, expected):
         (r"\boldsymbol{\omega}^\wedge", r"hat(\mathbf{\omega})"),
         (r"{\bf r}'_{A}", r"\mathbf{r}_A'"),
         (r"a \pm b", "a ± b"),
+        (r"\left(a b\right)_x", "(a*b)_x"),
     ],
 )
 def test_what_is_not_computed_is_read(latex, expected):
@@ -377,6 +378,10 @@ def test_vectors_are_judged_where_their_sizes_are_given(tmp_path):
     )
     assert verdicts(latex, symbols_file(path)) == ["follows", "not decided"]
     assert verdicts(r"$\mathbf{u} \in \mathbb{R}^3$ \[ \mathbf{u} \times \mathbf{u} = 0 \]") == ["follows"]
+
+
+def test_the_transpose_of_numbers_makes_no_matrix_of_them():
+    assert verdicts(r"\[ s = a + b \] \[ \mathbf{x} = [a, b]^T \] \[ s - a = b \]")[-1] == "follows"
 
 
 def test_the_user_may_overrule_what_is_recognised(tmp_path):

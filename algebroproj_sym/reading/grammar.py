@@ -429,6 +429,8 @@ def _short(number: Any) -> str:
 
 
 def _marked(base: Any, mark: str) -> Any:
+    if mark.startswith("_"):
+        raise UnreadableError("the subscript of a bracket is read, and not computed")
     if not shape(base):
         raise UnreadableError(f"{base} is a number, and has a mark of matrices")
     if mark == "T":
@@ -552,6 +554,8 @@ class _Texts(Transformer[Token, Any]):
         return f"{_in(base, _ATOM)}**{_in(exponent, _ATOM)}", _POWER
 
     def marked(self, base: Text, mark: Token) -> Text:
+        if mark.startswith("_"):
+            return f"({base[0]}){mark}", _ATOM
         return (f"{_in(base, _ATOM)}.T" if mark == "T" else f"{mark}({base[0]})"), _ATOM
 
     def factorial(self, base: Text) -> Text:

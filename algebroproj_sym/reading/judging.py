@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from itertools import islice
 from typing import Any, Literal, get_args
 
 from lark import Token, Tree
@@ -242,9 +243,11 @@ class _Reader:
         for formula in self.trees.values():
             for side in formula.sides if isinstance(formula, Parsed) else ():
                 for tree in side.iter_subtrees() if isinstance(side, Tree) else ():
-                    of_matrix = tree.data == "function" and str(tree.children[0]) in ("det", "tr", "Tr", "trace", "adj")
-                    if tree.data == "marked" or of_matrix:
-                        found |= {*symbols_in(tree)}
+                    head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
+                    if tree.data == "marked" and not head.startswith("_"):
+                        found |= {*_factors(tree.children[0])}
+                    elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
+                        found |= {*_factors(tree.children[1])}
         return frozenset(found)
 
     # -- one statement after the other
@@ -443,6 +446,18 @@ class _Reader:
         return definition.part == statement.display.part and (definition.explicit or HENCE.search(before) is not None)
 
 
+def _factors(tree: Any) -> Iterator[str]:
+    """Yield the letters of a sum or product of letters alone."""
+    if tree.data == "symbol":
+        yield str(tree.children[0])
+    elif tree.data in ("run", "product", "sum", "group") or (
+        tree.data in ("bracket", "items") and len(tree.children) == 1
+    ):
+        for part in tree.children:
+            if isinstance(part, Tree):
+                yield from _factors(part)
+
+
 def _numbers(tree: Formula) -> list[str]:
     return [str(each) for each in tree.scan_values(lambda each: isinstance(each, Token) and each.type == "NUMBER")]
 
@@ -557,7 +572,8 @@ def _likely_repairs(asked: _Asked) -> list[tuple[Repair, Sides]]:
     right = [(repair, (asked.left, repair.formula)) for repair in repairs(asked.right, symbols)]
     left = [(repair, (repair.formula, asked.right)) for repair in repairs(asked.left, symbols)]
     found = sorted([*right, *left], key=lambda pair: pair[0].kind not in STRONG)
-    return [pair for pair in found if _agree(vocabulary, pair[1])][:MOST_REPAIRS]
+    likely = (pair for pair in found if pair[1][0] != pair[1][1] and _agree(vocabulary, pair[1]))
+    return [*islice(likely, MOST_REPAIRS)]
 
 
 def _agree(vocabulary: Vocabulary, sides: Sides) -> bool:

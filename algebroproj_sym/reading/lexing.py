@@ -51,6 +51,7 @@ _DROPPED = _words(
     r"\Biggl \Biggr \middle \limits \nolimits \nonumber \notag \rm \it \mathord \mathbin \, \; \: \! ~ \/ \hfill "
     r"\hline \mathrm \allowbreak \nobreak \relax \protect \ensuremath \strut \mathstrut \scriptscriptstyle"
 )
+_DROPPED |= {"\\\n"}
 _WIDE = frozenset((r"\quad", r"\qquad", "\\ "))
 _WITH_ARGUMENT = _words(r"\hspace \vspace \label \phantom \hphantom \vphantom \tag \tag*")
 _FRACTIONS = _words(r"\frac \dfrac \tfrac \cfrac")
@@ -526,7 +527,7 @@ class _Lexer:
             elif inside in (r"\times", "x", r"\wedge"):
                 self.emit("MARK", "hat")
             elif not (self.out[-1].type == "NORM_CLOSE" and inside in ("2", "F")):
-                raise self.fail("a subscript is read after a letter only")
+                self.emit("MARK", f"_{inside}")
 
     # -- what has arguments
 

@@ -54,6 +54,7 @@ def invoke(*arguments):
 def test_the_installed_studies_are_found_and_are_no_paper():
     names = [study.name for study in studies()]
     expected = {"near-critical", "indicators", "layouts", "propagation", "precision", "normal-case", "example", "scene"}
+    expected |= {"pair"}
     assert len(names) == len(expected)
     assert set(names) == expected
     assert "studies" not in installed_papers()
@@ -135,7 +136,7 @@ def test_each_installed_study_depends_on_its_own_sources(monkeypatch):
         return read_bytes(path) + (b"# changed" if path.match("studies/stereo/quadric.py") else b"")
 
     monkeypatch.setattr(Path, "read_bytes", changed)
-    assert {name for name, source in installed.items() if digest(source) == before[name]} == {"example"}
+    assert {name for name, source in installed.items() if digest(source) == before[name]} == {"example", "pair"}
 
 
 def test_the_studies_of_a_folder_are_listed(own):

@@ -243,6 +243,33 @@ def test_a_plane_is_a_critical_configuration():
     assert np.abs(np.einsum("ni,kij,nj->kn", moved[1], kernel, moved[0])).max() < 1e-9
 
 
+GRID = np.stack(np.meshgrid(np.arange(4.0), np.arange(3.0)), -1).reshape(-1, 2) * 100
+DIAGONAL = np.repeat(np.arange(12.0)[:, None], 2, axis=1)
+PARABOLA = DIAGONAL ** [1, 2]
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("sigma", [1e-9, 0.5, 1e6])
+@pytest.mark.parametrize(
+    ("x1", "x2"),
+    [
+        (GRID, GRID),
+        (GRID, GRID @ [[0.7, 0.2], [-0.3, 1.4]]),
+        (1e12 * GRID, 1e12 * GRID @ [[0.7, 0.2], [-0.3, 1.4]]),
+        (1e-12 * GRID, GRID @ [[0.7, 0.2], [-0.3, 1.4]]),
+        (DIAGONAL, PARABOLA),
+        (GRID, DIAGONAL),
+        (np.concatenate([np.zeros((11, 2)), [[1.0, 1.0]]]), PARABOLA),
+    ],
+    ids=["same", "affine", "huge", "tiny", "line and curve", "line", "one point"],
+)
+def test_what_determines_nothing_is_not_trusted_and_does_not_fail(x1, x2, sigma):
+    judgement = judge(x1, x2, sigma)
+    assert judgement.verdict == DISTRUST
+    assert judgement.critical.lower == 0.0
+    assert in_words(judgement).startswith("Do not trust this pair.")
+
+
 @given(SEEDS, st.lists(st.sampled_from([1.0, -1.0]), min_size=3, max_size=3))
 def test_quadrics_are_told_apart(seed, signs):
     """Points on a quadric through both centers, seen by two cameras without rotation."""

@@ -29,6 +29,8 @@ Numbers = NDArray[np.float64]
 ROUNDOFF = 2.0**-53
 DENSE = 40
 """Up to how many pairs the terms of second order are bounded together, not one by one."""
+MANY = 1000
+"""From how many pairs on fewer starts are tried."""
 BISECTIONS = 60
 STEPS = 40
 CONVERGED = 1e-10
@@ -244,10 +246,12 @@ def flattened(pairs: Pairs, kept: slice | NDArray[np.int64] = slice(None)) -> tu
     plane = homography(first, second)
     seen = first @ plane.T
     pixels = pairs.pixels[:, kept].copy()
-    moved = (seen[:, :2] / seen[:, 2:] - second[:, :2]) / pairs.scales[1]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        moved = (seen[:, :2] / seen[:, 2:] - second[:, :2]) / pairs.scales[1]
     pixels[1] += moved
     kernel = np.stack([np.cross(np.eye(3)[k], plane, axisb=0, axisc=0) for k in range(2)])
-    return float(np.linalg.norm(moved)), pixels, kernel
+    distance = float(np.linalg.norm(moved))
+    return distance if np.isfinite(distance) else np.inf, pixels, kernel
 
 
 def homography(first: Numbers, second: Numbers) -> Numbers:
@@ -266,8 +270,9 @@ def _starts(pairs: Pairs) -> list[Numbers]:
     vectors = np.linalg.eigh((a / norms[:, None]).T @ (a / norms[:, None]))[1]
     found = [vectors[:, list(chosen)] for chosen in combinations(range(4), 2)]
     turned = np.einsum("nik,ij->njk", linear, found[0])
+    found = found[:4] if len(a) <= MANY else found[:1]
     again = a / np.linalg.norm(turned, axis=(1, 2))[:, None]
-    return [np.linalg.eigh(again.T @ again)[1][:, :2], *found[:4]]
+    return [np.linalg.eigh(again.T @ again)[1][:, :2], *found]
 
 
 def _approached(pairs: Pairs, start: Numbers) -> tuple[float, Numbers, Numbers]:

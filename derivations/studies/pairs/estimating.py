@@ -25,6 +25,7 @@ SAME = 1e-3
 SIDE = 3.0
 """How many standard deviations from the minimum the sum of squares is compared with its parabola."""
 TIGHT = 1e3
+DETERMINED = 1e-12
 
 
 @dataclass(frozen=True)
@@ -195,13 +196,12 @@ def uncertainty(fit: Fit, sigma: float) -> tuple[Numbers, Numbers]:
     Returns
     -------
     deviations : ndarray, shape (7,)
-        Infinite where the pairs determine nothing.
+        At most 1e12 times the smallest one: where the pairs determine nothing, too.
     directions : ndarray, shape (7, 9)
         Changes of the matrix of norm 1.
     """
     _, singular, v = np.linalg.svd(fit.jacobian, full_matrices=False)
-    with np.errstate(divide="ignore"):
-        return sigma / singular, v @ fit.tangents
+    return sigma / np.maximum(singular, DETERMINED * singular[0]), v @ fit.tangents
 
 
 def rises(pairs: Pairs, fit: Fit, sigma: float) -> Numbers:

@@ -33,18 +33,16 @@ class Limit:
     distrusted: float
 
 
-BENT = Limit(0.15, 0.35)
+BENT = Limit(0.2, 0.5)
 """Of the rise of the sum of squares at three standard deviations: its relative difference from a parabola."""
-AMBIGUOUS = Limit(-5.0, -3.0)
+AMBIGUOUS = Limit(-6.0, -3.0)
 """Of another minimum, and of the nearest critical configuration: how many deviations worse they are, negative."""
-UNCERTAIN = Limit(0.05, 0.2)
-"""Of the standard deviation of the unit matrix in its least certain direction."""
 IMPRECISE = Limit(0.05, 0.2)
 """Of the error at check points: its share of the width of the points."""
-WIDTH = 2 * np.sqrt(2)
-"""Of the points to scale: twice their mean distance from the middle."""
 CONTRADICTED = Limit(2.0, 4.0)
 """Of the sum of squares: minus the decimal logarithm of the probability that it is so large."""
+WIDTH = 2 * np.sqrt(2)
+"""Of the points to scale: twice their mean distance from the middle."""
 
 
 @dataclass(frozen=True)
@@ -139,7 +137,6 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
     pairs = pairs_of(x1, x2)
     minima = estimating.minima(pairs)
     fit = minima[0]
-    deviations, _ = estimating.uncertainty(fit, sigma)
     nearest = nearest_critical(pairs)
     spread = predicting.covariance(fit, sigma)
     checks = predicting.checks(fit.matrix, pairs)
@@ -152,11 +149,12 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
     bent = float(np.abs(rises / SIDE - 1).max())
     bound = predicting.bound(slopes, spread)
     share = bound * float(pairs.scales.mean()) / WIDTH
+    large = f"{bound:.2g} px" if share < 1 else "as large as the pictures"
+    off = f"{100 * bent:.0f} %" if bent < 1 else "more than 100 %"
     unlikely = -np.log10(max(probability, 1e-300))
     figures = (
-        (share, IMPRECISE, f"The error at check points may be {bound:.2g} px."),
-        (float(deviations[-1]), UNCERTAIN, f"The matrix is uncertain by {deviations[-1]:.2g} of its size."),
-        (bent, BENT, f"Linear prediction is off by {100 * bent:.0f} % at three standard deviations."),
+        (share, IMPRECISE, f"The error at check points may be {large}."),
+        (bent, BENT, f"Linear prediction is off by {off} at three standard deviations."),
         (-second, AMBIGUOUS, f"Another matrix fits, too: {second:.1f} standard deviations worse."),
         (-excess, AMBIGUOUS, f"A critical configuration fits, too: {excess:.1f} standard deviations worse."),
         (
@@ -191,7 +189,7 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
         probability=probability,
         bound=bound,
         checks=checks,
-        check_deviations=np.sqrt(np.einsum("mki,ij,mkj->m", slopes, spread, slopes) / 2),
+        check_deviations=predicting.check_deviations(slopes, spread),
         critical=nearest,
         why=(*explaining.why(pairs, nearest), *explaining.hanging(fit)),
         additions=tuple(explaining.additions(pairs, fit, sigma)),

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.stats import chi2
 
-from algebroproj_derivations.studies.pairs.estimating import Fit
+from algebroproj_derivations.studies.pairs.estimating import Fit, uncertainty
 from algebroproj_derivations.studies.pairs.normalising import Pairs
 
 Numbers = NDArray[np.float64]
@@ -43,8 +43,8 @@ def derivatives(fit: Fit, pairs: Pairs, x1: ArrayLike, x2: ArrayLike) -> Numbers
 
 def covariance(fit: Fit, sigma: float) -> Numbers:
     """Return the covariance of a fit along its tangents, shape (7, 7)."""
-    _, singular, v = np.linalg.svd(fit.jacobian, full_matrices=False)
-    scaled = v.T * (sigma / np.maximum(singular, 1e-150))
+    deviations, directions = uncertainty(fit, sigma)
+    scaled = (directions @ fit.tangents.T).T * deviations
     return scaled @ scaled.T
 
 
@@ -60,9 +60,14 @@ def bound(slopes: Numbers, spread: Numbers) -> float:
     """
     flat = slopes.reshape(-1, 7)
     root = np.linalg.qr(flat, mode="r") / np.sqrt(len(flat))
-    weighted = np.linalg.eigvalsh(root @ spread @ root.T)
+    weighted = np.linalg.eigvalsh(root @ spread @ root.T).clip(min=0)
     one, two = weighted.sum(), (weighted**2).sum()
     return float(np.sqrt(two / one * chi2.ppf(CONFIDENCE, one**2 / two)))
+
+
+def check_deviations(slopes: Numbers, spread: Numbers) -> Numbers:
+    """Return the standard deviations of the errors at check points, shape (m,), from derivatives and covariance."""
+    return np.asarray(np.sqrt(np.einsum("mki,ij,mkj->m", slopes, spread, slopes).clip(min=0) / 2))
 
 
 def checks(matrix: Numbers, pairs: Pairs) -> Numbers:
@@ -105,9 +110,9 @@ def epipole(matrix: Numbers, tangents: Numbers, spread: Numbers, transform: Numb
     moves = -np.stack([inverse @ each.reshape(3, 3) @ null for each in tangents], axis=1)
     back = np.linalg.inv(transform)
     point, moves = back @ null, back @ moves
-    last = float(np.sqrt(moves[2] @ spread @ moves[2]))
+    last = float(np.sqrt(max(0.0, moves[2] @ spread @ moves[2])))
     if not abs(point[2]) > 3 * last:
         return np.full(2, np.inf), np.inf
     place = point[:2] / point[2]
     slopes = (moves[:2] - place[:, None] * moves[2]) / point[2]
-    return place, float(np.sqrt(np.linalg.eigvalsh(slopes @ spread @ slopes.T)[-1]))
+    return place, float(np.sqrt(max(0.0, np.linalg.eigvalsh(slopes @ spread @ slopes.T)[-1])))

@@ -7,7 +7,7 @@ import numpy as np
 from algebroproj_derivations.studies.pairs.judging import DISTRUST, TRUST, UNDECIDED, Judgement
 
 FIRST = {
-    TRUST: "Trust this pair: the error at check points is below {bound:.2g} px in 99.9 % of cases.",
+    TRUST: "Trust this pair: the error at check points is below {bound:.2g} px (root mean square, in 99.9 % of cases).",
     UNDECIDED: "Undecided: add points or resample. The predicted error at check points is {bound:.2g} px.",
     DISTRUST: "Do not trust this pair.",
 }

@@ -150,7 +150,7 @@ def test_exact_pairs_give_the_true_matrix_whatever_the_start():
         pairs = pairs_of(known.x1, known.x2)
         fit = estimating.minima(pairs)[0]
         assert fit.squares < 1e-12
-        assert np.abs(predicting.errors(fit.matrix, pairs, *known.checks)).max() < 1e-5
+        assert np.abs(predicting.errors(fit.matrix, pairs, known.checks)).max() < 1e-5
 
 
 @few
@@ -213,7 +213,7 @@ def test_many_ordinary_pairs_are_trusted_and_their_errors_are_below_the_bound():
         pairs = pairs_of(known.x1, known.x2)
         left, right = (np.linalg.inv(each) for each in pairs.transforms)
         truth = right.T @ known.matrix @ left
-        errors = predicting.errors(truth / np.linalg.norm(truth), pairs, *judgement.checks)
+        errors = predicting.errors(truth / np.linalg.norm(truth), pairs, judgement.checks)
         assert np.sqrt((errors**2).mean()) < judgement.bound
 
 

@@ -47,7 +47,7 @@ def chunk(indices: Indices, seed: int, *, file: Path, sigma: float) -> xarray.Da
     for changes in sigma * normal(seed, indices, pixels.shape):
         again = pairs_of(*(adjusted + changes))
         found = estimating.minima(again)[0]
-        errors.append(np.sqrt((predicting.errors(found.matrix, again, *places) ** 2).mean()))
+        errors.append(np.sqrt((predicting.errors(found.matrix, again, places) ** 2).mean()))
     data = {
         "error": variable([MEMBER], errors, "pixel", "root mean square error at the check points"),
         "measured": variable(["side", "pair", "axis"], pixels, "pixel", "the pairs of the file"),

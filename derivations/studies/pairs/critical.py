@@ -11,7 +11,7 @@ where B0 and B1 are nearly the singular vectors of A, two and seven.  For any ma
 
 with any Z of 7 rows, nearly an inverse of A B1.  All terms on the right have bounds that grow with the length of d, so
 the equation has no solution below some length.  Eigenvalues are bounded by Cholesky's factorisation, which proves that
-a matrix is positive definite; all sums have the rounding errors of their length added.
+a matrix is positive definite; all sums have the rounding errors of their length and of the size of their terms added.
 """
 
 from __future__ import annotations
@@ -153,22 +153,24 @@ def _by_elimination(a: Numbers, linear: Numbers, norms: Numbers, half: float, ro
     rest0 = float(np.linalg.norm(inverse @ (b @ apart))) + slack
     rest1 = float(np.linalg.norm(inverse @ (b @ regular) - np.eye(7))) + slack
     rest_dual = float(np.linalg.norm(dual.T @ (b @ regular))) + rounding * float(second @ sizes)
-    products = weights * half
-    q0, q1, qd = float((third * products).max()), float((third * products).max()), float((second * products).max())
-    z = float(np.linalg.norm(third * whole)) * (1 + rounding)
+    products = weights * half * (1 + rounding)
+    q, qd = float((third * products).max()), float((second * products).max())
+    z, y = (2 * float(np.linalg.norm(each * whole)) for each in (third, second))
     left = np.einsum("an,njk->ajnk", inverse, e0).reshape(14, -1)
     right = np.einsum("nik,nj->ijnk", e1, dual).reshape(14, -1)
-    c, d = _norm(left, rounding), _norm(right, rounding)
-    bent = min(c * d + qd, _bent(left, right, dual, weights, apart, half, rounding)) if len(a) <= DENSE else c * d + qd
+    c, d, first = _norm(left, rounding) + rounding * z, _norm(right, rounding) + rounding * y, 1 + rounding * (1 + y)
+    bent = c * d + qd
+    if len(a) <= DENSE:
+        bent = min(bent, _bent(left, right, dual, weights, apart, half) + rounding * (z * y + 2 * qd * len(a)))
 
     def excess(r: float) -> float:
         """Return what the right side can be at most, less the left side."""
-        change = rest1 + z * r + q1 * r**2
+        change = rest1 + (z / 2 + rounding * z) * r + q * r**2
         if not change < 1:
             return np.inf
-        size = (rest0 + c * r + q0 * r**2) / (1 - change)
-        further = rest0 + q0 * r**2 + change * size
-        right_side = (1 + rounding) * r + bent * r**2 + d * r * further + qd * r**2 * size + rest_dual * size
+        size = (rest0 + c * r + q * r**2) / (1 - change)
+        further = rest0 + q * r**2 + change * size
+        right_side = first * r + bent * r**2 + d * r * further + qd * r**2 * size + rest_dual * size
         return right_side - target
 
     low, high = 0.0, max(target, 0.0)
@@ -191,9 +193,7 @@ def _dual(target: Numbers, regular: Numbers, e0: Numbers) -> Numbers:
     return dual - regular @ np.linalg.lstsq(regular, dual, rcond=None)[0]
 
 
-def _bent(
-    left: Numbers, right: Numbers, dual: Numbers, weights: Numbers, apart: Numbers, half: float, rounding: float
-) -> float:
+def _bent(left: Numbers, right: Numbers, dual: Numbers, weights: Numbers, apart: Numbers, half: float) -> float:
     """Return a bound of the quadratic form of all that is of second order in d, from the side that matters."""
     n = len(dual)
     mixed = right.T @ left
@@ -202,16 +202,15 @@ def _bent(
     for i in range(n):
         form[4 * i + 2 : 4 * i + 4, 4 * i : 4 * i + 2] -= half * blocks[i]
         form[4 * i : 4 * i + 2, 4 * i + 2 : 4 * i + 4] -= half * blocks[i].T
-    error = rounding * (float(np.linalg.norm(left) * np.linalg.norm(right)) + half * float(np.linalg.norm(blocks)))
-    return max(0.0, _largest(form, rounding) + error)
+    return max(0.0, _largest(form))
 
 
 def _norm(matrix: Numbers, rounding: float) -> float:
     square = matrix @ matrix.T
-    return float(np.sqrt(max(0.0, _largest(square, rounding) + rounding * np.trace(square)))) * (1 + rounding)
+    return float(np.sqrt(max(0.0, _largest(square) + rounding * np.trace(square)))) * (1 + rounding)
 
 
-def _largest(form: Numbers, rounding: float) -> float:
+def _largest(form: Numbers) -> float:
     """Return a bound that the largest eigenvalue does not exceed: Cholesky's factorisation proves it."""
     size = float(np.linalg.norm(form))
     bound = float(np.linalg.eigvalsh(form)[-1])
@@ -229,7 +228,7 @@ def _largest(form: Numbers, rounding: float) -> float:
 
 def _least(form: Numbers, rounding: float) -> float:
     """Return a bound below the smallest eigenvalue of a Gram matrix whose entries have rounding errors."""
-    return -_largest(-form, rounding) - rounding * float(np.trace(form))
+    return -_largest(-form) - rounding * float(np.trace(form))
 
 
 def flattened(pairs: Pairs, kept: slice | NDArray[np.int64] = slice(None)) -> tuple[float, Numbers, Numbers]:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from algebroproj_derivations.studies.pairs import predicting
 from algebroproj_derivations.studies.pairs.critical import DENSE, Critical, flattened
-from algebroproj_derivations.studies.pairs.estimating import Fit, distances, of_rank_two
+from algebroproj_derivations.studies.pairs.estimating import Fit, of_rank_two
 from algebroproj_derivations.studies.pairs.normalising import Pairs
 
 Numbers = NDArray[np.float64]
@@ -94,16 +94,13 @@ def quadric(kernel: Numbers) -> str:
 def additions(pairs: Pairs, fit: Fit, sigma: float) -> list[Addition]:
     """Return the further pairs, one after the other, that make the error at check points least."""
     places = predicting.checks(fit.matrix, pairs)
-    aims = predicting.derivatives(fit, pairs, *places)
+    aims = predicting.derivatives(fit, pairs, places)
     spread = predicting.covariance(fit, sigma)
-    further = Pairs(places, pairs.to_scale(*places), pairs.scales, pairs.transforms)
-    rows = distances(fit.matrix, further)[1] @ fit.tangents.T
-    mean = np.einsum("mki,mkj->ij", aims, aims)
     found = []
     for _ in range(ADDED):
-        gains = rows @ spread
-        denominators = sigma**2 + np.einsum("mi,mi->m", gains, rows)
-        best = int(np.argmax(np.einsum("mi,ij,mj->m", gains, mean, gains) / denominators))
+        gains = aims @ spread
+        denominators = sigma**2 + np.einsum("mi,mi->m", gains, aims)
+        best = int(np.argmax(((gains @ aims.T) ** 2).sum(axis=1) / denominators))
         spread = spread - np.outer(gains[best], gains[best]) / denominators[best]
         one, two = (tuple(map(float, side[best])) for side in places)
         found.append(Addition(one, two, predicting.bound(aims, spread)))

@@ -140,7 +140,7 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
     nearest = nearest_critical(pairs)
     spread = predicting.covariance(fit, sigma)
     checks = predicting.checks(fit.matrix, pairs)
-    slopes = predicting.derivatives(fit, pairs, *checks)
+    slopes = predicting.derivatives(fit, pairs, checks)
     probability = float(chi2.sf(fit.squares / sigma**2, len(fit.jacobian) - 7))
 
     second = np.sqrt((minima[1].squares - fit.squares) / sigma**2) if len(minima) > 1 else np.inf

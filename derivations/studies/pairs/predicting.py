@@ -1,16 +1,17 @@
 """What the uncertainty of the matrix means in pixels: errors at check points, and of the epipoles.
 
-The error of a check pair is by how many pixels each point is off the epipolar line of the other one; its size is the
-root of the mean of both squares.
+The error of a check pair is its Sampson's distance: by how many pixels both points must move to fulfil the matrix.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from scipy.stats import chi2
 
-from algebroproj_derivations.studies.pairs.estimating import Fit, uncertainty
+from algebroproj_derivations.studies.pairs.estimating import Fit, distances, uncertainty
 from algebroproj_derivations.studies.pairs.normalising import Pairs
 
 Numbers = NDArray[np.float64]
@@ -20,25 +21,17 @@ RADII = 1.0, 2.0
 ANGLES = 8
 ALONG = -0.5, 0.0, 0.5
 """Check points are on circles, the outer one nearly as large as the picture, and along shares of epipolar lines."""
+FEW = 100
 
 
-def errors(matrix: Numbers, pairs: Pairs, x1: ArrayLike, x2: ArrayLike) -> Numbers:
-    """Return the errors of check pairs in the left and the right picture, in pixels, shape (m, 2)."""
-    first, second = pairs.to_scale(x1, x2)
-    lines, back = first @ matrix.T, second @ matrix
-    value = (second * lines).sum(axis=1)
-    left, right = (np.hypot(line[:, 0], line[:, 1]) for line in (back, lines))
-    return np.stack([value / (pairs.scales[0] * left), value / (pairs.scales[1] * right)], axis=1)
+def errors(matrix: Numbers, pairs: Pairs, checks: Numbers) -> Numbers:
+    """Return the errors of check pairs, pixels of shape (2, m, 2), in pixels, shape (m,)."""
+    return distances(matrix, replace(pairs, points=pairs.to_scale(*checks)))[0]
 
 
-def derivatives(fit: Fit, pairs: Pairs, x1: ArrayLike, x2: ArrayLike) -> Numbers:
-    """Return the derivatives of these errors along the tangents of a fit, shape (m, 2, 7)."""
-    first, second = pairs.to_scale(x1, x2)
-    lines, back = first @ fit.matrix.T, second @ fit.matrix
-    products = np.einsum("ni,nj->nij", second, first).reshape(-1, 9) @ fit.tangents.T
-    left, right = (np.hypot(line[:, 0], line[:, 1]) for line in (back, lines))
-    sizes = np.stack([pairs.scales[0] * left, pairs.scales[1] * right], axis=1)
-    return products[:, None, :] / sizes[..., None]
+def derivatives(fit: Fit, pairs: Pairs, checks: Numbers) -> Numbers:
+    """Return the derivatives of these errors along the tangents of a fit, shape (m, 7)."""
+    return distances(fit.matrix, replace(pairs, points=pairs.to_scale(*checks)))[1] @ fit.tangents.T
 
 
 def covariance(fit: Fit, sigma: float) -> Numbers:
@@ -53,13 +46,12 @@ def bound(slopes: Numbers, spread: Numbers) -> float:
 
     Parameters
     ----------
-    slopes : ndarray, shape (m, 2, 7)
+    slopes : ndarray, shape (m, 7)
         Derivatives of the errors.
     spread : ndarray, shape (7, 7)
         Covariance along the tangents.
     """
-    flat = slopes.reshape(-1, 7)
-    root = np.linalg.qr(flat, mode="r") / np.sqrt(len(flat))
+    root = np.linalg.qr(slopes, mode="r") / np.sqrt(len(slopes))
     weighted = np.linalg.eigvalsh(root @ spread @ root.T).clip(min=0)
     one, two = weighted.sum(), (weighted**2).sum()
     return float(np.sqrt(two / one * chi2.ppf(CONFIDENCE, one**2 / two)))
@@ -67,19 +59,19 @@ def bound(slopes: Numbers, spread: Numbers) -> float:
 
 def check_deviations(slopes: Numbers, spread: Numbers) -> Numbers:
     """Return the standard deviations of the errors at check points, shape (m,), from derivatives and covariance."""
-    return np.asarray(np.sqrt(np.einsum("mki,ij,mkj->m", slopes, spread, slopes).clip(min=0) / 2))
+    return np.asarray(np.sqrt(np.einsum("mi,ij,mj->m", slopes, spread, slopes).clip(min=0)))
 
 
 def checks(matrix: Numbers, pairs: Pairs) -> Numbers:
     """Return check pairs all over both pictures that fulfil a matrix, pixels of shape (2, m, 2).
 
     Points are spread over a disc in one picture, and along the part of the epipolar line that a disc in the other
-    picture shows, and the other way round.  If no line is shown, the measured pairs are returned.
+    picture shows, and the other way round.  If no line is shown, the first measured pairs are returned.
     """
     forward, back = _shown(matrix), _shown(matrix.T)[::-1]
     found = np.concatenate([forward, back], axis=1)
     if not found.size:
-        return pairs.pixels
+        return pairs.pixels[:, :FEW]
     shifts = -pairs.transforms[:, :2, 2] / pairs.scales[:, None]
     return found / pairs.scales[:, None, None] + shifts[:, None]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from algebroproj_derivations.studies.pairs.judging import DISTRUST, TRUST, UNDECIDED, Judgement
 
@@ -65,7 +66,7 @@ def in_words(judgement: Judgement, repeated: str = "") -> str:
     return "\n".join(lines) + "\n"
 
 
-def _place(place: np.ndarray, deviation: float) -> str:  # type: ignore[type-arg]
+def _place(place: NDArray[np.float64], deviation: float) -> str:
     if not np.isfinite(deviation):
         return "it may be at infinity."
     return f"({place[0]:.0f}, {place[1]:.0f}) px, largest standard deviation {deviation:.2g} px."

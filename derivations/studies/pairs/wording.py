@@ -12,6 +12,8 @@ FIRST = {
     UNDECIDED: "Undecided: add points or resample. The predicted error at check points is {bound:.2g} px.",
     DISTRUST: "Do not trust this pair.",
 }
+HIDDEN = " (if it is wrong, that hardly shows)"
+MUCH = 0.9
 
 
 def in_words(judgement: Judgement, repeated: str = "") -> str:
@@ -43,7 +45,8 @@ def in_words(judgement: Judgement, repeated: str = "") -> str:
         f"(probability {judgement.probability:.2g}).",
         f"Largest distance: pair {int(np.abs(judgement.residuals).argmax()) + 1}, "
         f"{np.abs(judgement.residuals).max():.2g} px. "
-        f"Largest leverage: pair {int(judgement.leverages.argmax()) + 1}, {judgement.leverages.max():.2f}.",
+        f"Largest leverage: pair {int(judgement.leverages.argmax()) + 1}, {judgement.leverages.max():.2f}"
+        f"{HIDDEN if judgement.leverages.max() > MUCH else ''}.",
         f"Predicted standard deviation at check points: median {np.median(deviations):.2g} px, "
         f"largest {deviations.max():.2g} px.",
         *([repeated] if repeated else []),

@@ -105,7 +105,8 @@ def _counted(claim: Claim, quote: Quote) -> Finding:
     assert printed is not None
     if claim.kind == "reference":
         wanted = ".".join(str(part) for part in printed)  # type: ignore[union-attr]
-        found = re.search(rf"(?<![\d.]){re.escape(wanted)}(?![\d]|\.\d)", quote.text) is not None
+        pattern = wanted.replace(".", "[./]")
+        found = re.search(rf"(?<![\d.]){pattern}(?![\d]|\.\d)", quote.text) is not None
     else:
         wanted = str(printed)
         found = re.search(rf"(?<![\d.]){wanted}(?![\d.]*\d)", quote.text) is not None or _in_words(wanted, quote.text)

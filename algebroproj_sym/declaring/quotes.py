@@ -13,20 +13,22 @@ r"""Quotes: where a paper prints what a claim is about, word for word, from the 
     claims = ["1.3/core"]
     reason = "implied"
 
-A claim with ``/beyond/`` in its number has no quote; where a whole folder goes beyond the papers, ``beyond = true``.
+The references and captions of ``outline.toml`` are quotes as well, but for those that a claim with ``/ref-`` in its
+number quotes.  A claim with ``/beyond/`` in its number has no quote; where a whole folder goes beyond the papers, ``beyond = true``.
 """
 
 from __future__ import annotations
 
 import tomllib
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal, get_args
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.outline import Mark, captions, outline, references
 
 Unparsed = Literal["words", "damaged", "abbreviated", "implicit"]
 Unquoted = Literal["beyond", "implied", "figure", "lost"]
@@ -133,7 +135,19 @@ def _read(path: Path, stamp: int) -> Quotations:
     reasons = [(number, reason) for entry in content.get("unquoted", ()) for number, reason in _reasons(entry, path)]
     _require_once([*(number for quote in quotes for number in quote.claims), *(number for number, _ in reasons)], path)
     by_number = {number: quote for quote in quotes for number in quote.claims}
+    by_number |= {mark.claim: Quote((mark.claim,), mark.line, (mark.words,)) for mark, _ in counted(path.parent, quotes)}
     return Quotations(str(content.get("source", "")), by_number, dict(reasons), bool(content.get("beyond", False)))
+
+
+def counted(folder: Path, quotes: Iterable[Quote]) -> list[tuple[Mark, str]]:
+    """Return the references and captions of a paper that no quote for a reference contains, with their right numbers."""
+    marks = outline(folder)
+    referring = [quote for quote in quotes if any("/ref-" in claim for claim in quote.claims)]
+    return [
+        (mark, place)
+        for mark, place in (*references(marks), *captions(marks))
+        if not any(quote.line == mark.line and mark.number in quote.text for quote in referring)
+    ]
 
 
 def _quote(entry: Mapping[str, Any], path: Path) -> Quote:

@@ -483,7 +483,14 @@ section.reference(
     "subsection with the parameters of relative orientation",
     printed="2.3",
     meant="2.4",
-    note="Twice on this page, for the procedure and for 'all explicit expressions'; see 2.4/ref-2.3.",
+    note="The same finding as 2.4/ref-2.3.",
+)
+section.reference(
+    "3.3/ref-2.3#expressions",
+    "subsection with the explicit expressions for mu",
+    printed="2.3",
+    meant="2.4",
+    note="The same finding as 2.4/ref-2.3.",
 )
 section.reference(
     "3.3/ref-2.3.9",

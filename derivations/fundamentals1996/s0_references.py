@@ -1,0 +1,37 @@
+# %% [markdown]
+# # 0 Cross-references
+#
+# Does each reference of the paper lead to the formula, figure, table or subsection that it names?  The numbers follow
+# from the places: headings are counted, and so are the formulas of a subsection from the number of its first one.  A
+# caption has the number of the subsection that refers to it first.  Nothing of this is typed; it is counted in the
+# outline of the paper.
+#
+# That a formula is the one that the sentence needs cannot be counted.  All references were read for that.  Those that
+# lead to another formula are claims of their own in their sections, such as 2.2/ref-1.3.5.  Citations of the literature
+# and items such as "item c" are not judged, and the caption of Fig. 1.6/1 is lost.
+
+# %%
+from pathlib import Path
+
+from algebroproj_sym import Section
+from algebroproj_sym.declaring.quotes import counted, quotations
+
+section = Section("fundamentals1996", "0", "Cross-references")
+folder = Path(__file__).parent
+
+# %% [markdown]
+# Three captions have the number of another subsection.
+
+# %%
+SAME_FINDING = {
+    "2.3": "The same finding as 2.4/ref-2.3: the subsection is 2.4 by its heading.",
+    "3.5": "The same finding as 3.3/ref-3.5: the figure belongs to section 4, which has no subsection 5.",
+}
+for mark, place in counted(folder, quotations(folder).quotes.values()):
+    section.reference(
+        mark.claim,
+        f"{mark.kind} {mark.number}, line {mark.line}",
+        printed=mark.number,
+        meant=place,
+        note="" if mark.number == place else SAME_FINDING[mark.number],
+    )

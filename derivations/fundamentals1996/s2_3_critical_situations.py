@@ -166,6 +166,13 @@ def expanded(row: int, kept: tuple[int, ...]) -> list[tuple[int, tuple[int, ...]
 
 
 minors = [(sign * second, five) for sign, six in expanded(0, tuple(range(7))) for second, five in expanded(1, six)]
+section.identity(
+    "2.3/A7#six",
+    "two expansions leave six determinants of five points",
+    printed=vector(2, 6),
+    derived=vector(sum(A7.row(0)), len(minors)),
+    note="Two by the ones of the first row, and each of them three by the ones of the second row.",
+)
 subdeterminants = vector(*(sign * determinant(A7[2:, list(five)]) for sign, five in minors))
 
 entry = {

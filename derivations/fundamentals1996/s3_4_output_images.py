@@ -230,6 +230,17 @@ for name, printed in (
         note="The scan shows zeta_N0 for z_N in the definition of delta, and xi_N in the table.",
     )
 
+section.count(
+    "3.4/exclusively",
+    "of the parameters of the transformation the corners depend on no more than two quantities",
+    printed=2,
+    derived=vector(*(coordinate for corner in corners.values() for coordinate in corner)),
+    variables=(tau1, tau2, z_n),
+    kernel=[vector(tau1 - 1, tau2 - 1, 0)],
+    note="The sentence names three parameters, and nothing else occurs, which the corners of Table 3.4 show.  Of tau1 and "
+    "tau2 only the quotient of tau1 - 1 and tau2 - 1 matters.",
+)
+
 # %% [markdown]
 # ## The affine transformation
 #

@@ -2,11 +2,14 @@
 
 from algebroproj_sym.declaring.bibliography import Publication, bibtex, publication
 from algebroproj_sym.declaring.claim import (
+    GRADES,
     VERDICTS,
     Claim,
     DeclarationError,
+    Grade,
     Statement,
     Verdict,
+    grade_of,
     in_derived_terms,
     statement_text,
 )
@@ -47,6 +50,7 @@ from algebroproj_sym.declaring.stage import (
 from algebroproj_sym.papers import installed_papers
 
 __all__ = [
+    "GRADES",
     "KINDS",
     "LINEAR",
     "PRIMITIVES",
@@ -60,6 +64,7 @@ __all__ = [
     "DeclarationError",
     "Derivation",
     "Driver",
+    "Grade",
     "Identity",
     "Judgement",
     "Kernel",
@@ -82,6 +87,7 @@ __all__ = [
     "derivations",
     "derivations_of",
     "drivers",
+    "grade_of",
     "identities",
     "import_root",
     "in_derived_terms",

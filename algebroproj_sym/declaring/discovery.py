@@ -249,7 +249,8 @@ def _require_different_numbers(paper: str, sections: Sequence[Section]) -> None:
 
 def _require_references(sections: Sequence[Section]) -> None:
     numbers = {claim.number for section in sections for claim in section.claims}
-    referred = {(claim.number, claim.instead) for section in sections for claim in section.claims if claim.instead}
+    claims = [claim for section in sections for claim in section.claims]
+    referred = {(claim.number, other) for claim in claims for other in (claim.instead, claim.same_as) if other}
     referred |= {(k.qualified_name, number) for section in sections for k in section.kernels for number in k.claims}
     for source, number in sorted(referred):
         if number not in numbers:

@@ -1,7 +1,6 @@
 """Cross-references: each one is held against the number that the place of what it names gives."""
 
 import os
-import re
 from dataclasses import replace
 from pathlib import Path
 

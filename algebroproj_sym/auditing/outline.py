@@ -40,10 +40,15 @@ def marks_in(file: Path) -> list[Mark]:
         is_display = is_display != (text.count("$$") % 2 == 1)
         in_display = is_display or "$$" in text
         begin = re.match(_HEADING, text) or re.match(_CAPTION, text)
-        found += [Mark(line, _kind(begin), begin[begin.lastgroup or 0], begin[0].strip())] if begin else []
+        found += [Mark(line, _kind(begin), begin[begin.lastgroup or 0], _words(begin, text))] if begin else []
         if not begin or begin.lastgroup == "heading":
             found += _numbers(line, text, in_display)
     return list(dict.fromkeys(found))
+
+
+def _words(begin: re.Match[str], text: str) -> str:
+    """Return a caption as a whole, and a heading as far as its number."""
+    return begin[0] if begin.lastgroup == "heading" else text.strip()
 
 
 def _numbers(line: int, text: str, in_display: bool) -> Iterator[Mark]:
@@ -72,7 +77,8 @@ def _with_words_before(text: str, start: int, end: int) -> str:
 def as_toml(marks: list[Mark]) -> str:
     """Return marks as the text of ``outline.toml``."""
     entries = (
-        f'    {{ line = {mark.line}, kind = "{mark.kind}", number = "{mark.number}", words = {json.dumps(mark.words)} }},'
+        f'    {{ line = {mark.line}, kind = "{mark.kind}", number = "{mark.number}", '
+        f"words = {json.dumps(mark.words)} }},"
         for mark in marks
     )
     return "\n".join(("marks = [", *entries, "]", ""))

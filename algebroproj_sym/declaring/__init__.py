@@ -3,6 +3,7 @@
 from algebroproj_sym.declaring.bibliography import Publication, bibtex, publication
 from algebroproj_sym.declaring.claim import (
     GRADES,
+    NUMBER_OF,
     VERDICTS,
     Claim,
     DeclarationError,
@@ -53,6 +54,7 @@ __all__ = [
     "GRADES",
     "KINDS",
     "LINEAR",
+    "NUMBER_OF",
     "PRIMITIVES",
     "UNPARSED",
     "UNQUOTED",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
@@ -110,6 +111,10 @@ class Claim:
     grade: Grade | Literal[""] = ""
     assumed: tuple[sympy.Symbol, ...] = ()
     source: Source | None = field(default=None, compare=False, repr=False)
+
+
+NUMBER_OF = re.compile(r"\{([^{}]+)\}")
+"""In what follows from a finding: the number that another claim of the paper has proved, as ``{4/s0}``."""
 
 
 def grade_of(claim: Claim) -> Grade:

@@ -10,7 +10,15 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring.claim import CORRECTED, GRADES, VERDICTS, Claim, DeclarationError, Statement, expressions_of
+from algebroproj_sym.declaring.claim import (
+    CORRECTED,
+    GRADES,
+    VERDICTS,
+    Claim,
+    DeclarationError,
+    Statement,
+    expressions_of,
+)
 from algebroproj_sym.declaring.kind import FIELDS
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import (

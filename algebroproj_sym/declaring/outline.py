@@ -69,7 +69,9 @@ def captions(marks: Sequence[Mark]) -> Iterator[tuple[Mark, str]]:
     before: dict[tuple[str, str], int] = {}
     for mark in marks:
         if mark.kind in ("figure", "table"):
-            named = next((other for other in marks if (other.kind, other.number) == (f"to {mark.kind}", mark.number)), mark)
+            named = next(
+                (other for other in marks if (other.kind, other.number) == (f"to {mark.kind}", mark.number)), mark
+            )
             place = [other.number for other in marks if other.kind == "heading" and other.line <= named.line][-1]
             if part := mark.number.partition("/")[2]:
                 before[mark.kind, place] = before.get((mark.kind, place), int(part) - 1) + 1

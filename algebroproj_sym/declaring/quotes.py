@@ -14,7 +14,8 @@ r"""Quotes: where a paper prints what a claim is about, word for word, from the 
     reason = "implied"
 
 The references and captions of ``outline.toml`` are quotes as well, but for those that a claim with ``/ref-`` in its
-number quotes.  A claim with ``/beyond/`` in its number has no quote; where a whole folder goes beyond the papers, ``beyond = true``.
+number quotes.  A claim with ``/beyond/`` in its number has no quote; where a whole folder goes beyond the papers,
+``beyond = true``.
 """
 
 from __future__ import annotations
@@ -135,12 +136,14 @@ def _read(path: Path, stamp: int) -> Quotations:
     reasons = [(number, reason) for entry in content.get("unquoted", ()) for number, reason in _reasons(entry, path)]
     _require_once([*(number for quote in quotes for number in quote.claims), *(number for number, _ in reasons)], path)
     by_number = {number: quote for quote in quotes for number in quote.claims}
-    by_number |= {mark.claim: Quote((mark.claim,), mark.line, (mark.words,)) for mark, _ in counted(path.parent, quotes)}
+    by_number |= {
+        mark.claim: Quote((mark.claim,), mark.line, (mark.words,)) for mark, _ in counted(path.parent, quotes)
+    }
     return Quotations(str(content.get("source", "")), by_number, dict(reasons), bool(content.get("beyond", False)))
 
 
 def counted(folder: Path, quotes: Iterable[Quote]) -> list[tuple[Mark, str]]:
-    """Return the references and captions of a paper that no quote for a reference contains, with their right numbers."""
+    """Return the references and captions that no quote for a reference contains, with their right numbers."""
     marks = outline(folder)
     referring = [quote for quote in quotes if any("/ref-" in claim for claim in quote.claims)]
     return [

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 
-from algebroproj_sym.declaring import GRADES, KINDS, Claim, Grade, Judgement, grade_of
+from algebroproj_sym.declaring import GRADES, KINDS, NUMBER_OF, Claim, Grade, Judgement, grade_of, statement_text
 from algebroproj_sym.reporting.explaining import finding_line, sides_at_counterexample
 from algebroproj_sym.reporting.templating import TEMPLATES
 from algebroproj_sym.showing import folded
@@ -29,10 +29,13 @@ class Finding:
         That of the claim that tells it.
     others : tuple of Judgement
         Those of the claims that are declared to have the same finding.
+    numbers : mapping of str to Claim
+        The claims of the paper by their numbers.
     """
 
     first: Judgement
     others: tuple[Judgement, ...] = ()
+    numbers: Mapping[str, Claim] = field(default_factory=dict)
 
     @property
     def claim(self) -> Claim:
@@ -50,9 +53,14 @@ class Finding:
         return finding_line(self.first)
 
     @property
+    def instead(self) -> Claim | None:
+        """The claim that says what is true, for a false statement."""
+        return self.numbers.get(self.claim.instead)
+
+    @property
     def follows(self) -> str:
         """What follows: as declared, or the values at the counterexample if they are short."""
-        return self.claim.follows or values_at_counterexample(self.first)
+        return declared_consequence(self.claim, self.numbers) or values_at_counterexample(self.first)
 
 
 def is_finding(judgement: Judgement) -> bool:
@@ -68,7 +76,26 @@ def gathered(judgements: Sequence[Judgement]) -> list[Finding]:
         if judgement.claim.same_as and (paper, judgement.claim.same_as) in found:
             same.setdefault((paper, judgement.claim.same_as), []).append(judgement)
     also = {id(judgement) for others in same.values() for judgement in others}
-    return [Finding(j, tuple(same.get(key, ()))) for key, j in found.items() if id(j) not in also]
+    numbers: dict[str, dict[str, Claim]] = {}
+    for judgement in judgements:
+        numbers.setdefault(judgement.claim.paper, {})[judgement.claim.number] = judgement.claim
+    return [
+        Finding(judgement, tuple(same.get(key, ())), numbers[key[0]])
+        for key, judgement in found.items()
+        if id(judgement) not in also
+    ]
+
+
+def declared_consequence(claim: Claim, numbers: Mapping[str, Claim]) -> str:
+    """Return what a claim says to follow, with the proved numbers of other claims of the paper in their places.
+
+    ``{4/c#left.u01}`` stands for the number of this claim, the corrected one if there is one.
+    """
+    return NUMBER_OF.sub(lambda found: _number(numbers[found[1]]), claim.follows)
+
+
+def _number(claim: Claim) -> str:
+    return statement_text(claim.printed if claim.corrected is None else claim.corrected) or ""
 
 
 def by_grade(found: Sequence[Finding]) -> Iterator[tuple[Grade, list[Finding]]]:

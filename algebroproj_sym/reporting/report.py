@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from algebroproj_sym.generating import Lowered
     from algebroproj_sym.verifying import Verification
 
+
 def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified: Sequence[Verification]) -> str:
     """Return the report: a page to be read, with links to the files that have the rest.
 

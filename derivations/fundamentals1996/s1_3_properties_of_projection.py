@@ -442,6 +442,7 @@ section.identity(
     expect="false",
     instead="1.3/beyond/parallel-projection",
     note="The same finding as 1.3/a#mu-u31, for the other coordinate.",
+    same_as="1.3/a#mu-u31",
 )
 section.identity(
     "1.3/b#mu",
@@ -455,6 +456,7 @@ section.identity(
     instead="1.3/beyond/parallel-projection",
     note="The plane of G1, G2, G3 goes through the center exactly where their images are collinear, u30 = 0: there the "
     "parameters cannot be had from (1.3.5), but P* is regular.",
+    same_as="1.3/a#mu-u31",
 )
 section.identity(
     "1.3/beyond/dependence",

@@ -335,6 +335,7 @@ section.reference(
     meant="1.4.6",
     note=AFFINE_REFERENCE + "(1.4.5), the core between two affine transformations, would serve as well; (1.3.6) gives "
     "P* in y0 and u3.",
+    same_as="2.2/ref-1.3.5",
 )
 
 # %% [markdown]
@@ -393,6 +394,9 @@ section.rank(
     note="The sentence taken literally: five pairs of rays satisfy relative orientation.  It is true of conventional "
     "photogrammetry, 2.2/conventional; here the five pairs come in addition to those of the three basic points, which "
     "are homologous as well, and the five equations prove nothing about conventional orientation.",
+    grade="results",
+    follows="Five pairs of rays leave two parameters open: without knowledge of the cameras there are "
+    "{2.2/beyond/seven-parameters}. See docs/findings/seven-parameters.md.",
 )
 section.count(
     "2.2/five-parameters",
@@ -510,6 +514,10 @@ section.identity(
     expect="error",
     corrected=-printed_left / D,
     note=SIGN,
+    follows="All four numerators of (2.2.6) and (2.2.7) have the wrong sign: each epipole is mirrored in the origin. "
+    "In the example the left one is at ({4/c#left.u01}, {4/c#left.u02}). The printed formula gives "
+    "({4/c/beyond/as-printed#left.u01}, {4/c/beyond/as-printed#left.u02}). See "
+    "docs/findings/signs-of-the-epipoles.md.",
 )
 section.identity(
     "2.2.7",
@@ -520,6 +528,7 @@ section.identity(
     expect="error",
     corrected=-printed_right / D,
     note=SIGN,
+    same_as="2.2.6",
 )
 
 # %% [markdown]

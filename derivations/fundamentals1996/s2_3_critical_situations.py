@@ -230,6 +230,7 @@ section.identity(
     expect="misprint",
     corrected=sympy.Add(*(SLIPS[place][0] if place in SLIPS else term for place, term in enumerate(printed_terms))),
     note="With the third and the sixth determinant corrected; the six signs are right.",
+    same_as="2.3/A7#3",
 )
 
 # %% [markdown]
@@ -390,6 +391,7 @@ for place, name in enumerate(COLUMNS):
         expect="illegible",
         corrected=outer[name] / both_denominators,
         note=f"The column of z{name}.  {PRIMES}",
+        same_as="2.3/A5#1" if place else "",
     )
 
 # %% [markdown]
@@ -586,6 +588,10 @@ section.rank(
     note="Both centers and the points 3 to 7 lie on the hyperbolic paraboloid y3 = y1 y2 + 1, the basic points do not: "
     "A5 is regular.  The sentence is right if its quadric is the one of (2.3.3), on which the basic points lie.  "
     "Nor is a quadric necessary: 2.3/beyond/normalisation#A5.",
+    grade="results",
+    follows="A test of these seven points for a ruled quadric rejects good configurations: in the example they lie "
+    "on one, and the five equations are independent. The quadric has to contain the three basic points as "
+    "well, and it may be any quadric. See docs/findings/determinant-of-a5.md.",
 )
 
 

@@ -126,6 +126,7 @@ section.identity(
     expect="misprint",
     corrected=ya2 * mu2 + ya3 * u32 * mu3,
     note="The factor u32 of row 3, (0, 0, mu2, u32 mu3), is missing; otherwise as 2.4/2.3.0#2.",
+    same_as="2.4/2.3.0#2",
 )
 
 # %% [markdown]
@@ -786,6 +787,7 @@ section.count(
     note="Read as the number of parameters that the intersection of rays determines: it is three of the six mu, for "
     "given images of G3.  Five is the number of conventional orientation, 2.2/conventional, and the number of mu that "
     "remain when one is assumed.",
+    same_as="2.2/five-rays",
 )
 
 # %% [markdown]
@@ -829,6 +831,7 @@ section.rank(
     "parameters are undetermined, 2.4/beyond/parameters, and one ray gives one condition.  It is true of conventional "
     "orientation, 2.2/conventional, and of the epipolar axis as fifth ray, whose two known images are four data: "
     "2.4/beyond/epipoles.",
+    same_as="2.2/five-rays",
 )
 section.rank(
     "2.4/beyond/seven-rays",

@@ -643,6 +643,7 @@ section.reference(
     printed="2.3",
     meant="2.4",
     note="See 2.4/ref-2.3; subsection 2.3 is on critical situations.",
+    same_as="2.4/ref-2.3",
 )
 
 # %% [markdown]

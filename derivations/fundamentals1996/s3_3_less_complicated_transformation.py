@@ -207,6 +207,7 @@ for (row, column), printed, corrected, note in (
         expect="misprint",
         corrected=corrected,
         note=note + PRIMES,
+        same_as="" if (row, column) == (1, 1) else "3.3.4#11",
     )
 
 # %% [markdown]
@@ -294,6 +295,7 @@ section.identity(
     "corrected form.  The printed value would belong to the inverse transformation, from P_N to P, which is not that "
     "of (3.3.1) and (3.3.5); an exchange of the two images, or of rows and columns, does not give it.  Both fractions "
     "of (3.3.7) are inverted, which no slip of the press explains.",
+    same_as="3.3.7#right",
 )
 section.identity(
     "3.3.7#right",
@@ -304,6 +306,9 @@ section.identity(
     corrected=1 + z12,
     note="The fraction is inverted: tau2'' = -z02/z_N.  The example of section 4 i has 1.07973 = 1 + z12.  "
     "Both fractions of (3.3.7) are inverted, which no slip of the press explains.",
+    follows="Both fractions of (3.3.7) are upside down. In the example tau''2 is {4/i#right.tau2}. The printed "
+    "formula gives {4/i/beyond/as-printed#right.tau2}, and the images are not in the normal case. See "
+    "docs/findings/inverted-parameters.md.",
 )
 
 # %% [markdown]
@@ -484,6 +489,7 @@ section.reference(
     printed="2.3",
     meant="2.4",
     note="The same finding as 2.4/ref-2.3.",
+    same_as="2.4/ref-2.3",
 )
 section.reference(
     "3.3/ref-2.3#expressions",
@@ -491,6 +497,7 @@ section.reference(
     printed="2.3",
     meant="2.4",
     note="The same finding as 2.4/ref-2.3.",
+    same_as="2.4/ref-2.3",
 )
 section.reference(
     "3.3/ref-2.3.9",

@@ -237,7 +237,7 @@ section.count(
     derived=vector(*(coordinate for corner in corners.values() for coordinate in corner)),
     variables=(tau1, tau2, z_n),
     kernel=[vector(tau1 - 1, tau2 - 1, 0)],
-    note="The sentence names three parameters, and nothing else occurs, which the corners of Table 3.4 show.  Of tau1 and "
+    note="The sentence names three parameters, and nothing else occurs, as the corners of Table 3.4 show.  Of tau1 and "
     "tau2 only the quotient of tau1 - 1 and tau2 - 1 matters.",
 )
 

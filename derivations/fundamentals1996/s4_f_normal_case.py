@@ -407,6 +407,7 @@ NEARLY_HALF = {
         "a parameter tau by 2e-9 moves the number across: accumulated rounding of intermediate results.  Neither "
         "numbers that are cut off nor numbers that are first rounded to nine decimals explain it, for other cells "
         "of the table would differ.  From the printed rotation matrices the cell follows as printed.",
+        "same_as": "" if cell == "2.right.u2" else "4/g#2.right.u2",
     }
     for cell, corrected, digits in (
         ("2.right.u2", "-0.25793131", "-0.25793130505"),
@@ -537,7 +538,12 @@ ONE_STEP = (
     "c), give the correction."
 )
 FILLED_UP = {
-    f"4/i#{cell}": {"expect": "misprint", "corrected": corrected, "note": note}
+    f"4/i#{cell}": {
+        "expect": "misprint",
+        "corrected": corrected,
+        "note": note,
+        "same_as": "" if cell == "left.tau2" else "4/i#left.tau2",
+    }
     for cells, corrected, note in (
         (("left.tau2", "left.t22"), "1.07959116", FIRST_ROW),
         (("right.tau1", "right.t11"), "0.97340074", ONE_STEP),
@@ -562,6 +568,14 @@ for side in SIDES:
         full_i,
         exceptions=FILLED_UP,
     )
+declare_cells(
+    section,
+    "4/i/beyond/as-printed",
+    "what (3.3.7) as printed gives",
+    {"left.tau2": "0.92627658", "right.tau2": "0.92615716"},
+    {f"{side}.tau2": 1 / full_tau[side][1] for side in SIDES},
+    "Not in the paper: the reciprocal, by 3.3.7#left and 3.3.7#right.",
+)
 section.reference(
     "4/i/ref-tau",
     "equations for the parameters",

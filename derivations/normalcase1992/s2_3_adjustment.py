@@ -127,9 +127,15 @@ SIGN = (
     "sense of (2.1.1).  It is no slip of the scan: all eight error equations of section 4 have the negative sign "
     "(first row -2545.03), so that the correction of the tilt found there has the wrong sign."
 )
+FOLLOWS = (
+    "The correction of the tilt goes in the wrong direction, in all eight error equations of the example. See "
+    "docs/findings/small-rotations.md."
+)
 for unknown, (name, coefficient) in PRINTED.items():
     verdict = (
-        {"expect": "error", "corrected": -coefficient, "note": SIGN} if unknown == domega_pp else {"note": LOST_PRIMES}
+        {"expect": "error", "corrected": -coefficient, "note": SIGN, "follows": FOLLOWS}
+        if unknown == domega_pp
+        else {"note": LOST_PRIMES}
     )
     section.identity(
         f"2.3/linear#{name}",

@@ -203,8 +203,8 @@ section.count(
     variables=(t_mu, *of_plane),
     expect="false",
     instead="1.2/beyond/about-axes",
-    note="Equation (9) has one matrix and one angle for each of the axes Y, X, Z and T.  Around the axis T all rotations "
-    "of the space X, Y, Z are possible.  The words do not say which rotations are meant: what follows depends on it.",
+    note="Equation (9) has one matrix and one angle for each of the axes Y, X, Z and T.  Around the axis T all "
+    "rotations of the space X, Y, Z are possible.  The words do not say which rotations are meant: what follows depends on it.",
 )
 section.count(
     "1.2/beyond/about-axes",

@@ -232,6 +232,9 @@ section.identity(
     expect="false",
     instead="2.1/beyond/denominator",
     note=NO_COLLINEATION + "The inverse of a collineation is one: (21) holds exactly if (22) does.",
+    grade="results",
+    follows="A reconstruction by fifteen coefficients fits no general pair of photographs. It is right if both have "
+    "the same denominator.",
 )
 section.identity(
     "22",
@@ -241,6 +244,7 @@ section.identity(
     expect="false",
     instead="2.1/beyond/denominator",
     note=NO_COLLINEATION + "It is one if both photographs have the same denominator, 2.1/beyond/common-denominator.",
+    same_as="21",
 )
 
 section.count(

@@ -53,8 +53,8 @@ section.rank(
     "four points and a unit point yield a base",
     printed=4,
     derived=B.xreplace(solved),
-    note="The rank in general.  'Arbitrary' has to mean independent here, as the sentence before has it: no four of the "
-    "five points may be coplanar, 1.2/beyond/base.",
+    note="The rank in general.  'Arbitrary' has to mean independent here, as the sentence before has it: no four of "
+    "the five points may be coplanar, 1.2/beyond/base.",
 )
 
 # %% [markdown]

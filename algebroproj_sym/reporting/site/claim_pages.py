@@ -78,7 +78,9 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
     return files
 
 
-def _grades(catalogue: Catalogue, paper: Paper) -> Iterator[tuple[Grade, str, list[tuple[Finding, Entry, list[Entry]]]]]:
+def _grades(
+    catalogue: Catalogue, paper: Paper
+) -> Iterator[tuple[Grade, str, list[tuple[Finding, Entry, list[Entry]]]]]:
     """Yield the grades of findings with their headings; each finding with its claim and the others that have it."""
 
     def entry(judgement: Judgement) -> Entry:

@@ -120,7 +120,7 @@ def _in_words(number: str, text: str) -> bool:
 
 def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
     try:
-        read = [expression for piece in quote.pieces for expression in _readings(piece, quote, symbols)]
+        read = [expression for piece in quote.read for expression in _readings(piece, quote, symbols)]
     except UnreadableError as error:
         return Finding(claim, "failed", f"cannot be read: {error}", quote)
     printed = claim.printed if isinstance(claim.printed, tuple) else (claim.printed,)

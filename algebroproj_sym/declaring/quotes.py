@@ -8,6 +8,7 @@ r"""Quotes: where a paper prints what a claim is about, word for word, from the 
     claims = ["1.3.5#mu3"]                          several claims may share a quote
     line = 201                                      the line on which it begins
     latex = '\mu_3 = -\frac{y_{00}}{u_{30}y_{03}}'    or a list of pieces that follow one another
+    edits = [{ scan = '\mu_{31}', read = 'u_{31}', why = "the scan takes u for mu" }]     where the scan is damaged
 
     [[unquoted]]
     claims = ["1.3/core"]
@@ -22,7 +23,7 @@ from __future__ import annotations
 
 import tomllib
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -50,6 +51,30 @@ FILE = "quotes.toml"
 
 
 @dataclass(frozen=True)
+class Edit:
+    """How a damaged place of a quote is read.
+
+    Attributes
+    ----------
+    scan : str
+        What the scan shows, a part of one of the pieces of the quote.
+    read : str
+        What it is read as, everywhere in the quote.
+    why : str
+        The reason.
+    """
+
+    scan: str
+    read: str
+    why: str
+
+    @property
+    def text(self) -> str:
+        """The edit in a line."""
+        return f"{self.read or 'nothing'} where the scan has {self.scan}: {self.why}"
+
+
+@dataclass(frozen=True)
 class Quote:
     """What a paper prints about some claims, and how the parts that a claim is about are taken from it.
 
@@ -71,6 +96,8 @@ class Quote:
         Letters that stand for indices, and the values for which the quote is read.
     unparsed : str
         Why the quote is not read as a formula; empty if it is.
+    edits : tuple of Edit
+        How damaged places are read.
     """
 
     claims: tuple[str, ...]
@@ -81,11 +108,20 @@ class Quote:
     coefficients: tuple[str, ...] = ()
     indices: Mapping[str, tuple[str, ...]] = field(default_factory=dict, hash=False)
     unparsed: Unparsed | Literal[""] = ""
+    edits: tuple[Edit, ...] = ()
 
     @property
     def text(self) -> str:
         """The pieces in one line."""
         return " … ".join(self.pieces)
+
+    @property
+    def read(self) -> tuple[str, ...]:
+        """The pieces as they are read."""
+        pieces = self.pieces
+        for edit in self.edits:
+            pieces = tuple(piece.replace(edit.scan, edit.read) for piece in pieces)
+        return pieces
 
 
 @dataclass(frozen=True)
@@ -157,7 +193,7 @@ def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
     latex = entry.get("latex")
     pieces = (latex,) if isinstance(latex, str) else tuple(latex or ())
     unparsed = entry.get("unparsed", "")
-    known = {"claims", "line", "latex", "sides", "equation", "coefficients", "indices", "unparsed"}
+    known = {"claims", "line", "latex", "sides", "equation", "coefficients", "indices", "unparsed", "edits"}
     where = f"{path}, quote of {', '.join(entry.get('claims', ['?']))}"
     if not pieces or not all(isinstance(piece, str) and piece.strip() for piece in pieces):
         raise DeclarationError(f"{where}: expected latex, a text or a list of texts, got {latex!r}")
@@ -176,7 +212,17 @@ def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
         coefficients=tuple(entry.get("coefficients", ())),
         indices={letter: tuple(map(str, values)) for letter, values in entry.get("indices", {}).items()},
         unparsed=unparsed,
+        edits=tuple(_edits(entry.get("edits", ()), pieces, where)),
     )
+
+
+def _edits(entries: Iterable[Mapping[str, str]], pieces: Sequence[str], where: str) -> Iterator[Edit]:
+    for entry in entries:
+        if entry.keys() != {"scan", "read", "why"} or not all(isinstance(text, str) for text in entry.values()):
+            raise DeclarationError(f"{where}: expected edits with scan, read and why, got {entry!r}")
+        if not entry["scan"] or not any(entry["scan"] in piece for piece in pieces):
+            raise DeclarationError(f"{where}: expected edits of the quote, got one of {entry['scan']!r}")
+        yield Edit(**entry)
 
 
 def _reasons(entry: Mapping[str, Any], path: Path) -> Iterator[tuple[str, Unquoted]]:

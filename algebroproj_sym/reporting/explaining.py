@@ -62,6 +62,7 @@ def explanation(
     about = list(_about(judgement, full=full))
     lines = [
         *([("quoted", f"line {quote.line}: {_cut(quote.text, full, LONGEST_QUOTE)}")] if quote else []),
+        *([("read as", edit.text) for edit in quote.edits] if quote else []),
         *about,
         *([("note", claim.note)] if claim.note else []),
         *([("follows", follows)] if follows else []),

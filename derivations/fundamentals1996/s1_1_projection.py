@@ -287,7 +287,6 @@ section.identity(
     "singular projective matrix",
     printed=columns(-elements * center, elements).col_join(Matrix([[0, 0, 0, 0]])),
     derived=M_star,
-    note="The zero row is scanned as 0 and a bold zero with a Gamma, read as transposition.",
 )
 section.identity(
     "1.1.6#equation",

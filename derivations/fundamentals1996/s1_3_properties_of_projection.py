@@ -94,7 +94,6 @@ section.identity(
     "matrix of projection for mu0 = 1",
     printed=Matrix([[mu1 - 1, mu2 - 1, mu3 - 1], [mu1, 0, u31 * mu3], [0, mu2, u32 * mu3]]),
     derived=P_star,
-    note="Read as u_31 in the last column, where the scan shows mu_31: it takes u for mu.",
 )
 section.structure(
     "1.3.2#structure",

@@ -266,8 +266,7 @@ section.identity(
     printed=(d.T * inverse_left.T * P_left.T * D_printed * P_right).T,
     where=inverses,
     derived=C.T * epipole_left,
-    note="Read as d^T P'*^T P'^T D P'': the scan has d P* P'^T D P'', a column before a matrix, which is no product.  "
-    "u'0^T = d^T P'*^T has the three marks that are lost, and the line above has all of its own.",
+    note="u'0^T = d^T P'*^T has the three marks that are lost, and the line above has all of its own.",
 )
 section.identity(
     "2.1/u0'C#zero",
@@ -283,8 +282,7 @@ section.identity(
         C.T.xreplace(at_centers) * solve(P_left, center_right - center_left),
         C.xreplace(at_centers) * solve(P_right, center_left - center_right),
     ),
-    note="Read as u'_0 in the first equation: the scan has no index 0, the second equation and the text before have "
-    "it.  Put in are the images of the centers.",
+    note="Put in are the images of the centers.",
 )
 section.rank(
     "2.1/rank-C",

@@ -166,7 +166,7 @@ section.identity(
     printed=equation(Z_general),
     where={z[j, k]: over(c[j, k], c[1, 0]) for j, k in product(range(3), repeat=2)},
     derived=over(dot(u_left, c * u_right), c[1, 0]),
-    note="Read as z, where the scan has xi: (2.1.3) divided by c10.",
+    note="(2.1.3) divided by c10.",
 )
 design = row_of(equation(Z_general), unknowns)
 section.identity(

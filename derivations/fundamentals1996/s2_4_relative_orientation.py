@@ -331,7 +331,6 @@ for number, equation, printed_form in (
         printed=printed_form,
         where=COMPLETED,
         derived=as_form(equation, mu1, mu2),
-        note="The scan shows mu_01, mu_02 for u_01, u_02 and mu mu_31 for u_31, the known confusion of u and mu.",
     )
 
 section.up_to_scale(
@@ -713,7 +712,6 @@ section.identity(
         ]
     ),
     derived=linear_system(forms_of_point, point)[0],
-    note="The scan shows mu'_31 for u'_31 and so on in the last column, the known confusion of u and mu.",
 )
 section.identity(
     "2.4/beyond/right-sides",

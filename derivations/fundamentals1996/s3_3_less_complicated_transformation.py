@@ -86,8 +86,7 @@ section.identity(
     "condition of coplanarity of two normal case images",
     printed=dot(normal_left, Z_N * normal_right),
     derived=normal_left[1] + z_n * normal_left[2] - normal_right[1] - z_n * normal_right[2],
-    note="Read as u'_N, where the scan has lost the N.  Derived is the difference of the two sides of (3.2.3): "
-    "homologous points lie on one line of the family.",
+    note="Derived is the difference of the two sides of (3.2.3): homologous points lie on one line of the family.",
 )
 product = T_left.T * Z_N * T_right
 section.identity(
@@ -151,7 +150,6 @@ section.identity(
         Matrix([[1, taupp1 - 1, taupp2 - 1], [0, taupp1, 0], [0, 0, taupp2]]),
     ),
     derived=columns(T_left.T, Z_N, T_right),
-    note="The scan has z_w for z_N.",
 )
 for (row, column), printed in {
     (0, 0): 0,
@@ -564,7 +562,6 @@ section.limit(
     where=AXIS,
     derived=left_solution[0].xreplace(AT_EPIPOLE),
     variable=eps,
-    note="The scan has a capital Z_N in the numerator.",
 )
 section.limit(
     "3.3.8#mu3",

@@ -85,8 +85,7 @@ section.identity(
     printed=vector(constant_h, 1, z_n),
     where={constant_h: any_epipolar_line[0]},
     derived=any_epipolar_line,
-    note="Read as z_N: the scan shows zeta with the subscripts N, N0 and N1 for this one factor, here and in the next "
-    "display.  Derived is the line of any point of the right image.",
+    note="Derived is the line of any point of the right image.",
 )
 
 # %% [markdown]
@@ -227,7 +226,6 @@ for name, printed in (
         printed=printed,
         where={delta: DELTA_PRINTED},
         derived=corners[name],
-        note="The scan shows zeta_N0 for z_N in the definition of delta, and xi_N in the table.",
     )
 
 section.count(

@@ -41,8 +41,7 @@ section.identity(
     printed=columns(R_p.T * b_symbols, -R_pp.T * b_symbols),
     where=dict(zip(b_symbols, unit_base, strict=True)),
     derived=columns(base_left, base_right),
-    note="Read as R''^T in the second equation, where the scan has lost a prime.  Derived are the images of the other "
-    "center.",
+    note="Derived are the images of the other center.",
 )
 section.identity(
     "2.2/base#left",
@@ -55,7 +54,6 @@ section.identity(
     "image of the base in the right image",
     printed=-vector(c_phipp * c_kappapp, -c_phipp * s_kappapp, s_phipp),
     derived=base_right,
-    note="Read as phi'' and kappa'', where the scan has lost double primes.",
 )
 section.identity(
     "2.2/independent",

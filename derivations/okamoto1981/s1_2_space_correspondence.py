@@ -40,7 +40,6 @@ section.definition(
     "8",
     "general central projective one-to-one correspondence",
     printed=collineation(B, second_point),
-    note="The 1 of the denominators is scanned as a capital i.",
 )
 section.identity(
     "8#matrix",

@@ -98,7 +98,6 @@ for number, (equation, row) in enumerate(zip(equations, printed_rows, strict=Tru
         f"linear equation {number}",
         printed=dot(row, homogeneous_point),
         derived=equation,
-        note="Read as the index 1 of the left photograph, where the scan has r.",
     )
 
 # %% [markdown]

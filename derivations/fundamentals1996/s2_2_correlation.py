@@ -13,7 +13,8 @@ import sympy
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion, ratios
 from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
-from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import Delta, P, delta, y0_of_mu
+from algebroproj_derivations.fundamentals1996.s1_3_functions import delta
+from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import Delta, P, y0_of_mu
 from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C, at_basic_points
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import null_vector, solution

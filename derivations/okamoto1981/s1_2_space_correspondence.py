@@ -203,7 +203,8 @@ section.count(
     expect="false",
     instead="1.2/beyond/about-axes",
     note="Equation (9) has one matrix and one angle for each of the axes Y, X, Z and T.  Around the axis T all "
-    "rotations of the space X, Y, Z are possible.  The words do not say which rotations are meant: what follows depends on it.",
+    "rotations of the space X, Y, Z are possible.  The words do not say which rotations are meant: what follows "
+    "depends on it.",
 )
 section.count(
     "1.2/beyond/about-axes",

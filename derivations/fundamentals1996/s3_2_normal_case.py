@@ -19,7 +19,14 @@ from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection impo
     u_of_y,
     y0_of_mu,
 )
-from algebroproj_derivations.fundamentals1996.s2_2_correlation import C_of_cameras, differences, q2, reduced
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import (
+    C_of_cameras,
+    Z,
+    differences,
+    q2,
+    reduced,
+    remaining,
+)
 from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import mu_left as orientation_left
 from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import mu_right as orientation_right
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import (
@@ -54,8 +61,7 @@ section = Section("fundamentals1996", "3.2", "The normal case")
 
 # %%
 z_n = sympy.Symbol("z_n")
-z11, z12, z20, z21, z22 = sympy.symbols("z11 z12 z20 z21 z22")
-Z = Matrix([[0, -1 - z11, -z20 - z22], [1, z11, z12], [z20, z21, z22]])
+z11, z12, z20, z21, z22 = remaining
 
 u_left = vector(*sympy.symbols("upN1 upN2"))
 u_right = vector(*sympy.symbols("uppN1 uppN2"))

@@ -1,15 +1,17 @@
 # %% [markdown]
 # # 2.2 Determination and utilization of the matrix of correlation
 #
-# The equation $\mathbf u'^T \mathbf C \mathbf u'' = 0$ is linear in the elements of $\mathbf C$: homologous points give
-# $\mathbf C$ but for a common factor, and $\mathbf C$ gives the epipolar lines and the epipoles.  In the names of
-# symbols a letter `p` stands for one prime and `pp` for two.
+# Two images of one object: which points of them belong together?  The equation $\mathbf u'^T \mathbf C \mathbf
+# u'' = 0$ says it, and it is linear in the elements of $\mathbf C$.  This section asks how many homologous points
+# determine $\mathbf C$, and what $\mathbf C$ says about the geometry: lines, and the points where they meet.  In
+# the names of symbols a letter `p` stands for one prime and `pp` for two.
 
 # %%
 from itertools import product
 
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion, ratios
 from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
@@ -36,10 +38,10 @@ from algebroproj_sym.expressions import (
 section = Section("fundamentals1996", "2.2", "Determination and utilization of the matrix of correlation")
 
 # %% [markdown]
-# ## The homogeneous matrix
+# ## How many numbers is a matrix of correlation?
 #
-# $\mathbf C$ has nine elements and a free factor.  Division by $c_{10}$ leaves the eight unknowns $z_{jk}$ of
-# $\mathbf Z$.
+# **Definition.**  $\mathbf C$ has nine elements and a free factor.  Division by $c_{10}$ leaves the eight quotients
+# $z_{jk}$ of $\mathbf Z$.
 
 # %%
 c = Matrix(3, 3, sympy.symbols("c:3:3"))
@@ -140,9 +142,9 @@ section.identity(
 )
 
 # %% [markdown]
-# ## The system of equations
+# ## Which equations do the points give?
 #
-# Each pair of homologous points gives one equation, linear in the eight unknowns.
+# **Definition.**  Each pair of homologous points gives one equation, linear in the eight unknowns.
 
 # %%
 up1, up2, upp1, upp2 = sympy.symbols("up1 up2 upp1 upp2")
@@ -168,18 +170,28 @@ section.identity(
     derived=over(dot(u_left, c * u_right), c[1, 0]),
     note="(2.1.3) divided by c10.",
 )
+
+# %% [markdown]
+# Its coefficients, in the order $z_{00}, z_{01}, z_{02}, z_{11}, z_{12}, z_{20}, z_{21}, z_{22}$, and its right side:
+
+# %%
 design = row_of(equation(Z_general), unknowns)
+design
+
+# %% [markdown]
+# **Print.**
+
+# %%
 section.identity(
     "2.2/row",
     "one row of the system of eight unknowns",
     printed=Matrix([[1, upp1, upp2, up1 * upp1, up1 * upp2, up2, up2 * upp1, up2 * upp2, -up1]]),
     derived=design,
-    note="Coefficients and right side, in the order of the print.",
 )
 
 # %% [markdown]
-# Conventional photogrammetry knows the interior orientation: $\mathbf C$ is made of a rotation and a base, in a system
-# of coordinates in which the left image is not rotated.
+# **How many points?**  Conventional photogrammetry knows the interior orientation: $\mathbf C$ is made of a
+# rotation and a base, in a system of coordinates in which the left image is not rotated.
 
 # %%
 base_of_rotation = vector(*sympy.symbols("d1 d2 d3"))
@@ -233,14 +245,16 @@ section.identity(
 )
 
 # %% [markdown]
-# The three numerical rows are solved for three of the unknowns.
+# The three numerical rows are solved for three of the unknowns.  What remains is the matrix of five elements:
 
 # %%
 numbers, values = basic_rows[:, :8], basic_rows[:, 8]
 basic_solution = solve(*linear_system(list(numbers * vector(*unknowns) - values), (z00, z01, z02)))
 eliminated = dict(zip((z00, z01, z02), basic_solution, strict=True))
 Z = divided(Z_general.xreplace(eliminated))
+Z
 
+# %%
 section.identity(
     "2.2.2",
     "three unknowns from the basic points",
@@ -361,11 +375,17 @@ section.identity(
 # %% [markdown]
 # ## The matrix referred to the basic points
 #
-# Five unknowns remain, and five equations.
+# Five unknowns remain.  The equation of a further pair of points has these coefficients, and this right side:
 
 # %%
 remaining = (z11, z12, z20, z21, z22)
 reduced = row_of(equation(Z), remaining)
+reduced
+
+# %% [markdown]
+# **Print.**
+
+# %%
 Z_printed = Matrix([[0, -1 - z11, -z20 - z22], [1, z11, z12], [z20, z21, z22]])
 
 section.identity("2.2.3", "matrix of correlation referred to the basic points", printed=Z_printed, derived=Z)
@@ -374,8 +394,13 @@ section.identity(
     "one equation of the reduced system",
     printed=Matrix([[upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1), upp1 - up1]]),
     derived=reduced,
-    note="Coefficients and right side, in the order of the print.",
 )
+
+# %% [markdown]
+# **Meaning.**  Five further points determine the five unknowns.  That is not the five of conventional
+# photogrammetry: the five pairs come in addition to those of the three basic points.
+
+# %%
 section.rank(
     "2.2/five-equations",
     "five further points determine the five unknowns",
@@ -391,13 +416,17 @@ section.rank(
     derived=Matrix.vstack(*(homologous_row(design, index) for index in range(3, 8))),
     expect="false",
     instead="2.2/five-equations",
-    note="The sentence taken literally: five pairs of rays satisfy relative orientation.  It is true of conventional "
-    "photogrammetry, 2.2/conventional; here the five pairs come in addition to those of the three basic points, which "
-    "are homologous as well, and the five equations prove nothing about conventional orientation.",
+    note="The sentence taken literally.  It is true of conventional photogrammetry, 2.2/conventional.",
     grade="results",
     follows="Five pairs of rays leave two parameters open: without knowledge of the cameras there are "
     "{2.2/beyond/seven-parameters}. See docs/findings/seven-parameters.md.",
 )
+
+# %% [markdown]
+# Are five elements five parameters?  The determinant of $\mathbf Z$ is zero, and $z_{12}$ follows from the
+# others.  Four further points would do, at the cost of a cubic equation.
+
+# %%
 section.count(
     "2.2/five-parameters",
     "five elements are left of the matrix referred to the basic points",
@@ -412,8 +441,6 @@ section.count(
     printed=4,
     derived=Z_singular,
     variables=(z11, z20, z21, z22),
-    note="Not in the paper: z12 follows from det(Z) = 0.  Four further points would do, at the cost of a cubic "
-    "equation.",
 )
 
 # %% [markdown]
@@ -437,13 +464,19 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Epipolar lines
+# ## On which line does the partner of a point lie?
 #
-# By (2.1.5), $\mathbf h' = \mathbf Z \mathbf u''$ and $\mathbf h'' = \mathbf Z^T \mathbf u'$.
+# **Definition.**  By (2.1.5), $\mathbf h' = \mathbf Z \mathbf u''$ and $\mathbf h'' = \mathbf Z^T \mathbf
+# u'$.  The left line of a right point has the coefficients
 
 # %%
 h_left, h_right = Z * u_right, Z.T * u_left
+h_left
 
+# %% [markdown]
+# **Print.**
+
+# %%
 section.identity(
     "2.2.5#left",
     "epipolar line in P', as a product",
@@ -478,30 +511,44 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Epipoles
+# ## Where do the lines meet?
 #
-# The epipole of $P'$ makes $\mathbf h''$ vanish and the epipole of $P''$ makes $\mathbf h'$ vanish: three equations
-# each for two coordinates.  Solve the second and the third.
+# **Definition.**  The epipole of $P'$ makes $\mathbf h''$ vanish and the epipole of $P''$ makes $\mathbf h'$
+# vanish: three equations each for two coordinates.  The second and the third have this solution, first for the
+# left image:
 
 # %%
-D = sympy.Symbol("D")
 system_left = linear_system([h_right[1], h_right[2]], (up1, up2))
 system_right = linear_system([h_left[1], h_left[2]], (upp1, upp2))
 epipole_left, epipole_right = solve(*system_left), solve(*system_right)
-D_printed = z11 * z22 - z12 * z21
+epipole_left
 
+# %%
+epipole_right
+
+# %% [markdown]
+# **Print.**  Both systems have the same determinant, and the print has it right.
+
+# %%
+D = sympy.Symbol("D")
+D_printed = z11 * z22 - z12 * z21
 section.identity(
     "2.2/D",
     "identical determinants",
     printed=vector(D_printed, D_printed),
     derived=vector(determinant(system_left[0]), determinant(system_right[0])),
 )
+
+# %% [markdown]
+# Each of the four numerators has the opposite sign.  With $-D$ all four would be right, but $D$ is printed as it
+# is.  The example of section 4, item c), has the signs of the corrected form: its $\mathbf Z$ gives $u'_{01} =
+# 1.647$.
+
+# %%
 SIGN = (
-    "Each of the four numerators of (2.2.6) and (2.2.7) has the opposite sign.  With the determinant as printed, which "
-    "is right, all four are wrong; with -D, z12 z21 - z11 z22, all four would be right.  Ruled out: an interchange of "
-    "Z and its transpose or of the two images, which would change the letters and not the sign, and a free sign of "
-    "the epipole, whose leading 1 fixes it.  The example of section 4, item c), has the signs of the corrected form: "
-    "its Z gives u'01 = 1.647 and u''01 = 1.617.  No single slip of the press gives four wrong signs."
+    "Ruled out: an interchange of Z and its transpose or of the two images, which would change the letters and not the "
+    "sign, and a free sign of the epipole, whose leading 1 fixes it.  No single slip of the press gives four wrong "
+    "signs."
 )
 printed_left = vector(-z22 * (1 + z11) + z21 * (z20 + z22), -z11 * (z20 + z22) + z12 * (1 + z11))
 printed_right = vector(z22 - z12 * z20, z11 * z20 - z21)
@@ -532,8 +579,8 @@ section.identity(
 )
 
 # %% [markdown]
-# The first equation was not used.  At the solution of the other two it has the value $\det \mathbf Z / D$: only
-# where $\det \mathbf Z = 0$ is there an epipole.
+# **Meaning.**  The first equation was not used.  At the solution of the other two it has the value $\det \mathbf
+# Z / D$: only where $\det \mathbf Z = 0$ is there an epipole.  Five measured points do not ensure that.
 
 # %%
 first_left = h_right[0].xreplace(dict(zip((up1, up2), epipole_left, strict=True)))
@@ -544,8 +591,6 @@ section.identity(
     printed=vector(determinant_of_correlation / D, determinant_of_correlation / D),
     where={D: D_printed},
     derived=vector(first_left, first_right),
-    note="Not in the paper: the coordinates solve all three equations exactly where det(Z) = 0.  Five measured points "
-    "do not ensure that.",
 )
 section.identity(
     "2.2/epipoles",
@@ -555,6 +600,27 @@ section.identity(
     constraints=[determinant_of_correlation],
     nonzero=[D_printed],
     note="The equations (2.1.6) with Z for C, whose determinant is zero by section 2.1.",
+)
+
+# %% [markdown]
+# **An example.**  A matrix with small numbers and $\det \mathbf Z = 0$.  Its epipoles are
+
+# %%
+EXAMPLE = {z11: sympy.Rational(1, 2), z20: sympy.Integer(1), z21: sympy.Integer(-1), z22: sympy.Rational(1, 4)}
+Z_example = divided(divided(Z_singular).xreplace(EXAMPLE))
+elements = dict(zip(Z_general, Z_example, strict=True))
+left_pole, right_pole = (divided(divided(pole).xreplace(elements)) for pole in (epipole_left, epipole_right))
+columns(left_pole, right_pole)
+
+# %%
+SEEN = {"P1": vector(0, 1), "P2": vector(1, 1), "P3": vector(1, 2), "P4": vector(-1, 1)}
+ImageDrawing(
+    "Points P1 to P4 of each image, and in each image the lines on which the partners of the other image's points "
+    "lie.  All lines of an image meet in its epipole E.",
+    {
+        "left image": ({"E": left_pole, **SEEN}, [Z_example * homogeneous(point) for point in SEEN.values()]),
+        "right image": ({"E": right_pole, **SEEN}, [Z_example.T * homogeneous(point) for point in SEEN.values()]),
+    },
 )
 
 # %% [markdown]
@@ -580,11 +646,11 @@ for row in range(3):
     )
 
 # %% [markdown]
-# ## Epipolar lines of one image
+# ## The line from one image alone
 #
-# $\mathbf K \mathbf u = \boldsymbol\kappa \times \mathbf u$ by the pattern of (2.1.9), and the vector product changes
-# its sign when the factors are interchanged: the same line is a product with a matrix of the point.  Up to a factor
-# $\boldsymbol\kappa$ is the epipole, (2.1.12).
+# **Definition.**  $\mathbf K \mathbf u = \boldsymbol\kappa \times \mathbf u$ by the pattern of (2.1.9), and the
+# vector product changes its sign when the factors are interchanged: the same line is a product with a matrix of
+# the point.  Up to a factor $\boldsymbol\kappa$ is the epipole, (2.1.12).
 
 # %%
 u = homogeneous(vector(u1, u2))
@@ -629,6 +695,12 @@ section.rank(
 
 # %%
 joining = cross(epipole, u)
+joining
+
+# %% [markdown]
+# **Print.**  In each of the two matrices one sign is wrong; the last member of (2.2.9) has the right ones.
+
+# %%
 section.identity(
     "2.2.9#u",
     "epipolar line from the epipole and the point, with the matrix of the point",
@@ -636,9 +708,8 @@ section.identity(
     derived=joining,
     expect="misprint",
     corrected=Matrix([[0, u2, -u1], [-u2, 0, 1], [u1, -1, 0]]) * epipole,
-    note="The last row reads u1, 1, 0; the same matrix in (2.2.8) has u1, -1, 0, and the last member of (2.2.9), "
-    "u1 - u01, needs it.  A free factor of the line changes all three rows.  The scan alone cannot tell a slip of the "
-    "scan from one of the print.",
+    note="The same matrix in (2.2.8) has the right sign.  A free factor of the line changes all three rows.  The scan "
+    "alone cannot tell a slip of the scan from one of the print.",
 )
 section.identity(
     "2.2.9#u0",
@@ -647,9 +718,8 @@ section.identity(
     derived=joining,
     expect="misprint",
     corrected=Matrix([[0, -u02, u01], [u02, 0, -1], [-u01, 1, 0]]) * u,
-    note="The matrix is K with (1, u01, u02) for kappa and must be skew-symmetric: the last element of the first row "
-    "is +u01, as the last member of (2.2.9) needs it.  A free factor changes all elements.  The scan alone cannot tell "
-    "a slip of the scan from one of the print.",
+    note="The matrix is K with (1, u01, u02) for kappa and must be skew-symmetric.  A free factor changes all "
+    "elements.  The scan alone cannot tell a slip of the scan from one of the print.",
 )
 section.identity(
     "2.2.9",

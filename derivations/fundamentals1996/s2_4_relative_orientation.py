@@ -1,19 +1,21 @@
 # %% [markdown]
 # # 2.4 Relative orientation
 #
-# Both bundles already see the basic points.  What ties them together is the epipolar axis, the line of the two centers:
-# its images are the epipoles, known from correlation.  A point $\mathbf y_A$ chosen on the axis gives the parameters
-# of the left bundle, $\mathbf y_A$ and the left center those of the right one.
+# How are the two bundles of rays tied together, so that they make a model?  Both already see the basic
+# points.  What ties them together is the epipolar axis, the line of the two centers: its images are the epipoles,
+# known from correlation.  A point $\mathbf y_A$ chosen on the axis gives the parameters of the left bundle,
+# $\mathbf y_A$ and the left center those of the right one.
 
 # %%
 
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star as M_star_any
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star, P, y0_of_mu
 from algebroproj_derivations.fundamentals1996.s1_5_space_to_space import M_star as core
-from algebroproj_derivations.fundamentals1996.s2_2_correlation import Z, remaining
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import Z, correlation_matrix, remaining
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -21,6 +23,7 @@ from algebroproj_sym.expressions import (
     cross,
     determinant,
     diff,
+    divided,
     dot,
     homogeneous,
     inverse,
@@ -57,6 +60,21 @@ COMPLETED = BARYCENTRIC | {ya0: 1 - ya1 - ya2 - ya3, u00: 1 - u01 - u02}
 M = M_star[:3, :]
 
 # %% [markdown]
+# **An example.**  The centers and basic points of two cameras, the axis through the centers, and a point A on it.
+
+# %%
+LEFT, RIGHT = (
+    divided(y0_of_mu.xreplace(dict(zip((mu1, mu2, mu3, u31, u32), map(sympy.Rational, values), strict=True))))
+    for values in (("1/2", "1/2", "2/3", "1/4", "1/8"), ("2/3", "1/2", "2/3", "1/3", "-1/8"))
+)
+SpaceDrawing(
+    "The left center C', the right center C'', the axis through them with a point A, and the basic points.  The rays "
+    "to the basic points meet whatever the parameters are; the axis ties the bundles together.",
+    {"C'": LEFT, "C''": RIGHT, "A": 2 * RIGHT - LEFT, "G0": e0, "G1": e1, "G2": e2, "G3": e3},
+    segments=[("C'", "A"), *((name, f"G{j}") for name in ("C'", "C''") for j in range(4))],
+)
+
+# %% [markdown]
 # ## The epipoles
 #
 # Two rays are coplanar where $(\mathbf p' \times \mathbf d) \cdot \mathbf p'' = 0$; in image coordinates this is
@@ -65,7 +83,7 @@ M = M_star[:3, :]
 # %%
 p_left, p_right = Matrix(3, 3, sympy.symbols("p:3:3")), Matrix(3, 3, sympy.symbols("q:3:3"))
 base = vector(*sympy.symbols("d1 d2 d3"))
-C = Matrix(3, 3, lambda i, j: dot(cross(p_left.col(i), base), p_right.col(j)))
+C = correlation_matrix(p_left, p_right, base)
 section.identity(
     "2.4/epipoles",
     "the epipole of the left image",
@@ -135,8 +153,13 @@ section.identity(
 mu_a = image_of_axis[0]
 image_of_axis_point = vector(*(over(component, mu_a) for component in image_of_axis[1:, 0]))
 axis_equations = [mu_a * u01 - image_of_axis[1], mu_a * u02 - image_of_axis[2]]
+vector(*axis_equations)
+
+# %% [markdown]
+# **Print.**  The equations are compared by their coefficients.
 
 
+# %%
 def as_form(equation: sympy.Expr, *unknowns: sympy.Symbol) -> Matrix:
     """Return the coefficients of a linear equation, then its right side."""
     left_side, right_side = linear_system([equation], unknowns)
@@ -166,10 +189,10 @@ section.rank(
 )
 
 # %% [markdown]
-# ## a) The left bundle
+# ## a) Which left bundle?
 #
-# Unit points and $\mathbf y_A$ leave one degree of freedom, which $\mu'_1 = \mu'_2$ takes up: two equations, two
-# unknowns.
+# **Definition.**  Unit points and $\mathbf y_A$ leave one degree of freedom, which $\mu'_1 = \mu'_2$ takes up: two
+# equations, two unknowns.  The parameters are
 
 # %%
 left_equations = [equation.subs(mu1, mu2) for equation in axis_equations]
@@ -177,8 +200,13 @@ left_matrix, left_right_side = linear_system(left_equations, [mu2, mu3])
 left_solution = solve(left_matrix, left_right_side)
 mu_left = vector(left_solution[0], *left_solution)
 D_left = determinant(left_matrix)
-D = sympy.Symbol("D")
+mu_left
 
+# %% [markdown]
+# **Print.**
+
+# %%
+D = sympy.Symbol("D")
 section.up_to_scale(
     "2.4/left#1",
     "first equation of the left bundle",
@@ -211,8 +239,8 @@ section.identity(
 )
 
 # %% [markdown]
-# Where on the axis $\mathbf y_A$ is assumed does not matter: take any bundle with $\mu_1 = \mu_2$, any axis through its
-# center, and another point of the axis with the same epipole.
+# **Meaning.**  Where on the axis $\mathbf y_A$ is assumed does not matter: take any bundle with $\mu_1 = \mu_2$,
+# any axis through its center, and another point of the axis with the same epipole.
 
 # %%
 EQUAL = {mu1: mu2}
@@ -229,9 +257,9 @@ section.identity(
 )
 
 # %% [markdown]
-# ### When $D'$ vanishes
+# ### When does $D'$ vanish?
 #
-# It does in each of the three cases of the paper.
+# In each of the three cases of the paper:
 
 # %%
 for number, title, conditions in (

@@ -11,13 +11,12 @@
 # and items such as "item c" are not judged, and the caption of Fig. 1.6/1 is lost.
 
 # %%
-from pathlib import Path
-
 from algebroproj_sym import Section
 from algebroproj_sym.declaring.quotes import counted, quotations
+from algebroproj_sym.papers import paper_folders
 
 section = Section("fundamentals1996", "0", "Cross-references")
-folder = Path(__file__).parent
+(folder,) = paper_folders("fundamentals1996")
 
 # %% [markdown]
 # Three captions have the number of another subsection: two of 2.4 have that of 2.3, as its formulas do, and one of

@@ -44,6 +44,11 @@ def test_numbers_in_what_follows_are_those_that_are_right(section):
     assert found.follows == "The area is 0.3 and not 0.3."
 
 
+def test_a_number_that_was_not_judged_is_named(section):
+    (found,) = gathered([judge(claim) for claim in section.claims if claim.number == "1.3"])
+    assert found.follows == "The area is (1.4) and not (1.5)."
+
+
 def test_without_words_the_values_at_the_counterexample_follow(section):
     (found,) = [f for f in gathered([judge(claim) for claim in section.claims]) if f.claim.number == "1.1"]
     value = found.first.counterexample[x]

@@ -89,13 +89,16 @@ def gathered(judgements: Sequence[Judgement]) -> list[Finding]:
 def declared_consequence(claim: Claim, numbers: Mapping[str, Claim]) -> str:
     """Return what a claim says to follow, with the proved numbers of other claims of the paper in their places.
 
-    ``{4/c#left.u01}`` stands for the number of this claim, the corrected one if there is one.
+    ``{4/c#left.u01}`` stands for the number of this claim, the corrected one if there is one.  If the claim was not
+    judged, it is named instead.
     """
-    return NUMBER_OF.sub(lambda found: _number(numbers[found[1]]), claim.follows)
 
+    def number(of: str) -> str:
+        other = numbers.get(of)
+        right = None if other is None else other.printed if other.corrected is None else other.corrected
+        return statement_text(right) or f"({of})"
 
-def _number(claim: Claim) -> str:
-    return statement_text(claim.printed if claim.corrected is None else claim.corrected) or ""
+    return NUMBER_OF.sub(lambda found: number(found[1]), claim.follows)
 
 
 def by_grade(found: Sequence[Finding]) -> Iterator[tuple[Grade, list[Finding]]]:

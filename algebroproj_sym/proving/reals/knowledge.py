@@ -1,0 +1,523 @@
+"""What is known in a case of a proof, and how single facts are shown: that something is zero, or has a sign.
+
+Each method looks for a step, takes it in the theory of the replay, which checks it, and keeps it for the certificate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from itertools import combinations_with_replacement
+from math import gcd, lcm
+from typing import Any
+
+import flint
+
+from algebroproj_sym.proving.combination import System
+from algebroproj_sym.proving.consequences import Case, End, flattened
+from algebroproj_sym.proving.elimination import Elimination
+from algebroproj_sym.proving.polynomials import EffortExceededError, content_of
+from algebroproj_sym.proving.reals.simplex import weights
+from algebroproj_sym.replaying.field import Element
+from algebroproj_sym.replaying.polynomial import BITS, Polynomial
+from algebroproj_sym.replaying.reals.laws import apply
+from algebroproj_sym.replaying.reals.theory import Theory
+from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
+
+MOST_COLUMNS = 160
+MOST_ROWS = 60
+MOST_TERMS = 400
+MASK = (1 << BITS) - 1
+
+
+class Knowledge:
+    """Facts, and the steps by which they came.
+
+    Parameters
+    ----------
+    theory : Theory
+        What is known at the beginning.
+    """
+
+    def __init__(self, theory: Theory) -> None:
+        self.theory = theory
+        self.steps: list[Mapping[str, Any]] = []
+        self.wanted: list[Polynomial] = []
+        self._failed: dict[Any, int] = {}
+        self._systems: dict[Any, tuple[Any, Any]] = {}
+
+    def branch(self) -> Knowledge:
+        """Return the same knowledge without its steps."""
+        return Knowledge(self.theory.branch())
+
+    def step(self, law: str, **entries: Any) -> bool:
+        """Take a step; whether the law allows it."""
+        before, facts = self.theory.branch(), len(self.theory.facts)
+        count = len(self.theory.applications)
+        step = {"law": law, **entries}
+        try:
+            apply(self.theory, step)
+        except (Rejected, NotReplayable):
+            self.theory.__dict__.update(before.__dict__)
+            return False
+        if (len(self.theory.facts), len(self.theory.applications)) != (facts, count) or self.theory.contradictory:
+            self.steps.append(step)
+        return True
+
+    # -- polynomials of FLINT, whose last variable is spare
+
+    @property
+    def context(self) -> Any:
+        """The ring in all symbols of the theory."""
+        names = tuple(f"v{place}" for place in range(len(self.theory.field.places)))
+        return flint.fmpq_mpoly_ctx.get((*names, "spare"), flint.Ordering.degrevlex)
+
+    def into(self, polynomial: Polynomial) -> Any:
+        """Return a polynomial of the theory as one of FLINT."""
+        size = len(self.theory.field.places) + 1
+        return self.context.from_dict(
+            {
+                tuple(monomial >> BITS * place & MASK for place in range(size)): flint.fmpq(value)
+                for monomial, value in polynomial.terms.items()
+            }
+        )
+
+    def back(self, polynomial: Any) -> Element:
+        """Return a polynomial of FLINT as an element of the theory."""
+        number, terms = 1, polynomial.to_dict()
+        for value in terms.values():
+            number = lcm(number, int(value.q))
+        found = {
+            sum(int(power) << BITS * place for place, power in enumerate(powers)): int(value.p) * number // int(value.q)
+            for powers, value in terms.items()
+        }
+        return Element(self.theory.field, Polynomial(found), {}, number)
+
+    def text(self, polynomial: Any) -> str:
+        """Return a polynomial of FLINT with integer coefficients as text."""
+        return self.theory.written(self.back(polynomial).numerator)
+
+    def signed(self, element: Element) -> Any:
+        """Return the polynomial that has the sign of an element."""
+        return self.into(self.theory.signed(element))
+
+    def rational(self, terms: Mapping[int, int]) -> Element:
+        """Return a polynomial, given by its terms, as an element."""
+        return self.theory.field.element(Polynomial(dict(terms)))
+
+    def want(self, *polynomials: Any) -> None:
+        """Note polynomials whose sign would help."""
+        self.wanted += [self.back(polynomial).numerator for polynomial in polynomials]
+
+    def said(self, element: Element) -> str:
+        """Return an element as text, after showing that its divisors are not zero."""
+        for place, power in element.exponents.items():
+            if power < 0:
+                self.nonzero(self.into(self.theory.field.factors[place]))
+        below = {place: -power for place, power in element.exponents.items() if power < 0}
+        if below:
+            self.nonzero(self.into(self.theory.field.powers(below)))
+        return self.theory.text(element)
+
+    def names(self, polynomial: Any) -> set[int]:
+        """Return the places of the variables that occur."""
+        return {place for place, degree in enumerate(polynomial.degrees()) if degree} if polynomial != 0 else set()
+
+    def facts(self, *relations: str) -> list[tuple[int, Any]]:
+        """Return facts of some relations, with their places."""
+        return [
+            (place, self.into(fact.polynomial))
+            for place, fact in enumerate(self.theory.facts)
+            if fact.relation in relations
+        ]
+
+    def connected(self, polynomial: Any) -> list[tuple[int, Any]]:
+        """Return the zeros that share variables with a polynomial, also by way of others."""
+        names, found, rest = self.names(polynomial), list[tuple[int, Any]](), self.facts("=")
+        while more := [fact for fact in rest if self.names(fact[1]) & names]:
+            found += more
+            rest = [fact for fact in rest if fact not in more]
+            names = names.union(*(self.names(zero) for _, zero in more))
+        return sorted(found, key=lambda fact: fact[0])
+
+    # -- zeros
+
+    def zero(self, element: Element) -> bool:
+        """Show that something is zero; whether that was found."""
+        if self.theory.contradictory or self.theory.holds("=", element):
+            return True
+        goal = self.into(self.theory.fact("=", element).polynomial)
+        if len(goal) > MOST_TERMS:
+            return False
+        key = ("=", self.theory.signed(element))
+        if self._failed.get(key) == len(self.theory.facts):
+            return False
+        if self._zero(goal) or self._zero_factor(goal):
+            return True
+        self._failed[key] = len(self.theory.facts)
+        return False
+
+    def _zero_factor(self, goal: Any) -> bool:
+        factors = [factor for factor, _ in goal.factor()[1]]
+        if len(factors) < 2:
+            return False
+        for factor in factors:
+            if self._zero(factor):
+                cofactor = divmod(goal, factor)[0]
+                place = self.theory.facts.index(self.theory.fact("=", self.back(factor)))
+                own = self.into(self.theory.facts[place].polynomial)
+                cofactor = divmod(goal, own)[0]
+                return self.follows(goal, End(1, goal**0, {place: cofactor}))
+        return False
+
+    def _zero(self, goal: Any) -> bool:
+        if self.theory.holds("=", self.back(goal)):
+            return True
+        zeros = self.connected(goal)
+        end = self._end(goal, zeros)
+        return end is not None and self.follows(goal, end)
+
+    def _units(self, polynomials: Sequence[Any]) -> list[Any]:
+        """Return irreducible polynomials that are not zero in the variables of others."""
+        names = set[int]().union(*map(self.names, polynomials))
+        found: dict[str, Any] = {}
+        for _, fact in self.facts(">", "!="):
+            if self.names(fact) <= names:
+                found |= {str(factor): factor for factor, _ in fact.factor()[1]}
+        return [*found.values()]
+
+    def _end(self, goal: Any, zeros: Sequence[tuple[int, Any]]) -> End | None:
+        if not zeros:
+            return None
+        polynomials = [zero for _, zero in zeros]
+        units = self._units([goal, *polynomials])
+        key = (tuple(place for place, _ in zeros), len(self.theory.field.places), tuple(map(str, units)))
+        try:
+            if key not in self._systems:
+                known = Elimination(self.context, [*polynomials], [*range(len(zeros))], units).advanced()
+                self._systems[key] = known, System(known)
+            known, system = self._systems[key]
+            if known.is_empty is not None:
+                case, target = Case(None, known.steps, known.is_empty), goal**0
+            else:
+                asked, target = known.asked(goal), goal
+                end = system.end(asked.goal)
+                if end is None:
+                    return None
+                case = Case(None, [*known.steps, *asked.steps], end)
+            case = flattened(case, target, len(zeros))
+        except EffortExceededError:
+            return None
+        if case is None or not isinstance(case.rest, End):
+            return None
+        end = case.rest
+        return End(end.exponent, end.multiplier, {zeros[place][0]: part for place, part in end.cofactors.items()})
+
+    def follows(self, goal: Any, end: End) -> bool:
+        """Take the step by which a polynomial is zero."""
+        multiplier = self.product_of_units(end.multiplier)
+        if multiplier is None:
+            return False
+        content, powers = multiplier
+        content = content * content_of(goal) ** end.exponent
+        number = lcm(1, *(int(v.q) for part in end.cofactors.values() for v in part.coeffs()), int(content.q))
+        sign = -1 if content < 0 else 1
+        return self.step(
+            "follows",
+            zero=self.text(goal / content_of(goal)),
+            exponent=end.exponent,
+            scale=int((content * number * sign).p),
+            multiplier=powers,
+            cofactors={str(place): self.text(part * number * sign) for place, part in end.cofactors.items()},
+        )
+
+    def product_of_units(self, polynomial: Any) -> tuple[Any, dict[str, int]] | None:
+        """Return a polynomial as a number times powers of facts that are not zero; None if that is not found."""
+        whole = polynomial / content_of(polynomial)
+        for place, fact in self.facts(">", "!="):
+            if fact in (whole, -whole):
+                return content_of(polynomial) * (1 if fact == whole else -1), {str(place): 1}
+        content, factors = polynomial.factor()
+        powers: dict[str, int] = {}
+        for factor, power in factors:
+            own = factor / content_of(factor)
+            content *= content_of(factor) ** power
+            if not self.unit(own):
+                return None
+            place = next(
+                (
+                    place
+                    for place, fact in enumerate(self.theory.facts)
+                    if fact.relation in (">", "!=") and self.into(fact.polynomial) in (own, -own)
+                ),
+                None,
+            )
+            if place is None:
+                return None
+            if self.into(self.theory.facts[place].polynomial) == -own and power % 2:
+                content = -content
+            powers[str(place)] = power
+        return content, powers
+
+    def unit(self, polynomial: Any) -> bool:
+        """Show that an irreducible factor of what is not zero is not zero."""
+        element = self.back(polynomial)
+        if self.theory.holds("!=", element):
+            return True
+        for place, fact in self.facts(">", "!="):
+            quotient, rest = divmod(fact, polynomial)
+            if rest == 0:
+                number = lcm(1, *(int(v.q) for v in quotient.coeffs()))
+                return self.step(
+                    "nonzero",
+                    polynomial=self.text(polynomial),
+                    factor=self.text(quotient * number),
+                    scale=number,
+                    multiplier={str(place): 1},
+                    cofactors={},
+                )
+        return False
+
+    def nonzero(self, polynomial: Any) -> bool:
+        """Show that a product of what is not zero is not zero."""
+        if self.theory.holds("!=", self.back(polynomial)):
+            return True
+        powers = self.product_of_units(polynomial)
+        if powers is None:
+            return False
+        content, places = powers
+        number = int(content.q)
+        return self.step(
+            "nonzero",
+            polynomial=self.text(polynomial),
+            factor=str(number if content > 0 else -number),
+            scale=abs(int(content.p)),
+            multiplier=places,
+            cofactors={},
+        )
+
+    def inconsistent(self, polynomial: Polynomial) -> bool:
+        """Show that what is said to be zero cannot be."""
+        goal = self.into(polynomial)
+        end = self._end(goal, self.connected(goal))
+        return end is not None and end.exponent == 0 and self.follows(goal, end)
+
+    def refuted(self, polynomial: Polynomial) -> bool:
+        """Show that what is said of a sign cannot be: that 0 > 0 would follow."""
+        return self._combined(self.context.constant(0), self.names(self.into(polynomial)))
+
+    # -- signs
+
+    def sign(self, element: Element) -> str | None:
+        """Return ``>``, ``>=``, ``=``, ``<`` or ``<=`` if that is shown."""
+        for relation, value in ((">", element), ("<", -element), ("=", element)):
+            if self.theory.holds("=" if relation == "=" else ">", value):
+                return relation
+        if self.positive(element):
+            return ">" if self.theory.holds(">", element) else ">="
+        if self.positive(-element):
+            return "<" if self.theory.holds(">", -element) else "<="
+        return None
+
+    def positive(self, element: Element, strict: bool = False) -> bool:
+        """Show that something is not negative, or positive where that is found; whether it is what was asked."""
+        if self._is_positive(element, strict):
+            return True
+        key = (strict, self.theory.signed(element))
+        if self._failed.get(key) == len(self.theory.facts):
+            return False
+        polynomial = self.signed(element)
+        found = len(polynomial) <= MOST_TERMS and self._positive(polynomial, element, strict)
+        if not found:
+            self._failed[key] = len(self.theory.facts)
+        return found
+
+    def _is_positive(self, element: Element, strict: bool) -> bool:
+        return self.theory.holds(">", element) or (not strict and self.theory.holds(">=", element))
+
+    def _positive(self, polynomial: Any, element: Element, strict: bool) -> bool:
+        if self.is_number(polynomial):
+            return self.value(element)
+        content, factors = polynomial.factor()
+        if (len(factors) > 1 or factors[0][1] > 1) and self._by_factors(content, factors, polynomial):
+            if self._is_positive(element, strict):
+                return True
+        elif self._combined(polynomial):
+            if self._is_positive(element, strict):
+                return True
+            if self.step("both", polynomial=self.text(polynomial)):
+                return self._is_positive(element, strict)
+        return False
+
+    def is_number(self, polynomial: Any) -> bool:
+        """Whether no symbol of the statement occurs, also within applications."""
+        names = {place: name for name, place in self.theory.field.places.items()}
+        return all(self._is_constant(names[place]) for place in self.names(polynomial))
+
+    def _is_constant(self, name: str) -> bool:
+        if name not in self.theory.applications:
+            return name == "pi"
+        return all(self.is_number(self.into(polynomial)) for arg in self.theory.applications[name].args
+                   for polynomial in (arg.numerator, *(self.theory.field.factors[p] for p in arg.exponents)))
+
+    def value(self, element: Element) -> bool:
+        """Show that a number is positive."""
+        text = self.theory.written(self.theory.signed(element))
+        return any(self.step("value", polynomial=text, bits=bits) for bits in (64, 256))
+
+    def _by_factors(self, content: Any, factors: Sequence[tuple[Any, int]], whole: Any) -> bool:
+        """Show the sign of a product from those of its factors."""
+        root, powers, flips = whole**0, dict[str, int](), int(content < 0)
+        for factor, power in factors:
+            own = factor / content_of(factor)
+            if power % 2 == 0:
+                if self.theory.holds("!=", self.back(own)) or self.unit(own):
+                    place, _ = self._place(own, (">", "!="))
+                    powers[str(place)] = power
+                else:
+                    root = root * own ** (power // 2)
+                continue
+            sign = self.sign(self.back(own))
+            if sign is None:
+                self.want(own)
+                return False
+            if sign == "=":
+                return False
+            place, flip = self._place(own, (">", ">="))
+            powers[str(place)] = power
+            flips += flip
+        if flips % 2:
+            return False
+        product = root**2
+        for place, power in powers.items():
+            product = product * self.into(self.theory.facts[int(place)].polynomial) ** power
+        ratio = abs(content_of(product) / content_of(whole))
+        weight = 1 / ratio
+        number = int(weight.q)
+        relation = ">" if root.is_constant() and all(
+            self.theory.facts[int(place)].relation != ">=" for place in powers
+        ) else ">="
+        return self.step(
+            "sign",
+            polynomial=self.text(whole),
+            relation=relation,
+            scale=number,
+            multiplier={},
+            sum=[[str(int(weight.p)), self.text(root), powers]],
+            cofactors={},
+        )
+
+    def _place(self, polynomial: Any, relations: Iterable[str]) -> tuple[int, bool]:
+        """Return the place of a fact about a polynomial, the strongest first, and whether it is about its negative."""
+        for relation in relations:
+            for place, fact in enumerate(self.theory.facts):
+                if fact.relation == relation:
+                    own = self.into(fact.polynomial)
+                    if own in (polynomial, -polynomial):
+                        return place, bool(own == -polynomial)
+        raise LookupError("no such fact")
+
+    def _combined(self, polynomial: Any, about: set[int] | None = None) -> bool:
+        """Show the sign of a polynomial as a combination of facts, their products and squares, modulo zeros."""
+        names = self.names(polynomial) if about is None else about
+        gens = [self.context.gens()[place] for place in sorted(names)]
+        zeros = [fact for fact in self.connected(sum(gens, polynomial * 0)) if len(fact[1]) < 12]
+        signs = [fact for fact in self.facts(">", ">=") if self.names(fact[1]) & names and len(fact[1]) < 12]
+        around = names.union(*(self.names(fact) for _, fact in signs))
+        bounds = [fact for fact in self.facts(">", ">=") if self.names(fact[1]) <= around and fact not in signs]
+        one = self.context.constant(1)
+        columns: list[tuple[str, Any, Any]] = [("+", one, {})]
+        columns += [("+", fact, {place: 1}) for place, fact in signs + bounds]
+        degree = int(polynomial.total_degree()) if about is None else 2
+        monomials = self._roots(polynomial)
+        columns += [("+", root * root, root) for root in monomials]
+        columns += [("=", sign * zero, (place, sign * one)) for place, zero in zeros for sign in (1, -1)]
+        if degree > 1:
+            near = [fact for fact in signs + bounds if len(fact[1]) < 6][:12]
+            for (i, left), (j, right) in combinations_with_replacement(near, 2):
+                if self.names(left * right) & names and int((left * right).total_degree()) <= degree + 1:
+                    columns.append(("+", left * right, {i: 2} if i == j else {i: 1, j: 1}))
+            for place, zero in zeros:
+                if int(zero.total_degree()) < degree + 1:
+                    columns += [("=", s * zero * x, (place, s * x)) for x in gens for s in (1, -1)]
+        columns = columns[:MOST_COLUMNS]
+        maps = [dict(column[1].to_dict()) for column in columns]
+        target = dict(polynomial.to_dict())
+        if about is not None:
+            target["strict"] = flint.fmpq(1)
+            for (kind, _, how), column in zip(columns, maps, strict=True):
+                if kind == "+" and isinstance(how, dict) and all(self.theory.facts[i].relation == ">" for i in how):
+                    column["strict"] = flint.fmpq(1)
+        columns, maps = _useful(columns, maps, target)
+        if len({row for column in maps for row in column} | {*target}) > MOST_ROWS:
+            return False
+        wanted = [
+            place
+            for place, (kind, _, how) in enumerate(columns)
+            if kind == "+" and isinstance(how, dict) and all(self.theory.facts[i].relation == ">" for i in how)
+        ]
+        found = weights(maps, target, wanted)
+        if found is None:
+            return False
+        number = lcm(1, *(int(value.q) for place, value in found.items()))
+        total, cofactors = list[list[Any]](), dict[str, Any]()
+        strict = False
+        for place, weight in found.items():
+            kind, _, how = columns[place]
+            if kind == "=":
+                zero, part = how
+                cofactors[str(zero)] = cofactors.get(str(zero), one * 0) + part * weight * number
+            elif isinstance(how, dict):
+                total.append([str(int(weight * number)), "1", {str(i): n for i, n in how.items()}])
+                strict |= place in wanted
+            else:
+                total.append([str(int(weight * number)), self.text(how), {}])
+        return self.step(
+            "sign",
+            polynomial=self.text(polynomial),
+            relation=">" if strict else ">=",
+            scale=number,
+            multiplier={},
+            sum=total,
+            cofactors={place: self.text(part) for place, part in cofactors.items() if part != 0},
+        )
+
+    def _roots(self, polynomial: Any) -> list[Any]:
+        """Return polynomials whose squares may add up to a polynomial: roots of monomials, and their differences."""
+        even = [
+            self.context.from_dict({tuple(int(n) // 2 for n in powers): 1})
+            for powers in polynomial.to_dict()
+            if all(int(n) % 2 == 0 for n in powers) and any(powers)
+        ][:6]
+        gens = [self.context.gens()[place] for place in sorted(self.names(polynomial))][:4]
+        even += [gen for gen in gens if gen not in even]
+        one = self.context.constant(1)
+        mixed = [a + sign * b for k, a in enumerate(even) for b in [*even[:k], one] for sign in (1, -1)]
+        mixed += [2 * a + sign * b for a in even[:3] for b in [*even[:3], one] if a != b for sign in (1, -1)]
+        return even + mixed[:40]
+
+
+def _useful(columns: list[Any], maps: list[Any], target: Any) -> tuple[list[Any], list[Any]]:
+    """Drop columns with a monomial that no other column and not the target has."""
+    while True:
+        uses: dict[Any, int] = {}
+        for column in maps:
+            for row in column:
+                uses[row] = uses.get(row, 0) + 1
+        kept = [k for k, column in enumerate(maps) if all(uses[row] > 1 or row in target for row in column)]
+        if len(kept) == len(maps):
+            return columns, maps
+        columns, maps = [columns[k] for k in kept], [maps[k] for k in kept]
+
+
+def rational_gcd(values: Iterable[Fraction]) -> Fraction:
+    """Return the largest number of which some are multiples.
+
+    Examples
+    --------
+    >>> rational_gcd([Fraction(1, 2), Fraction(1, 3)])
+    Fraction(1, 6)
+    """
+    listed = [*values]
+    below = lcm(*(value.denominator for value in listed))
+    return Fraction(gcd(*(int(value * below) for value in listed)), below)

@@ -17,16 +17,21 @@ from algebroproj_sym.proving.combination import System
 from algebroproj_sym.proving.consequences import Case, End, flattened
 from algebroproj_sym.proving.elimination import Elimination
 from algebroproj_sym.proving.polynomials import EffortExceededError, content_of
+from algebroproj_sym.proving.reals.rewriting import reduced_by, rules
+from algebroproj_sym.proving.reals.samples import Sample
 from algebroproj_sym.proving.reals.simplex import weights
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.polynomial import BITS, Polynomial
 from algebroproj_sym.replaying.reals.laws import apply
+from algebroproj_sym.replaying.reals.statement import assume
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
 MOST_COLUMNS = 160
 MOST_ROWS = 60
 MOST_TERMS = 400
+STEPS = 600
+"""How many reductions a Groebner basis may take."""
 MASK = (1 << BITS) - 1
 
 
@@ -39,16 +44,27 @@ class Knowledge:
         What is known at the beginning.
     """
 
-    def __init__(self, theory: Theory) -> None:
+    def __init__(self, theory: Theory, samples: Sequence[Sample] = ()) -> None:
         self.theory = theory
+        self.samples = list(samples)
         self.steps: list[Mapping[str, Any]] = []
         self.wanted: list[Polynomial] = []
         self._failed: dict[Any, int] = {}
         self._systems: dict[Any, tuple[Any, Any]] = {}
 
-    def branch(self) -> Knowledge:
-        """Return the same knowledge without its steps."""
-        return Knowledge(self.theory.branch())
+    def case(self, relation: str, text: str) -> Knowledge:
+        """Return the same knowledge, without its steps, where something more is assumed."""
+        wanted = {">": 1, "=": 0, "<": -1}[relation]
+        element = self.theory.polynomial(text)
+        kept = [sample.branch() for sample in self.samples if sample.sign(self.theory, element) == wanted]
+        found = Knowledge(self.theory.branch(), kept)
+        assume(found.theory, relation, text)
+        return found
+
+    def seen(self, element: Element) -> set[int]:
+        """Return the signs of something at the samples, as far as they are known."""
+        signs = {sample.sign(self.theory, element) for sample in self.samples or [Sample({})]}
+        return {sign for sign in signs if sign is not None}
 
     def step(self, law: str, **entries: Any) -> bool:
         """Take a step; whether the law allows it."""
@@ -142,15 +158,19 @@ class Knowledge:
 
     # -- zeros
 
-    def zero(self, element: Element) -> bool:
-        """Show that something is zero; whether that was found."""
+    def zero(self, element: Element, *, quick: bool = False) -> bool:
+        """Show that something is zero, if asked by rewriting alone; whether that was found."""
         if self.theory.contradictory or self.theory.holds("=", element):
             return True
+        if self.seen(element) - {0}:
+            return False
         goal = self.into(self.theory.fact("=", element).polynomial)
         if len(goal) > MOST_TERMS:
             return False
+        if self._rewritten(goal):
+            return True
         key = ("=", self.theory.signed(element))
-        if self._failed.get(key) == len(self.theory.facts):
+        if quick or self._failed.get(key) == len(self.theory.facts):
             return False
         if self._zero(goal) or self._zero_factor(goal):
             return True
@@ -162,13 +182,17 @@ class Knowledge:
         if len(factors) < 2:
             return False
         for factor in factors:
-            if self._zero(factor):
+            if self._rewritten(factor) or self._zero(factor):
                 cofactor = divmod(goal, factor)[0]
                 place = self.theory.facts.index(self.theory.fact("=", self.back(factor)))
                 own = self.into(self.theory.facts[place].polynomial)
                 cofactor = divmod(goal, own)[0]
                 return self.follows(goal, End(1, goal**0, {place: cofactor}))
         return False
+
+    def _rewritten(self, goal: Any) -> bool:
+        reduced = reduced_by(goal, rules(self.connected(goal)))
+        return reduced is not None and reduced[0] == 0 and self.follows(goal, End(1, goal**0, reduced[1]))
 
     def _zero(self, goal: Any) -> bool:
         if self.theory.holds("=", self.back(goal)):
@@ -195,7 +219,7 @@ class Knowledge:
         try:
             if key not in self._systems:
                 known = Elimination(self.context, [*polynomials], [*range(len(zeros))], units).advanced()
-                self._systems[key] = known, System(known)
+                self._systems[key] = known, System(known, STEPS)
             known, system = self._systems[key]
             if known.is_empty is not None:
                 case, target = Case(None, known.steps, known.is_empty), goal**0
@@ -313,9 +337,12 @@ class Knowledge:
         for relation, value in ((">", element), ("<", -element), ("=", element)):
             if self.theory.holds("=" if relation == "=" else ">", value):
                 return relation
-        if self.positive(element):
+        seen = self.seen(element)
+        if seen >= {-1, 1}:
+            return None
+        if -1 not in seen and self.positive(element):
             return ">" if self.theory.holds(">", element) else ">="
-        if self.positive(-element):
+        if 1 not in seen and self.positive(-element):
             return "<" if self.theory.holds(">", -element) else "<="
         return None
 
@@ -323,6 +350,8 @@ class Knowledge:
         """Show that something is not negative, or positive where that is found; whether it is what was asked."""
         if self._is_positive(element, strict):
             return True
+        if -1 in self.seen(element):
+            return False
         key = (strict, self.theory.signed(element))
         if self._failed.get(key) == len(self.theory.facts):
             return False
@@ -338,6 +367,8 @@ class Knowledge:
     def _positive(self, polynomial: Any, element: Element, strict: bool) -> bool:
         if self.is_number(polynomial):
             return self.value(element)
+        if self._positive_reduced(polynomial) and self._is_positive(element, strict):
+            return True
         content, factors = polynomial.factor()
         if (len(factors) > 1 or factors[0][1] > 1) and self._by_factors(content, factors, polynomial):
             if self._is_positive(element, strict):
@@ -348,6 +379,39 @@ class Knowledge:
             if self.step("both", polynomial=self.text(polynomial)):
                 return self._is_positive(element, strict)
         return False
+
+    def _positive_reduced(self, polynomial: Any) -> bool:
+        """Show the sign of a polynomial from that of a shorter one, which is equal to it."""
+        reduced = reduced_by(polynomial, rules(self.connected(polynomial)))
+        if reduced is None or reduced[0] == polynomial or len(reduced[0]) > len(polynomial):
+            return False
+        rest, cofactors = reduced
+        element = self.back(rest)
+        if rest == 0:
+            return self.follows(polynomial, End(1, polynomial**0, cofactors))
+        if rest.is_constant():
+            found, powers, weight = element.numerator.terms[0] > 0, dict[str, int](), rest.leading_coefficient()
+            relation = ">"
+        else:
+            found = self.positive(element)
+            relation = ">" if self.theory.holds(">", element) else ">="
+            own = rest / content_of(rest)
+            if not found or self.theory.holds("=", element):
+                return False
+            place, _ = self._place(own, (">",) if relation == ">" else (">=",))
+            powers, weight = {str(place): 1}, content_of(rest)
+        if not found:
+            return False
+        number = lcm(1, int(weight.q), *(int(v.q) for part in cofactors.values() for v in part.coeffs()))
+        return self.step(
+            "sign",
+            polynomial=self.text(polynomial),
+            relation=relation,
+            scale=number,
+            multiplier={},
+            sum=[[str(int((weight * number).p)), "1", powers]],
+            cofactors={str(place): self.text(part * number) for place, part in cofactors.items()},
+        )
 
     def is_number(self, polynomial: Any) -> bool:
         """Whether no symbol of the statement occurs, also within applications."""
@@ -418,69 +482,95 @@ class Knowledge:
         raise LookupError("no such fact")
 
     def _combined(self, polynomial: Any, about: set[int] | None = None) -> bool:
-        """Show the sign of a polynomial as a combination of facts, their products and squares, modulo zeros."""
+        """Show the sign of a polynomial, or of its product with a positive one, as a combination of facts."""
         names = self.names(polynomial) if about is None else about
-        gens = [self.context.gens()[place] for place in sorted(names)]
-        zeros = [fact for fact in self.connected(sum(gens, polynomial * 0)) if len(fact[1]) < 12]
-        signs = [fact for fact in self.facts(">", ">=") if self.names(fact[1]) & names and len(fact[1]) < 12]
-        around = names.union(*(self.names(fact) for _, fact in signs))
-        bounds = [fact for fact in self.facts(">", ">=") if self.names(fact[1]) <= around and fact not in signs]
+        zeros = [fact for fact in self.facts("=") if self.names(fact[1]) & names and len(fact[1]) < 12]
+        around = names.union(*(self.names(zero) for _, zero in zeros))
+        zeros += [
+            fact for fact in self.facts("=")
+            if fact not in zeros and len(fact[1]) < 6 and self.names(fact[1]) <= around
+        ]
+        signs = [fact for fact in self.facts(">", ">=") if self.names(fact[1]) & around and len(fact[1]) < 12]
+        signs.sort(key=lambda fact: (not self.names(fact[1]) <= names, len(fact[1])))
+        signs = signs[:40]
+        near = names.union(*(self.names(fact) for _, fact in signs))
+        signs += [fact for fact in self.facts(">", ">=") if self.names(fact[1]) <= near and fact not in signs][:20]
+        multipliers = [(None, polynomial**0)] if about is None else [(None, self.context.constant(1))]
+        if about is None and zeros:
+            multipliers += [
+                (place, fact) for place, fact in self.facts(">")
+                if len(fact) <= 2 and self.names(fact) and self.names(fact) <= around
+            ][:4]
+        return any(self._combination(polynomial, names, zeros, signs, *m, about is not None) for m in multipliers)
+
+    def _combination(
+        self,
+        polynomial: Any,
+        names: set[int],
+        zeros: Sequence[tuple[int, Any]],
+        signs: Sequence[tuple[int, Any]],
+        multiplier: int | None,
+        factor: Any,
+        contradiction: bool,
+    ) -> bool:
+        """Show the sign of a polynomial as a combination of facts, their products and squares, modulo zeros."""
         one = self.context.constant(1)
+        goal = polynomial * factor
+        degree = 2 if contradiction else int(goal.total_degree())
         columns: list[tuple[str, Any, Any]] = [("+", one, {})]
-        columns += [("+", fact, {place: 1}) for place, fact in signs + bounds]
-        degree = int(polynomial.total_degree()) if about is None else 2
-        monomials = self._roots(polynomial)
-        columns += [("+", root * root, root) for root in monomials]
+        columns += [("+", fact, {place: 1}) for place, fact in signs]
+        columns += [("+", root * root, root) for root in self._roots(goal)]
         columns += [("=", sign * zero, (place, sign * one)) for place, zero in zeros for sign in (1, -1)]
         if degree > 1:
-            near = [fact for fact in signs + bounds if len(fact[1]) < 6][:12]
+            near = [fact for fact in signs if len(fact[1]) < 6][:12]
             for (i, left), (j, right) in combinations_with_replacement(near, 2):
-                if self.names(left * right) & names and int((left * right).total_degree()) <= degree + 1:
+                if int((left * right).total_degree()) <= degree + 1:
                     columns.append(("+", left * right, {i: 2} if i == j else {i: 1, j: 1}))
+            gens = [self.context.gens()[place] for place in sorted(names)]
             for place, zero in zeros:
                 if int(zero.total_degree()) < degree + 1:
                     columns += [("=", s * zero * x, (place, s * x)) for x in gens for s in (1, -1)]
         columns = columns[:MOST_COLUMNS]
         maps = [dict(column[1].to_dict()) for column in columns]
-        target = dict(polynomial.to_dict())
-        if about is not None:
+        target = dict(goal.to_dict())
+        if contradiction:
             target["strict"] = flint.fmpq(1)
-            for (kind, _, how), column in zip(columns, maps, strict=True):
-                if kind == "+" and isinstance(how, dict) and all(self.theory.facts[i].relation == ">" for i in how):
-                    column["strict"] = flint.fmpq(1)
+            for column, found in zip(columns, maps, strict=True):
+                if self._is_strict(column):
+                    found["strict"] = flint.fmpq(1)
         columns, maps = _useful(columns, maps, target)
-        if len({row for column in maps for row in column} | {*target}) > MOST_ROWS:
+        rows = {row for column in maps for row in column}
+        if len(rows) > MOST_ROWS or not rows >= target.keys():
             return False
-        wanted = [
-            place
-            for place, (kind, _, how) in enumerate(columns)
-            if kind == "+" and isinstance(how, dict) and all(self.theory.facts[i].relation == ">" for i in how)
-        ]
-        found = weights(maps, target, wanted)
-        if found is None:
+        wanted = [place for place, column in enumerate(columns) if self._is_strict(column)]
+        found_weights = weights(maps, target, wanted)
+        if found_weights is None:
             return False
-        number = lcm(1, *(int(value.q) for place, value in found.items()))
-        total, cofactors = list[list[Any]](), dict[str, Any]()
-        strict = False
-        for place, weight in found.items():
+        number = lcm(1, *(int(value.q) for value in found_weights.values()))
+        total, cofactors, strict = list[list[Any]](), dict[str, Any](), False
+        for place, weight in found_weights.items():
             kind, _, how = columns[place]
             if kind == "=":
                 zero, part = how
                 cofactors[str(zero)] = cofactors.get(str(zero), one * 0) + part * weight * number
-            elif isinstance(how, dict):
-                total.append([str(int(weight * number)), "1", {str(i): n for i, n in how.items()}])
-                strict |= place in wanted
-            else:
-                total.append([str(int(weight * number)), self.text(how), {}])
+                continue
+            is_fact = isinstance(how, dict)
+            powers = {str(i): n for i, n in how.items()} if is_fact else {}
+            total.append([str(int(weight * number)), "1" if is_fact else self.text(how), powers])
+            strict |= place in wanted
         return self.step(
             "sign",
             polynomial=self.text(polynomial),
             relation=">" if strict else ">=",
             scale=number,
-            multiplier={},
+            multiplier={} if multiplier is None else {str(multiplier): 1},
             sum=total,
             cofactors={place: self.text(part) for place, part in cofactors.items() if part != 0},
         )
+
+    def _is_strict(self, column: tuple[str, Any, Any]) -> bool:
+        kind, _, how = column
+        return kind == "+" and isinstance(how, dict) and all(self.theory.facts[i].relation == ">" for i in how)
 
     def _roots(self, polynomial: Any) -> list[Any]:
         """Return polynomials whose squares may add up to a polynomial: roots of monomials, and their differences."""

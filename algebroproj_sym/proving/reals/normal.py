@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from algebroproj_sym.proving.consequences import End
 from algebroproj_sym.proving.polynomials import content_of
 from algebroproj_sym.proving.reals.knowledge import Knowledge, rational_gcd
 from algebroproj_sym.replaying.field import Element
@@ -109,24 +110,34 @@ def _special(knowledge: Knowledge, count: int) -> None:
     knowledge.step("addition", target=name, parts=[[2, "pi/2"]])
     knowledge.step("addition", target=name, parts=[[count, base]])
     knowledge.value(sin)
-    for number in (cos, sin):
-        _minimal(knowledge, number, 2 * count)
+    _minimal(knowledge, cos, 2 * count)
+    _minimal(knowledge, sin, 4 * count)
 
 
 def _minimal(knowledge: Knowledge, number: Element, order: int) -> None:
-    """Show the least equation of the cosine or sine of pi/n: a factor of the polynomial of its multiples."""
-    # T_m(c) = 1 for c = cos(2*pi*k/m); sin(pi/n) = cos(pi/2 - pi/n) = cos(2*pi*(n - 2)/(4*n))
+    """Show the least equation of the cosine of pi/n, or of its sine: a factor of T_m(c) = 1, with T_m(cos t) = cos(m*t).
+
+    The other factors are not zero.  The sine is the cosine of pi/2 - pi/n.
+    """
     x = knowledge.into(number.numerator)
-    for multiple in (order, 2 * order):
-        before, chebyshev = x**0, x
-        for _ in range(multiple - 1):
-            before, chebyshev = chebyshev, 2 * x * chebyshev - before
-        for factor, _ in sorted((chebyshev - 1).factor()[1], key=lambda pair: pair[0].total_degree()):
-            element = knowledge.back(factor / content_of(factor))
-            if _is_near_zero(knowledge, element):
-                if knowledge.zero(element):
-                    return
-                break
+    before, chebyshev = x**0, x
+    for _ in range(order - 1):
+        before, chebyshev = chebyshev, 2 * x * chebyshev - before
+    whole = knowledge.back(chebyshev - 1)
+    if not knowledge.zero(whole):
+        return
+    place = knowledge.theory.facts.index(knowledge.theory.fact("=", whole))
+    others = x**0
+    for factor, multiplicity in knowledge.into(knowledge.theory.facts[place].polynomial).factor()[1]:
+        element = knowledge.back(factor)
+        if _is_near_zero(knowledge, element):
+            least, power = factor, multiplicity
+        elif knowledge.value(element) or knowledge.value(-element):
+            others = others * factor**multiplicity
+    scale = knowledge.into(knowledge.theory.facts[place].polynomial).leading_coefficient() / (
+        (others * least**power).leading_coefficient()
+    )
+    knowledge.follows(least, End(power, others * scale, {place: x**0}))
 
 
 def _is_near_zero(knowledge: Knowledge, element: Element) -> bool:
@@ -279,7 +290,7 @@ def _root(knowledge: Knowledge, name: str, radicand: Element, degree: int) -> No
         value = _rooted(knowledge, form, degree)
         if value is None or (value - root).is_zero:
             continue
-        if knowledge.zero(value**degree - radicand) and knowledge.positive(value):
+        if knowledge.zero(value**degree - root**degree) and knowledge.positive(value):
             knowledge.step("equal powers", left=name, right=knowledge.said(value), degree=degree)
             return
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import islice
 from typing import Any
 
@@ -47,20 +47,20 @@ def decided(record: Mapping[str, Any]) -> dict[str, Any]:
         if place.differs:
             return _refuted(record, statement, place)
         met.append(place)
-    found = _proved(record, statement, met[0])
+    found = _proved(record, statement, met)
     if found is not None:
         return found
     refuting = next((place for place in places(statement, ALL_TRIES, ALL) if place.differs), None)
     return _open(record, UNDECIDED) if refuting is None else _refuted(record, statement, refuting)
 
 
-def _proved(record: Mapping[str, Any], statement: Any, witness: Place) -> dict[str, Any] | None:
+def _proved(record: Mapping[str, Any], statement: Any, met: Sequence[Place]) -> dict[str, Any] | None:
     begin()
     try:
-        proof = Search(statement).proof()
+        proof = Search(statement, [place.point for place in met]).proof()
     except (EffortExceededError, NotReplayable):
         return None
-    bits = None if proof is None else bits_for(statement, witness)
+    bits = None if proof is None else bits_for(statement, met[0])
     if proof is None or bits is None:
         return None
     found = {
@@ -72,7 +72,7 @@ def _proved(record: Mapping[str, Any], statement: Any, witness: Place) -> dict[s
             "method": "real laws",
             "functions": functions_of(statement.theory()),
             "proof": proof,
-            "witness": _texts(witness),
+            "witness": _texts(met[0]),
             "bits": bits,
         },
     }

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
 from algebroproj_sym.proving.reals.constants import constant_zero
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.normal import normalised
+from algebroproj_sym.proving.reals.points import Point
+from algebroproj_sym.proving.reals.samples import Sample
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.reals import Statement
-from algebroproj_sym.replaying.reals.statement import assume
 
 DEEPEST = 4
 MOST_CASES = 40
-ROUNDS = 2
+MOST_ANGLES = 8
 
 Node = dict[str, Any]
 
@@ -22,13 +24,14 @@ Node = dict[str, Any]
 class Search:
     """A search for a proof of a statement, within a number of cases."""
 
-    def __init__(self, statement: Statement) -> None:
+    def __init__(self, statement: Statement, points: Sequence[Point] = ()) -> None:
         self.statement = statement
+        self.samples = [Sample({name: float(value) for name, value in point.items()}) for point in points]
         self.cases = 0
 
     def proof(self) -> Node | None:
         """Return a proof; None if none was found."""
-        return self._node(Knowledge(self.statement.theory()), 0, ())
+        return self._node(Knowledge(self.statement.theory(), self.samples), 0, ())
 
     def _node(self, knowledge: Knowledge, depth: int, split: tuple[str, ...]) -> Node | None:
         self.cases += 1
@@ -43,9 +46,7 @@ class Search:
             text = knowledge.text(polynomial)
             parts = []
             for relation in (">", "=", "<"):
-                branch = knowledge.branch()
-                assume(branch.theory, relation, text)
-                part = self._node(branch, depth + 1, (*split, text))
+                part = self._node(knowledge.case(relation, text), depth + 1, (*split, text))
                 if part is None:
                     break
                 parts.append({"assumed": relation, **part})
@@ -77,7 +78,7 @@ class Search:
     def _reached(self, knowledge: Knowledge) -> bool:
         left, right = (knowledge.theory.term(side) for side in (self.statement.left, self.statement.right))
         goal = left - right
-        if knowledge.zero(goal):
+        if knowledge.zero(goal, quick=True):
             return True
         normalised(knowledge)
         if knowledge.theory.contradictory or knowledge.zero(goal):
@@ -175,21 +176,21 @@ def _by_angle(knowledge: Knowledge, goal: Element) -> bool:
     theory = knowledge.theory
     if not {"asin", "atan", "atan2"} & {known.function for known in theory.applications.values()}:
         return False
-    numerator = theory.signed(goal)
-    for scale in _scales(knowledge, numerator):
+    numerator = theory.signed(goal, parity=False)
+    if len(numerator.terms) > MOST_ANGLES or knowledge.seen(goal) - {0}:
+        return False
+    pi = theory.pi
+    values = sorted({abs(value) for value in numerator.terms.values()})
+    scales = dict.fromkeys([Fraction(1), *(Fraction(1, value) for value in values), Fraction(1, 2 * values[-1])])
+    for scale in scales:
         angle = theory.field.element(numerator) * theory.number(scale)
-        if _is_zero_angle(knowledge, angle):
-            return knowledge.zero(goal)
+        half = knowledge.positive(pi - angle, True) and knowledge.positive(pi + angle, True)
+        if half or (knowledge.positive(pi + pi - angle, True) and knowledge.positive(pi + pi + angle, True)):
+            return _is_zero_angle(knowledge, angle, half) and knowledge.zero(goal)
     return False
 
 
-def _scales(knowledge: Knowledge, numerator: Any) -> list[Fraction]:
-    values = [abs(value) for value in numerator.terms.values()]
-    listed = [Fraction(1, value) for value in sorted({*values})] + [Fraction(1, 2 * min(values)), Fraction(1)]
-    return [*dict.fromkeys(listed)][:4]
-
-
-def _is_zero_angle(knowledge: Knowledge, angle: Element) -> bool:
+def _is_zero_angle(knowledge: Knowledge, angle: Element, half: bool) -> bool:
     text = knowledge.said(angle)
     if not knowledge.step("defined", term=f"sin({text})"):
         return False
@@ -198,14 +199,12 @@ def _is_zero_angle(knowledge: Knowledge, angle: Element) -> bool:
     theory = knowledge.theory
     sin, cos = theory.named("sin", angle), theory.named("cos", angle)
     assert sin is not None and cos is not None
-    pi, one = theory.pi, theory.number(1)
-    half = knowledge.positive(pi - angle, True) and knowledge.positive(pi + angle, True)
-    whole = half or (knowledge.positive(pi + pi - angle, True) and knowledge.positive(pi + pi + angle, True))
-    if not whole or not (_zero_number(knowledge, sin)):
-        return False
-    if half:
+    one = theory.number(1)
+    if half and _zero_number(knowledge, sin):
         return knowledge.step("zero of sine", angle=text)
     if not _zero_number(knowledge, cos - one):
+        if not _zero_number(knowledge, sin):
+            return False
         knowledge.zero(cos * cos - one)
         if not knowledge.positive(cos, True) or not knowledge.step(
             "equal powers", left=knowledge.theory.text(cos), right="1", degree=2

@@ -131,8 +131,8 @@ class Theory:
 
     # -- facts
 
-    def signed(self, element: Element) -> Polynomial:
-        """Return a polynomial with the sign of an element, without a positive content."""
+    def signed(self, element: Element, *, parity: bool = True) -> Polynomial:
+        """Return a polynomial with the sign of an element, or only zero where that is, without a positive content."""
         numerator, powers = element.numerator, dict(element.exponents)
         if not numerator:
             return numerator
@@ -140,13 +140,13 @@ class Theory:
             factor = self.field.factors[place]
             while powers[place] < 0 and (quotient := numerator.quotient(factor)) is not None:
                 numerator, powers[place] = quotient, powers[place] + 1
-        kept = {place: power if power > 0 else -power % 2 for place, power in powers.items() if power}
+        kept = {place: power if power > 0 else -power % 2 * parity for place, power in powers.items() if power}
         whole = numerator * self.field.powers({place: power for place, power in kept.items() if power})
         return whole.divided(abs(whole.content()))
 
     def fact(self, relation: str, element: Element) -> Fact:
         """Return a fact in its one form."""
-        polynomial = self.signed(element)
+        polynomial = self.signed(element, parity=relation in (">", ">="))
         if relation in ("=", "!=") and polynomial and polynomial.content() < 0:
             polynomial = -polynomial
         return Fact(relation, polynomial)

@@ -5,6 +5,7 @@ Each method looks for a step, takes it in the theory of the replay, which checks
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement
@@ -120,6 +121,22 @@ class Knowledge:
     def rational(self, terms: Mapping[int, int]) -> Element:
         """Return a polynomial, given by its terms, as an element."""
         return self.theory.field.element(Polynomial(dict(terms)))
+
+    def bounded(self, element: Element) -> bool:
+        """Whether something is known of the signs of what an element is made of."""
+        names = self.names(self.signed(element))
+        return any(self.names(fact) & names for _, fact in self.facts(">", ">="))
+
+    def settled(self, argument: Element) -> Element:
+        """Return an argument after rewriting, if it is shown to be the same."""
+        polynomial = self.into(argument.numerator)
+        if polynomial == 0 or argument.exponents:
+            return argument
+        reduced = reduced_by(polynomial, [rule for rule in rules(self.connected(polynomial)) if rule[1] == 1])
+        if reduced is None or reduced[0] == polynomial or len(reduced[0]) > len(polynomial):
+            return argument
+        found = self.back(reduced[0]) * self.theory.number(Fraction(1, argument.denominator))
+        return found if self.zero(argument - found) else argument
 
     def want(self, *polynomials: Any) -> None:
         """Note polynomials whose sign would help."""
@@ -531,19 +548,9 @@ class Knowledge:
                 if int(zero.total_degree()) < degree + 1:
                     columns += [("=", s * zero * x, (place, s * x)) for x in gens for s in (1, -1)]
         columns = columns[:MOST_COLUMNS]
-        maps = [dict(column[1].to_dict()) for column in columns]
-        target = dict(goal.to_dict())
-        if contradiction:
-            target["strict"] = flint.fmpq(1)
-            for column, found in zip(columns, maps, strict=True):
-                if self._is_strict(column):
-                    found["strict"] = flint.fmpq(1)
-        columns, maps = _useful(columns, maps, target)
-        rows = {row for column in maps for row in column}
-        if len(rows) > MOST_ROWS or not rows >= target.keys():
-            return False
-        wanted = [place for place, column in enumerate(columns) if self._is_strict(column)]
-        found_weights = weights(maps, target, wanted)
+        found_weights = None if contradiction else self._weights(columns, goal, strict=False)
+        if contradiction or found_weights is not None:
+            found_weights = self._weights(columns, goal, strict=True) or found_weights
         if found_weights is None:
             return False
         number = lcm(1, *(int(value.q) for value in found_weights.values()))
@@ -557,7 +564,7 @@ class Knowledge:
             is_fact = isinstance(how, dict)
             powers = {str(i): n for i, n in how.items()} if is_fact else {}
             total.append([str(int(weight * number)), "1" if is_fact else self.text(how), powers])
-            strict |= place in wanted
+            strict |= self._is_strict(columns[place])
         return self.step(
             "sign",
             polynomial=self.text(polynomial),
@@ -567,6 +574,28 @@ class Knowledge:
             sum=total,
             cofactors={place: self.text(part) for place, part in cofactors.items() if part != 0},
         )
+
+    def _weights(self, columns: list[tuple[str, Any, Any]], goal: Any, *, strict: bool) -> dict[int, Any] | None:
+        """Return weights by which columns add up to a goal, one of them strict if so asked.
+
+        The strict ones then weigh 1 together, and the goal is multiplied; by zero, if there is a contradiction.
+        """
+        maps = [dict(column[1].to_dict()) for column in columns]
+        target = dict(goal.to_dict())
+        if strict:
+            maps = [found | ({"": 1} if self._is_strict(c) else {}) for c, found in zip(columns, maps, strict=True)]
+            maps, target = [*maps, {powers: -value for powers, value in target.items()}], {"": flint.fmpq(1)}
+        kept, rows = _useful(maps, target)
+        if len(rows) > MOST_ROWS or not rows >= target.keys():
+            return None
+        found = weights([maps[place] for place in kept], target)
+        if found is None:
+            return None
+        whole = {kept[place]: weight for place, weight in found.items()}
+        if not strict:
+            return whole
+        times = whole.pop(len(columns), None)
+        return None if times is None and goal != 0 else {k: v / (times or 1) for k, v in whole.items()}
 
     def _is_strict(self, column: tuple[str, Any, Any]) -> bool:
         kind, _, how = column
@@ -587,17 +616,15 @@ class Knowledge:
         return even + mixed[:40]
 
 
-def _useful(columns: list[Any], maps: list[Any], target: Any) -> tuple[list[Any], list[Any]]:
-    """Drop columns with a monomial that no other column and not the target has."""
+def _useful(maps: list[Any], target: Any) -> tuple[list[int], set[Any]]:
+    """Return columns without a monomial that no other column and not the target has, and all their monomials."""
+    kept = [*range(len(maps))]
     while True:
-        uses: dict[Any, int] = {}
-        for column in maps:
-            for row in column:
-                uses[row] = uses.get(row, 0) + 1
-        kept = [k for k, column in enumerate(maps) if all(uses[row] > 1 or row in target for row in column)]
-        if len(kept) == len(maps):
-            return columns, maps
-        columns, maps = [columns[k] for k in kept], [maps[k] for k in kept]
+        uses = Counter(row for place in kept for row in maps[place])
+        more = [place for place in kept if all(uses[row] > 1 or row in target for row in maps[place])]
+        if len(more) == len(kept):
+            return kept, {*uses}
+        kept = more
 
 
 def rational_gcd(values: Iterable[Fraction]) -> Fraction:

@@ -151,6 +151,12 @@ def exponentials(knowledge: Knowledge) -> None:
     if not targets:
         return
     theory = knowledge.theory
+    for name, exponent in targets:
+        same = knowledge.settled(exponent)
+        if not (same - exponent).is_zero and knowledge.step("defined", term=f"exp({knowledge.said(same)})"):
+            other = next(key for key, found in _of(knowledge, "exp") if (found - same).is_zero)
+            knowledge.step("exponents", target=name, parts=[[1, other]])
+    targets = [(n, e) for n, e in _of(knowledge, "exp") if (knowledge.settled(e) - e).is_zero]
     logs = {next(iter(theory.field.symbol(name).numerator.terms)): name for name, _ in _of(knowledge, "log")}
     bases = _bases(knowledge, (exponent for _, exponent in targets))
     names: dict[Key, str] = {}

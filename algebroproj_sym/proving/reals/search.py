@@ -84,6 +84,7 @@ class Search:
         if knowledge.theory.contradictory or knowledge.zero(goal):
             return True
         _signs_decided(knowledge)
+        _unified(knowledge)
         if knowledge.zero(goal):
             return True
         return (
@@ -121,6 +122,63 @@ def _signs_decided(knowledge: Knowledge) -> None:
                 knowledge.want(*(factor for factor, _ in knowledge.signed(known.args[0]).factor()[1]))
         elif known.function in ("atan", "asin", "atan2"):
             _arc_decided(knowledge, name, symbol)
+        elif known.function == "sin":
+            _turn_decided(knowledge, symbol, known.args[0])
+
+
+def _turn_decided(knowledge: Knowledge, sin: Element, angle: Element) -> None:
+    """Give sine and cosine their signs where the range of the angle gives them."""
+    theory = knowledge.theory
+    cos, pi, two = theory.named("cos", angle), theory.pi, theory.number(2)
+    if cos is None or not knowledge.samples or not knowledge.bounded(angle):
+        return
+    if not theory.holds(">=", cos) and knowledge.positive(pi - two * angle) and knowledge.positive(pi + two * angle):
+        knowledge.step("cosine in range", angle=knowledge.said(angle))
+    if theory.holds(">=", sin):
+        return
+    if knowledge.positive(angle) and knowledge.positive(pi - angle):
+        knowledge.step("sine in range", angle=knowledge.said(angle))
+    elif knowledge.positive(-angle) and knowledge.positive(pi + angle):
+        text = knowledge.said(angle)
+        if knowledge.step("defined", term=f"sin(-({text}))"):
+            other = next(
+                key for key, known in theory.applications.items()
+                if known.function == "sin" and (known.args[0] + angle).is_zero
+            )
+            knowledge.step("addition", target=other, parts=[[-1, text]])
+            knowledge.step("sine in range", angle=f"-({text})")
+            knowledge.positive(-sin)
+
+
+def _unified(knowledge: Knowledge) -> None:
+    """Find roots, sines and cosines that are equal: those that look so, have equal squares, and are not negative."""
+    theory = knowledge.theory
+    if len(knowledge.samples) < 2:
+        return
+    found = [
+        (theory.field.symbol(name), known.degree or 2)
+        for name, known in theory.applications.items()
+        if known.function in ("sin", "cos", "root")
+    ]
+    for name, known in theory.applications.items():
+        if known.function == "atan2":
+            arc = theory.field.symbol(name)
+            sin, cos = theory.named("sin", arc), theory.named("cos", arc)
+            assert sin is not None and cos is not None
+            found.append((known.args[1] * cos + known.args[0] * sin, 2))
+    for count, (first, degree) in enumerate(found):
+        for second, other in found[:count]:
+            for left, right in ((first, second), (-first, -second), (first, -second), (-first, second)):
+                if knowledge.seen(left - right) - {0} or max(degree, other) > 2 and degree != other:
+                    continue
+                if knowledge.zero(left - right, quick=True):
+                    break
+                if knowledge.positive(left) and knowledge.positive(right):
+                    power = max(degree, other)
+                    if knowledge.zero(left**power - right**power):
+                        texts = knowledge.said(left), knowledge.said(right)
+                        knowledge.step("equal powers", left=texts[0], right=texts[1], degree=power)
+                    break
 
 
 def _arc_decided(knowledge: Knowledge, name: str, arc: Element) -> None:
@@ -194,8 +252,12 @@ def _is_zero_angle(knowledge: Knowledge, angle: Element, half: bool) -> bool:
     text = knowledge.said(angle)
     if not knowledge.step("defined", term=f"sin({text})"):
         return False
+    for monomial, value in knowledge.theory.signed(angle).terms.items():
+        if abs(value) > 1:
+            knowledge.step("defined", term=f"sin({knowledge.said(knowledge.rational({monomial: abs(value)}))})")
     normalised(knowledge)
     _signs_decided(knowledge)
+    _unified(knowledge)
     theory = knowledge.theory
     sin, cos = theory.named("sin", angle), theory.named("cos", angle)
     assert sin is not None and cos is not None

@@ -31,6 +31,10 @@ from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 MOST_COLUMNS = 160
 MOST_ROWS = 60
 MOST_TERMS = 400
+LONGER = 12
+EFFORT = 500
+"""How many linear programs and eliminations a search may take."""
+
 STEPS = 600
 """How many reductions a Groebner basis may take."""
 MASK = (1 << BITS) - 1
@@ -45,11 +49,14 @@ class Knowledge:
         What is known at the beginning.
     """
 
-    def __init__(self, theory: Theory, samples: Sequence[Sample] = ()) -> None:
+    def __init__(self, theory: Theory, samples: Sequence[Sample] = (), effort: list[int] | None = None) -> None:
         self.theory = theory
+        self.effort = [EFFORT] if effort is None else effort
         self.samples = list(samples)
         self.steps: list[Mapping[str, Any]] = []
         self.wanted: list[Polynomial] = []
+        self._made: dict[int, tuple[Polynomial, int, Any]] = {}
+        self._names: dict[int, tuple[Any, set[int]]] = {}
         self._failed: dict[Any, int] = {}
         self._systems: dict[Any, tuple[Any, Any]] = {}
 
@@ -58,7 +65,7 @@ class Knowledge:
         wanted = {">": 1, "=": 0, "<": -1}[relation]
         element = self.theory.polynomial(text)
         kept = [sample.branch() for sample in self.samples if sample.sign(self.theory, element) == wanted]
-        found = Knowledge(self.theory.branch(), kept)
+        found = Knowledge(self.theory.branch(), kept, self.effort)
         assume(found.theory, relation, text)
         return found
 
@@ -92,6 +99,14 @@ class Knowledge:
     def into(self, polynomial: Polynomial) -> Any:
         """Return a polynomial of the theory as one of FLINT."""
         size = len(self.theory.field.places) + 1
+        kept = self._made.get(id(polynomial))
+        if kept is not None and kept[0] is polynomial and kept[1] == size:
+            return kept[2]
+        found = self._into(polynomial, size)
+        self._made[id(polynomial)] = polynomial, size, found
+        return found
+
+    def _into(self, polynomial: Polynomial, size: int) -> Any:
         return self.context.from_dict(
             {
                 tuple(monomial >> BITS * place & MASK for place in range(size)): flint.fmpq(value)
@@ -132,7 +147,7 @@ class Knowledge:
         polynomial = self.into(argument.numerator)
         if polynomial == 0 or argument.exponents:
             return argument
-        reduced = reduced_by(polynomial, [rule for rule in rules(self.connected(polynomial)) if rule[1] == 1])
+        reduced = reduced_by(polynomial, [rule for rule in rules(self.connected(polynomial)) if rule.degree == 1])
         if reduced is None or reduced[0] == polynomial or len(reduced[0]) > len(polynomial):
             return argument
         found = self.back(reduced[0]) * self.theory.number(Fraction(1, argument.denominator))
@@ -154,7 +169,11 @@ class Knowledge:
 
     def names(self, polynomial: Any) -> set[int]:
         """Return the places of the variables that occur."""
-        return {place for place, degree in enumerate(polynomial.degrees()) if degree} if polynomial != 0 else set()
+        kept = self._names.get(id(polynomial))
+        if kept is None or kept[0] is not polynomial:
+            degrees = polynomial.degrees() if polynomial != 0 else ()
+            kept = self._names[id(polynomial)] = polynomial, {place for place, degree in enumerate(degrees) if degree}
+        return kept[1]
 
     def facts(self, *relations: str) -> list[tuple[int, Any]]:
         """Return facts of some relations, with their places."""
@@ -233,6 +252,7 @@ class Knowledge:
         polynomials = [zero for _, zero in zeros]
         units = self._units([goal, *polynomials])
         key = (tuple(place for place, _ in zeros), len(self.theory.field.places), tuple(map(str, units)))
+        self._spend()
         try:
             if key not in self._systems:
                 known = Elimination(self.context, [*polynomials], [*range(len(zeros))], units).advanced()
@@ -400,7 +420,7 @@ class Knowledge:
     def _positive_reduced(self, polynomial: Any) -> bool:
         """Show the sign of a polynomial from that of a shorter one, which is equal to it."""
         reduced = reduced_by(polynomial, rules(self.connected(polynomial)))
-        if reduced is None or reduced[0] == polynomial or len(reduced[0]) > len(polynomial):
+        if reduced is None or reduced[0] == polynomial or len(reduced[0]) > max(LONGER, len(polynomial)):
             return False
         rest, cofactors = reduced
         element = self.back(rest)
@@ -507,11 +527,14 @@ class Knowledge:
             fact for fact in self.facts("=")
             if fact not in zeros and len(fact[1]) < 6 and self.names(fact[1]) <= around
         ]
-        signs = [fact for fact in self.facts(">", ">=") if self.names(fact[1]) & around and len(fact[1]) < 12]
-        signs.sort(key=lambda fact: (not self.names(fact[1]) <= names, len(fact[1])))
-        signs = signs[:40]
-        near = names.union(*(self.names(fact) for _, fact in signs))
-        signs += [fact for fact in self.facts(">", ">=") if self.names(fact[1]) <= near and fact not in signs][:20]
+        facts = [fact for fact in self.facts(">", ">=") if len(fact[1]) < 12]
+        if about is None and int(polynomial.total_degree()) > 1:
+            signs = [fact for fact in facts if self.names(fact[1]) <= around]
+        else:
+            signs = [fact for fact in facts if self.names(fact[1]) & around]
+            near = names.union(*(self.names(fact) for _, fact in signs))
+            signs += [fact for fact in facts if self.names(fact[1]) <= near and fact not in signs]
+        signs = sorted(signs, key=lambda fact: (not self.names(fact[1]) <= names, len(fact[1])))[:40]
         multipliers = [(None, polynomial**0)] if about is None else [(None, self.context.constant(1))]
         if about is None and zeros:
             multipliers += [
@@ -536,7 +559,6 @@ class Knowledge:
         degree = 2 if contradiction else int(goal.total_degree())
         columns: list[tuple[str, Any, Any]] = [("+", one, {})]
         columns += [("+", fact, {place: 1}) for place, fact in signs]
-        columns += [("+", root * root, root) for root in self._roots(goal)]
         columns += [("=", sign * zero, (place, sign * one)) for place, zero in zeros for sign in (1, -1)]
         if degree > 1:
             near = [fact for fact in signs if len(fact[1]) < 6][:12]
@@ -547,6 +569,7 @@ class Knowledge:
             for place, zero in zeros:
                 if int(zero.total_degree()) < degree + 1:
                     columns += [("=", s * zero * x, (place, s * x)) for x in gens for s in (1, -1)]
+            columns += [("+", root * root, root) for root in self._roots(goal)]
         columns = columns[:MOST_COLUMNS]
         found_weights = None if contradiction else self._weights(columns, goal, strict=False)
         if contradiction or found_weights is not None:
@@ -575,6 +598,11 @@ class Knowledge:
             cofactors={place: self.text(part) for place, part in cofactors.items() if part != 0},
         )
 
+    def _spend(self) -> None:
+        self.effort[0] -= 1
+        if self.effort[0] < 0:
+            raise EffortExceededError
+
     def _weights(self, columns: list[tuple[str, Any, Any]], goal: Any, *, strict: bool) -> dict[int, Any] | None:
         """Return weights by which columns add up to a goal, one of them strict if so asked.
 
@@ -588,6 +616,7 @@ class Knowledge:
         kept, rows = _useful(maps, target)
         if len(rows) > MOST_ROWS or not rows >= target.keys():
             return None
+        self._spend()
         found = weights([maps[place] for place in kept], target)
         if found is None:
             return None

@@ -248,6 +248,8 @@ def _logarithm(knowledge: Knowledge, name: str, argument: Element) -> None:
         listed.append([1, left])
     listed += [[power, theory.number(prime)] for prime, power in primes(abs(number)) or ()]
     if len(listed) == 1 and listed[0][0] == 1 and (listed[0][1] - argument).is_zero:
+        if _is_exponential(knowledge, argument):
+            knowledge.step("logarithms", target=name, parts=[[1, knowledge.said(argument)]])
         _logarithm_of_root(knowledge, argument)
         return
     for _, part in listed:

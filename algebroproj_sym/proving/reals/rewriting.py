@@ -2,27 +2,54 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
-MOST_STEPS = 120
-LONGEST = 600
+MOST_STEPS = 80
+LONGEST = 400
 
-Rule = tuple[int, int, Any, int, Any]
-"""A variable, a degree, a zero with leading coefficient 1, the place of the fact, and its leading coefficient."""
+
+@dataclass(frozen=True)
+class Rule:
+    """A zero with leading coefficient 1 in a power of a variable, as a combination of facts by their places."""
+
+    variable: int
+    degree: int
+    zero: Any
+    combination: Mapping[int, Any]
 
 
 def rules(zeros: Iterable[tuple[int, Any]]) -> list[Rule]:
-    """Return zeros, given with their places, that give a power of a variable, each variable once."""
-    found: dict[int, Rule] = {}
+    """Return rules from zeros, given with their places: linear ones, then others, in which those have been used."""
+    linear: dict[int, Rule] = {}
+    rest = []
     for place, zero in zeros:
-        degrees = [int(degree) for degree in zero.degrees()]
-        for variable in sorted((v for v, n in enumerate(degrees) if n), key=lambda v: (degrees[v], -v)):
-            lead = _lead(zero, variable, degrees[variable])
-            if lead is not None and (variable not in found or degrees[variable] < found[variable][1]):
-                found[variable] = variable, degrees[variable], zero / lead, place, lead
-                break
+        rule = _rule(zero, {place: zero**0}, linear, 1)
+        if rule is None:
+            rest.append((place, zero))
+        else:
+            linear[rule.variable] = rule
+    found = dict(linear)
+    for place, zero in rest:
+        reduced = reduced_by(zero, [*linear.values()])
+        if reduced is None or reduced[0] == 0:
+            continue
+        combination = {place: zero**0} | {other: -part for other, part in reduced[1].items()}
+        rule = _rule(reduced[0], combination, found, LONGEST)
+        if rule is not None:
+            found[rule.variable] = rule
     return [found[variable] for variable in sorted(found, reverse=True)]
+
+
+def _rule(zero: Any, combination: Mapping[int, Any], known: Mapping[int, Rule], highest: int) -> Rule | None:
+    degrees = [int(degree) for degree in zero.degrees()]
+    for variable in sorted((v for v, n in enumerate(degrees) if n), key=lambda v: (degrees[v], -v)):
+        lead = None if degrees[variable] > highest or variable in known else _lead(zero, variable, degrees[variable])
+        if lead is not None:
+            scaled = {place: part / lead for place, part in combination.items()}
+            return Rule(variable, degrees[variable], zero / lead, scaled)
+    return None
 
 
 def _lead(zero: Any, variable: int, degree: int) -> Any:
@@ -37,28 +64,25 @@ def _lead(zero: Any, variable: int, degree: int) -> Any:
 
 
 def reduced_by(polynomial: Any, given: Sequence[Rule]) -> tuple[Any, dict[int, Any]] | None:
-    """Return what is left of a polynomial, and the cofactors, by the places of zeros, of what was subtracted."""
+    """Return what is left of a polynomial, and the cofactors, by the places of facts, of what was subtracted."""
     cofactors: dict[int, Any] = {}
-    steps = 0
-    changed = True
+    steps, changed = 0, True
     while changed:
         changed = False
-        for variable, degree, zero, place, lead in given:
-            gen = polynomial.context().gens()[variable]
-            while polynomial != 0 and int(polynomial.degrees()[variable]) >= degree:
-                top = int(polynomial.degrees()[variable])
+        for rule in given:
+            gen = polynomial.context().gens()[rule.variable]
+            while polynomial != 0 and (top := int(polynomial.degrees()[rule.variable])) >= rule.degree:
                 terms = {}
                 for powers, value in polynomial.to_dict().items():
                     listed = [*map(int, powers)]
-                    if listed[variable] == top:
-                        listed[variable] = 0
+                    if listed[rule.variable] == top:
+                        listed[rule.variable] = 0
                         terms[tuple(listed)] = value
-                quotient = polynomial.context().from_dict(terms) * gen ** (top - degree)
-                polynomial = polynomial - quotient * zero
-                cofactors[place] = cofactors.get(place, polynomial * 0) + quotient / lead
-                changed = True
-                steps += 1
+                quotient = polynomial.context().from_dict(terms) * gen ** (top - rule.degree)
+                polynomial = polynomial - quotient * rule.zero
+                for place, part in rule.combination.items():
+                    cofactors[place] = cofactors.get(place, polynomial * 0) + quotient * part
+                steps, changed = steps + 1, True
                 if steps > MOST_STEPS or len(polynomial) > LONGEST:
                     return None
     return polynomial, cofactors
-

@@ -198,19 +198,19 @@ def logarithms(theory: Theory, step: Step) -> None:
         part = theory.read(text)
         theory.require(">", part, "logarithms: a factor")
         whole = whole * part**count
-        log = theory.named("log", part)
+        log = _argument_of_exponential(theory, part) or theory.named("log", part)
         if log is None:
-            log = _argument_of_exponential(theory, part)
+            raise Rejected("the logarithm of a factor is not known to be defined")
         total = total - theory.number(count) * log
     theory.require("=", argument - whole, "logarithms: the argument minus the product")
     theory.add("=", total)
 
 
-def _argument_of_exponential(theory: Theory, part: Element) -> Element:
+def _argument_of_exponential(theory: Theory, part: Element) -> Element | None:
     for name, known in theory.applications.items():
         if known.function == "exp" and (theory.field.symbol(name) - part).is_zero:
             return known.args[0]
-    raise Rejected("the logarithm of a factor is not known to be defined")
+    return None
 
 
 def equal_powers(theory: Theory, step: Step) -> None:

@@ -18,7 +18,7 @@ from algebroproj_sym.proving.combination import System
 from algebroproj_sym.proving.consequences import Case, End, flattened
 from algebroproj_sym.proving.elimination import Elimination
 from algebroproj_sym.proving.polynomials import EffortExceededError, content_of
-from algebroproj_sym.proving.reals.rewriting import reduced_by, rules
+from algebroproj_sym.proving.reals.rewriting import Rule, reduced_by, rules
 from algebroproj_sym.proving.reals.samples import Sample
 from algebroproj_sym.proving.reals.simplex import weights
 from algebroproj_sym.replaying.field import Element
@@ -57,6 +57,7 @@ class Knowledge:
         self.wanted: list[Polynomial] = []
         self._made: dict[int, tuple[Polynomial, int, Any]] = {}
         self._names: dict[int, tuple[Any, set[int]]] = {}
+        self._rules: dict[Any, list[Rule]] = {}
         self._failed: dict[Any, int] = {}
         self._systems: dict[Any, tuple[Any, Any]] = {}
 
@@ -147,7 +148,7 @@ class Knowledge:
         polynomial = self.into(argument.numerator)
         if polynomial == 0 or argument.exponents:
             return argument
-        reduced = reduced_by(polynomial, [rule for rule in rules(self.connected(polynomial)) if rule.degree == 1])
+        reduced = reduced_by(polynomial, [rule for rule in self.rules(polynomial) if rule.degree == 1])
         if reduced is None or reduced[0] == polynomial or len(reduced[0]) > len(polynomial):
             return argument
         found = self.back(reduced[0]) * self.theory.number(Fraction(1, argument.denominator))
@@ -192,6 +193,14 @@ class Knowledge:
             names = names.union(*(self.names(zero) for _, zero in more))
         return sorted(found, key=lambda fact: fact[0])
 
+    def rules(self, polynomial: Any) -> list[Rule]:
+        """Return the rules that zeros connected with a polynomial give."""
+        zeros = self.connected(polynomial)
+        key = (tuple(place for place, _ in zeros), len(self.theory.field.places))
+        if key not in self._rules:
+            self._rules[key] = rules(zeros)
+        return self._rules[key]
+
     # -- zeros
 
     def zero(self, element: Element, *, quick: bool = False) -> bool:
@@ -227,7 +236,7 @@ class Knowledge:
         return False
 
     def _rewritten(self, goal: Any) -> bool:
-        reduced = reduced_by(goal, rules(self.connected(goal)))
+        reduced = reduced_by(goal, self.rules(goal))
         return reduced is not None and reduced[0] == 0 and self.follows(goal, End(1, goal**0, reduced[1]))
 
     def _zero(self, goal: Any) -> bool:
@@ -419,7 +428,7 @@ class Knowledge:
 
     def _positive_reduced(self, polynomial: Any) -> bool:
         """Show the sign of a polynomial from that of a shorter one, which is equal to it."""
-        reduced = reduced_by(polynomial, rules(self.connected(polynomial)))
+        reduced = reduced_by(polynomial, self.rules(polynomial))
         if reduced is None or reduced[0] == polynomial or len(reduced[0]) > max(LONGER, len(polynomial)):
             return False
         rest, cofactors = reduced
@@ -559,7 +568,7 @@ class Knowledge:
         degree = 2 if contradiction else int(goal.total_degree())
         columns: list[tuple[str, Any, Any]] = [("+", one, {})]
         columns += [("+", fact, {place: 1}) for place, fact in signs]
-        columns += [("=", sign * zero, (place, sign * one)) for place, zero in zeros for sign in (1, -1)]
+        columns += [("=", sign * zero, (place, sign * one, sign)) for place, zero in zeros for sign in (1, -1)]
         if degree > 1:
             near = [fact for fact in signs if len(fact[1]) < 6][:12]
             for (i, left), (j, right) in combinations_with_replacement(near, 2):
@@ -568,7 +577,7 @@ class Knowledge:
             gens = [self.context.gens()[place] for place in sorted(names)]
             for place, zero in zeros:
                 if int(zero.total_degree()) < degree + 1:
-                    columns += [("=", s * zero * x, (place, s * x)) for x in gens for s in (1, -1)]
+                    columns += [("=", s * zero * x, (place, s * x, s)) for x in gens for s in (1, -1)]
             columns += [("+", root * root, root) for root in self._roots(goal)]
         columns = columns[:MOST_COLUMNS]
         found_weights = None if contradiction else self._weights(columns, goal, strict=False)
@@ -581,7 +590,7 @@ class Knowledge:
         for place, weight in found_weights.items():
             kind, _, how = columns[place]
             if kind == "=":
-                zero, part = how
+                zero, part, _ = how
                 cofactors[str(zero)] = cofactors.get(str(zero), one * 0) + part * weight * number
                 continue
             is_fact = isinstance(how, dict)
@@ -613,7 +622,8 @@ class Knowledge:
         if strict:
             maps = [found | ({"": 1} if self._is_strict(c) else {}) for c, found in zip(columns, maps, strict=True)]
             maps, target = [*maps, {powers: -value for powers, value in target.items()}], {"": flint.fmpq(1)}
-        kept, rows = _useful(maps, target)
+        doubles = {place for place, (kind, _, how) in enumerate(columns) if kind == "=" and how[2] < 0}
+        kept, rows = _useful(maps, target, doubles)
         if len(rows) > MOST_ROWS or not rows >= target.keys():
             return None
         self._spend()
@@ -645,11 +655,14 @@ class Knowledge:
         return even + mixed[:40]
 
 
-def _useful(maps: list[Any], target: Any) -> tuple[list[int], set[Any]]:
-    """Return columns without a monomial that no other column and not the target has, and all their monomials."""
+def _useful(maps: list[Any], target: Any, doubles: set[int]) -> tuple[list[int], set[Any]]:
+    """Return columns without a monomial that no other column and not the target has, and all their monomials.
+
+    Doubles are the negatives of other columns.
+    """
     kept = [*range(len(maps))]
     while True:
-        uses = Counter(row for place in kept for row in maps[place])
+        uses = Counter(row for place in kept if place not in doubles for row in maps[place])
         more = [place for place in kept if all(uses[row] > 1 or row in target for row in maps[place])]
         if len(more) == len(kept):
             return kept, {*uses}

@@ -75,7 +75,8 @@ def angles(knowledge: Knowledge) -> None:
     bases = _bases(knowledge, (angle for _, angle in targets))
     turn = None if "pi" not in theory.alive else (theory.pi.numerator.terms.copy().popitem()[0], ())
     if turn in bases:
-        bases[turn] = rational_gcd([bases[turn], Fraction(1, 2)])
+        half = (2 * bases[turn]).denominator == 1
+        bases[turn] = Fraction(1, 2) if half else Fraction(1, bases[turn].denominator)
     parts = {key: _element(knowledge, key, base) for key, base in bases.items()}
     for key, part in parts.items():
         if key != turn or bases[key] != Fraction(1, 2):

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-MOST_STEPS = 80
-LONGEST = 400
+MOST_STEPS = 60
+LONGEST = 200
 
 
 @dataclass(frozen=True)
@@ -31,6 +31,7 @@ def rules(zeros: Iterable[tuple[int, Any]]) -> list[Rule]:
         else:
             linear[rule.variable] = rule
     found = dict(linear)
+    rest.sort(key=lambda fact: (sum(map(bool, fact[1].degrees())), int(fact[1].total_degree())))
     for place, zero in rest:
         reduced = reduced_by(zero, [*linear.values()])
         if reduced is None or reduced[0] == 0:

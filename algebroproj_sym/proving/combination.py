@@ -41,7 +41,9 @@ class System:
     @cached_property
     def basis(self) -> GroebnerBasis | None:
         """The Groebner basis of what is left; None if there is nothing, or it takes too long."""
-        found: GroebnerBasis | None = _attempted(lambda: GroebnerBasis(self.members, self._steps)) if self.members else None
+        found: GroebnerBasis | None = (
+            _attempted(lambda: GroebnerBasis(self.members, self._steps)) if self.members else None
+        )
         return found
 
     @cached_property

@@ -24,7 +24,7 @@ def constant_zero(knowledge: Knowledge, element: Element) -> bool:
     if _is_apart(knowledge, knowledge.back(goal)):
         return False
     given = rules((place, zero) for place, zero in knowledge.facts("=") if knowledge.is_number(zero))
-    powers = [(goal**0, {})]
+    powers: list[tuple[Any, dict[int, Any]]] = [(goal**0, {})]
     reduced = reduced_by(goal, given)
     if reduced is None:
         return False

@@ -275,12 +275,12 @@ class Knowledge:
                 if end is None:
                     return None
                 case = Case(None, [*known.steps, *asked.steps], end)
-            case = flattened(case, target, len(zeros))
+            short = flattened(case, target, len(zeros))
         except EffortExceededError:
             return None
-        if case is None or not isinstance(case.rest, End):
+        if short is None or not isinstance(short.rest, End):
             return None
-        end = case.rest
+        end = short.rest
         return End(end.exponent, end.multiplier, {zeros[place][0]: part for place, part in end.cofactors.items()})
 
     def follows(self, goal: Any, end: End) -> bool:
@@ -314,17 +314,11 @@ class Knowledge:
             content *= content_of(factor) ** power
             if not self.unit(own):
                 return None
-            place = next(
-                (
-                    place
-                    for place, fact in enumerate(self.theory.facts)
-                    if fact.relation in (">", "!=") and self.into(fact.polynomial) in (own, -own)
-                ),
-                None,
-            )
-            if place is None:
+            try:
+                place, is_negative = self._place(own, (">", "!="))
+            except LookupError:
                 return None
-            if self.into(self.theory.facts[place].polynomial) == -own and power % 2:
+            if is_negative and power % 2:
                 content = -content
             powers[str(place)] = power
         return content, powers
@@ -467,8 +461,11 @@ class Knowledge:
     def _is_constant(self, name: str) -> bool:
         if name not in self.theory.applications:
             return name == "pi"
-        return all(self.is_number(self.into(polynomial)) for arg in self.theory.applications[name].args
-                   for polynomial in (arg.numerator, *(self.theory.field.factors[p] for p in arg.exponents)))
+        return all(
+            self.is_number(self.into(polynomial))
+            for arg in self.theory.applications[name].args
+            for polynomial in (arg.numerator, *(self.theory.field.factors[p] for p in arg.exponents))
+        )
 
     def value(self, element: Element) -> bool:
         """Show that a number is positive."""
@@ -499,14 +496,16 @@ class Knowledge:
         if flips % 2:
             return False
         product = root**2
-        for place, power in powers.items():
-            product = product * self.into(self.theory.facts[int(place)].polynomial) ** power
+        for name, power in powers.items():
+            product = product * self.into(self.theory.facts[int(name)].polynomial) ** power
         ratio = abs(content_of(product) / content_of(whole))
         weight = 1 / ratio
         number = int(weight.q)
-        relation = ">" if root.is_constant() and all(
-            self.theory.facts[int(place)].relation != ">=" for place in powers
-        ) else ">="
+        relation = (
+            ">"
+            if root.is_constant() and all(self.theory.facts[int(place)].relation != ">=" for place in powers)
+            else ">="
+        )
         return self.step(
             "sign",
             polynomial=self.text(whole),
@@ -533,8 +532,7 @@ class Knowledge:
         zeros = [fact for fact in self.facts("=") if self.names(fact[1]) & names and len(fact[1]) < 12]
         around = names.union(*(self.names(zero) for _, zero in zeros))
         zeros += [
-            fact for fact in self.facts("=")
-            if fact not in zeros and len(fact[1]) < 6 and self.names(fact[1]) <= around
+            fact for fact in self.facts("=") if fact not in zeros and len(fact[1]) < 6 and self.names(fact[1]) <= around
         ]
         facts = [fact for fact in self.facts(">", ">=") if len(fact[1]) < 12]
         if about is None and int(polynomial.total_degree()) > 1:
@@ -544,10 +542,11 @@ class Knowledge:
             near = names.union(*(self.names(fact) for _, fact in signs))
             signs += [fact for fact in facts if self.names(fact[1]) <= near and fact not in signs]
         signs = sorted(signs, key=lambda fact: (not self.names(fact[1]) <= names, len(fact[1])))[:40]
-        multipliers = [(None, polynomial**0)] if about is None else [(None, self.context.constant(1))]
+        multipliers: list[tuple[int | None, Any]] = [(None, self.context.constant(1))]
         if about is None and zeros:
             multipliers += [
-                (place, fact) for place, fact in self.facts(">")
+                (place, fact)
+                for place, fact in self.facts(">")
                 if len(fact) <= 2 and self.names(fact) and self.names(fact) <= around
             ][:4]
         return any(self._combination(polynomial, names, zeros, signs, *m, about is not None) for m in multipliers)

@@ -40,16 +40,12 @@ def _monomials(knowledge: Knowledge, element: Element) -> dict[Key, Fraction]:
             numerator, powers[place] = quotient, powers[place] + 1
     numerator = numerator * knowledge.theory.field.powers({place: n for place, n in powers.items() if n > 0})
     below = tuple(sorted((place, n) for place, n in powers.items() if n < 0))
-    return {
-        (monomial, below): Fraction(value, element.denominator) for monomial, value in numerator.terms.items()
-    }
+    return {(monomial, below): Fraction(value, element.denominator) for monomial, value in numerator.terms.items()}
 
 
 def _element(knowledge: Knowledge, key: Key, value: Fraction) -> Element:
     monomial, below = key
-    return Element(
-        knowledge.theory.field, Polynomial({monomial: value.numerator}), dict(below), value.denominator
-    )
+    return Element(knowledge.theory.field, Polynomial({monomial: value.numerator}), dict(below), value.denominator)
 
 
 def _of(knowledge: Knowledge, function: str) -> list[tuple[str, Element]]:
@@ -177,8 +173,10 @@ def exponentials(knowledge: Knowledge) -> None:
                     knowledge.step("exponents", target=log, parts=[[int(1 / base), names[key]]])
     for name, exponent in targets:
         counts = {key: value / bases[key] for key, value in _monomials(knowledge, exponent).items()}
-        if max(map(abs, counts.values()), default=0) <= MOST_MULTIPLES and [*counts.values()] != [1] or any(
-            theory.applications[names[key]].function == "log" for key in counts
+        if (
+            (max(map(abs, counts.values()), default=0) <= MOST_MULTIPLES
+            and [*counts.values()] != [1])
+            or any(theory.applications[names[key]].function == "log" for key in counts)
         ):
             knowledge.step("exponents", target=name, parts=[[int(n), names[key]] for key, n in counts.items()])
 
@@ -243,7 +241,7 @@ def _logarithm(knowledge: Knowledge, name: str, argument: Element) -> None:
         listed.append([power, element])
     if negative and left is not None:
         left, negative = -left, False
-    if negative or (left is not None and (not listed and abs(number) == 1 or not knowledge.positive(left, True))):
+    if negative or (left is not None and ((not listed and abs(number) == 1) or not knowledge.positive(left, True))):
         return
     if left is not None:
         listed.append([1, left])
@@ -260,9 +258,7 @@ def _logarithm(knowledge: Knowledge, name: str, argument: Element) -> None:
 
 
 def _is_exponential(knowledge: Knowledge, part: Element) -> bool:
-    return any(
-        (knowledge.theory.field.symbol(name) - part).is_zero for name, _ in _of(knowledge, "exp")
-    )
+    return any((knowledge.theory.field.symbol(name) - part).is_zero for name, _ in _of(knowledge, "exp"))
 
 
 def _logarithm_of_root(knowledge: Knowledge, part: Element) -> None:
@@ -270,7 +266,9 @@ def _logarithm_of_root(knowledge: Knowledge, part: Element) -> None:
     for name, known in [*theory.applications.items()]:
         if known.function == "root" and (theory.field.symbol(name) - part).is_zero:
             radicand = known.args[0]
-            if knowledge.positive(radicand, True) and knowledge.step("defined", term=f"log({knowledge.said(radicand)})"):
+            if knowledge.positive(radicand, True) and knowledge.step(
+                "defined", term=f"log({knowledge.said(radicand)})"
+            ):
                 target = next(n for n, argument in _of(knowledge, "log") if (argument - radicand).is_zero)
                 knowledge.step("logarithms", target=target, parts=[[known.degree, knowledge.said(part)]])
 

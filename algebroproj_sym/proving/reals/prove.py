@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from itertools import islice
 from typing import Any
 
+import sympy
+
+from algebroproj_sym.expressions import symbols_of
 from algebroproj_sym.proving.polynomials import EffortExceededError
-from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, places
+from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places
+from algebroproj_sym.proving.reals.reading import assumed_of, condition_of, term_of, zero_of
 from algebroproj_sym.proving.reals.search import Search
 from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.statement import functions_of, statement_of
+from algebroproj_sym.replaying.reals.terms import written
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
 FIRST_TRIES = 60
@@ -22,8 +29,42 @@ NOWHERE = "no point was found at which both sides are defined and real and the a
 UNDECIDED = "no proof was found, and no rational point at which the sides differ"
 
 
-def decided(record: Mapping[str, Any]) -> dict[str, Any]:
+def proof_of(
+    lhs: Any,
+    rhs: Any,
+    constraints: Sequence[Any],
+    nonzero: Sequence[Any],
+    assumptions: Sequence[Any],
+    witness: Mapping[Any, Any] | None = None,
+) -> Proof:
+    """Decide a statement that is given as text or SymPy expressions."""
+    given = [value for value in (lhs, rhs, *constraints, *nonzero) if isinstance(value, sympy.Expr)]
+    related = [side for value in assumptions if isinstance(value, sympy.Rel) for side in (value.lhs, value.rhs)]
+    conditions = [condition_of(value, f"assumptions[{place}]") for place, value in enumerate(assumptions)]
+    record = {
+        "lhs": written(term_of(lhs, "lhs")),
+        "rhs": written(term_of(rhs, "rhs")),
+        "relation": "=",
+        "assumptions": [*conditions, *assumed_of(symbols_of([*given, *related]))],
+        "constraints": [zero_of(value, f"constraints[{place}]") for place, value in enumerate(constraints)],
+        "nonzero": [written(term_of(value, f"nonzero[{place}]")) for place, value in enumerate(nonzero)],
+    }
+    found = decided(record, {str(key): Fraction(str(value)) for key, value in (witness or {}).items()})
+    point = found["counterexample"]
+    return Proof(
+        verdict=found["verdict"],
+        hypotheses=tuple(found["hypotheses"]),
+        certificate=found["certificate"],
+        counterexample=None if point is None else {sympy.Symbol(name): Fraction(point[name]) for name in point},
+        engine="flint",
+        assumptions=tuple(record["assumptions"]),
+    )
+
+
+def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = None) -> dict[str, Any]:
     """Return a statement, as the replay has it, with its verdict and evidence.
+
+    A witness is a point at which both sides are defined and the conditions hold, where no search would find one.
 
     Examples
     --------
@@ -36,17 +77,17 @@ def decided(record: Mapping[str, Any]) -> dict[str, Any]:
     """
     statement = statement_of(record)
     met = list[Place]()
-    for place in islice(places(statement, FIRST_TRIES), ENOUGH):
+    own = judged(statement, witness, ALL) if witness and witness.keys() == statement.symbols() else None
+    for place in (*([own] if own else []), *islice(places(statement, FIRST_TRIES), ENOUGH)):
         if place.differs:
             return _refuted(record, statement, place)
         met.append(place)
     if not met:
-        place = next(places(statement, ALL_TRIES, ALL), None)
-        if place is None:
+        met += islice(places(statement, ALL_TRIES, ALL), 1)
+        if not met:
             return _open(record, NOWHERE)
-        if place.differs:
-            return _refuted(record, statement, place)
-        met.append(place)
+        if met[0].differs:
+            return _refuted(record, statement, met[0])
     found = _proved(record, statement, met)
     if found is not None:
         return found

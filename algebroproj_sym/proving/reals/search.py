@@ -70,8 +70,9 @@ class Search:
         free = [
             (text, polynomial)
             for text, polynomial in found.items()
-            if text not in split and not polynomial.is_constant() and knowledge.sign(knowledge.back(polynomial)) in (
-                None, ">=", "<=")
+            if text not in split
+            and not polynomial.is_constant()
+            and knowledge.sign(knowledge.back(polynomial)) in (None, ">=", "<=")
         ]
         return [polynomial for _, polynomial in sorted(free, key=lambda pair: (len(pair[0]), pair[0]))]
 
@@ -142,7 +143,8 @@ def _turn_decided(knowledge: Knowledge, sin: Element, angle: Element) -> None:
         text = knowledge.said(angle)
         if knowledge.step("defined", term=f"sin(-({text}))"):
             other = next(
-                key for key, known in theory.applications.items()
+                key
+                for key, known in theory.applications.items()
                 if known.function == "sin" and (known.args[0] + angle).is_zero
             )
             knowledge.step("addition", target=other, parts=[[-1, text]])
@@ -169,7 +171,7 @@ def _unified(knowledge: Knowledge) -> None:
     for count, (first, degree) in enumerate(found):
         for second, other in found[:count]:
             for left, right in ((first, second), (-first, -second), (first, -second), (-first, second)):
-                if knowledge.seen(left - right) - {0} or max(degree, other) > 2 and degree != other:
+                if knowledge.seen(left - right) - {0} or (max(degree, other) > 2 and degree != other):
                     continue
                 if knowledge.zero(left - right, quick=True):
                     break
@@ -194,12 +196,17 @@ def _arc_decided(knowledge: Knowledge, name: str, arc: Element) -> None:
     elif sign == "<":
         if knowledge.step("defined", term=f"sin(-({text}))"):
             other = next(
-                key for key, known in knowledge.theory.applications.items()
+                key
+                for key, known in knowledge.theory.applications.items()
                 if known.function == "sin" and (known.args[0] + arc).is_zero
             )
             knowledge.step("addition", target=other, parts=[[-1, text]])
             opposite = knowledge.theory.field.symbol(other)
-            if knowledge.positive(opposite, True) and knowledge.positive(pi - arc) and knowledge.positive(pi + pi + arc):
+            if (
+                knowledge.positive(opposite, True)
+                and knowledge.positive(pi - arc)
+                and knowledge.positive(pi + pi + arc)
+            ):
                 knowledge.step("range of sine", angle=f"-({text})")
     elif sign == "=" or knowledge.zero(sin):
         if knowledge.positive(pi - arc, True) and knowledge.positive(pi + arc, True):
@@ -309,7 +316,9 @@ def _by_logarithms(knowledge: Knowledge, goal: Element) -> bool:
         return False
     target = knowledge.theory.named("log", value)
     assert target is not None
-    name = next(name for name in knowledge.theory.applications if (knowledge.theory.field.symbol(name) - target).is_zero)
+    name = next(
+        name for name in knowledge.theory.applications if (knowledge.theory.field.symbol(name) - target).is_zero
+    )
     for parts in (positive, negative):
         knowledge.step("logarithms", target=name, parts=[[n, text] for n, text in parts])
     return knowledge.zero(goal)

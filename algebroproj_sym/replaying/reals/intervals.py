@@ -152,7 +152,9 @@ class Intervals(Numbers):
         fine, given = self._finer(value, 16)
         shift = given[0].bit_length() - 1 - fine.bits
         scaled = (given[0] << -shift, given[1] << -shift) if shift < 0 else fine._narrowed(given, shift)
-        ratio = fine.over((scaled[0] - fine.unit, scaled[1] - fine.unit), (scaled[0] + fine.unit, scaled[1] + fine.unit))
+        ratio = fine.over(
+            (scaled[0] - fine.unit, scaled[1] - fine.unit), (scaled[0] + fine.unit, scaled[1] + fine.unit)
+        )
         found = fine._series(ratio, alternating=False)
         two = fine._series(fine.enclosed(Fraction(1, 3)), alternating=False)
         ends = [2 * (end + shift * other) for end, other in zip(found, two if shift >= 0 else two[::-1], strict=True)]

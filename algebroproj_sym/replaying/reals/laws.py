@@ -70,7 +70,7 @@ def defined(theory: Theory, step: Step) -> None:
 
 
 def follows(theory: Theory, step: Step) -> None:
-    """p = 0 if scale*m*p**n is a combination of zeros, m a product of what is not zero; n = 0 is a contradiction."""
+    """Zero: p = 0 if scale*m*p**n is a combination of zeros, m a product of what is not zero; n = 0 is a contradiction."""
     zero = theory.polynomial(step["zero"])
     whole = theory.number(_scale(step["scale"])) * _product(theory, step["multiplier"], UNITS)
     _same(whole * zero ** natural(step["exponent"]), _combined(theory, step["cofactors"]))
@@ -78,7 +78,7 @@ def follows(theory: Theory, step: Step) -> None:
 
 
 def sign(theory: Theory, step: Step) -> None:
-    """p >= 0 if scale*m*p is a sum of squares times what is not negative, modulo zeros, m a product of positives.
+    """Sign: p >= 0 if scale*m*p is a sum of squares times what is not negative, modulo zeros, m a product of positives.
 
     It is > 0 if one of the terms is: a number times facts that are positive, or even powers of what is not zero.
     """
@@ -88,7 +88,9 @@ def sign(theory: Theory, step: Step) -> None:
     for weight, root, powers in step["sum"]:
         require(number(weight) > 0, "a weight is not positive")
         square = theory.polynomial(root)
-        total = total + theory.number(number(weight)) * square * square * _product(theory, powers, (">", ">=", "!="), even=True)
+        total = total + theory.number(number(weight)) * square * square * _product(
+            theory, powers, (">", ">=", "!="), even=True
+        )
         is_number = square.cleared().is_constant() and not square.is_zero
         strict |= is_number and all(theory.facts[int(place)].relation != ">=" for place in powers)
     _same(whole * polynomial, total)
@@ -97,7 +99,7 @@ def sign(theory: Theory, step: Step) -> None:
 
 
 def nonzero(theory: Theory, step: Step) -> None:
-    """p != 0 if a product of what is not zero is a multiple of p, modulo zeros."""
+    """Unit: p != 0 if a product of what is not zero is a multiple of p, modulo zeros."""
     polynomial = theory.polynomial(step["polynomial"])
     whole = theory.number(_scale(step["scale"])) * _product(theory, step["multiplier"], UNITS)
     _same(whole, theory.polynomial(step["factor"]) * polynomial + _combined(theory, step["cofactors"]))
@@ -105,7 +107,7 @@ def nonzero(theory: Theory, step: Step) -> None:
 
 
 def both(theory: Theory, step: Step) -> None:
-    """p > 0 if p >= 0 and p != 0; p = 0 if p >= 0 and -p >= 0."""
+    """Both: p > 0 if p >= 0 and p != 0; p = 0 if p >= 0 and -p >= 0."""
     polynomial = theory.polynomial(step["polynomial"])
     theory.require(">=", polynomial, "both")
     if theory.holds(">=", -polynomial):
@@ -156,7 +158,7 @@ def _parts(step: Step) -> list[tuple[int, Any]]:
 
 
 def addition(theory: Theory, step: Step) -> None:
-    """sin and cos of sum(n*t) are the parts of the product of (cos t + i sin t)**n; i itself for t = pi/2."""
+    """Addition: sin and cos of sum(n*t) are the parts of the product of (cos t + i sin t)**n; i itself for t = pi/2."""
     sin, angle = _application(theory, step["target"], "sin")
     real, imaginary = theory.number(1), theory.number(0)
     for count, text in _parts(step):
@@ -175,7 +177,7 @@ def addition(theory: Theory, step: Step) -> None:
 
 
 def exponents(theory: Theory, step: Step) -> None:
-    """exp of sum(n*u) is the product of exp(u)**n; exp(log p) is p."""
+    """Products: exp of sum(n*u) is the product of exp(u)**n; exp(log p) is p."""
     target, rest = _application(theory, step["target"], "exp")
     above, below = theory.number(1), theory.number(1)
     for count, name in _parts(step):
@@ -191,7 +193,7 @@ def exponents(theory: Theory, step: Step) -> None:
 
 
 def logarithms(theory: Theory, step: Step) -> None:
-    """log of a product of p**n, each p > 0, is sum(n*log p); log(exp u) is u."""
+    """Sums: log of a product of p**n, each p > 0, is sum(n*log p); log(exp u) is u."""
     total, argument = _application(theory, step["target"], "log")
     whole = theory.number(1)
     for count, text in _parts(step):
@@ -214,7 +216,7 @@ def _argument_of_exponential(theory: Theory, part: Element) -> Element | None:
 
 
 def equal_powers(theory: Theory, step: Step) -> None:
-    """a = b if a**n = b**n and neither a nor b is negative."""
+    """Roots: a = b if a**n = b**n and neither a nor b is negative."""
     left, right = theory.read(step["left"]), theory.read(step["right"])
     theory.require(">=", left, "equal powers: the left side")
     theory.require(">=", right, "equal powers: the right side")
@@ -249,7 +251,7 @@ def full_turn(theory: Theory, step: Step) -> None:
 
 
 def sine_in_range(theory: Theory, step: Step) -> None:
-    """sin F > 0 if 0 < F < pi, and sin F >= 0 if 0 <= F <= pi."""
+    """Sine: sin F > 0 if 0 < F < pi, and sin F >= 0 if 0 <= F <= pi."""
     angle, sin, _ = _angle(theory, step)
     theory.require(">=", angle, "the angle")
     theory.require(">=", theory.pi - angle, "pi minus the angle")
@@ -257,7 +259,7 @@ def sine_in_range(theory: Theory, step: Step) -> None:
 
 
 def cosine_in_range(theory: Theory, step: Step) -> None:
-    """cos F > 0 if -pi/2 < F < pi/2, and cos F >= 0 if -pi/2 <= F <= pi/2."""
+    """Cosine: cos F > 0 if -pi/2 < F < pi/2, and cos F >= 0 if -pi/2 <= F <= pi/2."""
     angle, _, cos = _angle(theory, step)
     sides = [theory.pi - theory.number(2) * angle, theory.pi + theory.number(2) * angle]
     for side in sides:
@@ -287,7 +289,7 @@ def range_of_cosine(theory: Theory, step: Step) -> None:
 
 
 def sign_of_zero(theory: Theory, step: Step) -> None:
-    """sign(0) = 0."""
+    """Zero: sign(0) = 0."""
     target, argument = _application(theory, step["target"], "sign")
     theory.require("=", argument, "the argument of a sign")
     theory.add("=", target)

@@ -48,6 +48,21 @@ ARITY = dict.fromkeys(ONE.split(), 1) | {"atan2": 2}
 FUNCTIONS = frozenset({*ARITY, *ALIASES})
 
 
+_CALL = re.compile(rf"(?<![\w'])(?:{'|'.join(sorted(FUNCTIONS))})\s*\(")
+_POWER = re.compile(r"(?:\*\*|\^)\s*[-+]?\s*(?:\(|[^\W\d]|[0-9]*\.)")
+
+
+def has_functions(text: str) -> bool:
+    """Whether a text has a function, or a power whose exponent may be no integer.
+
+    Examples
+    --------
+    >>> [has_functions(text) for text in ("sin (x)", "x^(1/2)", "x*y^2", "f(x)")]
+    [True, True, False, False]
+    """
+    return bool(_CALL.search(text) or _POWER.search(text))
+
+
 class UnreadableError(ValueError):
     """A text is no term: where, what was expected there, and what was found."""
 

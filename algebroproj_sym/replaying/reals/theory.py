@@ -96,7 +96,8 @@ class Theory:
         """Read a polynomial in what is known to be defined."""
         form = parse_polynomial(text)
         require(not form.shape, "expected a scalar")
-        return evaluate(form, Algebra(self.variable, self.number))[0]
+        found: Element = evaluate(form, Algebra(self.variable, self.number))[0]
+        return found
 
     def text(self, element: Element) -> str:
         """Return a rational function as text."""
@@ -389,4 +390,3 @@ class Theory:
 def _constant_holds(fact: Fact) -> bool:
     value = fact.polynomial.terms.get(0, 0)
     return {"=": value == 0, "!=": value != 0, ">": value > 0, ">=": value >= 0}[fact.relation]
-

@@ -69,8 +69,8 @@ def identities(path: Path) -> tuple[Identity, ...]:
     ----------
     path : Path
         JSON: a list of objects with ``lhs`` and ``rhs`` as text, and optionally ``constraints``, ``nonzero`` and
-        ``assumptions`` (lists of text), ``name``, ``variables`` (the names that may occur), ``witness`` (name to rational number as text) and
-        ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
+        ``assumptions`` (lists of text), ``name``, ``variables`` (the names that may occur), ``witness`` (name to
+        rational number as text) and ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
 
     Raises
     ------

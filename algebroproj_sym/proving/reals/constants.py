@@ -12,6 +12,7 @@ from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.rewriting import Rule, reduced_by, rules
 from algebroproj_sym.replaying.field import Element
 
+MOST_STEPS = 600
 MOST_POWERS = 24
 
 
@@ -25,11 +26,11 @@ def constant_zero(knowledge: Knowledge, element: Element) -> bool:
         return False
     given = rules((place, zero) for place, zero in knowledge.facts("=") if knowledge.is_number(zero))
     powers: list[tuple[Any, dict[int, Any]]] = [(goal**0, {})]
-    reduced = reduced_by(goal, given)
+    reduced = reduced_by(goal, given, MOST_STEPS)
     if reduced is None:
         return False
     for count in range(1, MOST_POWERS):
-        following = reduced_by(powers[-1][0] * reduced[0], given)
+        following = reduced_by(powers[-1][0] * reduced[0], given, MOST_STEPS)
         if following is None:
             return False
         powers.append(following)
@@ -61,14 +62,14 @@ def _shown(knowledge: Knowledge, goal: Any, relation: list[Any], given: list[Rul
     rest = goal * 0
     for place in range(low, count + 1):
         rest = rest + goal ** (place - low) * relation[place]
-    short = reduced_by(rest, given)
+    short = reduced_by(rest, given, MOST_STEPS)
     if short is None or short[0] == 0:
         return False
     unit = short[0] / content_of(short[0])
     element = knowledge.back(unit)
     if not (unit.is_constant() or knowledge.value(element) or knowledge.value(-element)):
         return False
-    whole = reduced_by(goal**low * unit, given)
+    whole = reduced_by(goal**low * unit, given, MOST_STEPS)
     if whole is None or whole[0] != 0:
         return False
     return knowledge.follows(goal, End(low, unit, whole[1]))

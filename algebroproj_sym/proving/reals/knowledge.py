@@ -32,7 +32,7 @@ MOST_COLUMNS = 160
 MOST_ROWS = 60
 MOST_TERMS = 400
 LONGER = 12
-EFFORT = 500
+EFFORT = 300
 """How many linear programs and eliminations a search may take."""
 
 STEPS = 600
@@ -138,6 +138,10 @@ class Knowledge:
         """Return a polynomial, given by its terms, as an element."""
         return self.theory.field.element(Polynomial(dict(terms)))
 
+    def value_of(self, element: Element) -> float:
+        """Return about the value of a number; 0 if that is not known."""
+        return (self.samples or [Sample({})])[0].value(self.theory, element)
+
     def bounded(self, element: Element) -> bool:
         """Whether something is known of the signs of what an element is made of."""
         names = self.names(self.signed(element))
@@ -149,7 +153,7 @@ class Knowledge:
         if polynomial == 0 or argument.exponents:
             return argument
         reduced = reduced_by(polynomial, [rule for rule in self.rules(polynomial) if rule.degree == 1])
-        if reduced is None or reduced[0] == polynomial or len(reduced[0]) > len(polynomial):
+        if reduced is None or reduced[0] == polynomial or len(reduced[0]) > LONGER:
             return argument
         found = self.back(reduced[0]) * self.theory.number(Fraction(1, argument.denominator))
         return found if self.zero(argument - found) else argument

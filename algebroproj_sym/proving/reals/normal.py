@@ -13,6 +13,7 @@ from typing import Any
 from algebroproj_sym.proving.consequences import End
 from algebroproj_sym.proving.polynomials import content_of
 from algebroproj_sym.proving.reals.knowledge import Knowledge, rational_gcd
+from algebroproj_sym.proving.reals.rewriting import reduced_by
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.polynomial import Polynomial
 
@@ -20,6 +21,7 @@ Key = tuple[int, tuple[tuple[int, int], ...]]
 """A monomial, and the exponents of what it is divided by."""
 
 MOST_MULTIPLES = 40
+MOST_REWRITINGS = 600
 PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47)
 
 
@@ -108,20 +110,20 @@ def _special(knowledge: Knowledge, count: int) -> None:
     knowledge.step("addition", target=name, parts=[[count, base]])
     knowledge.value(sin)
     _minimal(knowledge, cos, 2 * count)
-    _minimal(knowledge, sin, 4 * count)
 
 
 def _minimal(knowledge: Knowledge, number: Element, order: int) -> None:
-    """Show the least equation of the cosine of pi/n, or of its sine: a factor of T_m(c) = 1, with T_m(cos t) = cos(m*t).
+    """Show the least equation of the cosine of pi/n: a factor of T_2n(c) = 1.
 
-    The other factors are not zero.  The sine is the cosine of pi/2 - pi/n.
+    T_m is the Chebyshev polynomial, with T_m(cos t) = cos(m*t).  The other factors are not zero.
     """
     x = knowledge.into(number.numerator)
     before, chebyshev = x**0, x
     for _ in range(order - 1):
         before, chebyshev = chebyshev, 2 * x * chebyshev - before
     whole = knowledge.back(chebyshev - 1)
-    if not knowledge.zero(whole):
+    reduced = reduced_by(chebyshev - 1, knowledge.rules(chebyshev), MOST_REWRITINGS)
+    if reduced is None or reduced[0] != 0 or not knowledge.follows(chebyshev - 1, End(1, x**0, reduced[1])):
         return
     place = knowledge.theory.facts.index(knowledge.theory.fact("=", whole))
     others = x**0
@@ -173,10 +175,8 @@ def exponentials(knowledge: Knowledge) -> None:
                     knowledge.step("exponents", target=log, parts=[[int(1 / base), names[key]]])
     for name, exponent in targets:
         counts = {key: value / bases[key] for key, value in _monomials(knowledge, exponent).items()}
-        if (
-            (max(map(abs, counts.values()), default=0) <= MOST_MULTIPLES
-            and [*counts.values()] != [1])
-            or any(theory.applications[names[key]].function == "log" for key in counts)
+        if (max(map(abs, counts.values()), default=0) <= MOST_MULTIPLES and [*counts.values()] != [1]) or any(
+            theory.applications[names[key]].function == "log" for key in counts
         ):
             knowledge.step("exponents", target=name, parts=[[int(n), names[key]] for key, n in counts.items()])
 
@@ -292,6 +292,8 @@ def _root(knowledge: Knowledge, name: str, radicand: Element, degree: int) -> No
     root = theory.field.symbol(name)
     if knowledge.zero(radicand):
         knowledge.zero(root)
+        return
+    if not radicand.numerator.is_constant() and knowledge.is_number(knowledge.into(radicand.numerator)):
         return
     for form in _forms(knowledge, radicand):
         value = _rooted(knowledge, form, degree)

@@ -42,9 +42,9 @@ _FOLLOWING = {
     "positive": ("nonnegative", "nonzero"),
     "negative": ("nonpositive", "nonzero"),
 }
-_HARMLESS = frozenset(
-    ["commutative", "real", "complex", "finite", "infinite", "hermitian", "extended_real", "imaginary", "zero", "extended_positive", "extended_negative", "extended_nonnegative", "extended_nonpositive", "extended_nonzero"]
-)
+_HARMLESS = frozenset({"commutative", "real", "complex", "finite", "infinite", "hermitian", "imaginary", "zero"}) | {
+    f"extended_{fact}" for fact in ("real", *_SIGNS)
+}
 
 
 def term_of(value: Any, argument: str) -> Term:

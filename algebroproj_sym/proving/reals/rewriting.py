@@ -64,7 +64,7 @@ def _lead(zero: Any, variable: int, degree: int) -> Any:
     return found
 
 
-def reduced_by(polynomial: Any, given: Sequence[Rule]) -> tuple[Any, dict[int, Any]] | None:
+def reduced_by(polynomial: Any, given: Sequence[Rule], most: int = MOST_STEPS) -> tuple[Any, dict[int, Any]] | None:
     """Return what is left of a polynomial, and the cofactors, by the places of facts, of what was subtracted."""
     cofactors: dict[int, Any] = {}
     steps, changed = 0, True
@@ -84,6 +84,6 @@ def reduced_by(polynomial: Any, given: Sequence[Rule]) -> tuple[Any, dict[int, A
                 for place, part in rule.combination.items():
                     cofactors[place] = cofactors.get(place, polynomial * 0) + quotient * part
                 steps, changed = steps + 1, True
-                if steps > MOST_STEPS or len(polynomial) > LONGEST:
+                if steps > most or len(polynomial) > LONGEST:
                     return None
     return polynomial, cofactors

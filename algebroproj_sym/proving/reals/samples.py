@@ -45,6 +45,13 @@ class Sample:
             return None
         return 0 if abs(total) <= CLOSE * max(size, 1.0) else 1 if total > 0 else -1
 
+    def value(self, theory: Theory, element: Element) -> float:
+        """Return the value of an element; 0 if it is not known."""
+        try:
+            return self._element(theory, element)
+        except (KeyError, ValueError, OverflowError, ZeroDivisionError):
+            return 0.0
+
     def _polynomial(self, theory: Theory, polynomial: Polynomial) -> tuple[float, float]:
         names = [*theory.field.places]
         total = size = 0.0

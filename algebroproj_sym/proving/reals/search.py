@@ -17,6 +17,7 @@ from algebroproj_sym.replaying.reals import Statement
 DEEPEST = 4
 MOST_CASES = 40
 MOST_ANGLES = 8
+MOST_NUMBERS = 12
 
 Node = dict[str, Any]
 
@@ -110,15 +111,11 @@ def _signs_decided(knowledge: Knowledge) -> None:
     """Give every sign function its value, every arc its range, and zero to arcs of zero."""
     for name, known in [*knowledge.theory.applications.items()]:
         theory = knowledge.theory
-        symbol, one = theory.field.symbol(name), theory.number(1)
+        symbol = theory.field.symbol(name)
         if known.function == "sign":
             sign = knowledge.sign(known.args[0])
-            if sign == "=" or (sign in (">=", "<=", None) and knowledge.zero(known.args[0])):
-                knowledge.step("sign of zero", target=name)
-            elif sign == ">":
-                knowledge.positive(symbol, True) and knowledge.zero(symbol - one)
-            elif sign == "<":
-                knowledge.positive(-symbol, True) and knowledge.zero(symbol + one)
+            if sign in (">", "<", "=") or knowledge.zero(known.args[0]):
+                knowledge.step("sign function", target=name)
             else:
                 knowledge.want(*(factor for factor, _ in knowledge.signed(known.args[0]).factor()[1]))
         elif known.function in ("atan", "asin", "atan2"):
@@ -135,6 +132,8 @@ def _turn_decided(knowledge: Knowledge, sin: Element, angle: Element) -> None:
         return
     if not theory.holds(">=", cos) and knowledge.positive(pi - two * angle) and knowledge.positive(pi + two * angle):
         knowledge.step("cosine in range", angle=knowledge.said(angle))
+    elif knowledge.positive(two * angle - pi) and knowledge.positive(pi + two * (pi - angle)):
+        _opposite(knowledge, angle)
     if theory.holds(">=", sin):
         return
     if knowledge.positive(angle) and knowledge.positive(pi - angle):
@@ -152,9 +151,26 @@ def _turn_decided(knowledge: Knowledge, sin: Element, angle: Element) -> None:
             knowledge.positive(-sin)
 
 
+def _opposite(knowledge: Knowledge, angle: Element) -> None:
+    """Find the sign of a cosine from that of half a turn less."""
+    theory = knowledge.theory
+    text = f"{knowledge.said(angle)} - pi"
+    if knowledge.step("defined", term=f"sin({text})"):
+        turned = angle - theory.pi
+        target = next(
+            name
+            for name, known in theory.applications.items()
+            if known.function == "sin" and (known.args[0] - turned).is_zero
+        )
+        knowledge.step("addition", target=target, parts=[[1, knowledge.said(angle)], [-2, "pi/2"]])
+        if knowledge.positive(theory.pi - turned - turned) and knowledge.positive(theory.pi + turned + turned):
+            knowledge.step("cosine in range", angle=text)
+
+
 def _unified(knowledge: Knowledge) -> None:
     """Find roots, sines and cosines that are equal: those that look so, have equal squares, and are not negative."""
     theory = knowledge.theory
+    _proportional(knowledge)
     if len(knowledge.samples) < 2:
         return
     found = [
@@ -166,7 +182,8 @@ def _unified(knowledge: Knowledge) -> None:
         if known.function == "atan2":
             arc = theory.field.symbol(name)
             sin, cos = theory.named("sin", arc), theory.named("cos", arc)
-            assert sin is not None and cos is not None
+            assert sin is not None
+            assert cos is not None
             found.append((known.args[1] * cos + known.args[0] * sin, 2))
     for count, (first, degree) in enumerate(found):
         for second, other in found[:count]:
@@ -181,6 +198,34 @@ def _unified(knowledge: Knowledge) -> None:
                         texts = knowledge.said(left), knowledge.said(right)
                         knowledge.step("equal powers", left=texts[0], right=texts[1], degree=power)
                     break
+
+
+def _proportional(knowledge: Knowledge) -> None:
+    """Find numbers that are rational multiples of each other."""
+    theory = knowledge.theory
+    numbers = [
+        theory.field.symbol(name)
+        for name, known in theory.applications.items()
+        if known.function in ("sin", "cos", "root")
+        and knowledge.is_number(knowledge.into(theory.variable(name).numerator))
+    ]
+    for count, first in enumerate(numbers[:MOST_NUMBERS]):
+        for second in numbers[:count]:
+            values = [knowledge.value_of(number) for number in (first, second)]
+            if not all(values):
+                continue
+            ratio = Fraction(values[0] / values[1]).limit_denominator(MOST_NUMBERS)
+            if not ratio or abs(values[0] / values[1] - float(ratio)) > 1e-9 or abs(ratio.numerator) > MOST_NUMBERS:
+                continue
+            left = first * theory.number(ratio.denominator)
+            right = second * theory.number(ratio.numerator)
+            if (
+                not knowledge.zero(left - right, quick=True)
+                and constant_zero(knowledge, left * left - right * right)
+                and knowledge.positive(left)
+                and knowledge.positive(right)
+            ):
+                knowledge.step("equal powers", left=knowledge.said(left), right=knowledge.said(right), degree=2)
 
 
 def _arc_decided(knowledge: Knowledge, name: str, arc: Element) -> None:
@@ -267,7 +312,8 @@ def _is_zero_angle(knowledge: Knowledge, angle: Element, half: bool) -> bool:
     _unified(knowledge)
     theory = knowledge.theory
     sin, cos = theory.named("sin", angle), theory.named("cos", angle)
-    assert sin is not None and cos is not None
+    assert sin is not None
+    assert cos is not None
     one = theory.number(1)
     if half and _zero_number(knowledge, sin):
         return knowledge.step("zero of sine", angle=text)

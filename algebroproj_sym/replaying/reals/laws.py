@@ -65,12 +65,15 @@ def _scale(value: Any) -> int:
 
 
 def defined(theory: Theory, step: Step) -> None:
-    """A term is defined: what its functions and divisions ask for is known."""
+    """Use a term, if what its functions and divisions ask for is known."""
     theory.read(step["term"])
 
 
 def follows(theory: Theory, step: Step) -> None:
-    """Zero: p = 0 if scale*m*p**n is a combination of zeros, m a product of what is not zero; n = 0 is a contradiction."""
+    """Conclude p = 0 if scale*m*p**n is a combination of zeros, m a product of what is not zero.
+
+    With n = 0 it is a contradiction.
+    """
     zero = theory.polynomial(step["zero"])
     whole = theory.number(_scale(step["scale"])) * _product(theory, step["multiplier"], UNITS)
     _same(whole * zero ** natural(step["exponent"]), _combined(theory, step["cofactors"]))
@@ -78,7 +81,7 @@ def follows(theory: Theory, step: Step) -> None:
 
 
 def sign(theory: Theory, step: Step) -> None:
-    """Sign: p >= 0 if scale*m*p is a sum of squares times what is not negative, modulo zeros, m a product of positives.
+    """Conclude p >= 0 if scale*m*p is a sum of squares times what is not negative, modulo zeros, m positive.
 
     It is > 0 if one of the terms is: a number times facts that are positive, or even powers of what is not zero.
     """
@@ -99,7 +102,7 @@ def sign(theory: Theory, step: Step) -> None:
 
 
 def nonzero(theory: Theory, step: Step) -> None:
-    """Unit: p != 0 if a product of what is not zero is a multiple of p, modulo zeros."""
+    """Conclude p != 0 if a product of what is not zero is a multiple of p, modulo zeros."""
     polynomial = theory.polynomial(step["polynomial"])
     whole = theory.number(_scale(step["scale"])) * _product(theory, step["multiplier"], UNITS)
     _same(whole, theory.polynomial(step["factor"]) * polynomial + _combined(theory, step["cofactors"]))
@@ -107,7 +110,7 @@ def nonzero(theory: Theory, step: Step) -> None:
 
 
 def both(theory: Theory, step: Step) -> None:
-    """Both: p > 0 if p >= 0 and p != 0; p = 0 if p >= 0 and -p >= 0."""
+    """Conclude p > 0 if p >= 0 and p != 0; p = 0 if p >= 0 and -p >= 0."""
     polynomial = theory.polynomial(step["polynomial"])
     theory.require(">=", polynomial, "both")
     if theory.holds(">=", -polynomial):
@@ -118,7 +121,7 @@ def both(theory: Theory, step: Step) -> None:
 
 
 def value(theory: Theory, step: Step) -> None:
-    """A number is positive if an enclosure of it is."""
+    """Conclude that a number is positive if an enclosure of it is."""
     polynomial = theory.polynomial(step["polynomial"])
     bits = natural(step["bits"])
     require(0 < bits <= MOST_BITS, "too many bits")
@@ -158,7 +161,7 @@ def _parts(step: Step) -> list[tuple[int, Any]]:
 
 
 def addition(theory: Theory, step: Step) -> None:
-    """Addition: sin and cos of sum(n*t) are the parts of the product of (cos t + i sin t)**n; i itself for t = pi/2."""
+    """Conclude: sin and cos of sum(n*t) are the parts of the product of (cos t + i sin t)**n; i itself for t = pi/2."""
     sin, angle = _application(theory, step["target"], "sin")
     real, imaginary = theory.number(1), theory.number(0)
     for count, text in _parts(step):
@@ -177,7 +180,7 @@ def addition(theory: Theory, step: Step) -> None:
 
 
 def exponents(theory: Theory, step: Step) -> None:
-    """Products: exp of sum(n*u) is the product of exp(u)**n; exp(log p) is p."""
+    """Conclude: exp of sum(n*u) is the product of exp(u)**n; exp(log p) is p."""
     target, rest = _application(theory, step["target"], "exp")
     above, below = theory.number(1), theory.number(1)
     for count, name in _parts(step):
@@ -193,7 +196,7 @@ def exponents(theory: Theory, step: Step) -> None:
 
 
 def logarithms(theory: Theory, step: Step) -> None:
-    """Sums: log of a product of p**n, each p > 0, is sum(n*log p); log(exp u) is u."""
+    """Conclude: log of a product of p**n, each p > 0, is sum(n*log p); log(exp u) is u."""
     total, argument = _application(theory, step["target"], "log")
     whole = theory.number(1)
     for count, text in _parts(step):
@@ -216,7 +219,7 @@ def _argument_of_exponential(theory: Theory, part: Element) -> Element | None:
 
 
 def equal_powers(theory: Theory, step: Step) -> None:
-    """Roots: a = b if a**n = b**n and neither a nor b is negative."""
+    """Conclude a = b if a**n = b**n and neither a nor b is negative."""
     left, right = theory.read(step["left"]), theory.read(step["right"])
     theory.require(">=", left, "equal powers: the left side")
     theory.require(">=", right, "equal powers: the right side")
@@ -232,7 +235,7 @@ def _angle(theory: Theory, step: Step) -> tuple[Element, Element, Element]:
 
 
 def zero_of_sine(theory: Theory, step: Step) -> None:
-    """F = 0 if sin F = 0 and -pi < F < pi."""
+    """Conclude F = 0 if sin F = 0 and -pi < F < pi."""
     angle, sin, _ = _angle(theory, step)
     theory.require("=", sin, "the sine")
     theory.require(">", theory.pi - angle, "pi minus the angle")
@@ -241,7 +244,7 @@ def zero_of_sine(theory: Theory, step: Step) -> None:
 
 
 def full_turn(theory: Theory, step: Step) -> None:
-    """F = 0 if cos F = 1 and -2*pi < F < 2*pi."""
+    """Conclude F = 0 if cos F = 1 and -2*pi < F < 2*pi."""
     angle, _, cos = _angle(theory, step)
     turn = theory.number(2) * theory.pi
     theory.require("=", cos - theory.number(1), "the cosine minus 1")
@@ -251,7 +254,7 @@ def full_turn(theory: Theory, step: Step) -> None:
 
 
 def sine_in_range(theory: Theory, step: Step) -> None:
-    """Sine: sin F > 0 if 0 < F < pi, and sin F >= 0 if 0 <= F <= pi."""
+    """Conclude sin F > 0 if 0 < F < pi, and sin F >= 0 if 0 <= F <= pi."""
     angle, sin, _ = _angle(theory, step)
     theory.require(">=", angle, "the angle")
     theory.require(">=", theory.pi - angle, "pi minus the angle")
@@ -259,7 +262,7 @@ def sine_in_range(theory: Theory, step: Step) -> None:
 
 
 def cosine_in_range(theory: Theory, step: Step) -> None:
-    """Cosine: cos F > 0 if -pi/2 < F < pi/2, and cos F >= 0 if -pi/2 <= F <= pi/2."""
+    """Conclude cos F > 0 if -pi/2 < F < pi/2, and cos F >= 0 if -pi/2 <= F <= pi/2."""
     angle, _, cos = _angle(theory, step)
     sides = [theory.pi - theory.number(2) * angle, theory.pi + theory.number(2) * angle]
     for side in sides:
@@ -268,7 +271,7 @@ def cosine_in_range(theory: Theory, step: Step) -> None:
 
 
 def range_of_sine(theory: Theory, step: Step) -> None:
-    """0 < F < pi if sin F > 0 and -pi <= F <= 2*pi."""
+    """Conclude 0 < F < pi if sin F > 0 and -pi <= F <= 2*pi."""
     angle, sin, _ = _angle(theory, step)
     theory.require(">", sin, "the sine")
     theory.require(">=", angle + theory.pi, "the angle plus pi")
@@ -278,7 +281,7 @@ def range_of_sine(theory: Theory, step: Step) -> None:
 
 
 def range_of_cosine(theory: Theory, step: Step) -> None:
-    """-pi/2 < F < pi/2 if cos F > 0 and -3*pi/2 <= F <= 3*pi/2."""
+    """Conclude -pi/2 < F < pi/2 if cos F > 0 and -3*pi/2 <= F <= 3*pi/2."""
     angle, _, cos = _angle(theory, step)
     theory.require(">", cos, "the cosine")
     double, three = theory.number(2) * angle, theory.number(3) * theory.pi
@@ -288,11 +291,14 @@ def range_of_cosine(theory: Theory, step: Step) -> None:
     theory.add(">", theory.pi + double)
 
 
-def sign_of_zero(theory: Theory, step: Step) -> None:
-    """Zero: sign(0) = 0."""
+def sign_function(theory: Theory, step: Step) -> None:
+    """Conclude sign u = 1 if u > 0, sign u = -1 if u < 0, and sign u = 0 if u = 0."""
     target, argument = _application(theory, step["target"], "sign")
-    theory.require("=", argument, "the argument of a sign")
-    theory.add("=", target)
+    for relation, side, found in ((">", argument, 1), (">", -argument, -1), ("=", argument, 0)):
+        if theory.holds(relation, side):
+            theory.add("=", target - theory.number(found))
+            return
+    raise Rejected("the sign of the argument is not known")
 
 
 LAWS: Mapping[str, tuple[Callable[[Theory, Step], None], frozenset[str]]] = {
@@ -312,5 +318,5 @@ LAWS: Mapping[str, tuple[Callable[[Theory, Step], None], frozenset[str]]] = {
     "cosine in range": (cosine_in_range, frozenset({"angle"})),
     "range of sine": (range_of_sine, frozenset({"angle"})),
     "range of cosine": (range_of_cosine, frozenset({"angle"})),
-    "sign of zero": (sign_of_zero, frozenset({"target"})),
+    "sign function": (sign_function, frozenset({"target"})),
 }

@@ -137,7 +137,7 @@ class Theory:
         numerator, powers = element.numerator, dict(element.exponents)
         if not numerator:
             return numerator
-        for place, power in powers.items():
+        for place in powers:
             factor = self.field.factors[place]
             while powers[place] < 0 and (quotient := numerator.quotient(factor)) is not None:
                 numerator, powers[place] = quotient, powers[place] + 1

@@ -32,8 +32,8 @@ MOST_COLUMNS = 160
 MOST_ROWS = 60
 MOST_TERMS = 400
 LONGER = 12
-EFFORT = 300
-"""How many linear programs and eliminations a search may take."""
+EFFORT = 700
+"""What a search may spend on rewriting, linear programs and eliminations."""
 
 STEPS = 600
 """How many reductions a Groebner basis may take."""
@@ -240,6 +240,7 @@ class Knowledge:
         return False
 
     def _rewritten(self, goal: Any) -> bool:
+        self._spend(1)
         reduced = reduced_by(goal, self.rules(goal))
         return reduced is not None and reduced[0] == 0 and self.follows(goal, End(1, goal**0, reduced[1]))
 
@@ -265,7 +266,7 @@ class Knowledge:
         polynomials = [zero for _, zero in zeros]
         units = self._units([goal, *polynomials])
         key = (tuple(place for place, _ in zeros), len(self.theory.field.places), tuple(map(str, units)))
-        self._spend()
+        self._spend(4)
         try:
             if key not in self._systems:
                 known = Elimination(self.context, [*polynomials], [*range(len(zeros))], units).advanced()
@@ -610,8 +611,8 @@ class Knowledge:
             cofactors={place: self.text(part) for place, part in cofactors.items() if part != 0},
         )
 
-    def _spend(self) -> None:
-        self.effort[0] -= 1
+    def _spend(self, effort: int) -> None:
+        self.effort[0] -= effort
         if self.effort[0] < 0:
             raise EffortExceededError
 
@@ -629,7 +630,7 @@ class Knowledge:
         kept, rows = _useful(maps, target, doubles)
         if len(rows) > MOST_ROWS or not rows >= target.keys():
             return None
-        self._spend()
+        self._spend(2)
         found = weights([maps[place] for place in kept], target)
         if found is None:
             return None

@@ -33,7 +33,7 @@ def rules(zeros: Iterable[tuple[int, Any]]) -> list[Rule]:
     found = dict(linear)
     rest.sort(key=lambda fact: (sum(map(bool, fact[1].degrees())), int(fact[1].total_degree())))
     for place, zero in rest:
-        reduced = reduced_by(zero, [*linear.values()])
+        reduced = reduced_by(zero, [*found.values()])
         if reduced is None or reduced[0] == 0:
             continue
         combination = {place: zero**0} | {other: -part for other, part in reduced[1].items()}

@@ -27,9 +27,9 @@ PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47)
 
 def normalised(knowledge: Knowledge) -> None:
     """Relate all applications that there are."""
-    angles(knowledge)
     logarithms(knowledge)
     exponentials(knowledge)
+    angles(knowledge)
     roots(knowledge)
 
 
@@ -66,7 +66,8 @@ def _bases(knowledge: Knowledge, arguments: Iterable[Element]) -> dict[Key, Frac
 
 def angles(knowledge: Knowledge) -> None:
     """Express sine and cosine of all angles by those of common parts."""
-    targets = _of(knowledge, "sin")
+    originals = dict(_of(knowledge, "sin"))
+    targets = [(name, knowledge.settled(angle)) for name, angle in originals.items()]
     if not targets:
         return
     theory = knowledge.theory
@@ -83,7 +84,9 @@ def angles(knowledge: Knowledge) -> None:
         _special(knowledge, int(1 / bases[turn]))
     for name, angle in targets:
         counts = {key: value / bases[key] for key, value in _monomials(knowledge, angle).items()}
-        if max(map(abs, counts.values()), default=0) > MOST_MULTIPLES or _is_base(counts, bases, turn):
+        if max(map(abs, counts.values()), default=0) > MOST_MULTIPLES or (
+            _is_base(counts, bases, turn) and (angle - originals[name]).is_zero
+        ):
             continue
         ordered = [[int(count), knowledge.said(parts[key])] for key, count in counts.items()]
         knowledge.step("addition", target=name, parts=ordered)

@@ -22,25 +22,25 @@ class Rule:
 
 def rules(zeros: Iterable[tuple[int, Any]]) -> list[Rule]:
     """Return rules from zeros, given with their places: linear ones, then others, in which those have been used."""
-    linear: dict[int, Rule] = {}
-    rest = []
-    for place, zero in zeros:
-        rule = _rule(zero, {place: zero**0}, linear, 1)
-        if rule is None:
-            rest.append((place, zero))
-        else:
-            linear[rule.variable] = rule
-    found = dict(linear)
+    found: dict[int, Rule] = {}
+    ordered = sorted(zeros, key=lambda fact: (len(fact[1]), fact[0]))
+    rest = [(place, zero) for place, zero in ordered if not _entered(found, place, zero, 1)]
     rest.sort(key=lambda fact: (sum(map(bool, fact[1].degrees())), int(fact[1].total_degree())))
     for place, zero in rest:
-        reduced = reduced_by(zero, [*found.values()])
-        if reduced is None or reduced[0] == 0:
-            continue
-        combination = {place: zero**0} | {other: -part for other, part in reduced[1].items()}
-        rule = _rule(reduced[0], combination, found, LONGEST)
-        if rule is not None:
-            found[rule.variable] = rule
+        _entered(found, place, zero, LONGEST)
     return [found[variable] for variable in sorted(found, reverse=True)]
+
+
+def _entered(found: dict[int, Rule], place: int, zero: Any, highest: int) -> bool:
+    """Enter the rule that a zero gives after the rules before it; whether it gives one."""
+    reduced = reduced_by(zero, [*found.values()])
+    if reduced is None or reduced[0] == 0:
+        return reduced is not None
+    combination = {place: zero**0} | {other: -part for other, part in reduced[1].items()}
+    rule = _rule(reduced[0], combination, found, highest)
+    if rule is not None:
+        found[rule.variable] = rule
+    return rule is not None
 
 
 def _rule(zero: Any, combination: Mapping[int, Any], known: Mapping[int, Rule], highest: int) -> Rule | None:

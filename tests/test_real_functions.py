@@ -1,4 +1,4 @@
-"""Statements with real functions: verdicts of a corpus, evidence that is replayed, and mutations that must be noticed."""
+"""Statements with real functions: verdicts of a corpus, evidence that is replayed, mutations that must be noticed."""
 
 import copy
 import json

@@ -82,7 +82,9 @@ CASES = [
         nonzero("x", "y", {}), nonzero("x", "x", {"0": 1}), nonzero("x - 1", "y", {"0": 1}),
     ]),
     (["x >= 0", "x != 0"], [], {"law": "both", "polynomial": "x"}, (">", "x"), [{"law": "both", "polynomial": "-x"}]),
-    (["x >= 0", "x <= 0"], [], {"law": "both", "polynomial": "x"}, ("=", "x"), [{"law": "both", "polynomial": "x + 1"}]),
+    (["x >= 0", "x <= 0"], [], {"law": "both", "polynomial": "x"}, ("=", "x"), [
+        {"law": "both", "polynomial": "x + 1"},
+    ]),
     ([], ["sqrt(2)", "x"], {"law": "value", "polynomial": "100*_1 - 141", "bits": 64}, (">", "100*_1 - 141"), [
         {"law": "value", "polynomial": "100*_1 - 142", "bits": 64}, {"law": "value", "polynomial": "x", "bits": 64},
         {"law": "value", "polynomial": "_1**2 - 2", "bits": 64},

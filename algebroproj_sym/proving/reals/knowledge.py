@@ -32,10 +32,10 @@ MOST_COLUMNS = 160
 MOST_ROWS = 60
 MOST_TERMS = 400
 LONGER = 12
-EFFORT = 500
+EFFORT = 400
 """What a search may spend on rewriting, linear programs and eliminations."""
 
-STEPS = 600
+STEPS = 400
 """How many reductions a Groebner basis may take."""
 MASK = (1 << BITS) - 1
 

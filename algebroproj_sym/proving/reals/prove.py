@@ -99,7 +99,7 @@ def _proved(record: Mapping[str, Any], statement: Any, met: Sequence[Place]) -> 
     begin()
     try:
         proof = Search(statement, [place.point for place in met]).proof()
-    except (EffortExceededError, NotReplayable):
+    except (EffortExceededError, NotReplayable, Rejected):
         return None
     bits = None if proof is None else bits_for(statement, met[0])
     if proof is None or bits is None:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 import sympy
+from sympy.core.function import AppliedUndef
 
 from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError, assumption, is_plain, over
 from algebroproj_sym.replaying.reals.statement import comparisons
@@ -112,7 +113,8 @@ def _term(node: Any, argument: str) -> Term:
         return function("exp", times(_term(node.exp, argument), function("log", base)))
     name = type(node).__name__
     name = ALIASES.get(name, name)
-    if isinstance(node, sympy.Function | sympy.Abs) and ARITY.get(name) == len(node.args):
+    is_own = isinstance(node, sympy.Function) and not isinstance(node, AppliedUndef)
+    if is_own and ARITY.get(name) == len(node.args):
         return function(name, *(_term(part, argument) for part in node.args))
     raise NotRationalError(
         f"{argument}: expected + - * /, powers and the functions {', '.join(sorted(ARITY))}, got {str(node)[:80]}"
@@ -187,7 +189,7 @@ def assumed_of(symbols: Iterable[sympy.Symbol]) -> Iterator[str]:
         facts = {fact for fact, holds in symbol.assumptions0.items() if holds}
         given = getattr(symbol, "_assumptions_orig", None) or symbol.assumptions0
         others = {fact for fact in given if fact not in _SIGNS and fact not in _HARMLESS}
-        if others or symbol.is_real is False:
+        if others or symbol.is_real is False or symbol.is_finite is False:
             raise SymbolError(
                 f"assumptions: expected symbols for real numbers of a sign, got one with more: {assumption(symbol)}"
             )

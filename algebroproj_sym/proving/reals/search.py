@@ -14,8 +14,8 @@ from algebroproj_sym.proving.reals.samples import Sample
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.reals import Statement
 
-DEEPEST = 4
-MOST_CASES = 40
+DEEPEST = 3
+MOST_CASES = 16
 MOST_ANGLES = 8
 MOST_NUMBERS = 12
 

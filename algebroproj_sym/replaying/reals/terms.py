@@ -22,6 +22,7 @@ MOST_TOKENS = 4_000
 MOST_CHARACTERS = 40_000
 MOST_DIGITS = 400
 MOST_LEVELS = 48
+MOST_FACTORS = 100
 LARGEST_EXPONENT = 100
 
 _TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]*)?|\.[0-9]+)|([^\W\d]\w*'*)|(\*\*|[-+*/^(),]))")
@@ -186,8 +187,11 @@ class _Reader:
         return parts[0] if len(parts) == 1 else plus(*parts)
 
     def product(self) -> Term:
-        found = self.sign()
+        found, count = self.sign(), 1
         while operator := self.take("*", "/"):
+            count += 1
+            if count > MOST_FACTORS:
+                raise self.wrong(f"at most {MOST_FACTORS} factors")
             found = (times if operator == "*" else over)(found, self.sign())
         return found
 

@@ -32,10 +32,10 @@ MOST_COLUMNS = 160
 MOST_ROWS = 60
 MOST_TERMS = 400
 LONGER = 12
-EFFORT = 400
+EFFORT = 900
 """What a search may spend on rewriting, linear programs and eliminations."""
 
-STEPS = 400
+STEPS = 600
 """How many reductions a Groebner basis may take."""
 MASK = (1 << BITS) - 1
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-MOST_STEPS = 40
-LONGEST = 120
+MOST_STEPS = 60
+LONGEST = 200
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.reals import Statement
 
 DEEPEST = 3
-MOST_CASES = 16
+MOST_CASES = 30
 MOST_ANGLES = 8
 MOST_NUMBERS = 12
 

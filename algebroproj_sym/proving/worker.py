@@ -195,7 +195,6 @@ def _serve(connection: Any, engine: str) -> None:
 def _decided(question: Question, engine: str) -> Outcome:
     from algebroproj_sym.expressions import ParseError
     from algebroproj_sym.proving.prove import prove
-    from algebroproj_sym.replaying.reals.terms import has_functions
 
     start = monotonic()
     try:
@@ -204,6 +203,8 @@ def _decided(question: Question, engine: str) -> Outcome:
         try:
             statement = _read(question)
         except ParseError:
+            from algebroproj_sym.replaying.reals.terms import has_functions
+
             if not any(map(has_functions, question.texts)):
                 raise
             return _real(question, start)

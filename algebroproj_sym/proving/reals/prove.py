@@ -73,7 +73,7 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
     >>> found["verdict"], found["hypotheses"]
     ('proved', [])
     >>> decided({"lhs": "sqrt(x**2)", "rhs": "x", **question})["counterexample"]
-    {'x': '-1'}
+    {'x': '-2'}
     """
     statement = statement_of(record)
     met = list[Place]()

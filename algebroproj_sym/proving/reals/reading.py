@@ -19,6 +19,7 @@ from algebroproj_sym.replaying.reals.terms import (
     UnreadableError,
     constant,
     function,
+    negative,
     plus,
     power,
     read,
@@ -62,7 +63,7 @@ def term_of(value: Any, argument: str) -> Term:
     --------
     >>> x = sympy.Symbol("x")
     >>> written(term_of(sympy.sqrt(1 - x**2) / sympy.tan(x), "lhs"))
-    '(1 + -1*x**2)**(1/2)/tan(x)'
+    '(1 - x**2)**(1/2)/tan(x)'
     """
     if isinstance(value, str):
         return _read(value, argument)
@@ -122,6 +123,11 @@ def _term(node: Any, argument: str) -> Term:
 
 
 def _product(node: sympy.Mul, argument: str) -> Term:
+    first = node.args[0]
+    if isinstance(first, sympy.Rational) and first < 0:
+        others = node.args[1:] if first == -1 else (-first, *node.args[1:])
+        rest = others[0] if len(others) == 1 else sympy.Mul(*others, evaluate=False)
+        return negative(_term(rest, argument))
     above, below = list[Term](), list[Term]()
     for part in node.args:
         if isinstance(part, sympy.Pow) and isinstance(part.exp, sympy.Integer) and part.exp < 0:

@@ -9,7 +9,7 @@ from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating import Call, Program, Step, run
 from algebroproj_sym.generating.compensation import compensated, with_sums_rounded_twice
 from algebroproj_sym.generating.expansion import expanded
-from algebroproj_sym.generating.runtime.compensated import DIGITS
+from algebroproj_sym.generating.runtime.pairs import DIGITS
 
 NAMES = [kernel.qualified_name for kernel in kernels()]
 
@@ -78,6 +78,28 @@ def test_sums_that_cannot_cancel_stay_as_they_are():
     program = Program(("x", "y"), steps, ("t6",))
     assert compensated(program) == program
     assert compensated(program, throughout=True) != program
+
+
+SQUARES = Step("a", "*", ("x", "x")), Step("b", "*", ("y", "y")), Step("c", "*", ("z", "z"))
+
+
+@pytest.mark.parametrize(
+    ("steps", "cancels"),
+    [
+        ((*SQUARES, Step("d", "+", ("a", "b")), Step("e", "+", ("d", "c"))), False),
+        ((*SQUARES, Step("d", "*", ("a", "b")), Step("e", "+", ("d", "c"))), False),
+        ((*SQUARES, Step("d", "/", ("a", "b")), Step("e", "+", ("d", "c"))), False),
+        ((*SQUARES, Step("d", "/", ("x", "x")), Step("e", "+", ("d", "c"))), True),
+        ((*SQUARES, Step("d", "-", ("a", "b")), Step("e", "+", ("d", "c"))), True),
+        ((*SQUARES, Step("d", "*", ("a", "x")), Step("e", "+", ("d", "c"))), True),
+        ((*SQUARES, Step("d", "+", ("x", "x")), Step("e", "+", ("d", "c"))), True),
+        ((*SQUARES, Step("e", "-", ("a", "c"))), True),
+    ],
+)
+def test_a_sum_cancels_unless_both_terms_are_known_not_to_be_negative(steps, cancels):
+    last = compensated(Program(("x", "y", "z"), steps, ("e",))).steps[-1]
+    assert last.name == "e"
+    assert (last.operator == "rounded") is cancels
 
 
 @pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.epipoles", "projection.project"])

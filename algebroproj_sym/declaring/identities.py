@@ -13,7 +13,7 @@ from typing import Any
 from algebroproj_sym.proving.worker import Outcome, Question
 
 EXPECTED = ("proved", "refuted", "open")
-KEYS = ("name", "lhs", "rhs", "constraints", "nonzero", "variables", "witness", "expected")
+KEYS = ("name", "lhs", "rhs", "letters", "constraints", "nonzero", "variables", "witness", "expected")
 MAX_BYTES = 20_000_000
 
 
@@ -69,7 +69,8 @@ def identities(path: Path) -> tuple[Identity, ...]:
     ----------
     path : Path
         JSON: a list of objects with ``lhs`` and ``rhs`` as text, and optionally ``constraints`` and ``nonzero`` (lists
-        of text), ``name``, ``variables`` (the names that may occur), ``witness`` (name to rational number as text) and
+        of text), ``name``, ``variables`` (the names that may occur),
+        ``letters`` (the vectors and matrices, such as ``{"R": "3x3 rotation"}``), ``witness`` (name to rational number as text) and
         ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
 
     Raises
@@ -114,6 +115,7 @@ def _identity(path: Path, place: int, item: Any) -> Identity:
         raise MalformedFileError(
             f"{where}, key 'expected': expected one of {', '.join(EXPECTED)}, got {expected!r:.80}"
         )
+    letters = _letters(where, item) if "letters" in item else None
     variables = _texts(where, "variables", item["variables"]) if "variables" in item else None
     question = Question(
         _text(where, "lhs", item["lhs"]),
@@ -122,6 +124,7 @@ def _identity(path: Path, place: int, item: Any) -> Identity:
         _texts(where, "nonzero", item.get("nonzero", [])),
         _witness(where, item["witness"]) if "witness" in item else None,
         variables,
+        letters,
     )
     return Identity(path, where, name, question, expected)
 
@@ -156,6 +159,16 @@ def _witness(where: str, value: Any) -> Mapping[str, str]:
     if not isinstance(value, dict):
         raise MalformedFileError(f"{where}, key 'witness': expected an object, got {_kind(value)}")
     return {name: _text(where, f"witness', entry '{name}", number) for name, number in value.items()}
+
+
+def _letters(where: str, item: Mapping[str, Any]) -> Mapping[str, str]:
+    for key in ("variables", "witness"):
+        if key in item:
+            raise MalformedFileError(f"{where}, key {key!r}: expected none beside the key 'letters'")
+    letters = item["letters"]
+    if not isinstance(letters, dict):
+        raise MalformedFileError(f"{where}, key 'letters': expected an object, got {_kind(letters)}")
+    return {name: _text(where, f"letters', entry '{name}", text) for name, text in letters.items()}
 
 
 def _kind(value: Any) -> str:

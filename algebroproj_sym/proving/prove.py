@@ -68,6 +68,8 @@ class Proof:
         The polynomial arithmetic that was used.
     assumptions : tuple of sympy.Symbol
         Symbols of which SymPy assumes more than that they are real: the statement is made for such numbers alone.
+    scope : str
+        For a statement in letters: what it was decided for, ``for every size`` or some sizes.
     """
 
     verdict: Decision
@@ -76,6 +78,7 @@ class Proof:
     counterexample: Mapping[sympy.Symbol, Fraction] | None
     engine: str
     assumptions: tuple[sympy.Symbol, ...] = ()
+    scope: str = ""
 
 
 def prove(

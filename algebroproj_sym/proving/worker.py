@@ -32,6 +32,8 @@ class Question:
         A point at which they hold.
     variables : tuple of str, or None
         The names that may occur; None for any.
+    letters : mapping of name to text, or None
+        The vectors and matrices among the names, such as ``3x3 rotation``.
     """
 
     lhs: str
@@ -40,6 +42,7 @@ class Question:
     nonzero: tuple[str, ...] = ()
     witness: Mapping[str, str] | None = None
     variables: tuple[str, ...] | None = None
+    letters: Mapping[str, str] | None = None
 
 
 @dataclass(frozen=True)
@@ -71,7 +74,7 @@ class Outcome:
     seconds: float
     reason: str = ""
     hypotheses: tuple[str, ...] = ()
-    counterexample: Mapping[str, str] | None = None
+    counterexample: Mapping[str, Any] | None = None
     certificate: Mapping[str, Any] | None = field(default=None, repr=False)
     unreadable: bool = False
 
@@ -188,6 +191,8 @@ def _decided(question: Question, engine: str) -> Outcome:
     from algebroproj_sym.expressions import ParseError
     from algebroproj_sym.proving.prove import prove
 
+    if question.letters is not None:
+        return _decided_in_letters(question, question.letters, engine)
     start = monotonic()
     try:
         statement = _read(question)
@@ -206,6 +211,27 @@ def _decided(question: Question, engine: str) -> Outcome:
         tuple(map(str, proof.hypotheses)),
         None if point is None else _whole(point, question),
         certificate,
+    )
+
+
+def _decided_in_letters(question: Question, letters: Mapping[str, str], engine: str) -> Outcome:
+    from algebroproj_sym.expressions.letters import LetterError
+    from algebroproj_sym.proving.letters import decide_texts
+
+    start = monotonic()
+    conditions = {"constraints": question.constraints, "nonzero": question.nonzero}
+    try:
+        found = decide_texts(question.lhs, question.rhs, letters, **conditions, engine=engine)
+    except LetterError as error:
+        return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
+    return Outcome(
+        found.verdict,
+        str(found.certificate["method"]),
+        monotonic() - start,
+        str(found.certificate.get("reason", "")),
+        found.conditions,
+        None if found.point is None else found.point.record(),
+        found.certificate,
     )
 
 

@@ -16,6 +16,7 @@ from algebroproj_sym.replaying.consequences import (
 )
 from algebroproj_sym.replaying.entry import require_seconds
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
+from algebroproj_sym.replaying.letters import require_in_letters
 from algebroproj_sym.replaying.rejection import NotReplayable, require
 from algebroproj_sym.replaying.text import parse_statement, texts
 
@@ -40,7 +41,9 @@ def require_identity(record: Mapping[str, Any]) -> None:
     NotReplayable
         If there is no evidence.
     """
-    require(record.keys() - {"seconds"} == KEYS, f"expected the entries {sorted(KEYS)}, got {sorted(record)}")
+    require(
+        record.keys() - {"seconds", "letters"} == KEYS, f"expected the entries {sorted(KEYS)}, got {sorted(record)}"
+    )
     verdict, certificate = record["verdict"], record["certificate"]
     require(verdict in ("proved", "refuted", "open", "error"), f"there is no verdict {verdict!r}")
     require(record["expected"] in (None, verdict), "the verdict is not the expected one")
@@ -51,6 +54,9 @@ def require_identity(record: Mapping[str, Any]) -> None:
         raise NotReplayable("what is not decided has no evidence")
     require(record["method"] == certificate["method"], "the method is not that of the certificate")
     require(record["reason"] is None, "what is decided needs no reason")
+    if "letters" in record:
+        require_in_letters(record)
+        return
     question = _question(record)
     if verdict == "refuted":
         _require_difference(record, question, certificate)

@@ -17,7 +17,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import over, values_of
+from algebroproj_sym.expressions import over, text, values_of
 from algebroproj_sym.expressions.letters import LetterError, Term, factors_of, letters_text
 from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
 from algebroproj_sym.proving.letters.points import example, has_properties
@@ -327,14 +327,18 @@ class _Question:
                 return self._refuted(point) if self.differs_at(point) else None
         if proof.verdict != "proved":
             return None
-        equations = [str(sympy.sympify(equation)) for equation in expansion.equations]
         certificate = {
             "method": "entries",
             "entries": expansion.texts(),
-            "equations": equations,
-            "proof": dict(proof.certificate or {}),
+            "equations": [*map(text, expansion.equations)],
+            "conditions": [*map(text, nonzero)],
+            "proof": self._whole(expansion, dict(proof.certificate or {})),
         }
         return self._proved(certificate, self._scope({}))
+
+    def _whole(self, expansion: _Expansion, proof: dict[str, Any]) -> dict[str, Any]:
+        """Return a proof with a witness that has a value also for coordinates that cancel."""
+        return proof | {"witness": dict.fromkeys(expansion.values, "1") | proof["witness"]}
 
 
 class _Expansion:

@@ -69,8 +69,9 @@ def identities(path: Path) -> tuple[Identity, ...]:
     ----------
     path : Path
         JSON: a list of objects with ``lhs`` and ``rhs`` as text, and optionally ``constraints`` and ``nonzero`` (lists
-        of text), ``name``, ``variables`` (the names that may occur), ``letters`` (the vectors and matrices, such as
-        ``{"R": "3x3 rotation"}``), ``witness`` (name to rational number as text) and ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
+        of text), ``name``, ``letters`` (the vectors and matrices, such as ``{"R": "3x3 rotation"}``), ``variables``
+        (the names that may occur), ``witness`` (name to rational number as text) and ``expected`` (one of `EXPECTED`).
+        Other keys, such as ``source``, are kept out.
 
     Raises
     ------

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from algebroproj_sym.expressions.letters.terms import FUNCTIONS, Term
 
-_SUM, _PRODUCT, _ATOM = range(3)
+_SUM, _PRODUCT, _POWER, _ATOM = range(4)
 
 
 def letters_text(term: Term) -> str:
@@ -36,9 +36,10 @@ def _written(term: Term) -> tuple[str, int]:
         minus, text = _signed(term)
         return (f"-{text}", _SUM) if minus else (text, _PRODUCT)
     if kind == "power":
-        return f"{_inside(parts[0], _ATOM)}**{value}", _ATOM
+        return f"{_inside(parts[0], _ATOM)}**{value}", _POWER
     if kind == "transpose":
-        return f"{_inside(parts[0], _ATOM)}.T", _ATOM
+        text, level = _written(parts[0])
+        return (f"{text}.T", level) if level >= _POWER else (f"({text}).T", _ATOM)
     if kind == "entry":
         return f"{_inside(parts[0], _ATOM)}[{value[0]}, {value[1]}]", _ATOM
     if kind == "block":
@@ -61,9 +62,9 @@ def _signed(term: Term) -> tuple[bool, str]:
     if term.kind != "product":
         return False, _inside(term, _PRODUCT)
     first, *others = term.parts
-    factors = [_inside(part, _ATOM) for part in others]
+    factors = [_inside(part, _POWER) for part in others]
     if first.kind != "number" or not others:
-        return False, "*".join([_inside(first, _ATOM), *factors])
+        return False, "*".join([_inside(first, _POWER), *factors])
     size: Fraction = abs(first.value)
     text = "*".join([*([] if size == 1 else [str(size) if size.denominator == 1 else f"({size})"]), *factors])
     return first.value < 0, text if len(factors) > 1 or size != 1 else _inside(others[0], _PRODUCT)

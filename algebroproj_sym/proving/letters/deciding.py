@@ -267,7 +267,7 @@ class _Question:
             constraints = [algebra.poly(term) for term in statement.constraints]
             rules = rules_for(algebra, [claim, algebra.poly(statement.left)], constraints)
             proof = proof_in_words(algebra, claim, rules)
-        except NotWordsError:
+        except (NotWordsError, ZeroDivisionError):
             return None
         if proof is None:
             return None

@@ -22,6 +22,7 @@ from algebroproj_sym.proving.letters.words import (
     Scalar,
     Word,
     constant,
+    cuts_of,
     of_key,
     of_scalar,
     order,
@@ -69,7 +70,7 @@ class Part:
         found: dict[str, Any] = {"of": self.place}
         named = {"times": self.factor, "left": self.left, "right": self.right, "then": self.outer}
         for key, poly in named.items():
-            if poly is not None and poly != constant(1, poly.shape):
+            if poly is not None and poly != constant(1):
                 found[key] = letters_text(algebra.term(poly))
         return {**found, "trace": True} if self.inside else found
 
@@ -182,7 +183,19 @@ class _Search:
             if scalar.kind in ("form", "trace"):
                 others = [*scalars]
                 others.remove(scalar)
+                if scalar.kind == "form":
+                    yield from self._across(place, lead[1], scalar, others, word)
                 yield from self._inside(place, lead[1], scalar, others, Poly(shape, {((), word): Fraction(1)}))
+
+    def _across(self, place: int, lead: Word, scalar: Scalar, others: list[Scalar], word: Word) -> Iterator[Part]:
+        """Yield where a rule fits when a number is put back into the word."""
+        first: Word = scalar.key  # type: ignore[assignment]
+        for cut in cuts_of(word):
+            for form in (first, self.algebra.transposed_word(first)[1]):
+                whole = word[:cut] + form + word[cut:]
+                for start in _places(lead, whole):
+                    left, right = whole[:start], whole[start + len(lead) :]
+                    yield self._part(place, others, left, right, self.rules[place].poly)
 
     def _inside(self, place: int, lead: Word, scalar: Scalar, others: list[Scalar], outer: Poly) -> Iterator[Part]:
         first: Word = scalar.key  # type: ignore[assignment]

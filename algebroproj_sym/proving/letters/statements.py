@@ -88,10 +88,10 @@ def without_lengths(statement: Statement) -> Statement:
     constraints = (*(_squared(term, statement.letters) for term in statement.constraints),)
     nonzero = (*(_squared(term, statement.letters) for term in statement.nonzero),)
     changed = replace(statement, left=left, right=right, constraints=constraints, nonzero=nonzero)
-    for part in {part for term in changed.terms for part in factors_of(term)}:
-        if part.kind == "norm":
-            text = letters_text(part)
-            raise LetterError(f"norm: expected {text}**2, or {text} alone on a side; roots are not decided")
+    norms = {letters_text(part) for term in changed.terms for part in factors_of(term) if part.kind == "norm"}
+    if norms:
+        text = min(norms)
+        raise LetterError(f"norm: expected {text}**2, or {text} alone on a side; roots are not decided")
     return changed
 
 

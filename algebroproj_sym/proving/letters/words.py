@@ -187,7 +187,7 @@ class Algebra:
 
     def of_word(self, shape: Shape, word: Word, scalars: tuple[Scalar, ...] = ()) -> Poly:
         """Return a word, from which the parts that are numbers are taken out."""
-        cuts = _cuts(word)
+        cuts = cuts_of(word)
         sign, taken = 1, [*scalars]
         for start, end in pairwise(cuts):
             found, part = self._least([word[start:end]])
@@ -273,7 +273,7 @@ class Algebra:
                 return poly
             if not word:
                 part = self.size(poly.shape[0])
-            elif cuts := _cuts(word):
+            elif cuts := cuts_of(word):
                 part = self.of_word(ONE, word[cuts[0] :] + word[: cuts[0]])
             else:
                 sign, least = self._least(word[k:] + word[:k] for k in range(len(word)))
@@ -424,7 +424,7 @@ def _ordered(scalars: Iterable[Scalar]) -> tuple[Scalar, ...]:
     return tuple(sorted(scalars, key=str))
 
 
-def _cuts(word: Word) -> list[int]:
+def cuts_of(word: Word) -> list[int]:
     """Return the places in a word, its ends included, where the size is 1."""
     return [k for k, atom in enumerate(word) if atom.rows == 1] + (
         [len(word)] if word and word[-1].columns == 1 else []

@@ -75,9 +75,8 @@ def without_lengths(statement: Statement) -> Statement:
             inner = changed(vector, square)
             dot = made("dot", inner, inner)
             return dot if node.value == 2 else made("power", dot, value=node.value // 2)
-        return (
-            constant(1) if node.kind == "norm" and node.parts[0].value in unit and _is_letter(node.parts[0]) else None
-        )
+        is_unit = node.kind == "norm" and node.parts[0].kind == "letter" and node.parts[0].value in unit
+        return constant(1) if is_unit else None
 
     def _length(node: Node) -> Node | None:
         return node if node.kind == "norm" and changed(node, square).kind == "norm" else None
@@ -126,8 +125,17 @@ def _definitions(constraint: Node) -> list[tuple[Node, Node]]:
             inner == name for other in others for inner in parts_of(other)
         ):
             value = others[0] if len(others) == 1 else made("sum", *others)
-            found.append((name, value if minus else negative(value)))
+            found.append((name, value if minus else _opposite(value)))
     return found
+
+
+def _opposite(node: Node) -> Node:
+    """Return a node with the other sign, where a sign that it has is dropped."""
+    if node.kind == "sum":
+        return made("sum", *map(_opposite, node.parts))
+    if node.kind == "product" and node.parts[0] == constant(-1):
+        return node.parts[1] if len(node.parts) == 2 else made("product", *node.parts[1:])
+    return negative(node)
 
 
 def conditions(statement: Statement) -> set[Node]:

@@ -8,10 +8,12 @@ from pathlib import Path
 
 import pytest
 import sympy
+from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from algebroproj_sym import prove
+from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import Answer, Identity
 from algebroproj_sym.expressions.letters import (
     Adjugate,
@@ -547,3 +549,61 @@ def test_the_same_bytes_each_time():
     statement = TRUE["inverse"]
     first, second = (json.dumps(record_of(*statement) | {"seconds": 0}) for _ in range(2))
     assert first == second
+
+
+# -- the example
+
+
+@pytest.fixture(scope="module")
+def claims(repository):
+    return json.loads((repository / "examples" / "rotations" / "claims.json").read_text(encoding="utf-8"))
+
+
+def test_the_example_is_as_declared_and_replayed(claims):
+    for claim in claims:
+        record = record_of(claim["lhs"], claim["rhs"], claim["letters"], claim.get("constraints", ()))
+        assert (claim["name"], record["verdict"]) == (claim["name"], claim["expected"])
+        assert replay_identity(record).status == "replayed", claim["name"]
+        point = record["counterexample"] or record["certificate"]["witness"]
+        assert differs(record, point) is (claim["expected"] == "refuted"), claim["name"]
+
+
+def test_the_example_has_right_and_wrong_ones_each_with_its_source(claims):
+    assert len(claims) >= 70
+    assert all(claim["source"] for claim in claims)
+    slips = [claim for claim in claims if claim["expected"] == "refuted"]
+    assert len(slips) >= 20
+
+
+def test_the_command_decides_and_replays_a_file(tmp_path, repository):
+    path = repository / "examples" / "rotations" / "claims.json"
+    answers = CliRunner().invoke(main, ["check", str(path), "--format", "json"])
+    assert answers.exit_code == 0, answers.output
+    (tmp_path / "answers.json").write_text(answers.stdout)
+    result = CliRunner().invoke(main, ["replay", str(tmp_path / "answers.json")])
+    assert result.exit_code == 0, result.output
+    assert "70 identities: 70 replayed, 0 rejected" in result.output
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"letters": ["A"]}, "key 'letters': expected an object, got a list"),
+        ({"letters": {"A": 3}}, "key 'letters', entry 'A': expected text, got a number"),
+        ({"letters": {"A": "3 by 3"}}, "key 'letters', A: expected a shape and properties such as '3x3 rotation', got"),
+        ({"letters": {"A": "3x3 rotaton"}}, "properties, A: expected one of rotation"),
+        ({"lhs": "A*"}, "key 'lhs', position 2: expected a number, a name or '(', got the end"),
+        ({"lhs": "foo(A)"}, "key 'lhs': expected one of the functions adj, conj"),
+        ({"lhs": "A*a"}, "expected two sides of one shape, got 3x1 and 3x3"),
+        ({"witness": {"x": "1"}}, "key 'witness': expected none beside the key 'letters'"),
+        ({"lhs": "(" * 5000}, "levels of nesting"),
+        ({"lhs": "A**99999"}, "power: expected an integer of at most 1000 as exponent, got 99999"),
+    ],
+)
+def test_a_malformed_item_is_named(tmp_path, changes, message):
+    item = {"lhs": "A.T", "rhs": "A", "letters": {"A": "3x3", "a": "3x1"}} | changes
+    path = tmp_path / "mine.json"
+    path.write_text(json.dumps([item]))
+    result = CliRunner().invoke(main, ["check", str(path)])
+    assert result.exit_code == 2
+    assert message in result.output

@@ -143,7 +143,7 @@ def _no_number(text: str) -> Any:
 
 def _text(where: str, key: str, value: Any) -> str:
     if not isinstance(value, str):
-        raise MalformedFileError(f"{where}, key {key!r}: expected text, got {_kind(value)}")
+        raise MalformedFileError(f"{where}, key '{key}': expected text, got {_kind(value)}")
     if any("\ud800" <= letter <= "\udfff" for letter in value):
         raise MalformedFileError(f"{where}, key {key!r}: expected text, got half a surrogate pair")
     return value

@@ -3,6 +3,8 @@
 import copy
 import json
 import re
+import subprocess
+import sys
 from fractions import Fraction
 from pathlib import Path
 
@@ -221,6 +223,7 @@ TRUE = {
         {"A": "3x3", "u": "3x1", "v": "3x1"},
         (),
     ),
+    "diagonal": ("D*E*A", "E*D*A", {"D": "nxn diagonal", "E": "nxn diagonal", "A": "nxn"}, ()),
     "constraint": ("A**-1*B", "B*A**-1", {"A": "nxn", "B": "nxn"}, ("A*B = B*A",)),
     "trace": ("trace(Q.T*A*Q)", "trace(A)", {"Q": "nxn orthogonal", "A": "nxn"}, ()),
     "cross": ("skew(n)**3", "-skew(n)", {"n": "3x1 unit"}, ()),
@@ -276,6 +279,9 @@ FORGERIES = {
     "a hypothesis too many": ("inverse", lambda r: r["hypotheses"].append("det(A + A)")),
     "a hypothesis twice": ("inverse", lambda r: r["hypotheses"].append(r["hypotheses"][0])),
     "another divisor": ("inverse", lambda r: r.update(rhs=r["rhs"].replace("1 + dot", "2 + dot"))),
+    "a factor that is not diagonal": ("diagonal", lambda r: at(r, "certificate", "rules", 0).update(of=["D", "A"])),
+    "the other factor is not diagonal": ("diagonal", lambda r: r["letters"].update(E="nxn symmetric")),
+    "the first factor is not diagonal": ("diagonal", lambda r: r["letters"].update(D="nxn")),
     "a constraint that is not there": ("constraint", lambda r: r.update(constraints=[])),
     "a weaker constraint": ("constraint", lambda r: r.update(constraints=["A*B*A = B*A*A"])),
     "another constraint": ("constraint", lambda r: at(r, "certificate", "rules", -1).update(of=[1])),
@@ -465,6 +471,14 @@ def test_numbers_keep_their_assumptions():
     assert isinstance(proof.counterexample[x], Fraction)
 
 
+def test_assumptions_hold_for_what_a_constraint_defines_too():
+    x, y = sympy.Symbol("x", positive=True), sympy.Symbol("y")
+    for constraints in ([x - y], [y - x], [x * y - 1], [x + y + 1]):
+        proof = prove(x * A, A, constraints=constraints)
+        assert proof.verdict == "refuted"
+        assert proof.counterexample[x] > 0
+
+
 @pytest.mark.parametrize("rank", [2, 3, 4])
 def test_a_scalar_result_of_any_size_says_so(rank):
     matrix = sympy.MatrixSymbol("A", rank, rank)
@@ -543,6 +557,12 @@ def test_a_statement_about_nothing_is_not_proved():
     assert found.verdict == "open"
     found = decide_texts("A", "2*A", {"A": "2x2"}, nonzero=["trace(A) - trace(A.T)"])
     assert found.verdict == "open"
+
+
+def test_a_statement_without_letters_imports_nothing_for_them():
+    code = "from algebroproj_sym import prove; prove('x', 'y'); import sys; print(*sys.modules)"
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert not [name for name in found.split() if "letters" in name]
 
 
 def test_the_same_bytes_each_time():

@@ -17,7 +17,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import over, text, values_of
+from algebroproj_sym.expressions import admits, over, text, values_of
 from algebroproj_sym.expressions.letters import LetterError, Term, factors_of, letters_text
 from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
 from algebroproj_sym.proving.letters.points import example, has_properties
@@ -179,6 +179,8 @@ class _Question:
         if not all(has_properties(letter, point.letters[name]) for name, letter in statement.letters.items()):
             return None
         try:
+            if not all(self._admits(name, value) for name, value in self._completed(point).scalars.items()):
+                return None
             values = [entries_of(term, point.letters, point.scalars, _NUMBERS, point.sizes) for term in statement.terms]
         except ZeroDivisionError:
             return None
@@ -189,6 +191,9 @@ class _Question:
         ):
             return None
         return left != right
+
+    def _admits(self, name: str, value: Fraction) -> bool:
+        return name not in self.statement.scalars or admits(self.statement.scalars[name], value)
 
     def _points(self, tries: int) -> Iterator[Point]:
         generator = random.Random(self.statement.seed)
@@ -267,8 +272,10 @@ class _Question:
             constraints = [algebra.poly(term) for term in statement.constraints]
             rules = rules_for(algebra, [claim, algebra.poly(statement.left)], constraints)
             proof = proof_in_words(algebra, claim, rules)
-        except (NotWordsError, ZeroDivisionError):
+        except NotWordsError:
             return None
+        except ZeroDivisionError:
+            raise self._undefined() from None
         if proof is None:
             return None
         scope = self._scope({}) if algebra.is_sized else "for every size"

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
-from itertools import product
+from itertools import combinations, product
 
 from algebroproj_sym.expressions.letters import Shape, Term, made, parse_letters
 from algebroproj_sym.proving.letters.words import Algebra, Atom, Poly, Scalar, Word, atoms_of, of_key
@@ -19,6 +19,7 @@ RULES: Mapping[str, str] = {
     "orthogonal columns": "A.T*A - eye(n)",
     "idempotent": "A*A - A",
     "unit": "dot(A, A) - 1",
+    "diagonal matrices": "A*B - B*A",
     "left inverse": "A**-1*A - eye(n)",
     "right inverse": "A*A**-1 - eye(n)",
     "left adjugate": "adj(A)*A - det(A)*eye(n)",
@@ -69,6 +70,9 @@ def rules_for(algebra: Algebra, polys: Sequence[Poly], constraints: Sequence[Pol
     """
     parts = dict.fromkeys(part for poly in (*polys, *constraints) for part in atoms_of(poly))
     given = [Rule(name, of, _of_rule(algebra, name, of)) for name, of in _instances(algebra, [*parts])]
+    further = dict.fromkeys(part for rule in given for part in atoms_of(rule.poly) if part.kind == "det")
+    more = [part for part in further if part not in parts]
+    given += [Rule(name, of, _of_rule(algebra, name, of)) for name, of in _instances(algebra, more)]
     given += [Rule(CONSTRAINT, (place,), constraint) for place, constraint in enumerate(constraints)]
     found: dict[tuple[object, ...], Rule] = {}
     others = [replace(rule, poly=algebra.transposed(rule.poly), transposed=True) for rule in given]
@@ -102,6 +106,10 @@ def _instances(algebra: Algebra, parts: Sequence[Atom | Scalar]) -> Iterator[tup
         for rule in ("orthogonal rows", "orthogonal columns", "idempotent", "unit"):
             if rule.partition(" ")[0] in letter.properties:
                 yield rule, (algebra.poly(letter.term),)
+    diagonal = [letter for letter in algebra.letters.values() if "diagonal" in letter.properties]
+    for first, second in combinations(diagonal, 2):
+        if first.shape == second.shape:
+            yield "diagonal matrices", (algebra.poly(first.term), algebra.poly(second.term))
     for part in parts:
         base = of_key(part.key) if part.kind in ("inverse", "adj", "reciprocal", "det") else None
         if base is not None and part.kind == "det":

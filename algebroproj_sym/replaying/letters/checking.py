@@ -28,6 +28,7 @@ RULES: Mapping[str, tuple[str, str]] = {
     "orthogonal columns": ("A.T*A - eye(n)", "orthogonal"),
     "idempotent": ("A*A - A", "idempotent"),
     "unit": ("dot(A, A) - 1", "unit"),
+    "diagonal matrices": ("A*B - B*A", "diagonal"),
     "determinant of a rotation": ("det(A) - 1", "rotation"),
     "determinant of an orthogonal matrix": ("det(A)**2 - 1", "orthogonal"),
     "left inverse": ("A**-1*A - eye(n)", ""),
@@ -40,7 +41,10 @@ RULES: Mapping[str, tuple[str, str]] = {
     "nested cross product": ("skew(skew(A)*B) - B*A.T + A*B.T", ""),
     "rotated cross product": ("skew(A*B)*A - A*skew(B)", "rotation"),
 }
-"""What is zero for A, and B, and which property the letter A needs; n is the number of rows of A."""
+"""What is zero for A, and B, and which property the letter A needs, and B too if both are diagonal.
+
+n is the number of rows of A.
+"""
 
 
 def require_in_letters(record: Mapping[str, Any]) -> None:
@@ -171,6 +175,8 @@ def _zero(words: Words, shapes: Mapping[str, Any], name: Any, of: Any, constrain
     require(len(arguments) == len(of) == (2 if "B" in text else 1), "a rule is of other parts")
     if needed:
         _require_property(words, arguments["A"], needed, turned=name == "rotated cross product")
+    if needed == "diagonal":
+        _require_property(words, arguments["B"], needed, turned=False)
     size = arguments["A"].shape[0]
     template = read(text.replace("(n)", f"({size})"), {key: node.shape for key, node in arguments.items()})
     return words.poly(changed(template, lambda node: arguments[node.value] if node.kind == "letter" else None))

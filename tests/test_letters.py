@@ -552,6 +552,13 @@ def test_every_property_has_examples_and_is_needed():
         assert found.verdict == "refuted", name
 
 
+@pytest.mark.parametrize("shape", ["nxn", "2x2"])
+def test_a_constraint_that_says_nothing_changes_nothing(shape):
+    letters = {"A": shape, "B": shape}
+    assert decide_texts("A", "B", letters, constraints=["A - A"]).verdict == "refuted"
+    assert decide_texts("A + B", "B + A", letters, constraints=["A*B - A*B"]).verdict == "proved"
+
+
 def test_a_statement_about_nothing_is_not_proved():
     found = decide_texts("A", "B", {"A": "2x2", "B": "2x2"}, constraints=["A*A.T + eye(2)"])
     assert found.verdict == "open"

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -40,6 +41,7 @@ from algebroproj_sym.proving.rational_function import RationalFunctionField
 FIRST_TRIES = 40
 ENOUGH_POINTS = 4
 MORE_TRIES = 200
+CONSTRAINED_STARTS = 8
 CONSTRAINED_TRIES = 60
 
 _NUMBERS = Field(Fraction)
@@ -200,8 +202,7 @@ class _Question:
         for attempt in range(tries):
             sizes = self._sizes(generator, attempt)
             if self.statement.constraints:
-                yield from self._constrained_points(sizes, generator, attempt)
-                continue
+                yield from self._constrained_points(sizes, attempt)
             letters = {
                 name: example(letter, sizes, generator, attempt) for name, letter in self.statement.letters.items()
             }
@@ -223,24 +224,20 @@ class _Question:
     def _number(self, symbol: sympy.Symbol, generator: random.Random, attempt: int) -> Fraction:
         return generator.choice(values_of(symbol)[: 8 + attempt])
 
-    def _constrained_points(self, sizes: Mapping[str, int], generator: random.Random, attempt: int) -> Iterator[Point]:
+    def _constrained_points(self, sizes: Mapping[str, int], attempt: int) -> Iterator[Point]:
         """Yield points on the constraints, in the coordinates of the letters."""
-        if attempt >= 8:
+        if attempt >= CONSTRAINED_STARTS:
             return
         statement = fixed(self.statement, sizes)
         expansion = _Expansion(statement)
-        symbols = expansion.symbols
-        equations = expansion.equations
-        seed = statement.seed + attempt
-        for values in islice(rational_zeros(equations, symbols, seed, CONSTRAINED_TRIES), ENOUGH_POINTS):
-            scalars = {symbol.name: value for symbol, value in values.items()}
-            try:
-                letters = {
-                    name: entries_of(each.entries, {}, scalars, _NUMBERS) for name, each in expansion.letters.items()
-                }
-            except ZeroDivisionError:
-                continue
-            yield Point(letters, {name: scalars[name] for name in self._scalars()}, sizes)
+        if not expansion.equations:
+            return
+        zeros = rational_zeros(expansion.equations, expansion.symbols, statement.seed + attempt, CONSTRAINED_TRIES)
+        with suppress(ZeroDivisionError):
+            for values in islice(zeros, ENOUGH_POINTS):
+                scalars = {symbol.name: value for symbol, value in values.items()}
+                letters = {k: entries_of(each.entries, {}, scalars, _NUMBERS) for k, each in expansion.letters.items()}
+                yield Point(letters, {name: scalars[name] for name in self._scalars()}, sizes)
 
     def _refuted(self, point: Point) -> Found:
         values = [

@@ -463,6 +463,17 @@ def test_a_counterexample_has_every_property():
     assert rotation_found * diagonal_found != diagonal_found * rotation_found
 
 
+def test_both_engines_decide_by_entries():
+    for engine in ("flint", "sympy"):
+        assert prove(Adjugate(R), R.T, properties={R: "rotation"}, engine=engine).verdict == "proved"
+        assert (
+            prove(sympy.Determinant(R - sympy.Identity(3)), 0, properties={R: "rotation"}, engine=engine).scope
+            == "for 3x3"
+        )
+    with pytest.raises(ValueError, match="engine: expected one of flint, sympy, got 'other'"):
+        prove(R.T, R, engine="other")
+
+
 def test_numbers_keep_their_assumptions():
     x = sympy.Symbol("x", positive=True)
     proof = prove(x * A, A)
@@ -557,6 +568,13 @@ def test_a_constraint_that_says_nothing_changes_nothing(shape):
     letters = {"A": shape, "B": shape}
     assert decide_texts("A", "B", letters, constraints=["A - A"]).verdict == "refuted"
     assert decide_texts("A + B", "B + A", letters, constraints=["A*B - A*B"]).verdict == "proved"
+
+
+def test_rotations_of_four_dimensions_are_decided_in_words_or_stay_open():
+    assert decide_texts("adj(R)", "R.T", {"R": "4x4 rotation"}).verdict == "proved"
+    assert decide_texts("R.T", "R", {"R": "4x4 rotation"}).verdict == "refuted"
+    found = decide_texts("vec(R.T*R)", "vec(eye(4))", {"R": "4x4 rotation"})
+    assert (found.verdict, "up to 3x3 only" in found.certificate["reason"]) == ("open", True)
 
 
 def test_a_statement_about_nothing_is_not_proved():

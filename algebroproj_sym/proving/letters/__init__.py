@@ -10,6 +10,7 @@ import sympy
 
 from algebroproj_sym.expressions import SymbolError, assumed, is_plain
 from algebroproj_sym.expressions.letters import LetterError, Reading, Shape, Size, Term, made, number, parse_letters
+from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.letters.deciding import Found, Point, decide
 from algebroproj_sym.proving.letters.properties import PROPERTIES, declared_letters
 from algebroproj_sym.proving.letters.statements import Statement
@@ -48,6 +49,10 @@ def prove_letters(
     ------
     LetterError
         If shapes do not fit, a property is unknown, or a name is not declared.
+    UndefinedError
+        If what is inverted has no inverse anywhere.
+    ValueError
+        If the engine is unknown.
 
     Examples
     --------
@@ -56,6 +61,8 @@ def prove_letters(
     >>> proof.verdict, proof.scope
     ('proved', 'for every size')
     """
+    if engine not in ENGINES:
+        raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
     reading = Reading()
     sides = [reading.term(side, name) for side, name in ((lhs, "lhs"), (rhs, "rhs"))]
     zeros = [reading.term(term, f"constraints[{place}]") for place, term in enumerate(constraints)]

@@ -38,6 +38,7 @@ from algebroproj_sym.proving.prove import Decision, UndefinedError
 from algebroproj_sym.proving.prove import prove as decided
 from algebroproj_sym.proving.rational_function import RationalFunctionField
 
+LARGEST_TURN = 3
 FIRST_TRIES = 40
 ENOUGH_POINTS = 4
 MORE_TRIES = 200
@@ -145,8 +146,8 @@ class _Question:
         if refuting is not None:
             return self._refuted(refuting)
         found = self._in_words()
-        reason = "no proof was found in words, and sizes with names have no entries"
-        if found is None and not self.statement.size_names:
+        reason = self._without_entries()
+        if found is None and not reason:
             found = self._by_entries()
             reason = "neither a proof nor exact matrices at which the sides differ were found"
         if found is None:
@@ -155,6 +156,15 @@ class _Question:
         if self.witness is None and found.verdict == "proved":
             return self._open("no exact matrices were found at which both sides are defined and all conditions hold")
         return found
+
+    def _without_entries(self) -> str:
+        """Return why entries decide nothing; empty if they may."""
+        if self.statement.size_names:
+            return "no proof was found in words, and sizes with names have no entries"
+        turning = [each for each in self.statement.letters.values() if "orthogonal" in each.properties]
+        if any(int(letter.shape[0]) > LARGEST_TURN for letter in turning):
+            return f"no proof was found in words, and rotations have entries up to {LARGEST_TURN}x{LARGEST_TURN} only"
+        return ""
 
     def _open(self, reason: str) -> Found:
         return Found("open", {"method": "none", "reason": reason})

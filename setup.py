@@ -10,7 +10,7 @@ if sys.version_info < (3, 11):  # noqa: UP036
     sys.exit(f"algebroproj-sym needs Python 3.11 or later, and this is Python {sys.version.split()[0]}.")
 
 sys.path.insert(0, str(Path(__file__).parent / "generated"))
-from compiling import Build, extension
+from compiling import Build, Wheel, extension
 
 FOLDERS = {
     "algebroproj": "generated/algebroproj",
@@ -22,5 +22,5 @@ setup(
     packages=[*FOLDERS, *(f"{name}.{inner}" for name, folder in FOLDERS.items() for inner in find_packages(folder))],
     package_dir=FOLDERS,
     ext_modules=[extension(FOLDERS["algebroproj"])],
-    cmdclass={"build_ext": Build},
+    cmdclass={"bdist_wheel": Wheel, "build_ext": Build},
 )

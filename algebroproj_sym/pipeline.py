@@ -10,13 +10,14 @@ from functools import partial
 from pathlib import Path
 
 from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, numbered_with
+from algebroproj_sym.declaring.claim import CORRECTED
 from algebroproj_sym.generating import PACKAGE, Lowered, lower
 from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
 from algebroproj_sym.processes import in_processes, mapped
 from algebroproj_sym.reporting.notebooks import Notebook, run_notebook
 from algebroproj_sym.verifying import Verification, load_package, verify
 
-EMITTED = ("proved", "misprint", "error", "illegible")
+EMITTED = ("proved", *CORRECTED, "illegible")
 
 
 class UnprovedError(ValueError):

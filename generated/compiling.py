@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy
 from setuptools import Extension
+from setuptools.command.bdist_wheel import bdist_wheel
 from setuptools.command.build_ext import build_ext
 from setuptools.errors import CCompilerError, ExecError
 
@@ -57,6 +58,18 @@ class Build(build_ext):
             extension.extra_compile_args, extension.extra_link_args = OPTIONS, []
             return False
         return True
+
+
+class Wheel(bdist_wheel):
+    """A wheel for this platform where the module was compiled, and for every platform where it was not."""
+
+    def run(self):
+        """Compile first."""
+        self.run_command("build_ext")
+        compiled = self.get_finalized_command("build_ext")
+        if not any(Path(compiled.get_ext_fullpath(module.name)).exists() for module in compiled.extensions):
+            self.root_is_pure, self.distribution.ext_modules = True, None
+        super().run()
 
 
 def _older(source, module):

@@ -6,6 +6,6 @@ from pathlib import Path
 from setuptools import setup
 
 sys.path.insert(0, str(Path(__file__).parent))
-from compiling import Build, extension
+from compiling import Build, Wheel, extension
 
-setup(ext_modules=[extension("algebroproj")], cmdclass={"build_ext": Build})
+setup(ext_modules=[extension("algebroproj")], cmdclass={"bdist_wheel": Wheel, "build_ext": Build})

@@ -72,6 +72,7 @@ def status(claim, *pieces, **options):
         (r"x y / D u_1", x * y / (D * u1)),
         (r"\{ x (1 - y) + \zeta_{11} [x - y] \} / D", (x * (1 - y) + z11 * (x - y)) / D),
         (r"\left( x \right)^{2} \cdot y", x**2 * y),
+        (r"(x + y)^{10}", (x + y) ** 10),
         (r"b_0^1 + b_0", sympy.Symbol("r10") + sympy.Symbol("b0")),
         (r"\begin{bmatrix} x & 0 \\ 1 & y \end{bmatrix}^T", Matrix([[x, 1], [0, y]])),
         (r"\mathbf{u}^T \mathbf{M} \mathbf{u}", mu1 + mu2 * u1**2 + u2**2),
@@ -100,7 +101,7 @@ def test_blocks_make_one_matrix():
     [
         *("", "x +", r"\frac{x}", r"\mathbf{q} x", "x^k", r"\frac{x}{0}", r"\mathbf{M} + x", r"x / \mathbf{u}"),
         *(r"\begin{bmatrix} 1 & \\ x & y \end{bmatrix}", r"\begin{bmatrix} 1 & 2 \\ 3 \end{bmatrix}"),
-        *(r"\sqrt{x}", r"\sum x", r"\infty", "x ? y", "(" * 500),
+        *(r"\sqrt{x}", r"\sum x", r"\infty", "x ? y", "(" * 500, r"\mathbf{M}^2", "x^{2y}", "x^{-1}"),
     ],
 )
 def test_what_is_no_formula_is_refused(latex):
@@ -113,6 +114,20 @@ def test_a_side_that_cannot_be_read_hides_no_other():
     assert right() == x + 1
     with pytest.raises(UnreadableError, match=r"no table of symbols has \\mathbf\{q\}"):
         left()
+
+
+@pytest.mark.parametrize(
+    ("latex", "reason"),
+    [
+        (r"\mathbf{u} + \mathbf{u}^T", r"shapes \(3,\) and \(1, 3\) cannot be added"),
+        (r"x - \mathbf{M}", r"shapes \(\) and \(3, 3\) cannot be added"),
+        (r"(x + y)^{2y}", r"x \+ y cannot be raised to the power 2y"),
+        (r"(\mathbf{u} \mathbf{u}^T)^2", r"cannot be raised to the power 2"),
+    ],
+)
+def test_what_has_no_value_is_refused_with_the_reason(latex, reason):
+    with pytest.raises(UnreadableError, match=reason):
+        [side() for side in read_formula(latex, SYMBOLS)]
 
 
 def test_looks_do_not_matter():

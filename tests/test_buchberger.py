@@ -6,7 +6,7 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from algebroproj_sym.proving.buchberger import EffortExceededError, GroebnerBasis
+from algebroproj_sym.proving.buchberger import MAX_LENGTH, EffortExceededError, GroebnerBasis
 
 CONTEXT = flint.fmpq_mpoly_ctx.get(("x", "y", "z"), flint.Ordering.degrevlex)
 LARGEST = 2**15 - 1
@@ -42,6 +42,42 @@ def test_exponents_that_are_too_large_are_given_up(large):
         GroebnerBasis([monomial(large, 0, 0), x * y - 1])
     with pytest.raises(EffortExceededError):
         GroebnerBasis([y]).remainder(monomial(large, 0, 0))
+
+
+polynomial = st.dictionaries(st.tuples(*[st.integers(0, 2)] * 3), st.integers(-3, 3), max_size=4).map(CONTEXT.from_dict)
+
+
+@given(st.lists(polynomial.filter(bool), min_size=2, max_size=2), st.tuples(polynomial, polynomial))
+def test_the_cofactors_of_what_lies_in_the_ideal_multiply_out(generators, parts):
+    member = sum(part * generator for part, generator in zip(parts, generators, strict=True))
+    try:
+        cofactors = GroebnerBasis(generators, 500).cofactors(member)
+    except EffortExceededError:
+        return
+    assert sum(part * generator for part, generator in zip(cofactors, generators, strict=True)) == member
+
+
+def test_the_cofactors_of_every_generator_are_added_up():
+    x, y, z = CONTEXT.gens()
+    generators = [x * y - z, y**2 - x, x * z - y]
+    basis = GroebnerBasis(generators)
+    for parts in ([x, y, z], [z - 1, 2 * x, y**2], [y * z, x - z, 1 - x * y]):
+        member = sum(part * generator for part, generator in zip(parts, generators, strict=True))
+        cofactors = basis.cofactors(member)
+        assert sum(part * generator for part, generator in zip(cofactors, generators, strict=True)) == member
+
+
+def test_the_effort_is_bounded_in_steps_and_in_length():
+    x, y, z = CONTEXT.gens()
+    basis = GroebnerBasis([x - y], steps=3)
+    assert basis.remainder(x**3) == y**3
+    with pytest.raises(EffortExceededError):
+        basis.remainder(x)
+    long = (1 + x + y + z) ** 25
+    assert len(long) > MAX_LENGTH
+    with pytest.raises(EffortExceededError):
+        GroebnerBasis([x - y]).remainder(long)
+    assert GroebnerBasis([x**26 - y]).remainder(long) == long
 
 
 def test_the_reduced_basis_is_that_of_sympy():

@@ -80,6 +80,28 @@ def test_sums_that_cannot_cancel_stay_as_they_are():
     assert compensated(program, throughout=True) != program
 
 
+SQUARES = Step("a", "*", ("x", "x")), Step("b", "*", ("y", "y")), Step("c", "*", ("z", "z"))
+
+
+@pytest.mark.parametrize(
+    ("steps", "cancels"),
+    [
+        ((*SQUARES, Step("d", "+", ("a", "b")), Step("e", "+", ("d", "c"))), False),
+        ((*SQUARES, Step("d", "*", ("a", "b")), Step("e", "+", ("d", "c"))), False),
+        ((*SQUARES, Step("d", "/", ("a", "b")), Step("e", "+", ("d", "c"))), False),
+        ((*SQUARES, Step("d", "/", ("x", "x")), Step("e", "+", ("d", "c"))), True),
+        ((*SQUARES, Step("d", "-", ("a", "b")), Step("e", "+", ("d", "c"))), True),
+        ((*SQUARES, Step("d", "*", ("a", "x")), Step("e", "+", ("d", "c"))), True),
+        ((*SQUARES, Step("d", "+", ("x", "x")), Step("e", "+", ("d", "c"))), True),
+        ((*SQUARES, Step("e", "-", ("a", "c"))), True),
+    ],
+)
+def test_a_sum_cancels_unless_both_terms_are_known_not_to_be_negative(steps, cancels):
+    last = compensated(Program(("x", "y", "z"), steps, ("e",))).steps[-1]
+    assert last.name == "e"
+    assert (last.operator == "rounded") is cancels
+
+
 @pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.epipoles", "projection.project"])
 def test_expanded_programs_give_the_same_bits(name, lowered):
     program = with_sums_rounded_twice(compensated(lowered(name).plain))

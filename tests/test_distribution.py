@@ -33,8 +33,9 @@ def tree(tmp_path_factory, repository):
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory, tree):
     folder = tmp_path_factory.mktemp("wheel")
-    command = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", str(folder), str(tree)]
-    subprocess.run(command, check=True, capture_output=True)
+    command = [sys.executable, "-m", "pip", "wheel", "--verbose", "--no-deps", "--wheel-dir", str(folder), str(tree)]
+    done = subprocess.run(command, check=True, capture_output=True, text=True)
+    assert "would be ignored" not in done.stdout + done.stderr
     return next(folder.glob("*.whl"))
 
 
@@ -80,6 +81,12 @@ def test_every_file_of_the_packages_is_in_the_wheel_and_nothing_else(wheel, tree
     }
     contents = zipfile.ZipFile(wheel).namelist()
     assert {name for name in contents if ".dist-info/" not in name and not name.endswith((".so", ".pyd"))} == files
+
+
+@pytest.mark.whole
+def test_the_wheel_is_for_the_platform_that_it_was_compiled_for(wheel):
+    assert any(name.endswith((".so", ".pyd")) for name in zipfile.ZipFile(wheel).namelist())
+    assert not wheel.name.endswith("-any.whl")
 
 
 @pytest.mark.whole

@@ -38,6 +38,15 @@ def test_sums_and_products_lose_nothing(a, b):
     assert fraction(product) + fraction(rest) == Fraction(a) * Fraction(b)
 
 
+@pytest.mark.parametrize("number", [float, np.float64])
+def test_products_of_numbers_with_all_their_digits_lose_nothing(number):
+    """Halves of 27 digits or more would have products that are rounded."""
+    rng = np.random.default_rng(2)
+    for a, b in (2**52 + rng.integers(0, 2**52, size=(200, 2)) * 2 + 1).tolist():
+        product, rest = two_product(number(a), number(b))
+        assert int(product) + int(rest) == int(number(a)) * int(number(b))
+
+
 any_numbers = st.builds(
     lambda mantissa, exponent: float(np.ldexp(mantissa, exponent)),
     st.floats(-1, 1) | st.integers(-(2**12), 2**12).map(float),

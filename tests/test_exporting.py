@@ -7,6 +7,7 @@ import shutil
 from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 
 import pytest
 import sympy
@@ -464,20 +465,19 @@ def changed(record, path, payload):
     return record
 
 
+@cache
 def outside_comments(text):
     """Coq's text without comments and strings, as Coq reads them: comments nest, and strings within them count."""
-    kept, depth, place, quoted = [], 0, 0, False
-    while place < len(text):
-        pair = text[place : place + 2]
-        if text[place] == '"':
+    kept, depth, quoted = [], 0, False
+    for piece in re.findall(r'"|\(\*|\*\)|[^"(*]+|.', text):
+        if piece == '"':
             quoted = not quoted
-        elif not quoted and pair == "(*":
-            depth, place = depth + 1, place + 1
-        elif not quoted and pair == "*)" and depth:
-            depth, place = depth - 1, place + 1
+        elif not quoted and piece == "(*":
+            depth += 1
+        elif not quoted and piece == "*)" and depth:
+            depth -= 1
         elif not depth and not quoted:
-            kept.append(text[place])
-        place += 1
+            kept.append(piece)
     assert (depth, quoted) == (0, False)
     return "".join(kept)
 

@@ -115,7 +115,11 @@ def test_a_folder_and_a_missing_file_are_wrong_usage(tmp_path):
 
 
 @given(st.data())
-@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=5 * settings.default.max_examples,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
 def test_damaged_bytes_are_read_or_refused(tmp_path, data):
     content = bytearray(TEXT)
     for _ in range(data.draw(st.integers(1, 4))):

@@ -26,6 +26,8 @@ SHARED = {
     *("_c/plain_kernels.h", "_c/plain_loops.h"),
     *(f"_runtime/{path.name}" for path in runtime_modules()),
 }
+# One worker makes all files.
+pytestmark = pytest.mark.xdist_group("package")
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
 
 

@@ -165,8 +165,12 @@ def test_an_open_claim_is_not_replayable(small):
     ("number", "change", "reason"),
     [
         ("1.1", {"derived": "x - y"}, "the two sides differ"),
-        ("1.1", {"derived": "x + y"}, "listed divisor is met by no division"),
-        ("1.1", {"hypotheses": ["x"], "certificate": {"method": "normal form", "denominators": ["x"]}}, "not listed"),
+        ("1.1", {"derived": "x + y"}, "by which no form divides"),
+        (
+            "1.1",
+            {"hypotheses": ["x"], "certificate": {"method": "normal form", "denominators": ["x"]}},
+            "does not list",
+        ),
         ("1.1", {"verdict": "false", "expected": "false", "instead": "1.7"}, "counterexample"),
         ("1.2", {"verdict": "proved", "expected": "proved", "corrected": None}, "counterexample"),
         ("1.2", {"corrected": "x*a"}, "differ"),
@@ -175,19 +179,27 @@ def test_an_open_claim_is_not_replayable(small):
         ("1.14", {"printed": "2"}, "minor is not of the claimed size"),
         ("1.15", {"printed": "1"}, "minor is not of the claimed size"),
         ("1.1", {"engine": "magic"}, "engine"),
-        ("1.1", {"expected": "false"}, "the declared verdict"),
+        ("1.1", {"expected": "false"}, "was declared"),
         ("1.1", {"surplus": 1}, "expected the fields"),
         ("1.1", {"title": "a\x1b[2Jb"}, "printable"),
         ("1.1", {"number": "1.1 "}, "expected a number"),
-        ("1.24", {"setting": {"rounding": "nearest"}}, "the rounded number is another one"),
+        ("1.24", {"setting": {"rounding": "nearest"}}, "rounded number is wrong"),
         ("1.24", {"setting": {}}, "expected the rounding nearest or cut"),
         ("1.24", {"setting": {"rounding": "up"}}, "expected the rounding nearest or cut"),
-        ("1.24", {"printed": "-0.67"}, "the exact number, rounded, is another one"),
-        ("1.24", {"printed": "-0.666"}, "not as many decimals"),
+        ("1.24", {"printed": "-0.67"}, "the exact number, rounded, differs from the printed one"),
+        ("1.24", {"printed": "-0.666"}, "differ in the number of decimals"),
         ("1.24", {"derived": "Matrix([[-2/3], [5]])"}, "matrix"),
-        ("1.24", {"certificate": {"method": "exact rounding", "rounded": "-0.67"}}, "the rounded number is another"),
-        ("1.24", {"certificate": {"method": "exact rounding", "rounded": "0.66"}}, "the rounded number is another"),
-        ("1.22", {"setting": {"rounding": "cut"}, "derived": "2/3", "printed": "0.67"}, "rounded number is another"),
+        (
+            "1.24",
+            {"certificate": {"method": "exact rounding", "rounded": "-0.67"}},
+            "rounded number is wrong",
+        ),
+        (
+            "1.24",
+            {"certificate": {"method": "exact rounding", "rounded": "0.66"}},
+            "rounded number is wrong",
+        ),
+        ("1.22", {"setting": {"rounding": "cut"}, "derived": "2/3", "printed": "0.67"}, "rounded number is wrong"),
         ("1.1", {"printed": "__import__('os').getcwd()"}, "expected an expression"),
     ],
 )
@@ -214,7 +226,7 @@ def test_a_denominator_in_the_ideal_proves_nothing():
             "witness": {"x": "1", "y": "1"},
         },
     }  # fmt: skip
-    assert replay_claim(claim).reason == "something vanishes at the point that must not"
+    assert replay_claim(claim).reason == "a form that must not be zero is zero at the point"
 
 
 @pytest.mark.parametrize(
@@ -422,7 +434,7 @@ def test_a_change_anywhere_in_any_kind_of_claim_is_noticed(small, data):
     require_rejection(record, lambda options: data.draw(st.sampled_from(options)))
 
 
-@settings(max_examples=300)
+@settings(max_examples=4 * settings.default.max_examples)
 @given(data=st.data())
 def test_a_change_anywhere_in_a_real_claim_is_noticed(real, data):
     record = data.draw(st.sampled_from(real["claims"]))
@@ -573,7 +585,7 @@ def test_the_command_names_what_it_rejects(small, tmp_path):
     path.write_text(json.dumps(book), encoding="utf-8")
     result = run(path)
     assert result.exit_code == 1
-    assert "demo:1.1  rejected: the digest is not that of the declaration" in result.stdout
+    assert "demo:1.1  rejected: the digest differs from that of the declaration" in result.stdout
     record = json.loads(run(path, "--format", "json").stdout)
     assert record["summary"] == {"replayed": len(book["claims"]) - 1, "rejected": 1}
 

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from algebroproj_sym.generating.runtime.program import Program, Step, run
+from algebroproj_sym.generating.runtime.program import Call, Program, Step, run
 from algebroproj_sym.generating.signs import with_negative_reciprocals
 
 INPUTS = ("x", "y", "z")
@@ -50,6 +50,21 @@ def test_a_reciprocal_that_is_wanted_with_its_own_sign_keeps_it():
     steps = (Step("r", "/", (1, "z")), Step("a", "*", ("x", "r")), Step("b", "neg", ("a",)))
     for outputs in (("b", "r"), ("b", "a"), ("a",)):
         assert with_negative_reciprocals(Program(INPUTS, steps, outputs)).steps[0] == steps[0]
+
+
+def test_what_is_kept_keeps_its_value():
+    steps = (Step("r", "/", (1, "z")), Step("a", "*", ("x", "r")), Step("b", "neg", ("a",)))
+    program = Program(INPUTS, steps, ("b",))
+    assert with_negative_reciprocals(program) != program
+    for kept in ("r", "a"):
+        assert with_negative_reciprocals(program, {kept}) == program
+
+
+def test_steps_of_other_kinds_stay_among_those_that_change():
+    reciprocal, product, negative = Step("r", "/", (1, "z")), Step("a", "*", ("x", "r")), Step("b", "neg", ("a",))
+    call = Call("let", ("c",), (("y",),))
+    changed = with_negative_reciprocals(Program(INPUTS, (reciprocal, call, product, negative), ("b", "c")))
+    assert changed.steps == (Step("r", "/", (-1, "z")), call, Step("b", "*", ("x", "r")))
 
 
 def test_a_product_of_two_reciprocals_keeps_its_sign():

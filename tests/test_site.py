@@ -35,6 +35,8 @@ from algebroproj_sym.showing import arranged
 from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.showing.names import latex_name, plain_name
 
+# One worker writes the site.
+pytestmark = pytest.mark.xdist_group("site")
 SELECTORS = ("fundamentals1996:1.2", "fundamentals1996:2.2", "rhodos1990")
 VOID = {"meta", "link", "input", "br", "hr", "img"}
 x, y, z, u31, up31 = sympy.symbols("x y z u31 up31")
@@ -513,6 +515,7 @@ def test_every_paper_is_known():
     assert not bibtex(publication("nosuch"))
 
 
+@pytest.mark.whole
 def test_the_bytes_depend_neither_on_the_hash_seed_nor_on_the_workers(tmp_path, written, site):
     out = tmp_path / "again"
     command = [sys.executable, "-m", "algebroproj_sym", "report", *reversed(SELECTORS), "--out", str(out)]

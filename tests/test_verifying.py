@@ -33,7 +33,7 @@ from algebroproj_sym.verifying import (
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 NAMES = list(KERNELS)
 # The other engine is up to a hundred times slower on large expressions: it proves the sources of the small functions.
-SMALL = [name for name, kernel in KERNELS.items() if len(str(kernel.form)) < 2000 and not kernel.stages]
+SMALL = [name for name, kernel in KERNELS.items() if len(str(kernel.form)) < 1000 and not kernel.stages]
 every_kernel = pytest.mark.parametrize("name", NAMES)
 
 

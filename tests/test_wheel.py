@@ -57,6 +57,10 @@ def test_there_is_one_version(repository):
     assert f"\nversion: {algebroproj_sym.__version__}\n" in citation
 
 
+def test_its_licence_is_that_of_the_project(repository):
+    assert (repository / "generated" / "LICENSE").read_bytes() == (repository / "LICENSE").read_bytes()
+
+
 def test_its_source_is_valid_for_the_oldest_python(repository):
     for path in sorted((repository / "generated" / PACKAGE).glob("*.py")):
         ast.parse(path.read_text(encoding="utf-8"), feature_version=(3, 11))
@@ -134,8 +138,10 @@ def test_without_a_c_compiler_it_is_built_all_the_same_and_runs_the_numpy_source
     (wheel,) = tmp_path.glob("*.whl")
     names = zipfile.ZipFile(wheel).namelist()
     assert {name.split("/")[0].partition("-")[0] for name in names} == {PACKAGE}
-    assert f"{PACKAGE}/_c/kernels.h" in names
-    assert not [name for name in names if name.endswith((".so", ".pyd"))]
+    assert {f"{PACKAGE}/accuracy.json", f"{PACKAGE}/py.typed"} <= {*names}
+    assert [name for name in names if name.endswith("/licenses/LICENSE")]
+    assert not [name for name in names if name.endswith((".so", ".pyd", ".c", ".h"))]
+    assert wheel.name.endswith("-py3-none-any.whl")
     installed = tmp_path / "installed"
     zipfile.ZipFile(wheel).extractall(installed)
     done = subprocess.run([sys.executable, "-c", ALONE], cwd=installed, capture_output=True, text=True, check=True)

@@ -96,10 +96,7 @@ def _require_allowed(node: Any, whole: Any, argument: str, assuming: bool) -> No
             raise NotRationalError(
                 f"{argument}: expected symbols for any number, got {node} with assumptions in {_shown(whole)}"
             )
-    elif isinstance(node, sympy.Rational):
-        if node in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
-            raise NotRationalError(f"{argument}: expected a rational expression over Q, got {node} in {_shown(whole)}")
-    elif not isinstance(node, sympy.Add | sympy.Mul | over) and not (
+    elif not isinstance(node, sympy.Rational | sympy.Add | sympy.Mul | over) and not (
         isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Integer)
     ):
         raise NotRationalError(

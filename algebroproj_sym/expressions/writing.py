@@ -210,8 +210,6 @@ def _ordered_terms(node: Any) -> list[Any]:
     symbols = sorted((base for base in bases if type(base) is sympy.Symbol), key=_name)
     compound = _sorted([base for base in bases if type(base) is not sympy.Symbol])
     place = {base: i for i, base in enumerate([*symbols, *compound])}
-    if len({symbol.name for symbol in symbols}) < len(symbols):
-        raise _OtherError
     keys = []
     for found in powers:
         key = [0] * len(place)

@@ -245,7 +245,7 @@ class GroebnerBasis:
             if part == 0:
                 continue
             if place < 0:
-                result[-1 - place] += part
+                result[-1 - place] = part
                 continue
             for index, factor in self._recipes[place].items():
                 needed[index] = needed[index] + part * factor if index in needed else part * factor

@@ -88,7 +88,7 @@ class _Branch(Elimination):
 
     def simplest(self, goal: Any) -> Any:
         """Return an irreducible factor that is zero at some points of the case, or all if none is at all of them."""
-        if goal == 0 or goal.is_constant():
+        if goal.is_constant():
             return goal
         factors = [factor for factor, _ in goal.factor()[1] if factor not in self.units]
         if len(factors) < 2:

@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 from algebroproj_sym.replaying.evaluation import Algebra, at_point, derivatives, evaluate
 from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import Polynomial, constant
-from algebroproj_sym.replaying.rejection import require
+from algebroproj_sym.replaying.rejection import require, require_keys
 from algebroproj_sym.replaying.residues import Residue, extension
 from algebroproj_sym.replaying.text import Form, natural, number, parse, parse_polynomial, texts
 
@@ -49,18 +49,6 @@ class Question:
     symbols: set[str]
     hypotheses: Any
 
-    def field(self, divisors: Any) -> Field:
-        """Return the field of rational functions in the symbols, with listed divisors."""
-        field = Field(self.symbols)
-        field.enter([field.polynomial(text).cleared() for text in texts(divisors)])
-        return field
-
-    def units(self, field: Field) -> list[Element]:
-        """Return what does not vanish; what is identically zero is rejected."""
-        found = [evaluate(form, field.algebra)[0] for form in self.nonzero]
-        require(not any(unit.is_zero for unit in found), "a condition that something is not zero never holds")
-        return found
-
     def difference(self, field: Field) -> list[Element]:
         """Return the difference of the sides, entry by entry."""
         return [a - b for a, b in zip(*self.sides(field.algebra), strict=True)]
@@ -69,13 +57,16 @@ class Question:
         self, given: Mapping[str, Any], numbers: Algebra, divisors: Sequence[Form] = ()
     ) -> tuple[list[Any], list[Any]]:
         """Return both sides at a point, at which the hypotheses must hold."""
-        require(given.keys() == self.symbols, "the point has not a value for every symbol, and no other")
+        require(
+            given.keys() == self.symbols,
+            "the point must give a value to every symbol of the statement, and to no other",
+        )
         point = {name: number_of(text, numbers) for name, text in given.items()}
         algebra = Algebra(point.__getitem__, numbers.number)
         constraints = (evaluate(form, algebra)[0] for form in self.constraints)
         require(all(map(is_zero, constraints)), "the point violates a constraint")
         units = (evaluate(form, algebra)[0] for form in (*self.nonzero, *divisors))
-        require(not any(map(is_zero, units)), "something vanishes at the point that must not")
+        require(not any(map(is_zero, units)), "a form that must not be zero is zero at the point")
         return self.sides(algebra)
 
 
@@ -96,17 +87,10 @@ def number_of(text: Any, numbers: Algebra) -> Any:
     return evaluate(form, numbers)[0]
 
 
-def require_keys(part: Mapping[str, Any], needed: Set[str], possible: Set[str] = frozenset()) -> None:
-    """Reject a part of a record with an entry that is missing or unknown."""
-    found = part.keys()
-    require(needed <= found <= needed | possible, f"expected the entries {sorted(needed)}, got {sorted(found)}")
-
-
-def require_hypotheses(question: Question, field: Field, divisors: Any) -> None:
+def require_divisors(hypotheses: Any, field: Field, divisors: Any) -> None:
     """Require that the hypotheses are the listed divisors, and that these are those of the text of the statement."""
-    require(question.hypotheses == divisors, "the hypotheses are not the divisors of the certificate")
-    require(not field.unlisted, "a division meets a factor that is not listed")
-    require(field.used == {*range(field.listed)}, "a listed divisor is met by no division")
+    require(hypotheses == divisors, "the hypotheses differ from the divisors of the certificate")
+    field.require_listed()
 
 
 @dataclass(frozen=True)
@@ -137,7 +121,7 @@ class _Known:
     def multiplier(self, text: Any) -> Element:
         """Return a polynomial that is a product of what does not vanish."""
         value = self.read(text)
-        require(_is_product(value, self.units), "a multiplier is no product of what does not vanish")
+        require(_is_product(value, self.units), "a multiplier is not a product of forms that are known not to be zero")
         return value
 
     def with_zero(self, zero: Element) -> _Known:
@@ -150,28 +134,36 @@ class _Known:
 def require_consequence(question: Question, certificate: Mapping[str, Any]) -> None:
     """Reject a certificate that does not show that the sides are equal where the constraints hold."""
     method = certificate["method"]
-    require(method == _method_of(certificate), f"the method is another one than {method!r}")
+    require(
+        method == _method_of(certificate),
+        f"the certificate says {method!r}, but its steps are those of another method",
+    )
     require_keys(certificate, NEEDED, OPTIONAL)
     require(bool(question.constraints), "there are no constraints")
-    field = question.field(certificate["denominators"])
+    field = Field(question.symbols, certificate["denominators"])
     algebra = field.algebra
     claims = _numerators(field, certificate["claims"], question.difference(field))
     constraints = [evaluate(form, algebra)[0] for form in question.constraints]
     generators = _numerators(field, certificate["generators"], constraints)
-    sources = [*field.factors[: field.listed], *(unit.numerator for unit in question.units(field))]
-    require_hypotheses(question, field, certificate["denominators"])
+    sources = [*field.factors[: field.listed], *(unit.numerator for unit in field.units(question.nonzero))]
+    require_divisors(question.hypotheses, field, certificate["denominators"])
     moved = _moved(question, field, certificate)
     units = [_restricted(Element(field, source, {}, 1), moved) for source in sources]
     zero = field.number(Fraction(0))
     known = _Known(field, moved, tuple(_restricted(part, moved) for part in generators), tuple(units), zero)
     for text in texts(certificate["units"]):
         unit = known.read(text)
-        require(any(_divides(unit, source) for source in units), "a unit divides nothing that does not vanish")
+        require(
+            any(_divides(unit, source) for source in units),
+            "a listed unit divides none of the forms that must not be zero",
+        )
         known = known.with_unit(unit)
     steps = certificate.get("steps", [])
-    require(not any("goal" in step for step in steps), "a goal belongs to an entry")
+    require(not any("goal" in step for step in steps), "a step before the entries changes the goal of an entry")
     known = _after_steps(known, steps)
-    require(len(certificate["entries"]) == len(claims), "the certificate has not as many entries as the statement")
+    require(
+        len(certificate["entries"]) == len(claims), "the certificate and the statement differ in the number of entries"
+    )
     for claim, entry in zip(claims, certificate["entries"], strict=True):
         require_keys(entry, _keys_of_case(entry), {"steps"})
         _require_case(replace(known, claim=_restricted(claim, moved)), entry)
@@ -193,11 +185,11 @@ def _method_of(certificate: Mapping[str, Any]) -> str:
 def _numerators(field: Field, given: Any, elements: Sequence[Element]) -> list[Element]:
     """Return polynomials that are zero exactly where the elements are, the listed divisors not being zero."""
     listed = texts(given)
-    require(len(listed) == len(elements), "the certificate has not as many numerators as the statement")
+    require(len(listed) == len(elements), "the certificate and the statement differ in the number of numerators")
     found = [field.polynomial(text) for text in listed]
     for numerator, element in zip(found, elements, strict=True):
         first, second = (_essence(field, part.numerator) for part in (numerator, element))
-        require(first in (second, -second), "the numerators are not those of the statement")
+        require(first in (second, -second), "the numerators differ from those of the statement")
     return found
 
 
@@ -237,9 +229,15 @@ def _moved(question: Question, field: Field, certificate: Mapping[str, Any]) -> 
     names = [along["zero"] for along in translations]
     for along in translations:
         require_keys(along, {"zero", "along"})
-        require(along["along"].keys() <= field.places.keys(), "a translation moves what does not occur")
+        require(
+            along["along"].keys() <= field.places.keys(),
+            "a translation moves a symbol that does not occur in the statement",
+        )
         own = {name: along["along"].get(name, "0") for name in names}
-        require(own == {name: str(int(name == along["zero"])) for name in names}, "a translation moves another one")
+        require(
+            own == {name: str(int(name == along["zero"])) for name in names},
+            "a translation moves a symbol that another translation takes to zero",
+        )
     texts = (*certificate["claims"], *certificate["generators"], *certificate["denominators"])
     directions: dict[str, list[Element]] = {name: [] for name in field.places}
     for name, components in directions.items():
@@ -247,7 +245,7 @@ def _moved(question: Question, field: Field, certificate: Mapping[str, Any]) -> 
     algebra = field.algebra
     for form in (*map(parse_polynomial, texts), *question.nonzero):
         slopes = derivatives(form, algebra, directions, len(names))[0] if names else []
-        require(all(slope.is_zero for slope in slopes), "something changes along a translation")
+        require(all(slope.is_zero for slope in slopes), "a form changes along a translation")
     return frozenset(field.places[name] for name in names)
 
 
@@ -274,8 +272,11 @@ def _after_squares(known: _Known, step: Mapping[str, Any]) -> _Known:
     if "not zero" in step:
         require_keys(step, {"squares", "not zero"})
         constants = [root for root in roots if root.cleared().is_constant() and not root.is_zero]
-        require((total - known.read(step["not zero"])).is_zero, "the squares do not add up")
-        require(bool(constants), "no square is a positive number")
+        require(
+            (total - known.read(step["not zero"])).is_zero,
+            "the squares do not add up to the form that is said not to be zero",
+        )
+        require(bool(constants), "none of the squares is that of a number, so that their sum may be zero")
         return known.with_unit(total)
     require_keys(step, {"squares", "multiplier", "cofactors"})
     rest = known.multiplier(step["multiplier"]) * total - known.combined(step["cofactors"])
@@ -297,8 +298,11 @@ def _require_case(known: _Known, case: Mapping[str, Any]) -> None:
     first, second = case["cases"]
     for part in (first, second):
         require_keys(part, {"assumed", *_keys_of_case(part)}, {"steps"})
-    require(first["assumed"].keys() == {"not zero"} and second["assumed"].keys() == {"zero"}, "a case is missing")
-    require(first["assumed"]["not zero"] == second["assumed"]["zero"], "the cases are not complementary")
+    require(
+        first["assumed"].keys() == {"not zero"} and second["assumed"].keys() == {"zero"},
+        "a case distinction needs a case 'not zero' and then a case 'zero'",
+    )
+    require(first["assumed"]["not zero"] == second["assumed"]["zero"], "the two cases are not about the same form")
     distinguished = known.read(second["assumed"]["zero"])
     _require_case(known.with_unit(distinguished), first)
     _require_case(known.with_zero(distinguished), second)
@@ -316,7 +320,10 @@ def _after_step(known: _Known, step: Mapping[str, Any]) -> _Known:
     require_keys(step, {shows, "multiplier", "cofactors", *(() if shows == "zero" else ("factor",))})
     shown, multiplier, total = known.read(text), known.multiplier(step["multiplier"]), known.combined(step["cofactors"])
     if shows == "zero":
-        require((multiplier * shown - total).is_zero, "the cofactors do not multiply out to what is zero")
+        require(
+            (multiplier * shown - total).is_zero,
+            "the cofactors do not multiply out to the form that is said to be zero",
+        )
         return known.with_zero(shown)
     left = multiplier if shows == "not zero" else multiplier * known.claim
     rest = left - total - known.read(step["factor"]) * shown

@@ -53,9 +53,12 @@ def require_entry(record: Mapping[str, Any]) -> None:
     """Reject an entry with a field that is missing, unknown, or of another form than the ledger has it."""
     fields = {*DECLARED, *FOUND}
     require(record.keys() - {"seconds"} == fields, f"expected the fields {sorted(fields)}, got {sorted(record)}")
-    require(record["kind"] in SETTINGS, f"there is no kind {record['kind']!r}")
-    require(record["verdict"] in VERDICTS, f"there is no verdict {record['verdict']!r}")
-    require(record["expected"] == record["verdict"], f"the declared verdict is {record['expected']!r}")
+    require(record["kind"] in SETTINGS, f"unknown kind {record['kind']!r}")
+    require(record["verdict"] in VERDICTS, f"unknown verdict {record['verdict']!r}")
+    require(
+        record["expected"] == record["verdict"],
+        f"the verdict is {record['verdict']!r}, and {record['expected']!r} was declared",
+    )
     for key in ("paper", "number", "section", "title", "note"):
         text = record[key]
         require(isinstance(text, str) and text.isprintable(), f"{key}: expected a printable text, got {text!r}")
@@ -71,9 +74,9 @@ def require_entry(record: Mapping[str, Any]) -> None:
     )
     require(quoted, "quote: expected line and latex")
     require(setting.keys() <= SETTINGS[record["kind"]], f"setting: unknown entries in {sorted(setting)}")
-    require(record["engine"] in ("flint", "sympy"), f"there is no engine {record['engine']!r}")
+    require(record["engine"] in ("flint", "sympy"), f"unknown engine {record['engine']!r}")
     require_seconds(record)
-    require(record["declaration"] == declaration_digest(record), "the digest is not that of the declaration")
+    require(record["declaration"] == declaration_digest(record), "the digest differs from that of the declaration")
 
 
 def require_seconds(record: Mapping[str, Any]) -> None:

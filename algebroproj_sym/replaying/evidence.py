@@ -11,11 +11,11 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any, TypeAlias
 
-from algebroproj_sym.replaying.consequences import Question, Sides, require_consequence
+from algebroproj_sym.replaying.consequences import Question, Sides, require_consequence, require_divisors
 from algebroproj_sym.replaying.evaluation import Algebra, at_point, derivatives, evaluate
 from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import Polynomial
-from algebroproj_sym.replaying.rejection import require
+from algebroproj_sym.replaying.rejection import require, require_keys
 from algebroproj_sym.replaying.statement import Point, Statement
 from algebroproj_sym.replaying.text import decimal, integer, natural, number, numbers, parse_polynomial, texts
 
@@ -28,29 +28,12 @@ def _method(certificate: Certificate, expected: str) -> None:
     require(found == expected, f"expected the method {expected!r}, got {found!r}")
 
 
-def _keys(certificate: Certificate, *expected: str) -> None:
-    found = certificate.keys()
-    require(found == {*expected}, f"expected the entries {sorted(expected)} in the certificate, got {sorted(found)}")
-
-
-def _exact(field: Field) -> None:
-    """Require that the listed divisors are those that the text of the forms has, no more and no fewer."""
-    require(not field.unlisted, "a division meets a factor that is not listed")
-    require(field.used == {*range(field.listed)}, "a listed divisor is met by no division")
-
-
-def _hypotheses(statement: Statement, field: Field, listed: Any) -> None:
-    """Require that the hypotheses are the listed divisors, and that these are those of the forms."""
-    require(statement.record["hypotheses"] == listed, "the hypotheses are not the divisors of the certificate")
-    _exact(field)
-
-
 def _sides(statement: Statement, form: str) -> Sides:
     """Return what gives both sides in an algebra."""
 
     def sides(algebra: Algebra) -> tuple[list[Any], list[Any]]:
         left, right = statement.side(form, algebra), statement.side("derived", algebra)
-        require(statement.form(form).shape == statement.form("derived").shape, "the two sides have not the same shape")
+        require(statement.form(form).shape == statement.form("derived").shape, "the two sides differ in shape")
         return left, right
 
     return sides
@@ -63,11 +46,11 @@ def _difference(sides: Sides, field: Field) -> list[Element]:
 def identity(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that two sides are equal as rational functions."""
     _method(certificate, "normal form")
-    _keys(certificate, "method", "denominators")
-    field = statement.field(certificate["denominators"])
-    statement.units(field)
+    require_keys(certificate, {"method", "denominators"})
+    field = Field(statement.symbols, certificate["denominators"])
+    field.units(statement.listed("nonzero"))
     require(all(entry.is_zero for entry in _difference(_sides(statement, form), field)), "the two sides differ")
-    _hypotheses(statement, field, certificate["denominators"])
+    require_divisors(statement.record["hypotheses"], field, certificate["denominators"])
 
 
 def constrained(statement: Statement, form: str, certificate: Certificate) -> None:
@@ -94,7 +77,7 @@ def _primitive(polynomial: Polynomial) -> Polynomial:
 
 def _pivot(certificate: Certificate, places: int) -> int:
     pivot = integer(certificate.get("pivot"))
-    require(0 <= pivot < places, "the pivot is no place of the form")
+    require(0 <= pivot < places, "the pivot is not the place of an entry")
     return pivot
 
 
@@ -114,17 +97,17 @@ def projective(statement: Statement, form: str, certificate: Certificate) -> Non
         _constrained(statement, own, lambda algebra: _crossed(*both(algebra)))
         return
     _method(certificate, "normal form")
-    _keys(certificate, "method", "denominators", "pivot")
-    field = statement.field(certificate["denominators"])
+    require_keys(certificate, {"method", "denominators", "pivot"})
+    field = Field(statement.symbols, certificate["denominators"])
     printed, derived = both(field.algebra)
     pivot = _pivot(certificate, len(derived))
     p, d = printed[pivot], derived[pivot]
     require(not p.is_zero and not d.is_zero, "the entry at the pivot is zero")
-    require(all(entry.is_zero for entry in derived[:pivot]), "the pivot is not the first")
-    statement.units(field)
+    require(all(entry.is_zero for entry in derived[:pivot]), "an entry before the pivot is not zero")
+    field.units(statement.listed("nonzero"))
     equal = all((a * d - b * p).is_zero for a, b in zip(printed, derived, strict=True))
     require(equal, "the two sides are not proportional")
-    _hypotheses(statement, field, certificate["denominators"])
+    require_divisors(statement.record["hypotheses"], field, certificate["denominators"])
 
 
 def _crossed(left: Sequence[Any], right: Sequence[Any]) -> tuple[list[Any], list[Any]]:
@@ -136,17 +119,17 @@ def _crossed(left: Sequence[Any], right: Sequence[Any]) -> tuple[list[Any], list
 def structure(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that the derived matrix has the zeros, equal and opposite entries of the pattern."""
     _method(certificate, "normal form")
-    _keys(certificate, "method", "denominators", "pattern")
+    require_keys(certificate, {"method", "denominators", "pattern"})
     marks = _marks(statement, form)
     pattern: dict[str, list[int]] = {}
     for place, (sign, mark) in enumerate(marks, start=1):
         pattern.setdefault(mark, []).append(sign * place)
     given = {mark: [*map(integer, places)] for mark, places in certificate["pattern"].items()}
-    require(pattern == given, "the pattern of the certificate is not the printed one")
-    field = statement.field(certificate["denominators"])
+    require(pattern == given, "the pattern of the certificate differs from the printed one")
+    field = Field(statement.symbols, certificate["denominators"])
     entries = statement.side("derived", field.algebra)
     same = statement.form(form).shape == statement.form("derived").shape
-    require(same, "the pattern has not the shape of the matrix")
+    require(same, "the pattern and the matrix differ in shape")
     first: dict[str, Element] = {}
     for (sign, mark), entry in zip(marks, entries, strict=True):
         signed = entry if sign > 0 else -entry
@@ -155,12 +138,12 @@ def structure(statement: Statement, form: str, certificate: Certificate) -> None
             continue
         require(not signed.is_zero, f"an entry marked {mark} is zero")
         require((first.setdefault(mark, signed) - signed).is_zero, f"the entries marked {mark} differ")
-    _hypotheses(statement, field, certificate["denominators"])
+    require_divisors(statement.record["hypotheses"], field, certificate["denominators"])
 
 
 def _marks(statement: Statement, form: str) -> list[tuple[int, str]]:
     """Return the sign and the mark of each entry of a pattern."""
-    require(not statement.where, "the marks of a pattern stand for nothing but themselves")
+    require(not statement.where, "a mark of a pattern must not stand for an expression")
     pattern, marks = statement.form(form), []
     for place in range(len(pattern.entries)):
         mark, sign = pattern.entry(place), 1
@@ -177,9 +160,9 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> None
     That the factors are irreducible is not needed for this direction, and not checked.
     """
     _method(certificate, "factorisation")
-    _keys(certificate, "method", "content", "factors", "denominator", "printed", "excluded")
+    require_keys(certificate, {"method", "content", "factors", "denominator", "printed", "excluded"})
     divisors = statement.record["hypotheses"]
-    field = statement.field(divisors)
+    field = Field(statement.symbols, divisors)
     algebra = field.algebra
     require(not statement.form("derived").shape, "expected a scalar that vanishes")
     named: dict[str, Element] = {}
@@ -188,7 +171,7 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> None
         total = field.number(Fraction(1))
         require(len({name for name, _ in powers}) == len(powers), "a factor is listed twice")
         for name, count in powers:
-            require(natural(count) > 0, "expected a number of times")
+            require(natural(count) > 0, "expected a positive multiplicity")
             if name not in named:
                 named[name] = field.polynomial(name)
                 primitive = not named[name].cleared().is_constant() and abs(named[name].cleared().content()) == 1
@@ -200,25 +183,30 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> None
     derived = statement.side("derived", algebra)[0]
     multiplied = content * product(certificate["factors"])
     below = product(certificate["denominator"])
-    require({name for name, _ in certificate["denominator"]} <= {*divisors}, "a divisor is no hypothesis")
+    require({name for name, _ in certificate["denominator"]} <= {*divisors}, "a divisor is not among the hypotheses")
     require(not derived.is_zero, "the derived expression is identically zero")
     require((derived * below - multiplied).is_zero, "the factors do not multiply out to the expression")
     printed = statement.side(form, algebra)
-    require(len(printed) == len(certificate["printed"]), "expected the factors of each printed factor")
+    require(
+        len(printed) == len(certificate["printed"]),
+        "the certificate and the statement differ in the number of printed factors",
+    )
     for value, powers in zip(printed, certificate["printed"], strict=True):
         require(_numerator(value) == _numerator(product(powers)), "the factors of a printed factor do not multiply out")
     factors = {name for name, _ in certificate["factors"]}
     claimed = {name for powers in certificate["printed"] for name, _ in powers}
-    units = statement.units(field)
+    units = field.units(statement.listed("nonzero"))
     excluded = []
     for name in sorted(factors):
         factor = named[name].cleared()
         listed = factor in field.factors[: field.listed] or -factor in field.factors[: field.listed]
         if listed or any(_numerator(value).quotient(_primitive(factor)) is not None for value in units):
             excluded.append(name)
-    require(certificate["excluded"] == excluded, "the excluded factors are not those of divisors and hypotheses")
+    require(
+        certificate["excluded"] == excluded, "the excluded factors differ from those of the divisors and hypotheses"
+    )
     require(factors - {*certificate["excluded"]} == claimed, "the factors of the two sides differ")
-    _exact(field)
+    field.require_listed()
 
 
 def rank(statement: Statement, form: str, certificate: Certificate) -> None:
@@ -239,7 +227,7 @@ def _integer(statement: Statement, form: str) -> int:
 def _minor(statement: Statement, certificate: Certificate, point: Any) -> int:
     """Return the size of the minor of the certificate, which is not zero at a point."""
     exact = statement.point(point)
-    require(exact.keys() == statement.symbols, "the point has not a value for every symbol")
+    require(exact.keys() == statement.symbols, "the point must give a value to every symbol, and to no other")
     return _size(_matrix_at(statement, exact), certificate, "rows", "columns", "minor")
 
 
@@ -262,17 +250,19 @@ def _size(matrix: list[list[Fraction]], certificate: Certificate, rows: str, col
     width = len(matrix[0]) if matrix else 0
     chosen_rows = _chosen(certificate.get(rows), len(matrix))
     chosen_columns = _chosen(certificate.get(columns), width)
-    require(len(chosen_rows) == len(chosen_columns), "a minor has as many rows as columns")
+    require(len(chosen_rows) == len(chosen_columns), "a minor needs as many rows as columns")
     determinant = _determinant([[matrix[i][j] for j in chosen_columns] for i in chosen_rows])
     require(determinant != 0, "the minor is zero")
-    require(determinant == number(certificate.get(value)), "the minor has another value")
+    require(determinant == number(certificate.get(value)), "the recorded value of the minor is wrong")
     return len(chosen_rows)
 
 
 def _chosen(places: Any, limit: int) -> list[int]:
-    require(isinstance(places, list), "a minor has rows and columns")
+    require(isinstance(places, list), "a minor needs a list of rows and a list of columns")
     found = [place for place in map(integer, places) if 0 <= place < limit]
-    require(found == places == sorted({*found}), "rows and columns are not places of the matrix in order")
+    require(
+        found == places == sorted({*found}), "the rows or columns of the minor are out of order, or outside the matrix"
+    )
     return found
 
 
@@ -299,14 +289,17 @@ def _bound(statement: Statement, certificate: Certificate, others: set[str]) -> 
     counted = statement.kind == "count"
     width = len(statement.setting["variables"]) if counted else derived.shape[1]
     smaller = min(len(derived.entries) if counted else derived.shape[0], width)
-    require(statement.record["hypotheses"] == [], "what holds for rational functions has no hypotheses")
+    require(statement.record["hypotheses"] == [], "a rank over the rational functions must not have hypotheses")
     field = Field(statement.symbols)
     if not certificate.get("kernel"):
-        _keys(certificate, "method", "kernel", *others)
+        require_keys(certificate, {"method", "kernel", *others})
         return smaller
-    _keys(certificate, "method", "kernel", "kernel at", "kernel rows", "kernel minor", *others)
+    require_keys(certificate, {"method", "kernel", "kernel at", "kernel rows", "kernel minor", *others})
     vectors = [[*map(field.element, field.polynomials(text))] for text in texts(certificate["kernel"])]
-    require(all(len(vector) == width for vector in vectors), "a kernel vector has not as many entries as columns")
+    require(
+        all(len(vector) == width for vector in vectors),
+        "a kernel vector and the matrix differ in the number of columns",
+    )
     require(all(entry.is_zero for entry in _along(statement, field, vectors)), "a vector is not in the kernel")
     point = statement.point(certificate["kernel at"])
     columns = [evaluate(parse_polynomial(text), at_point(point)) for text in texts(certificate["kernel"])]
@@ -341,18 +334,18 @@ def limit(statement: Statement, form: str, certificate: Certificate) -> None:
     A limit is one where the lowest coefficients of all divisors do not vanish; these are hypotheses.
     """
     _method(certificate, "leading coefficients")
-    _keys(certificate, "method", "divisors", "orders")
+    require_keys(certificate, {"method", "divisors", "orders"})
     field, limits, lowest = _limits(statement, form, certificate)
     for value, found in zip(statement.side(form, field.algebra), limits, strict=True):
         require(found is not None, "an entry has no limit")
         assert found is not None
         numerator, denominator = found
-        require((value * denominator - numerator).is_zero, "the limit is another one")
-    hypotheses = statement.field(statement.record["hypotheses"])
+        require((value * denominator - numerator).is_zero, "the limit differs from the printed one")
+    hypotheses = Field(statement.symbols, statement.record["hypotheses"])
     statement.side(form, hypotheses.algebra)
     for coefficient in lowest:
         hypotheses.factored(coefficient)
-    _exact(hypotheses)
+    hypotheses.require_listed()
 
 
 Limit: TypeAlias = "tuple[Element, Element] | None"
@@ -360,13 +353,13 @@ Limit: TypeAlias = "tuple[Element, Element] | None"
 
 def _limits(statement: Statement, form: str, certificate: Certificate) -> tuple[Field, list[Limit], list[Polynomial]]:
     """Return numerator and denominator of the limit of each entry, None for a pole, and what must not vanish."""
-    require(statement.form(form).shape == statement.form("derived").shape, "the two sides have not the same shape")
-    field = statement.field(certificate["divisors"])
+    require(statement.form(form).shape == statement.form("derived").shape, "the two sides differ in shape")
+    field = Field(statement.symbols, certificate["divisors"])
     values = statement.side("derived", field.algebra)
-    _exact(field)
+    field.require_listed()
     place = field.places[statement.setting["variable"]]
     found = [_leading(value, place) for value in values]
-    require([*map(integer, certificate["orders"])] == [order for order, _, _ in found], "the orders are others")
+    require([*map(integer, certificate["orders"])] == [order for order, _, _ in found], "the recorded orders are wrong")
     zero = field.number(Fraction(0))
     limits: list[Limit] = [
         None if order < 0 else (above, below) if order == 0 else (zero, below) for order, above, below in found
@@ -393,27 +386,27 @@ def _lowest(polynomial: Polynomial, place: int) -> tuple[int, Polynomial]:
 
 def numeric(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that a printed number is the exact one, rounded as declared."""
-    require(_rounded(statement, form, certificate), "the exact number, rounded, is another one")
+    require(_rounded(statement, form, certificate), "the exact number, rounded, differs from the printed one")
 
 
 def numeric_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that a printed number is not the exact one, rounded as declared."""
     _require_no_point(statement)
-    require(not _rounded(statement, form, certificate), "the number is the exact one, rounded")
+    require(not _rounded(statement, form, certificate), "the printed number is the exact one, rounded")
 
 
 def _rounded(statement: Statement, form: str, certificate: Certificate) -> bool:
     """Whether the printed number is the one that the certificate gives, after a check that this is the rounded one."""
     _method(certificate, "exact rounding")
-    _keys(certificate, "method", "rounded")
+    require_keys(certificate, {"method", "rounded"})
     exact = statement.form("derived")
     require(not exact.shape, "the exact number is a matrix")
-    require(statement.record["hypotheses"] == [], "a number has no hypotheses")
+    require(statement.record["hypotheses"] == [], "a printed number must not have hypotheses")
     printed, digit = decimal(statement.record[form])
     given, last = decimal(certificate["rounded"])
-    require(last == digit, "the rounded number has not as many decimals as the printed one")
+    require(last == digit, "the rounded number and the printed one differ in the number of decimals")
     value = evaluate(exact, at_point({}))[0]
-    require(_rounds_to(value, given, digit, statement.setting.get("rounding")), "the rounded number is another one")
+    require(_rounds_to(value, given, digit, statement.setting.get("rounding")), "the recorded rounded number is wrong")
     return given == printed
 
 
@@ -426,19 +419,19 @@ def _rounds_to(exact: Fraction, given: Fraction, digit: Fraction, rounding: Any)
 
 def reference(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that a reference is the meant one."""
-    require(_referred(statement, form, certificate), "the reference is another one")
+    require(_referred(statement, form, certificate), "the printed reference differs from the meant one")
 
 
 def reference_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that a reference is not the meant one."""
     _require_no_point(statement)
-    require(not _referred(statement, form, certificate), "the reference is the meant one")
+    require(not _referred(statement, form, certificate), "the printed reference is the meant one")
 
 
 def _referred(statement: Statement, form: str, certificate: Certificate) -> bool:
     _method(certificate, "comparison of references")
-    _keys(certificate, "method")
-    require(statement.record["hypotheses"] == [], "a reference has no hypotheses")
+    require_keys(certificate, {"method"})
+    require(statement.record["hypotheses"] == [], "a reference must not have hypotheses")
     printed, meant = statement.form(form), statement.form("derived")
     return printed.shape == meant.shape and evaluate(printed, at_point({})) == evaluate(meant, at_point({}))
 
@@ -446,18 +439,18 @@ def _referred(statement: Statement, form: str, certificate: Certificate) -> bool
 def definition(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that what is defined has the recorded values at a point."""
     _method(certificate, "instance")
-    _keys(certificate, "method", "instance", "values")
+    require_keys(certificate, {"method", "instance", "values"})
     values = statement.side(form, at_point(statement.point(certificate["instance"])))
-    require(values == numbers(certificate["values"]), "the values of the instance are others")
-    field = statement.field(statement.record["hypotheses"])
+    require(values == numbers(certificate["values"]), "the recorded values of the instance are wrong")
+    field = Field(statement.symbols, statement.record["hypotheses"])
     statement.side(form, field.algebra)
-    _exact(field)
+    field.require_listed()
 
 
 def differing(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that two sides differ at the point."""
     _method(certificate, "counterexample")
-    _keys(certificate, "method", "left", "right")
+    require_keys(certificate, {"method", "left", "right"})
     left, right = _sides(statement, form)(at_point(_counterexample(statement)))
     _require_different(certificate, left, right)
 
@@ -471,7 +464,7 @@ def _counterexample(statement: Statement) -> Point:
 def projective_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that two sides are not proportional at the point."""
     _method(certificate, "counterexample")
-    _keys(certificate, "method", "left", "right", "pivot")
+    require_keys(certificate, {"method", "left", "right", "pivot"})
     printed, derived = _sides(statement, form)(at_point(_counterexample(statement)))
     pivot = _pivot(certificate, len(derived))
     left = [entry * derived[pivot] for entry in printed]
@@ -483,40 +476,45 @@ def projective_refuted(statement: Statement, form: str, certificate: Certificate
 def structure_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that a matrix does not follow the pattern at the point."""
     _method(certificate, "counterexample")
-    _keys(certificate, "method", "left", "right")
+    require_keys(certificate, {"method", "left", "right"})
     values = statement.side("derived", at_point(_counterexample(statement)))
     first: dict[str, Fraction] = {}
     expected = []
     marks = _marks(statement, form)
     same = statement.form(form).shape == statement.form("derived").shape
-    require(same, "the pattern has not the shape of the matrix")
+    require(same, "the pattern and the matrix differ in shape")
     for (sign, mark), value in zip(marks, values, strict=True):
         constant = mark.lstrip("-").isdecimal()
         expected.append(Fraction(mark) if constant else sign * first.setdefault(mark, sign * value))
-    require(expected == numbers(certificate["left"]), "the pattern has another value at the point")
-    require(values == numbers(certificate["right"]), "the matrix has another value at the point")
+    require(expected == numbers(certificate["left"]), "the recorded value of the pattern at the point is wrong")
+    require(values == numbers(certificate["right"]), "the recorded value of the matrix at the point is wrong")
     require(expected != values, "the matrix follows the pattern at the point")
 
 
 def vanishing_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that at the point only one side vanishes."""
     _method(certificate, "counterexample")
-    _keys(certificate, "method", "derived", "product of the factors")
+    require_keys(certificate, {"method", "derived", "product of the factors"})
     require(not statement.form("derived").shape, "expected a scalar that vanishes")
     algebra = at_point(_counterexample(statement))
     derived, product = statement.side("derived", algebra)[0], Fraction(1)
     for factor in statement.side(form, algebra):
         product *= factor
-    require(derived == number(certificate["derived"]), "the derived expression has another value at the point")
-    require(product == number(certificate["product of the factors"]), "the product has another value at the point")
-    require((derived == 0) != (product == 0), "the two sides vanish together at the point")
+    require(
+        derived == number(certificate["derived"]), "the recorded value of the derived expression at the point is wrong"
+    )
+    require(
+        product == number(certificate["product of the factors"]),
+        "the recorded value of the product at the point is wrong",
+    )
+    require((derived == 0) != (product == 0), "at the point both sides are zero, or neither is")
 
 
 def rank_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that a rank is larger, by a minor, or smaller, by kernel vectors."""
     claimed = _integer(statement, form)
     if certificate.get("method") == "counterexample":
-        _keys(certificate, "method", "rank", "rows", "columns", "minor")
+        require_keys(certificate, {"method", "rank", "rows", "columns", "minor"})
         size = _minor(statement, certificate, statement.record["counterexample"])
         require(size == integer(certificate["rank"]), "the minor is not of the recorded size")
         require(size > claimed, "the rank is not larger")
@@ -524,20 +522,20 @@ def rank_refuted(statement: Statement, form: str, certificate: Certificate) -> N
     _method(certificate, "kernel vectors")
     bound = _bound(statement, certificate, {"rank at most"})
     _require_no_point(statement)
-    require(bound == integer(certificate["rank at most"]), "the bound is another one")
+    require(bound == integer(certificate["rank at most"]), "the recorded bound of the rank is wrong")
     require(bound < claimed, "the rank is not smaller")
 
 
 def limit_refuted(statement: Statement, form: str, certificate: Certificate) -> None:
     """Show that an entry has a pole, or that the limit differs at the point."""
     if certificate.get("method") == "divergence":
-        _keys(certificate, "method", "divisors", "orders")
+        require_keys(certificate, {"method", "divisors", "orders"})
         _, limits, _ = _limits(statement, form, certificate)
         _require_no_point(statement)
         require(None in limits, "every entry has a limit")
         return
     _method(certificate, "counterexample")
-    _keys(certificate, "method", "divisors", "orders", "left", "right")
+    require_keys(certificate, {"method", "divisors", "orders", "left", "right"})
     field, limits, lowest = _limits(statement, form, certificate)
     point = _counterexample(statement)
     require(all(field.value(part, point) for part in lowest), "the limit is not defined at the point")
@@ -551,13 +549,13 @@ def limit_refuted(statement: Statement, form: str, certificate: Certificate) -> 
 
 
 def _require_different(certificate: Certificate, left: list[Fraction], right: list[Fraction]) -> None:
-    require(left == numbers(certificate["left"]), "the left side has another value at the point")
-    require(right == numbers(certificate["right"]), "the right side has another value at the point")
+    require(left == numbers(certificate["left"]), "the recorded value of the left side at the point is wrong")
+    require(right == numbers(certificate["right"]), "the recorded value of the right side at the point is wrong")
     require(left != right, "the two sides do not differ at the point")
 
 
 def _require_no_point(statement: Statement) -> None:
-    require(statement.record["counterexample"] == {}, "what is refuted without a point has no coordinates")
+    require(statement.record["counterexample"] == {}, "a refutation without a point needs an empty counterexample")
 
 
 PROOFS: Mapping[str, Check] = {

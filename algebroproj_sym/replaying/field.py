@@ -7,7 +7,7 @@ and a certificate that did not list it is rejected.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from math import gcd
 from typing import Any
@@ -15,7 +15,7 @@ from typing import Any
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.polynomial import BITS, Polynomial, constant, product, variables
 from algebroproj_sym.replaying.rejection import Rejected, require
-from algebroproj_sym.replaying.text import parse_polynomial
+from algebroproj_sym.replaying.text import Form, parse_polynomial, texts
 
 
 class Field:
@@ -25,6 +25,8 @@ class Field:
     ----------
     names : iterable of str
         The symbols.
+    divisors : list of str
+        The listed divisors.
 
     Attributes
     ----------
@@ -37,22 +39,27 @@ class Field:
 
     Examples
     --------
-    >>> field = Field(["x", "y"])
+    >>> field = Field(["x", "y"], ["x - y"])
     >>> x, y = field.symbol("x"), field.symbol("y")
-    >>> field.enter(field.polynomials("x - y"))
-    >>> ((x * x - y * y) / (x - y) - x - y).is_zero, field.used, field.unlisted
-    (True, {0}, False)
+    >>> ((x * x - y * y) / (x - y) - x - y).is_zero, field.used
+    (True, {0})
+    >>> field.require_listed()
     """
 
-    def __init__(self, names: Iterable[str]) -> None:
+    def __init__(self, names: Iterable[str], divisors: Any = ()) -> None:
         ordered = sorted(set(names))
         self.places = {name: place for place, name in enumerate(ordered)}
         self._variables = dict(zip(ordered, variables(len(ordered)), strict=True))
         self._polynomials = Algebra(self.variable, lambda value: constant(value.numerator))
         self.factors: list[Polynomial] = []
-        self.listed = 0
         self.used: set[int] = set()
         self._divided: dict[Polynomial, tuple[int, dict[int, int]]] = {}
+        for text in texts(divisors):
+            factor = self.polynomial(text).cleared()
+            if factor.is_constant() or abs(factor.content()) != 1 or factor in self.factors or -factor in self.factors:
+                raise Rejected("a listed divisor is a constant, has a numeric factor, or is listed twice")
+            self.factors.append(factor)
+        self.listed = len(self.factors)
 
     def variable(self, name: str) -> Polynomial:
         """Return a symbol as a polynomial."""
@@ -87,14 +94,6 @@ class Field:
         """The algebra in which symbols and numbers are elements."""
         return Algebra(self.symbol, self.number)
 
-    def enter(self, divisors: Sequence[Polynomial]) -> None:
-        """Enter the listed divisors."""
-        for factor in divisors:
-            if factor.is_constant() or abs(factor.content()) != 1 or factor in self.factors or -factor in self.factors:
-                raise Rejected("a listed divisor is a constant, has a numeric factor, or is listed twice")
-            self.factors.append(factor)
-        self.listed = len(self.factors)
-
     def value(self, polynomial: Polynomial, point: Mapping[str, Fraction]) -> Fraction:
         """Return the value of a polynomial at a point."""
         total = Fraction(0)
@@ -107,10 +106,19 @@ class Field:
             total += term
         return total
 
-    @property
-    def unlisted(self) -> bool:
-        """Whether a division met a factor that is not listed."""
-        return any(place >= self.listed for place in self.used)
+    def units(self, forms: Iterable[Form]) -> list[Element]:
+        """Return forms that must not be zero; what is zero everywhere is rejected."""
+        found = [evaluate(form, self.algebra)[0] for form in forms]
+        require(not any(unit.is_zero for unit in found), "a form that must not be zero is zero everywhere")
+        return found
+
+    def require_listed(self) -> None:
+        """Require that the divisions met the listed divisors, all of them and no others."""
+        require(
+            all(place < self.listed for place in self.used),
+            "a form divides by a factor that the certificate does not list",
+        )
+        require(len(self.used) == self.listed, "the certificate lists a divisor by which no form divides")
 
     def factored(self, polynomial: Polynomial) -> tuple[int, dict[int, int]]:
         """Return the content and the exponents of the factors of a polynomial, noting a factor that is new."""

@@ -11,13 +11,13 @@ from algebroproj_sym.replaying.consequences import (
     number_of,
     numbers_of,
     require_consequence,
-    require_hypotheses,
-    require_keys,
+    require_divisors,
 )
 from algebroproj_sym.replaying.entry import require_seconds
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
+from algebroproj_sym.replaying.field import Field
 from algebroproj_sym.replaying.letters import require_in_letters
-from algebroproj_sym.replaying.rejection import NotReplayable, require
+from algebroproj_sym.replaying.rejection import NotReplayable, require, require_keys
 from algebroproj_sym.replaying.text import parse_statement, texts
 
 KEYS = {
@@ -51,9 +51,9 @@ def require_identity(record: Mapping[str, Any]) -> None:
         require(isinstance(record[key], str) and record[key].isprintable(), f"{key}: expected a printable text")
     require_seconds(record)
     if verdict in ("open", "error"):
-        raise NotReplayable("what is not decided has no evidence")
-    require(record["method"] == certificate["method"], "the method is not that of the certificate")
-    require(record["reason"] is None, "what is decided needs no reason")
+        raise NotReplayable("an identity that is not decided has no evidence")
+    require(record["method"] == certificate["method"], "the method differs from that of the certificate")
+    require(record["reason"] is None, "a decided identity must not give a reason")
     if "letters" in record:
         require_in_letters(record)
         return
@@ -61,21 +61,21 @@ def require_identity(record: Mapping[str, Any]) -> None:
     if verdict == "refuted":
         _require_difference(record, question, certificate)
         return
-    require(record["counterexample"] is None, "what is proved has no counterexample")
+    require(record["counterexample"] is None, "a proved identity must not have a counterexample")
     if certificate["method"] == "normal form":
         require_keys(certificate, {"method", "denominators"})
         require(not question.constraints, "a normal form decides nothing under constraints")
-        field = question.field(certificate["denominators"])
+        field = Field(question.symbols, certificate["denominators"])
         require(all(entry.is_zero for entry in question.difference(field)), "the two sides differ")
-        question.units(field)
-        require_hypotheses(question, field, certificate["denominators"])
+        field.units(question.nonzero)
+        require_divisors(question.hypotheses, field, certificate["denominators"])
     else:
         require_consequence(question, certificate)
 
 
 def _question(record: Mapping[str, Any]) -> Question:
     left, right = parse_statement(record["lhs"]), parse_statement(record["rhs"])
-    require(left.shape == right.shape, "the two sides have not the same shape")
+    require(left.shape == right.shape, "the two sides differ in shape")
     constraints = [parse_statement(text) for text in texts(record["constraints"])]
     nonzero = [parse_statement(text) for text in texts(record["nonzero"])]
     require(not any(form.shape for form in (*constraints, *nonzero)), "expected scalars as constraints and conditions")
@@ -90,11 +90,11 @@ def _question(record: Mapping[str, Any]) -> Question:
 def _require_difference(record: Mapping[str, Any], question: Question, certificate: Mapping[str, Any]) -> None:
     require_keys(certificate, {"method", "left", "right"}, {"extension"})
     require(certificate["method"] == "counterexample", "expected the method 'counterexample'")
-    require(question.hypotheses == [], "a counterexample needs no hypotheses")
+    require(question.hypotheses == [], "a refuted identity must not have hypotheses")
     numbers = numbers_of(certificate)
     sides = question.sides_at(record["counterexample"], numbers)
     for name, values in zip(("left", "right"), sides, strict=True):
         shown = [number_of(text, numbers) for text in texts(certificate[name])]
         same = len(shown) == len(values) and all(is_zero(a - b) for a, b in zip(shown, values, strict=True))
-        require(same, f"the {name} side has another value at the point")
+        require(same, f"the recorded value of the {name} side at the point is wrong")
     require(any(not is_zero(a - b) for a, b in zip(*sides, strict=True)), "the two sides do not differ")

@@ -72,7 +72,7 @@ def replay_claim(record: Mapping[str, Any]) -> Replayed:
     >>> replay_claim(record).status
     'replayed'
     >>> replay_claim({**record, "derived": "x + 2"}).reason
-    'the digest is not that of the declaration'
+    'the digest differs from that of the declaration'
     >>> record["derived"] = "x + 2"
     >>> replay_claim({**record, "declaration": declaration_digest(record)}).reason
     'the two sides differ'
@@ -137,17 +137,36 @@ def _follow(record: Mapping[str, Any]) -> None:
     if verdict == "open" or certificate is None:
         raise NotReplayable("an open claim has no evidence" if verdict == "open" else "there is no certificate")
     statement = Statement(record)
-    require((kind == "identity under constraints") <= ("constraints" in statement.setting), "no constraints are given")
-    require((kind == "identity") <= ("constraints" not in statement.setting), "constraints are given")
-    require((kind == "definition") == (verdict == "definition"), "a definition, and nothing else, is a definition")
-    require(statement.has("printed") == (verdict != "illegible"), "exactly an illegible formula has no printed form")
-    require(statement.has("derived") == (kind != "definition"), "exactly a definition has no derived form")
     require(
-        statement.has("corrected") == (verdict in (*CORRECTED, "illegible")), "a corrected form is needless or missing"
+        (kind == "identity under constraints") <= ("constraints" in statement.setting),
+        "an identity under constraints needs constraints",
     )
-    require((record["instead"] is None) == (verdict != "false"), "what is true instead is needless or missing")
-    require((record["counterexample"] is None) == (verdict not in (*CORRECTED, "false")), "a needless counterexample")
-    require(("refutation" in certificate) == (verdict in CORRECTED), "exactly what is corrected has a refutation")
+    require((kind == "identity") <= ("constraints" not in statement.setting), "an identity must not have constraints")
+    require(
+        (kind == "definition") == (verdict == "definition"),
+        "the kind definition and the verdict definition belong together",
+    )
+    require(
+        statement.has("printed") == (verdict != "illegible"),
+        "the printed form is missing, or an illegible formula has one",
+    )
+    require(statement.has("derived") == (kind != "definition"), "the derived form is missing, or a definition has one")
+    require(
+        statement.has("corrected") == (verdict in (*CORRECTED, "illegible")),
+        "a corrected form is missing, or the verdict has none",
+    )
+    require(
+        (record["instead"] is None) == (verdict != "false"),
+        "a false claim must name what is true instead, and no other claim may",
+    )
+    require(
+        (record["counterexample"] is None) == (verdict not in (*CORRECTED, "false")),
+        "a claim that is not refuted must not have a counterexample",
+    )
+    require(
+        ("refutation" in certificate) == (verdict in CORRECTED),
+        "a corrected claim must have a refutation, and no other claim may",
+    )
     statement.require_meanings()
     proof = {key: value for key, value in certificate.items() if key != "refutation"}
     if verdict in ("proved", "definition"):
@@ -157,7 +176,7 @@ def _follow(record: Mapping[str, Any]) -> None:
         PROOFS[kind](statement, "corrected", proof)
     if verdict in (*CORRECTED, "false"):
         refutation = certificate["refutation"] if verdict in CORRECTED else certificate
-        require(verdict in CORRECTED or record["hypotheses"] == [], "a refutation has no hypotheses")
+        require(verdict in CORRECTED or record["hypotheses"] == [], "a false claim must not have hypotheses")
         REFUTATIONS[kind](statement, "printed", refutation)
 
 
@@ -215,7 +234,7 @@ def _listed(ledger: Mapping[str, Any], name: str) -> Sequence[Mapping[str, Any]]
     counts = dict(Counter(str(entry.get("verdict")) for entry in entries))
     summary = ledger["summary"]
     counted = isinstance(summary, Mapping) and all(type(count) is int for count in summary.values())
-    require(counted and summary == counts, "the summary is not the count of the verdicts")
+    require(counted and summary == counts, "the summary differs from the count of the verdicts")
     names = Counter(f"{entry.get('paper')}:{entry.get('number')}" for entry in entries)
     twice = sorted(named for named, count in names.items() if count > 1)
     require(name == "identities" or not twice, f"claims are listed twice: {', '.join(twice)}")

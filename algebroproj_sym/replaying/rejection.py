@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Set
+from typing import Any
+
 
 class Rejected(ValueError):  # noqa: N818 - a judgement, not a malfunction
     """A certificate does not show what the ledger says."""
@@ -15,3 +18,9 @@ def require(holds: bool, reason: str) -> None:
     """Reject with a reason, unless something holds."""
     if not holds:
         raise Rejected(reason)
+
+
+def require_keys(part: Mapping[str, Any], needed: Set[str], possible: Set[str] = frozenset()) -> None:
+    """Reject a part of a record with an entry that is missing or unknown."""
+    found = part.keys()
+    require(needed <= found <= needed | possible, f"expected the entries {sorted(needed)}, got {sorted(found)}")

@@ -90,7 +90,10 @@ def extension(given: Any) -> Algebra:
     Rejected
         If the polynomial does not change its sign between the bounds.
     """
-    require(given.keys() == {"coefficients", "root between"}, "an extension is a polynomial and bounds of a root")
+    require(
+        given.keys() == {"coefficients", "root between"},
+        "an extension needs the coefficients of a polynomial and the bounds of a root",
+    )
     modulus = _trimmed(tuple(numbers(given["coefficients"])))
     low, high = numbers(given["root between"])
     real = len(modulus) > 1 and _value(modulus, low) * _value(modulus, high) < 0

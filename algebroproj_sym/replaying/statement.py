@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import Any
 
 from algebroproj_sym.replaying.evaluation import Algebra, at_point, evaluate, substituting
-from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.rejection import Rejected, require
 from algebroproj_sym.replaying.text import Form, number, parse, parse_factors, texts
 
@@ -36,8 +35,10 @@ class Statement:
         others = self._named("derived") | {
             s for key in ("constraints", "nonzero") for f in self.listed(key) for s in f.symbols()
         }
-        require(self.where.keys() <= shown, "a symbol that does not occur stands for something")
-        require(not self.where.keys() & others, "a symbol stands for something, and elsewhere for itself")
+        require(self.where.keys() <= shown, "a symbol is explained that does not occur")
+        require(
+            not self.where.keys() & others, "a symbol stands for an expression in one place and for itself in another"
+        )
 
     def _named(self, name: str) -> set[str]:
         return self.form(name).symbols() if self.has(name) and self.kind != "numeric" else set()
@@ -79,22 +80,10 @@ class Statement:
         names |= set(texts(self.setting.get("variables", [])))
         return names | ({self.setting["variable"]} if "variable" in self.setting else set())
 
-    def field(self, divisors: Any) -> Field:
-        """Return the field of rational functions in the symbols, with listed divisors."""
-        field = Field(self.symbols)
-        field.enter([field.polynomial(text).cleared() for text in texts(divisors)])
-        return field
-
     def side(self, name: str, algebra: Algebra) -> list[Any]:
         """Return the entries of a form in some field; in printed and corrected ones symbols are replaced."""
         meaning = algebra if name == "derived" else substituting(algebra, self.where)
         return evaluate(self.form(name), meaning)
-
-    def units(self, field: Field) -> list[Element]:
-        """Return what does not vanish by the setting; what is identically zero is rejected."""
-        found = [evaluate(form, field.algebra)[0] for form in self.listed("nonzero")]
-        require(not any(unit.is_zero for unit in found), "a condition that something is not zero never holds")
-        return found
 
     def point(self, given: Any) -> Point:
         """Return a point of the certificate; it may give values to symbols of the statement alone."""
@@ -112,7 +101,7 @@ class Statement:
         if any(evaluate(form, algebra)[0] != 0 for form in self.listed("constraints")):
             raise Rejected("the point violates a constraint")
         if any(evaluate(form, algebra)[0] == 0 for form in self.listed("nonzero")):
-            raise Rejected("something vanishes at the point that must not")
+            raise Rejected("a form that must not be zero is zero at the point")
 
 
 def _scalar(text: Any) -> Form:

@@ -103,7 +103,7 @@ def parse_statement(text: Any) -> Form:
     ('+', (1, 2))
     """
     if not isinstance(text, str):
-        raise Rejected(f"expected the text of a statement, got {text!r}")
+        raise Rejected(f"expected an expression or an equation as text, got {text!r}")
     plain = re.sub(r"[\t\n]", " ", text).replace("^", "**")
     left, equal, right = _DECIMAL.sub(_exact, plain).partition("=")
     if equal:
@@ -147,7 +147,7 @@ def number(text: Any) -> Fraction:
 
 def texts(value: Any) -> list[str]:
     """Return a list of texts; anything else is rejected."""
-    listed = isinstance(value, list) and all(isinstance(text, str) for text in value)
+    listed = isinstance(value, list | tuple) and all(isinstance(text, str) for text in value)
     require(listed, f"expected a list of texts, got {value!r:.80}")
     return list(value)
 
@@ -165,7 +165,7 @@ def integer(value: Any) -> int:
 
 def natural(value: Any) -> int:
     """Return a natural number."""
-    require(integer(value) >= 0, "expected a number of times")
+    require(integer(value) >= 0, "expected a whole number that is not negative")
     return int(value)
 
 

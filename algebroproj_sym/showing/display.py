@@ -9,7 +9,7 @@ from itertools import accumulate
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim, Statement, Verdict
+from algebroproj_sym.declaring.claim import CORRECTED, Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import Expression, assumption, decimals, evaluate, leading, size
@@ -163,7 +163,7 @@ def _formula(claim: Claim, verdict: Verdict) -> str:
     derived = kind.applied % {"derived": _side(claim, "derived"), "variable": variable}
     if claim.printed is None:
         return derived
-    relation = kind.negated if verdict in ("misprint", "error", "false") else kind.relation
+    relation = kind.negated if verdict in (*CORRECTED, "false") else kind.relation
     sides = (derived, _side(claim, "printed")) if kind.derived_first else (_side(claim, "printed"), derived)
     return f"{sides[0]} {relation} {sides[1]}"
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from algebroproj_sym.replaying.consequences import Question, require_consequence, require_keys
+from algebroproj_sym.replaying.consequences import Question, require_consequence
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.letters.matrices import Coordinates, Entries, Matrix, has_properties
@@ -20,7 +20,7 @@ from algebroproj_sym.replaying.letters.statement import (
     without_lengths,
 )
 from algebroproj_sym.replaying.letters.words import Poly, Words
-from algebroproj_sym.replaying.rejection import Rejected, require
+from algebroproj_sym.replaying.rejection import Rejected, require, require_keys
 from algebroproj_sym.replaying.text import integer, number, parse, texts
 
 RULES: Mapping[str, tuple[str, str]] = {
@@ -222,20 +222,19 @@ def _require_entries(statement: Statement, certificate: Mapping[str, Any]) -> No
     require(certificate["scope"] == certificate["shapes"], "the scope is not that of the letters")
     require(isinstance(certificate["entries"], Mapping), "entries: expected those of each letter")
     require(certificate["entries"].keys() == free.keys(), "entries of other letters")
-    field = Field({*names} - statement.letters.keys())
+    numbers = {*names} - statement.letters.keys()
     if equations:
-        _require_constrained(statement, certificate, free, equations, signs, field)
+        _require_constrained(statement, certificate, free, equations, signs, Field(numbers))
         return
     require_keys(certificate, {"method", "entries", "denominators", "scope", "witness", "shapes"})
-    field.enter([field.polynomial(text).cleared() for text in texts(certificate["denominators"])])
+    field = Field(numbers, certificate["denominators"])
     for chosen in product((1, -1), repeat=len(signs)):
         values = {name: field.number(Fraction(sign)) for name, sign in zip(signs, chosen, strict=True)}
         algebra = _with_values(field, values)
         entries = _expanded(free, certificate["entries"], algebra)
         pairs = zip(_flat(entries.of(statement.left)), _flat(entries.of(statement.right)), strict=True)
         require(all((a - b).is_zero for a, b in pairs), "the two sides differ")
-    require(not field.unlisted, "a division meets a factor that is not listed")
-    require(field.used == {*range(field.listed)}, "a listed divisor is met by no division")
+    field.require_listed()
 
 
 def _with_values(field: Field, values: Mapping[str, Element]) -> Algebra:

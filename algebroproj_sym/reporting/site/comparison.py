@@ -11,6 +11,7 @@ import sympy
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import KINDS, Claim, Judgement
+from algebroproj_sym.declaring.claim import CORRECTED
 from algebroproj_sym.expressions import assumption, evaluate, shape, size
 from algebroproj_sym.reporting.explaining import apart, plain_rows
 from algebroproj_sym.reporting.site.differences import difference
@@ -90,7 +91,7 @@ def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, M
     """Return what to mark in the forms of a claim: where the printed one differs from the right one."""
     none: Mapping[Part, Marks] = {"printed": NOTHING, "derived": NOTHING, "corrected": NOTHING}
     claim = judgement.claim
-    if judgement.verdict not in ("misprint", "error", "false") or claim.printed is None:
+    if judgement.verdict not in (*CORRECTED, "false") or claim.printed is None:
         return none
     if isinstance(claim.printed, Decimal):
         if not isinstance(claim.corrected, Decimal):
@@ -113,7 +114,7 @@ def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, M
 def _table(judgement: Judgement, forms: Mapping[Part, Any]) -> Table | None:
     """Return what differs, in words, for those who do not see the marks: entries, or the place in a long form."""
     claim = judgement.claim
-    if judgement.verdict not in ("misprint", "error", "false") or claim.kind != "identity":
+    if judgement.verdict not in (*CORRECTED, "false") or claim.kind != "identity":
         return None
     right: Part = "derived" if claim.corrected is None else "corrected"
     pair = forms["printed"], forms[right]

@@ -10,6 +10,7 @@ from typing import Any
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import Judgement
+from algebroproj_sym.declaring.claim import CORRECTED
 from algebroproj_sym.expressions import text
 from algebroproj_sym.reporting.explaining import sides_at_counterexample
 from algebroproj_sym.reporting.site.comparison import place_of
@@ -59,7 +60,7 @@ def _sentences(judgement: Judgement, certificate: Mapping[str, Any], refutation:
     if method == "none":
         return (f"Undecided: {certificate['reason']}.",)
     found = METHODS.get(method, method)
-    if judgement.verdict in ("misprint", "error"):
+    if judgement.verdict in CORRECTED:
         return f"The printed form: {_lowered(METHODS.get(refutation.get('method', ''), ''))}", (
             f"The corrected form: {_lowered(found)}"
         )

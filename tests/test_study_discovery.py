@@ -3,6 +3,7 @@
 import shutil
 import sys
 from itertools import count
+from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
@@ -11,6 +12,7 @@ from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import installed_papers
 from algebroproj_sym.study.datasets import read
 from algebroproj_sym.study.discovery import studies
+from algebroproj_sym.study.sources import digest
 
 MODULE = """
 import xarray
@@ -52,6 +54,7 @@ def invoke(*arguments):
 def test_the_installed_studies_are_found_and_are_no_paper():
     names = [study.name for study in studies()]
     expected = {"near-critical", "indicators", "layouts", "propagation", "precision", "normal-case", "example", "scene"}
+    expected |= {"pair"}
     assert len(names) == len(expected)
     assert set(names) == expected
     assert "studies" not in installed_papers()
@@ -77,6 +80,63 @@ def test_a_changed_study_is_not_taken_for_the_one_that_a_folder_holds(own, tmp_p
     refused = invoke(own, "--out", tmp_path / "out")
     assert refused.exit_code == 2
     assert "provenance.source" in refused.stderr
+
+
+LOSING = """
+import os
+
+def losing(indices, seed, *, scale):
+    if indices[0] >= 20 and os.path.exists({flag!r}):
+        os._exit(1)
+    return chunk(indices, seed, scale=scale)
+
+STUDY = replace(STUDY, chunk=losing)
+"""
+
+
+def test_lost_workers_end_with_a_message_and_a_folder_that_goes_on(own, tmp_path):
+    flag = tmp_path / "lose"
+    flag.touch()
+    own.write_text("from dataclasses import replace\n" + MODULE + LOSING.format(flag=str(flag)))
+    arguments = (own, "--members", 40, "--chunk", 5, "--jobs", 2, "--out", tmp_path / "out")
+    lost = invoke(*arguments)
+    assert lost.exit_code == 1
+    assert f"the workers were lost. Finished parts are kept in {tmp_path / 'out'}" in lost.stderr
+    kept = {path.name for path in (tmp_path / "out" / "chunks").glob("0*.nc")}
+    assert kept <= {f"{chunk:08d}.nc" for chunk in range(4)}
+    flag.unlink()
+    resumed = invoke(*arguments)
+    assert resumed.exit_code == 0, resumed.output
+    assert resumed.stdout.startswith("40 areas\n")
+
+
+def test_what_a_study_does_not_import_may_change(own, tmp_path):
+    own.write_text(MODULE.replace("import xarray\n", "import xarray\nimport factors\n"))
+    factors = own.with_name("factors.py")
+    factors.write_text("TWO = 2\n")
+    beside = own.with_name("other.py")
+    before = digest(own)
+    beside.write_text("ONE = 1\n")
+    (own.parent / "notes.py").write_text("# changed\n")
+    assert digest(own) == before
+    factors.write_text("TWO = 3\n")
+    changed = digest(own)
+    assert changed != before
+    own.with_suffix(".toml").write_text("data = 1\n")
+    assert digest(own) not in (before, changed)
+
+
+def test_each_installed_study_depends_on_its_own_sources(monkeypatch):
+    installed = {study.name: study.source for study in studies()}
+    before = {name: digest(source) for name, source in installed.items()}
+    assert len(set(before.values())) == len(installed)
+    read_bytes = Path.read_bytes
+
+    def changed(path):
+        return read_bytes(path) + (b"# changed" if path.match("studies/stereo/quadric.py") else b"")
+
+    monkeypatch.setattr(Path, "read_bytes", changed)
+    assert {name for name, source in installed.items() if digest(source) == before[name]} == {"example", "pair"}
 
 
 def test_the_studies_of_a_folder_are_listed(own):

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -23,7 +24,17 @@ from algebroproj_sym.cli import main
 from algebroproj_sym.study import MEMBER, Option, Study
 from algebroproj_sym.study.datasets import read, variable
 from algebroproj_sym.study.sampling import uniform
-from algebroproj_sym.study.sweeping import OtherSweepError, Sweep, assemble, computed, missing, prepare, run
+from algebroproj_sym.study.sweeping import (
+    BusyFolderError,
+    OtherSweepError,
+    Sweep,
+    assemble,
+    computed,
+    held,
+    missing,
+    prepare,
+    run,
+)
 
 
 def chunk(indices, seed, *, scale, unit="m"):
@@ -111,7 +122,7 @@ def test_the_bytes_do_not_depend_on_the_number_of_workers(reference, tmp_path, w
         done, _ = finished(sweep, executor, 2 * workers)
     assert sorted(done) == list(range(10))
     assert sweep.result.read_bytes() == reference[1]
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["lengths.nc", "manifest.json"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["lengths.nc", "lengths.nc.seal", "manifest.json"]
 
 
 def test_no_more_chunks_are_under_way_than_the_window_allows(tmp_path):
@@ -138,6 +149,110 @@ def test_a_stopped_sweep_goes_on_with_what_is_missing(reference, tmp_path):
     finished(sweep)
     assert sweep.result.read_bytes() == reference[1]
     assert missing(swept(tmp_path)) == []
+
+
+def halved(path):
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+
+
+def flipped(path):
+    content = bytearray(path.read_bytes())
+    content[-9] ^= 4
+    path.write_bytes(content)
+
+
+def with_a_seal(source, path):
+    """Copy a file and its seal."""
+    shutil.copy(source, path)
+    shutil.copy(f"{source}.seal", f"{path}.seal")
+
+
+CHANGES = {
+    "truncated": lambda path, other: halved(path),
+    "empty": lambda path, other: path.write_bytes(b""),
+    "flipped": lambda path, other: flipped(path),
+    "no seal": lambda path, other: path.with_name(f"{path.name}.seal").unlink(),
+    "a damaged seal": lambda path, other: halved(path.with_name(f"{path.name}.seal")),
+    "a seal of bytes": lambda path, other: path.with_name(f"{path.name}.seal").write_bytes(b"\xff\x00"),
+    "another run's": lambda path, other: shutil.copy(other, path),
+    "another run's with its seal": lambda path, other: with_a_seal(other, path),
+    "the seal alone": lambda path, other: path.unlink(),
+}
+
+
+@pytest.fixture(scope="module")
+def foreign(tmp_path_factory):
+    """Another run of the same study: some of its chunks, and a whole."""
+    sweeps = [Sweep(study(), tmp_path_factory.mktemp("foreign"), {}, 95, 10, 5) for _ in range(2)]
+    for sweep in sweeps:
+        prepare(sweep)
+    for _ in zip(range(4), run(sweeps[0]), strict=False):
+        pass
+    finished(sweeps[1])
+    return sweeps
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_chunk_that_is_not_as_it_was_written_is_computed_again(reference, foreign, tmp_path, change):
+    sweep = swept(tmp_path)
+    for _ in zip(range(4), run(sweep), strict=False):
+        pass
+    CHANGES[change](sweep.path(1), foreign[0].path(1))
+    assert missing(swept(tmp_path)) == [1, 4, 5, 6, 7, 8, 9]
+    finished(sweep)
+    assert sweep.result.read_bytes() == reference[1]
+
+
+def test_a_chunk_in_the_place_of_another_one_is_computed_again(reference, tmp_path):
+    sweep = swept(tmp_path)
+    for _ in zip(range(4), run(sweep), strict=False):
+        pass
+    with_a_seal(sweep.path(0), sweep.path(1))
+    shutil.copy(sweep.path(0), sweep.path(2))
+    assert missing(sweep) == [1, 2, 4, 5, 6, 7, 8, 9]
+    with pytest.raises(FileNotFoundError, match=r"00000001\.nc: expected a chunk with its seal"):
+        assemble(sweep)
+    finished(sweep)
+    assert sweep.result.read_bytes() == reference[1]
+
+
+@pytest.mark.parametrize("change", sorted(CHANGES.keys() - {"the seal alone"}))
+def test_a_result_that_is_not_what_was_written_is_refused(foreign, tmp_path, change):
+    sweep = swept(tmp_path)
+    finished(sweep)
+    CHANGES[change](sweep.result, foreign[1].result)
+    kept = sweep.result.read_bytes()
+    with pytest.raises(OtherSweepError, match=r"lengths\.nc: this is not what the study has written here"):
+        swept(tmp_path)
+    assert sweep.result.read_bytes() == kept
+
+
+def test_a_damaged_zarr_result_is_refused(tmp_path):
+    sweep = swept(tmp_path, output="zarr")
+    finished(sweep)
+    swept(tmp_path, output="zarr")
+    halved(max((path for path in sweep.result.rglob("*") if path.is_file()), key=lambda path: path.stat().st_size))
+    with pytest.raises(OtherSweepError, match=r"lengths\.zarr: this is not what"):
+        swept(tmp_path, output="zarr")
+
+
+@pytest.mark.parametrize("text", ["", "{", "[1]", "null", '{"arguments": 1}'])
+def test_a_damaged_manifest_is_refused_by_name(tmp_path, text):
+    swept(tmp_path)
+    (tmp_path / "manifest.json").write_text(text)
+    with pytest.raises(OtherSweepError, match=r"is not the manifest of a study|in this folder has"):
+        swept(tmp_path)
+
+
+def test_a_folder_has_one_run_at_a_time(tmp_path):
+    with held(tmp_path), pytest.raises(BusyFolderError, match="another run writes to this folder"), held(tmp_path):
+        pass
+    with held(tmp_path):
+        result = invoke("normal-case", "--members", "10", "--out", str(tmp_path))
+    assert result.exit_code == 2
+    assert "another run writes to this folder. Wait until it has ended" in result.stderr
+    with held(tmp_path):
+        assert [path.name for path in tmp_path.iterdir()] == [".lock"]
 
 
 def test_a_zarr_folder_has_the_same_values(reference, tmp_path):
@@ -171,6 +286,16 @@ def test_a_folder_of_another_version_is_refused(tmp_path):
     (tmp_path / "manifest.json").write_text(json.dumps(manifest))
     with pytest.raises(OtherSweepError, match=r"numpy = 1\.0"):
         swept(tmp_path)
+
+
+def test_another_commit_of_the_same_sources_goes_on(tmp_path, monkeypatch):
+    monkeypatch.setattr("algebroproj_sym.study.datasets._commit", lambda: "one")
+    for _ in zip(range(3), run(swept(tmp_path)), strict=False):
+        pass
+    monkeypatch.setattr("algebroproj_sym.study.datasets._commit", lambda: "two")
+    sweep = swept(tmp_path)
+    assert missing(sweep) == list(range(3, 10))
+    assert json.loads(finished(sweep)[1].attrs["provenance"])["commit"] == "two"
 
 
 @pytest.mark.parametrize(

@@ -11,17 +11,17 @@ from typing import Any, Literal, get_args
 
 import sympy
 
-from algebroproj_sym.auditing.latex import Side, UnreadableError, read_formula
-from algebroproj_sym.auditing.symbols import Symbols
 from algebroproj_sym.declaring import Claim, Quotations, Quote
 from algebroproj_sym.expressions import entries, remembered, shape, vector
 from algebroproj_sym.proving import prove
+from algebroproj_sym.reading import Side, Symbols, UnreadableError, read_formula
 
 Status = Literal["equal", "number", "quoted", "unquoted", "failed"]
 STATUSES: tuple[Status, ...] = get_args(Status)
 _COUNTED = ("rank", "count", "reference")
 _DIGITS = re.compile(r"(?<![\d.,])[-−]?\s?(?:\d+(?:[.,]\d+)?|\.\d+)(?!\d)")
 _PLAIN = str.maketrans({"−": "-", ",": "."})
+_BROKEN = re.compile(r"\\n(?!eq|u(?![a-z]))")
 _WORDS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 
 
@@ -105,7 +105,8 @@ def _counted(claim: Claim, quote: Quote) -> Finding:
     assert printed is not None
     if claim.kind == "reference":
         wanted = ".".join(str(part) for part in printed)  # type: ignore[union-attr]
-        found = re.search(rf"(?<![\d.]){re.escape(wanted)}(?![\d]|\.\d)", quote.text) is not None
+        pattern = wanted.replace(".", "[./]")
+        found = re.search(rf"(?<![\d.]){pattern}(?![\d]|\.\d)", quote.text) is not None
     else:
         wanted = str(printed)
         found = re.search(rf"(?<![\d.]){wanted}(?![\d.]*\d)", quote.text) is not None or _in_words(wanted, quote.text)
@@ -119,7 +120,7 @@ def _in_words(number: str, text: str) -> bool:
 
 def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
     try:
-        read = [expression for piece in quote.pieces for expression in _readings(piece, quote, symbols)]
+        read = [expression for piece in quote.read for expression in _readings(piece, quote, symbols)]
     except UnreadableError as error:
         return Finding(claim, "failed", f"cannot be read: {error}", quote)
     printed = claim.printed if isinstance(claim.printed, tuple) else (claim.printed,)
@@ -136,8 +137,9 @@ def _readings(piece: str, quote: Quote, symbols: Symbols) -> Iterator[Any]:
 
 
 def _cells(piece: str) -> list[str]:
-    """Return the cells of a row of a table, which tabulators separate; of a formula itself."""
-    return [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
+    r"""Return the cells of a row of a table, which tabulators separate, or the formula; a scanned ``\n`` is a space."""
+    cells = [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
+    return [_BROKEN.sub(" ", cell) for cell in cells]
 
 
 def _parts(sides: tuple[Side, ...], quote: Quote) -> list[Any]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from concurrent.futures import Executor, ProcessPoolExecutor
-from contextlib import contextmanager
+from concurrent.futures import BrokenExecutor, CancelledError, Executor, ProcessPoolExecutor
+from contextlib import ExitStack, contextmanager
 from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -107,7 +107,7 @@ def _shared(study: Study) -> list[click.Parameter]:
     @click.option(
         "--chunk",
         type=int,
-        default=10_000,
+        default=study.size,
         show_default=True,
         help="Members at a time. Fewer take less memory.",
     )
@@ -133,22 +133,37 @@ def _run(
     out: Path,
     **given: Any,
 ) -> None:
-    from algebroproj_sym.study import figures, sweeping
-    from algebroproj_sym.study.datasets import thinned
+    from algebroproj_sym.study import sweeping
 
     if scheduler is not None and jobs != 1:
         raise click.UsageError("expected either --jobs or --scheduler, got both")
     if output == "zarr":
         require_modules(("zarr",), "--format zarr", "zarr")
+    with ExitStack() as stack:
+        try:
+            sweep = sweeping.Sweep(study, out, given, members, chunk, seed, output)  # type: ignore[arg-type]
+            stack.enter_context(sweeping.held(out))
+            sweeping.prepare(sweep)
+        except ValueError as error:
+            raise click.UsageError(str(error)) from error
+        except OSError as error:
+            raise click.UsageError(f"--out: {out} cannot be written ({error.strerror})") from error
+        _finish(sweep, jobs, scheduler)
+
+
+def _finish(sweep: Sweep, jobs: int, scheduler: str | None) -> None:
+    """Compute what is missing, and write dataset, report and figures."""
+    from algebroproj_sym.study import figures, sweeping
+    from algebroproj_sym.study.datasets import thinned
+
+    study, out = sweep.study, sweep.folder
     try:
-        sweep = sweeping.Sweep(study, out, given, members, chunk, seed, output)  # type: ignore[arg-type]
-        sweeping.prepare(sweep)
-    except ValueError as error:
-        raise click.UsageError(str(error)) from error
-    except OSError as error:
-        raise click.UsageError(f"--out: {out} cannot be written ({error.strerror})") from error
-    with _executor(jobs, scheduler) as (executor, workers):
-        _compute(sweep, executor, workers)
+        with _executor(jobs, scheduler) as (executor, workers):
+            _compute(sweep, executor, workers)
+    except (BrokenExecutor, CancelledError) as error:
+        raise click.ClickException(
+            f"study: the workers were lost. Finished parts are kept in {out}: the same command goes on from there"
+        ) from error
     dataset, step = thinned(sweeping.assemble(sweep), study.shown)
     text = study.report(dataset) + (f"\nReport and figures show one member in {step}.\n" if step > 1 else "")
     drawings = figures.save(study.figures(dataset), out / "figures")
@@ -181,7 +196,7 @@ def _executor(jobs: int, scheduler: str | None) -> Iterator[tuple[Executor | Non
 
 @contextmanager
 def _cluster(scheduler: str) -> Iterator[tuple[Executor, int]]:
-    from distributed import Client
+    from distributed import Client, KilledWorker
 
     try:
         client = Client(scheduler, timeout=CONNECTING, set_as_default=False)
@@ -191,4 +206,7 @@ def _cluster(scheduler: str) -> Iterator[tuple[Executor, int]]:
         workers = sum(client.nthreads().values())
         if not workers:
             raise click.UsageError(f"--scheduler: the cluster at {scheduler} has no workers")
-        yield client.get_executor(pure=False), workers
+        try:
+            yield client.get_executor(pure=False), workers
+        except KilledWorker as error:
+            raise BrokenExecutor(str(error)) from error

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import shutil
@@ -20,6 +19,7 @@ from numpy.typing import ArrayLike
 
 import algebroproj
 from algebroproj_sym.study.declaration import MEMBER
+from algebroproj_sym.study.sources import digest
 
 ENGINE: Literal["h5netcdf"] = "h5netcdf"
 LIBRARIES = ("algebroproj-sym", "numpy", "mpmath", "python-flint", "xarray")
@@ -51,12 +51,12 @@ def variable(dimensions: Sequence[str], values: ArrayLike, units: str = DIMENSIO
 
 
 def provenance(source: Path) -> dict[str, str]:
-    """Return what computes a study: the versions of the libraries, its source, and the commit if there is one.
+    """Return what the numbers of a study depend on: the versions of the libraries, and a digest of its sources.
 
     Parameters
     ----------
     source : Path
-        The module of the study; the modules beside it, and in packages beside it, belong to the source.
+        The module of the study.
 
     Examples
     --------
@@ -64,19 +64,7 @@ def provenance(source: Path) -> dict[str, str]:
     ['algebroproj-sym', 'backend']
     """
     versions = {library: version(library) for library in LIBRARIES}
-    commit = _commit()
-    here = {"backend": str(algebroproj.backend()), "source": _digest(source)}
-    return versions | here | ({"commit": commit} if commit else {})
-
-
-def _digest(source: Path) -> str:
-    """Return a digest of the source of a study, of what runs it, and of the functions that it evaluates."""
-    digest = hashlib.sha256()
-    own = [source.parent] if source.is_file() else []
-    for folder in (Path(__file__).parent, Path(algebroproj.__file__).parent, *own):
-        for path in sorted([*folder.glob("*.py"), *folder.glob("*/*.py")]):
-            digest.update(path.relative_to(folder).as_posix().encode() + path.read_bytes())
-    return digest.hexdigest()
+    return versions | {"backend": str(algebroproj.backend()), "source": digest(source)}
 
 
 def _commit() -> str | None:
@@ -203,10 +191,12 @@ def _beside(path: Path) -> Path:
     return temporary
 
 
-def attributes(title: str, arguments: Mapping[str, Any], source: Path) -> dict[str, str]:
-    """Return what a dataset says about itself: its title, the arguments of its sweep and its provenance."""
+def attributes(title: str, arguments: Mapping[str, Any], provenance: Mapping[str, str]) -> dict[str, str]:
+    """Return what a dataset says about itself: its title, the arguments of its sweep, its provenance and the commit."""
+    commit = _commit()
+    made_by = {**provenance, **({"commit": commit} if commit else {})}
     return {
         "title": title,
         "arguments": json.dumps(arguments, sort_keys=True),
-        "provenance": json.dumps(provenance(source), sort_keys=True),
+        "provenance": json.dumps(made_by, sort_keys=True),
     }

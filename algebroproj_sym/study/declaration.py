@@ -67,6 +67,8 @@ class Study:
         ``figures(dataset)`` returns matplotlib Figures by their names.
     check : callable
         ``check(**options)`` raises a ValueError that names the option, says what was expected and what came.
+    size : int, optional
+        How many members a chunk has by default: the fewer, the less is lost when the study is stopped.
     shown : int, optional
         How many members report and figures are given at most, evenly spaced, because they need them in memory; all if
         they go through them part by part.
@@ -80,6 +82,7 @@ class Study:
     report: Callable[[xarray.Dataset], str]
     figures: Callable[[xarray.Dataset], Mapping[str, Figure]]
     check: Callable[..., None] = lambda **options: None
+    size: int = 10_000
     shown: int | None = None
 
     @property

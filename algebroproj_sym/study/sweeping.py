@@ -4,17 +4,23 @@ A folder holds a sweep: ``manifest.json`` (what is computed, and by what), a fil
 the end one dataset in their place.  A chunk is written under another name and then renamed, so that it is there whole
 or not at all; as it is a function of its members, the seed and the options alone, the result does not depend on who
 computed it, in which order, or how often the work was stopped.
+
+Each file has a seal beside it: the digests of the manifest and of the file, and which members it has.  A chunk that
+does not match its seal is computed again; a result that does not is refused.  While a run writes to the folder, another
+one is refused.
 """
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import json
 import shutil
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from itertools import islice
 from pathlib import Path
 from typing import Any, Literal
@@ -28,12 +34,18 @@ from algebroproj_sym.study.declaration import MEMBER, Indices, Study
 
 MANIFEST = "manifest.json"
 CHUNKS = "chunks"
+LOCK = ".lock"
+SEAL = ".seal"
 SUFFIXES = {"netcdf": ".nc", "zarr": ".zarr"}
 Format = Literal["netcdf", "zarr"]
 
 
 class OtherSweepError(ValueError):
-    """A folder holds another sweep than the one that is to be run in it."""
+    """A folder holds another sweep than the one that is to be run in it, or a result that is not its own."""
+
+
+class BusyFolderError(ValueError):
+    """Another run writes to a folder."""
 
 
 @dataclass(frozen=True)
@@ -79,6 +91,11 @@ class Sweep:
             raise ValueError(f"format: expected one of {', '.join(SUFFIXES)}, got {self.output!r}")
         object.__setattr__(self, "options", self.study.arguments(self.options))
 
+    @cached_property
+    def manifest(self) -> dict[str, Any]:
+        """What the result depends on."""
+        return {"arguments": arguments(self), "provenance": provenance(self.study.source)}
+
     @property
     def count(self) -> int:
         """How many chunks there are."""
@@ -110,29 +127,54 @@ def arguments(sweep: Sweep) -> dict[str, Any]:
     }
 
 
+@contextmanager
+def held(folder: Path) -> Iterator[None]:
+    """Make a folder, and keep other runs from it until the block or this process ends.
+
+    Raises
+    ------
+    BusyFolderError
+        If another run has it.
+    OSError
+        If the folder cannot be written to.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / LOCK).open("a") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            message = f"{folder}: another run writes to this folder. Wait until it has ended, or choose another folder"
+            raise BusyFolderError(message) from error
+        yield
+
+
 def prepare(sweep: Sweep) -> None:
     """Make the folder of a sweep, or find that it holds the same one.
 
     Raises
     ------
     OtherSweepError
-        If the folder holds a sweep with other arguments, or one of another version of the program.
+        If the folder holds a sweep with other arguments, one of another version of the program, or another result.
     OSError
         If the folder cannot be written to.
     """
     (sweep.folder / CHUNKS).mkdir(parents=True, exist_ok=True)
-    manifest = {"arguments": arguments(sweep), "provenance": provenance(sweep.study.source)}
     path = sweep.folder / MANIFEST
     if path.exists():
-        _require_equal(json.loads(path.read_text(encoding="utf-8")), manifest, sweep.folder)
-    write_texts({MANIFEST: json.dumps(manifest, indent=1, sort_keys=True) + "\n"}, sweep.folder)
+        _require_equal(path, sweep.manifest)
+    if sweep.result.exists() and not _is_sealed(sweep, sweep.result, range(sweep.members)):
+        raise OtherSweepError(
+            f"{sweep.result}: this is not what the study has written here, or it is damaged. "
+            "Choose another folder, or remove it"
+        )
+    write_texts({MANIFEST: json.dumps(sweep.manifest, indent=1, sort_keys=True) + "\n"}, sweep.folder)
 
 
 def missing(sweep: Sweep) -> list[int]:
-    """Return the chunks that are not there yet, in order."""
+    """Return the chunks that are not there yet, or not as they were written, in order."""
     if sweep.result.exists():
         return []
-    return [chunk for chunk in range(sweep.count) if not sweep.path(chunk).exists()]
+    return [chunk for chunk in range(sweep.count) if not _is_sealed(sweep, sweep.path(chunk), sweep.indices(chunk))]
 
 
 def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iterator[int]:
@@ -154,7 +196,7 @@ def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iter
     """
     if executor is None:
         for chunk in missing(sweep):
-            write(_task(sweep, chunk)(), sweep.path(chunk))
+            _keep(sweep, chunk, _task(sweep, chunk)())
             yield chunk
         return
     waiting = iter(missing(sweep))
@@ -168,7 +210,7 @@ def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iter
             done, _ = wait(running, return_when=FIRST_COMPLETED)
             for task in sorted(done, key=running.__getitem__):
                 chunk = running.pop(task)
-                write(task.result(), sweep.path(chunk))
+                _keep(sweep, chunk, task.result())
                 yield chunk
     finally:
         for task in running:
@@ -197,13 +239,17 @@ def assemble(sweep: Sweep) -> xarray.Dataset:
     Raises
     ------
     FileNotFoundError
-        If a chunk is missing.
+        If a chunk is missing, or is not as it was written.
     ValueError
         If chunks have different variables or units.
     """
+    if absent := missing(sweep):
+        raise FileNotFoundError(f"{sweep.path(absent[0])}: expected a chunk with its seal, found none")
     if not sweep.result.exists():
         paths = [sweep.path(chunk) for chunk in range(sweep.count)]
-        join(paths, MEMBER, attributes(sweep.study.summary, arguments(sweep), sweep.study.source), sweep.result)
+        whole = _unsealed(sweep.result)
+        join(paths, MEMBER, attributes(sweep.study.summary, **sweep.manifest), whole)
+        _put(sweep, whole, sweep.result, range(sweep.members))
     shutil.rmtree(sweep.folder / CHUNKS, ignore_errors=True)
     return read(sweep.result)
 
@@ -214,16 +260,58 @@ def _recorded(value: Any) -> Any:
     return f"{value.name}, sha256 {hashlib.sha256(value.read_bytes()).hexdigest()}"
 
 
+def _keep(sweep: Sweep, chunk: int, dataset: xarray.Dataset) -> None:
+    path = sweep.path(chunk)
+    write(dataset, _unsealed(path))
+    _put(sweep, _unsealed(path), path, sweep.indices(chunk))
+
+
+def _put(sweep: Sweep, written: Path, path: Path, members: Sequence[int] | Indices) -> None:
+    """Put what is written in its place; its seal comes first, so that it is never there without one."""
+    write_texts({path.name + SEAL: _seal(sweep, written, members)}, path.parent)
+    written.replace(path)
+
+
+def _is_sealed(sweep: Sweep, path: Path, members: Sequence[int] | Indices) -> bool:
+    seal = path.with_name(path.name + SEAL)
+    return path.exists() and seal.exists() and seal.read_bytes() == _seal(sweep, path, members).encode()
+
+
+def _seal(sweep: Sweep, path: Path, members: Sequence[int] | Indices) -> str:
+    digest = hashlib.sha256()
+    for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
+        if file.is_file():
+            with file.open("rb") as opened:
+                digest.update(
+                    f"{file.relative_to(path)} {hashlib.file_digest(opened, 'sha256').hexdigest()}\n".encode()
+                )
+    return json.dumps(
+        {
+            "sweep": hashlib.sha256(json.dumps(sweep.manifest, sort_keys=True).encode()).hexdigest(),
+            "members": [int(members[0]), int(members[-1])],
+            "content": digest.hexdigest(),
+        }
+    )
+
+
+def _unsealed(path: Path) -> Path:
+    return path.with_name(f"unsealed-{path.name}")
+
+
 def _task(sweep: Sweep, chunk: int) -> Callable[[], xarray.Dataset]:
     return partial(computed, sweep.study.chunk, sweep.indices(chunk), sweep.seed, dict(sweep.options))
 
 
-def _require_equal(found: Mapping[str, Any], wanted: Mapping[str, Any], folder: Path) -> None:
-    before, now = _flat(json.loads(json.dumps(found))), _flat(json.loads(json.dumps(wanted)))
+def _require_equal(path: Path, wanted: Mapping[str, Any]) -> None:
+    try:
+        before = _flat(json.loads(path.read_text(encoding="utf-8")))
+    except (ValueError, AttributeError) as error:
+        raise OtherSweepError(f"{path}: this is not the manifest of a study. Choose another folder") from error
+    now = _flat(json.loads(json.dumps(wanted)))
     for name in sorted(before.keys() | now.keys()):
         if before.get(name) != now.get(name):
             raise OtherSweepError(
-                f"{folder}: the study in this folder has {name} = {before.get(name)}, not "
+                f"{path.parent}: the study in this folder has {name} = {before.get(name)}, not "
                 f"{now.get(name)}. Choose another folder, or remove this one"
             )
 

@@ -286,6 +286,7 @@ STUDY = Study(
         Option("axis_y3", float, 3.5, "Third coordinate of that point."),
     ),
     members=20_000,
+    size=2_000,
     chunk=chunk,
     report=report,
     figures=figures,

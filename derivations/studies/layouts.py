@@ -161,6 +161,7 @@ STUDY = Study(
     summary="The classical layouts of eight points: exact ranks, and digits lost on the way to them",
     options=(Option("digits", float, 12.0, "Points are moved by 10^-digits to 10^-1 of the base."),),
     members=22_000,
+    size=2_200,
     chunk=chunk,
     report=report,
     figures=figures,

@@ -225,6 +225,7 @@ STUDY = Study(
         Option("digits", float, 14.0, "The smallest distance from the quadric is 10^-digits half widths."),
     ),
     members=20_000,
+    size=2_000,
     chunk=chunk,
     report=report,
     figures=figures,

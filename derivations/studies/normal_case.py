@@ -181,6 +181,7 @@ STUDY = Study(
         Option("choices", int, 4, "Axis points, and numbers u_N31, for each stereo pair."),
     ),
     members=2_000,
+    size=100,
     chunk=chunk,
     report=report,
     figures=figures,

@@ -178,6 +178,7 @@ STUDY = Study(
         Option("nearest", float, 1e-10, "Smallest distance, in the same unit."),
     ),
     members=400,
+    size=20,
     chunk=chunk,
     report=report,
     figures=figures,

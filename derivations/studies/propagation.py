@@ -323,6 +323,7 @@ STUDY = Study(
         Option("largest", float, 1e-2, "Largest standard deviation, in the same unit."),
     ),
     members=600,
+    size=20,
     chunk=chunk,
     report=report,
     figures=figures,

@@ -136,6 +136,7 @@ STUDY = Study(
         Option("moved", float, 0.0, "Standard deviation of random changes of the points, in the unit of the file."),
     ),
     members=1000,
+    size=50,
     chunk=chunk,
     report=report,
     figures=figures,

@@ -1,0 +1,279 @@
+"""The one intermediate form: a straight-line program over + - * /, with comparison, selection and calls.
+
+Everything numeric is a printer or an interpreter of it.  An operand is the name of an input or of an earlier step,
+or an integer; there are no other constants, so that a program runs unchanged on floats, fractions, mpmath numbers
+and rational functions.  A program is also what is recorded when Python source runs on numbers that are known by name
+only; each operation is written down once.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import count
+from operator import add, mul, neg, sub, truediv
+from typing import Any, TypeAlias
+
+from algebroproj_sym.generating.runtime.elimination import is_finite, is_larger, selected
+from algebroproj_sym.generating.runtime.error_free import product_error
+from algebroproj_sym.generating.runtime.pairs import Pair, rounded, rounded_twice, wide
+
+Operand: TypeAlias = "str | int"
+
+_MEANING: Mapping[str, Callable[..., Any]] = {
+    "+": add,
+    "-": sub,
+    "*": mul,
+    "/": truediv,
+    "neg": neg,
+    "wide": wide,
+    "rounded": rounded,
+    "rounded_twice": rounded_twice,
+    "product_error": product_error,
+    "is_larger": is_larger,
+    "is_finite": is_finite,
+    "selected": selected,
+}
+
+NOTHING: Mapping[str, Callable[..., Any]] = {}
+
+
+@dataclass(frozen=True)
+class Step:
+    """One operation: ``name = left operator right``, ``name = -left``, or one that has a name.
+
+    Some change the number of digits, ``product_error left right product`` is what rounding took.  ``is_larger``
+    compares absolute values, ``is_finite`` asks for a number that is one, ``selected condition first second`` chooses.
+    """
+
+    name: str
+    operator: str
+    operands: tuple[Operand, ...]
+
+    @property
+    def names(self) -> tuple[str]:
+        """The one name that is assigned."""
+        return (self.name,)
+
+
+@dataclass(frozen=True)
+class Call:
+    """A primitive function with several results: ``names = primitive(rows of operands)``."""
+
+    names: tuple[str, ...]
+    primitive: str
+    rows: tuple[tuple[Operand, ...], ...]
+
+    @property
+    def operands(self) -> tuple[Operand, ...]:
+        """The operands in one row."""
+        return tuple(operand for row in self.rows for operand in row)
+
+
+Interpretation: TypeAlias = "Callable[[Call, tuple[tuple[Any, ...], ...]], tuple[Any, ...]]"
+
+
+@dataclass(frozen=True)
+class Program:
+    """A straight-line program.
+
+    Attributes
+    ----------
+    inputs : tuple of str
+        The names of the inputs.
+    steps : tuple of Step or Call
+        The operations in order; each name is assigned once.
+    outputs : tuple of str or int
+        The results.
+
+    Examples
+    --------
+    >>> program = Program(("x", "y"), (Step("t0", "-", ("x", "y")), Step("t1", "/", (1, "t0"))), ("t1", 0))
+    >>> run(program, {"x": 3.0, "y": 1.0})
+    (0.5, 0)
+    """
+
+    inputs: tuple[str, ...]
+    steps: tuple[Step | Call, ...]
+    outputs: tuple[Operand, ...]
+
+    def operations(self) -> Counter[str]:
+        """Return how often each operator, and each primitive function that computes something, occurs."""
+        kinds = (step.operator if isinstance(step, Step) else step.primitive for step in self.steps)
+        return Counter(kind for kind in kinds if kind != "let")
+
+    def uses(self) -> Counter[Operand]:
+        """Return how often each operand is used, by steps and outputs."""
+        return Counter([operand for step in self.steps for operand in step.operands] + list(self.outputs))
+
+    def needed(self) -> set[Operand]:
+        """Return the operands on which an output depends."""
+        needed = set(self.outputs)
+        for step in reversed(self.steps):
+            if not needed.isdisjoint(step.names):
+                needed.update(step.operands)
+        return needed
+
+
+def without_unused(program: Program) -> Program:
+    """Leave out the steps on which no output depends."""
+    needed = program.needed()
+    kept = tuple(step for step in program.steps if not needed.isdisjoint(step.names))
+    return Program(program.inputs, kept, program.outputs)
+
+
+def _no_calls(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
+    raise TypeError(f"run: expected an interpretation of {call.primitive}, got none")
+
+
+def named(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
+    """Interpret ``let``, which gives names: all that a rational function calls."""
+    assert call.primitive == "let"
+    return rows[0]
+
+
+def run(
+    program: Program,
+    inputs: Mapping[str, Any],
+    interpretation: Interpretation = _no_calls,
+    meaning: Mapping[str, Callable[..., Any]] = NOTHING,
+) -> tuple[Any, ...]:
+    """Run a program on any numbers that know + - * / and can be mixed with integers.
+
+    Parameters
+    ----------
+    program : Program
+        What to run.
+    inputs : mapping of str to number
+        A value for every input.
+    interpretation : callable
+        From a call and the values of its rows to its results; not needed by a program without calls.
+    meaning : mapping of str to callable
+        What operators are to mean, other than usual.
+
+    Returns
+    -------
+    tuple
+        The values of the outputs.
+    """
+    values: dict[Operand, Any] = dict(inputs.items())
+    meanings = {**_MEANING, **meaning}
+
+    def value(operand: Operand) -> Any:
+        return operand if isinstance(operand, int) else values[operand]
+
+    for step in program.steps:
+        if isinstance(step, Call):
+            rows = tuple(tuple(map(value, row)) for row in step.rows)
+            values |= dict(zip(step.names, interpretation(step, rows), strict=True))
+        else:
+            values[step.name] = meanings[step.operator](*map(value, step.operands))
+    return tuple(value(output) for output in program.outputs)
+
+
+def recorded(inputs: Sequence[str], body: Callable[..., Iterable[Any]]) -> Program:
+    """Return the program of a body that takes numbers and consists of operations on them alone.
+
+    Examples
+    --------
+    >>> recorded("xy", lambda x, y: ((x - y) * (x - y),)).steps
+    (Step(name='t0', operator='-', operands=('x', 'y')), Step(name='t1', operator='*', operands=('t0', 't0')))
+    """
+    recorder = Recorder(inputs)
+    return recorder.program(body(*recorder.inputs))
+
+
+class Recorder:
+    """Writes down each operation once.
+
+    Parameters
+    ----------
+    inputs : sequence of str
+        The names of the inputs.
+    taken : collection of str
+        Names that steps do not get.
+    """
+
+    def __init__(self, inputs: Sequence[str], taken: Iterable[str] = ()) -> None:
+        self.names = tuple(inputs)
+        self.steps: list[Step | Call] = []
+        self._known: dict[tuple[str, tuple[Operand, ...]], _Recorded] = {}
+        taken = {*inputs, *taken}
+        self._fresh = (name for place in count() if (name := f"t{place}") not in taken)
+
+    @property
+    def inputs(self) -> list[Any]:
+        """The inputs as numbers."""
+        return [_Recorded(self, name) for name in self.names]
+
+    def step(self, operator: str, *operands: Any) -> Any:
+        """Return the result of an operation."""
+        key = operator, tuple(map(_operand, operands))
+        if key not in self._known:
+            name = next(self._fresh)
+            self.steps.append(Step(name, operator, key[1]))
+            self._known[key] = _Recorded(self, name)
+        return self._known[key]
+
+    def call(self, names: Sequence[str], primitive: str, rows: Iterable[Iterable[Any]]) -> list[Any]:
+        """Return the results of a call."""
+        self.steps.append(Call(tuple(names), primitive, tuple(tuple(map(_operand, row)) for row in rows)))
+        return [_Recorded(self, name) for name in names]
+
+    def program(self, outputs: Iterable[Any]) -> Program:
+        """Return what was recorded and is needed for some outputs."""
+        return without_unused(Program(self.names, tuple(self.steps), tuple(map(_operand, outputs))))
+
+
+def _operand(value: Any) -> Operand:
+    if isinstance(value, _Recorded):
+        return value.name
+    if not isinstance(value, int):
+        raise TypeError(f"expected numbers that are recorded, and integers, got {type(value).__name__}")
+    return value
+
+
+def _operation(operator: str, reflected: bool = False) -> Callable[[_Recorded, Any], Any]:
+    def method(number: _Recorded, other: Any) -> Any:
+        if isinstance(other, Pair):
+            return NotImplemented
+        return number.recorder.step(operator, *((other, number) if reflected else (number, other)))
+
+    return method
+
+
+class _Recorded:
+    """A number that is known by name only."""
+
+    def __init__(self, recorder: Recorder, name: str) -> None:
+        self.recorder = recorder
+        self.name = name
+
+    def product_error(self, left: Any, right: Any) -> Any:
+        """Return what rounding took from the number, a product."""
+        return self.recorder.step("product_error", left, right, self)
+
+    def is_larger(self, other: Any) -> Any:
+        """Return whether the absolute value is larger than that of another number."""
+        return self.recorder.step("is_larger", self, other)
+
+    def is_finite(self) -> Any:
+        """Return whether the number is finite."""
+        return self.recorder.step("is_finite", self)
+
+    def selected(self, first: Any, second: Any) -> Any:
+        """Return one number where this, a condition, holds, and another one elsewhere."""
+        return self.recorder.step("selected", self, first, second)
+
+    def __neg__(self) -> Any:
+        return self.recorder.step("neg", self)
+
+    __add__ = _operation("+")
+    __radd__ = _operation("+", reflected=True)
+    __sub__ = _operation("-")
+    __rsub__ = _operation("-", reflected=True)
+    __mul__ = _operation("*")
+    __rmul__ = _operation("*", reflected=True)
+    __truediv__ = _operation("/")
+    __rtruediv__ = _operation("/", reflected=True)

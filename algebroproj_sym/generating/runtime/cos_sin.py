@@ -1,0 +1,121 @@
+"""Cosine and sine of numbers of every kind.
+
+Those of pairs are made from + - * / and roundings to integers: an angle is reduced to at most a quarter of pi by three
+parts of pi / 2, and the series do the rest.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import cache
+from math import factorial
+from typing import Any
+
+import numpy as np
+
+from .error_bounds import Bounded, bounded, magnitude, of_library
+from .error_free import two_sum
+from .namespace import is_foreign, namespace
+from .pairs import DoubleDouble, Pair, chosen, double_double
+
+__all__ = ["cos_sin", "cos_sin_of_pair"]
+
+HALF_PI = Fraction(
+    157079632679489661923132169163975144209858469968755291048747229615390820314310449931401741267105853399107404326,
+    10**110,
+)
+TERMS = 18
+
+FARTHEST = 1e8
+"""Of larger angles nothing is said."""
+
+
+def cos_sin(angle: Any) -> tuple[Any, Any]:
+    """Return cosine and sine of an angle in radians, with as many digits as the angle has."""
+    if isinstance(angle, Bounded):
+        return _with_bounds(angle)
+    if isinstance(angle, Pair):
+        cosine, sine = cos_sin_of_pair(double_double(angle))
+        return type(angle)(cosine.hi, cosine.lo), type(angle)(sine.hi, sine.lo)
+    xp = namespace([angle])
+    return xp.cos(angle), xp.sin(angle)
+
+
+def _with_bounds(angle: Bounded) -> tuple[Bounded, Bounded]:
+    """Return cosine and sine, whose slopes are at most 1."""
+    cosine, sine = cos_sin(angle.value)
+    error = angle.error + of_library(cosine)
+    error = np.where(magnitude(angle.value) < FARTHEST, error, np.inf)
+    return bounded(cosine, error), bounded(sine, error)
+
+
+def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
+    """Return cosine and sine of an angle in radians, to about twice the digits below 1e8 in absolute value.
+
+    Those of a complex angle have no more digits than its first part.
+
+    Examples
+    --------
+    >>> cosine, sine = cos_sin_of_pair(DoubleDouble(1.0))
+    >>> bool(abs((cosine * cosine + sine * sine - 1).hi) < 1e-31)
+    True
+    """
+    xp = namespace([angle.hi])
+    if _dtype(angle.hi).kind == "c":
+        return DoubleDouble(xp.cos(angle.hi)), DoubleDouble(xp.sin(angle.hi))
+    first, second, third = (_like(angle.hi, part) for part in _parts(HALF_PI, 3, _dtype(angle.hi)))
+    quarters = xp.round(angle.hi / first)
+    rest = angle - DoubleDouble(quarters) * first - DoubleDouble(quarters) * second - DoubleDouble(quarters) * third
+    square = rest * rest
+    cosine = _series(square, 0)
+    sine = _series(square, 1) * rest
+    turn = quarters % 4
+    swapped = (turn == 1) | (turn == 3)
+    return (
+        _signed(chosen(swapped, sine, cosine), (turn == 1) | (turn == 2)),
+        _signed(chosen(swapped, cosine, sine), turn >= 2),
+    )
+
+
+def _series(square: DoubleDouble, odd: int) -> DoubleDouble:
+    """Return the sum of (-square)**k / (2 k + odd)!."""
+    fractions = [Fraction((-1) ** k, factorial(2 * k + odd)) for k in range(TERMS)]
+    *coefficients, last = (_constant(fraction, square.hi) for fraction in fractions)
+    total = last
+    for coefficient in reversed(coefficients):
+        total = total * square + coefficient
+    return total
+
+
+def _signed(number: DoubleDouble, negative: Any) -> DoubleDouble:
+    return chosen(negative, -number, number)
+
+
+def _dtype(number: Any) -> Any:
+    """Return the dtype of NumPy that has the digits of a number."""
+    if not is_foreign(number):
+        return np.asarray(number).dtype
+    xp = namespace([number])
+    if not xp.isdtype(number.dtype, "real floating"):
+        return np.dtype(np.complex128)
+    return np.dtype(np.float32 if xp.finfo(number.dtype).bits == 32 else np.float64)
+
+
+def _constant(value: Fraction, number: Any) -> DoubleDouble:
+    return DoubleDouble(*two_sum(*(_like(number, part) for part in _parts(value, 2, _dtype(number)))))
+
+
+def _like(number: Any, constant: Any) -> Any:
+    """Return a constant that may be combined with a number."""
+    return namespace([number]).asarray(float(constant), dtype=number.dtype) if is_foreign(number) else constant
+
+
+@cache
+def _parts(value: Fraction, count: int, dtype: Any) -> tuple[Any, ...]:
+    """Return numbers whose sum is a fraction, each the rounded rest."""
+    parts = []
+    for _ in range(count):
+        part = dtype.type(float(value)) + dtype.type(float(value - Fraction(float(value))))
+        parts.append(part)
+        value -= Fraction(*part.as_integer_ratio())
+    return tuple(parts)

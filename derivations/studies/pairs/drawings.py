@@ -1,0 +1,54 @@
+"""Drawings of a pair: distances of the measured points, and how uncertain the epipolar lines are."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from algebroproj_derivations.studies.pairs.judging import Judgement
+from algebroproj_sym.study.figures import COLOURS, GREY, INK, PAGE, figure, style
+
+Numbers = NDArray[np.float64]
+
+SIDES = "left", "right"
+LABELLED = 40
+LINES = 7
+
+
+def residuals_in_pictures(judgement: Judgement, pixels: Numbers) -> Figure:
+    """Draw the points, coloured by their distances in standard deviations; shape of the pixels (2, n, 2)."""
+    with style():
+        drawing = figure(PAGE, 3.6)
+        panels = drawing.subplots(1, 2)
+        sizes = np.abs(judgement.residuals) / judgement.sigma
+        for panel, points, side in zip(panels, pixels, SIDES, strict=True):
+            drawn = panel.scatter(*points.T, c=sizes, s=14, vmin=0, vmax=max(3.0, float(sizes.max())), zorder=3)
+            if len(points) <= LABELLED:
+                for number, point in enumerate(points, 1):
+                    panel.annotate(str(number), point, (3, 3), textcoords="offset points", fontsize=6, color=GREY)
+            panel.set(title=f"{side} picture", xlabel="x [px]", ylabel="y [px]", aspect="equal")
+            panel.invert_yaxis()
+        drawing.colorbar(drawn, ax=panels, label="distance [standard deviations]", shrink=0.8)
+    return drawing
+
+
+def uncertain_lines(judgement: Judgement, pixels: Numbers) -> Figure:
+    """Draw the standard deviations at the check points, and epipolar lines of the right picture."""
+    with style():
+        drawing = figure(PAGE, 3.6)
+        panels = drawing.subplots(1, 2)
+        for panel, points, places, side in zip(panels, pixels, judgement.checks, SIDES, strict=True):
+            panel.plot(*points.T, ".", color=INK, ms=3, zorder=3, label="measured points")
+            drawn = panel.scatter(
+                *places.T, c=judgement.check_deviations, s=30, marker="s", norm="log", alpha=0.9, label="check points"
+            )
+            panel.set(title=f"{side} picture", xlabel="x [px]", ylabel="y [px]", aspect="equal")
+            panel.set(xlim=panel.get_xlim(), ylim=panel.get_ylim()[::-1])
+        step = max(1, len(pixels[0]) // LINES)
+        for line in np.insert(pixels[0][::step][:LINES], 2, 1.0, axis=1) @ judgement.matrix.T:
+            point = -line[2] * line[:2] / (line[:2] @ line[:2])
+            panels[1].axline(point, point + np.array([-line[1], line[0]]), color=COLOURS[0], lw=0.6)
+        panels[0].legend(loc="best")
+        drawing.colorbar(drawn, ax=panels, label="standard deviation [px]", shrink=0.8)
+    return drawing

@@ -13,7 +13,7 @@ from typing import Any
 from algebroproj_sym.proving.worker import Outcome, Question
 
 EXPECTED = ("proved", "refuted", "open")
-KEYS = ("name", "lhs", "rhs", "constraints", "nonzero", "assumptions", "variables", "witness", "expected")
+KEYS = ("name", "lhs", "rhs", "letters", "constraints", "nonzero", "assumptions", "variables", "witness", "expected")
 MAX_BYTES = 20_000_000
 
 
@@ -69,8 +69,9 @@ def identities(path: Path) -> tuple[Identity, ...]:
     ----------
     path : Path
         JSON: a list of objects with ``lhs`` and ``rhs`` as text, and optionally ``constraints``, ``nonzero`` and
-        ``assumptions`` (lists of text), ``name``, ``variables`` (the names that may occur), ``witness`` (name to
-        rational number as text) and ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
+        ``assumptions`` (lists of text), ``name``, ``letters`` (the vectors and matrices, such as
+        ``{"R": "3x3 rotation"}``), ``variables`` (the names that may occur), ``witness`` (name to rational number as
+        text) and ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
 
     Raises
     ------
@@ -114,6 +115,7 @@ def _identity(path: Path, place: int, item: Any) -> Identity:
         raise MalformedFileError(
             f"{where}, key 'expected': expected one of {', '.join(EXPECTED)}, got {expected!r:.80}"
         )
+    letters = _letters(where, item) if "letters" in item else None
     variables = _texts(where, "variables", item["variables"]) if "variables" in item else None
     question = Question(
         _text(where, "lhs", item["lhs"]),
@@ -123,6 +125,7 @@ def _identity(path: Path, place: int, item: Any) -> Identity:
         _witness(where, item["witness"]) if "witness" in item else None,
         variables,
         _texts(where, "assumptions", item.get("assumptions", [])),
+        letters,
     )
     return Identity(path, where, name, question, expected)
 
@@ -141,7 +144,7 @@ def _no_number(text: str) -> Any:
 
 def _text(where: str, key: str, value: Any) -> str:
     if not isinstance(value, str):
-        raise MalformedFileError(f"{where}, key {key!r}: expected text, got {_kind(value)}")
+        raise MalformedFileError(f"{where}, key '{key}': expected text, got {_kind(value)}")
     if any("\ud800" <= letter <= "\udfff" for letter in value):
         raise MalformedFileError(f"{where}, key {key!r}: expected text, got half a surrogate pair")
     return value
@@ -157,6 +160,16 @@ def _witness(where: str, value: Any) -> Mapping[str, str]:
     if not isinstance(value, dict):
         raise MalformedFileError(f"{where}, key 'witness': expected an object, got {_kind(value)}")
     return {name: _text(where, f"witness', entry '{name}", number) for name, number in value.items()}
+
+
+def _letters(where: str, item: Mapping[str, Any]) -> Mapping[str, str]:
+    for key in ("variables", "witness"):
+        if key in item:
+            raise MalformedFileError(f"{where}, key {key!r}: expected none beside the key 'letters'")
+    letters = item["letters"]
+    if not isinstance(letters, dict):
+        raise MalformedFileError(f"{where}, key 'letters': expected an object, got {_kind(letters)}")
+    return {name: _text(where, f"letters', entry '{name}", text) for name, text in letters.items()}
 
 
 def _kind(value: Any) -> str:

@@ -70,6 +70,8 @@ class Proof:
     assumptions : tuple of sympy.Symbol, or of str
         Symbols of which SymPy assumes more than that they are real: the statement is made for such numbers alone.
         With real functions all that is assumed, as text.
+    scope : str
+        For a statement in letters: what it was decided for, ``for every size`` or some sizes.
     """
 
     verdict: Decision
@@ -78,6 +80,7 @@ class Proof:
     counterexample: Mapping[sympy.Symbol, Fraction] | None
     engine: str
     assumptions: tuple[Any, ...] = ()
+    scope: str = ""
 
 
 def prove(

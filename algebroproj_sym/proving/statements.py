@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import sympy
@@ -36,6 +36,7 @@ def prove(
     assumptions: Sequence[Any] = (),
     witness: Witness | None = None,
     engine: str = "flint",
+    properties: Mapping[Any, Any] | None = None,
 ) -> Proof:
     """Decide whether ``lhs == rhs`` wherever both are defined and the hypotheses hold.
 
@@ -57,6 +58,8 @@ def prove(
         A point that satisfies constraints and hypotheses, where no search would find one; numbers may also be text.
     engine : {"flint", "sympy"}
         Which polynomial arithmetic to use.
+    properties : mapping of MatrixSymbol, or name, to str or tuple of str, optional
+        What letters are: rotation, orthogonal, symmetric, skew, unit, positive definite, diagonal or idempotent.
 
     Returns
     -------
@@ -82,6 +85,8 @@ def prove(
         If a denominator is identically zero.
     UnsupportedError
         If the relation is no equality.
+    LetterError
+        If letters do not fit together, are not declared, or have a property that is unknown.
     ValueError
         If the shapes differ, the engine is unknown, a constraint is a matrix, or the witness violates a constraint or
         has a value for a symbol that does not occur.
@@ -101,6 +106,9 @@ def prove(
     ('proved', {x: Fraction(-2, 1)})
     >>> prove("tan(x)*cos(x)", "sin(x)").hypotheses
     ('cos(x) != 0',)
+    >>> R, t = sympy.MatrixSymbol("R", 3, 3), sympy.MatrixSymbol("t", 3, 1)
+    >>> prove((R * t).T * (R * t), t.T * t, properties={R: "rotation"}).scope
+    'for every size'
     """
     if relation not in RELATIONS:
         raise ValueError(f"relation: expected one of {', '.join(RELATIONS)}, got {relation!r}")
@@ -110,6 +118,10 @@ def prove(
         if isinstance(given, str) or not isinstance(given, Sequence):
             raise TypeError(f"{argument}: expected a sequence of expressions, got {_kind(given)}")
     forms = (lhs, rhs, *constraints, *nonzero)
+    if properties or _speaks_of_letters(forms):
+        if assumptions:
+            raise ValueError("assumptions: expected none for a statement in letters")
+        return _of_letters(lhs, rhs, constraints, nonzero, properties, witness, engine)
     if assumptions or any(isinstance(form, str) and "pi" in form and "pi" in names_in(form) for form in forms):
         return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
     try:
@@ -155,6 +167,37 @@ def _rational(
     if isinstance(witness, Mapping):
         _require_known(witness, (left, right, *zeros, *units))
     return decided(left, right, constraints=zeros, nonzero=units, witness=witness, engine=engine)
+
+
+def _speaks_of_letters(values: Iterable[Any]) -> bool:
+    """Whether some expressions have matrices that are not written out."""
+    seen: set[Any] = set()
+    waiting = [value for value in values if isinstance(value, sympy.Basic)]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, sympy.MatrixExpr):
+            return True
+        if node not in seen:
+            seen.add(node)
+            waiting += node.args
+    return False
+
+
+def _of_letters(
+    lhs: Any,
+    rhs: Any,
+    constraints: Sequence[Any],
+    nonzero: Sequence[Any],
+    properties: Mapping[Any, Any] | None,
+    witness: Witness | None,
+    engine: str,
+) -> Proof:
+    """Decide a statement in letters; what that needs is imported for it alone."""
+    from algebroproj_sym.proving.letters import prove_letters
+
+    if witness is not None:
+        raise ValueError("witness: expected none for a statement in letters")
+    return prove_letters(lhs, rhs, constraints=constraints, nonzero=nonzero, properties=properties, engine=engine)
 
 
 def _kind(given: Any) -> str:

@@ -34,6 +34,8 @@ class Question:
         The names that may occur; None for any.
     assumptions : tuple of str
         Comparisons that hold.
+    letters : mapping of name to text, or None
+        The vectors and matrices among the names, such as ``3x3 rotation``.
     """
 
     lhs: str
@@ -48,6 +50,8 @@ class Question:
     def texts(self) -> tuple[str, ...]:
         """All that is stated."""
         return (self.lhs, self.rhs, *self.constraints, *self.nonzero, *self.assumptions)
+
+    letters: Mapping[str, str] | None = None
 
 
 @dataclass(frozen=True)
@@ -79,7 +83,7 @@ class Outcome:
     seconds: float
     reason: str = ""
     hypotheses: tuple[str, ...] = ()
-    counterexample: Mapping[str, str] | None = None
+    counterexample: Mapping[str, Any] | None = None
     certificate: Mapping[str, Any] | None = field(default=None, repr=False)
     unreadable: bool = False
 
@@ -196,6 +200,8 @@ def _decided(question: Question, engine: str) -> Outcome:
     from algebroproj_sym.expressions import ParseError
     from algebroproj_sym.proving.prove import prove
 
+    if question.letters is not None:
+        return _decided_in_letters(question, question.letters, engine)
     start = monotonic()
     try:
         if _has_pi(question) or question.assumptions:
@@ -257,6 +263,27 @@ def _real(question: Question, start: float) -> Outcome:
         proof.hypotheses,
         None if point is None else {str(symbol): str(value) for symbol, value in point.items()},
         certificate,
+    )
+
+
+def _decided_in_letters(question: Question, letters: Mapping[str, str], engine: str) -> Outcome:
+    from algebroproj_sym.expressions.letters import LetterError
+    from algebroproj_sym.proving.letters import decide_texts
+
+    start = monotonic()
+    conditions = {"constraints": question.constraints, "nonzero": question.nonzero}
+    try:
+        found = decide_texts(question.lhs, question.rhs, letters, **conditions, engine=engine)
+    except LetterError as error:
+        return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
+    return Outcome(
+        found.verdict,
+        str(found.certificate["method"]),
+        monotonic() - start,
+        str(found.certificate.get("reason", "")),
+        found.conditions,
+        None if found.point is None else found.point.record(),
+        found.certificate,
     )
 
 

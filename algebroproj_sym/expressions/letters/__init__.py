@@ -1,0 +1,51 @@
+"""Expressions in letters: vectors and matrices that are named, not written out.
+
+`notation` has what SymPy's matrix expressions lack, `terms` the one form that everything is read into.
+"""
+
+from algebroproj_sym.expressions.letters.notation import (
+    Adjugate,
+    Cross,
+    Dot,
+    Norm,
+    Outer,
+    Pure,
+    QuaternionConjugate,
+    QuaternionProduct,
+    RotationOf,
+    Skew,
+    Vec,
+    VectorPart,
+    Vee,
+)
+from algebroproj_sym.expressions.letters.parsing import parse_letters
+from algebroproj_sym.expressions.letters.reading import Reading
+from algebroproj_sym.expressions.letters.terms import ONE, LetterError, Shape, Size, Term, factors_of, made, number
+from algebroproj_sym.expressions.letters.writing import letters_text
+
+__all__ = [
+    "ONE",
+    "Adjugate",
+    "Cross",
+    "Dot",
+    "LetterError",
+    "Norm",
+    "Outer",
+    "Pure",
+    "QuaternionConjugate",
+    "QuaternionProduct",
+    "Reading",
+    "RotationOf",
+    "Shape",
+    "Size",
+    "Skew",
+    "Term",
+    "Vec",
+    "VectorPart",
+    "Vee",
+    "factors_of",
+    "letters_text",
+    "made",
+    "number",
+    "parse_letters",
+]

@@ -1,0 +1,150 @@
+"""What SymPy's matrix expressions lack: products of vectors, cross-product matrices, adjugates, quaternions.
+
+A vector is an n x 1 matrix.  A quaternion is a vector (w, x, y, z) with Hamilton's product.
+"""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import sympy
+
+from algebroproj_sym.expressions.letters.terms import LetterError, Shape, Size, shape_of
+
+
+def size_of(size: Any) -> Size:
+    """Return the size of a matrix as a number, or as the name of one."""
+    if isinstance(size, int | sympy.Integer) and int(size) > 0:
+        return int(size)
+    if isinstance(size, sympy.Symbol):
+        return str(size.name)
+    raise LetterError(f"expected sizes that are positive numbers or symbols, got {size}")
+
+
+def shape_in(matrix: Any) -> Shape:
+    """Return the shape of a matrix of SymPy; of a scalar, (1, 1)."""
+    if isinstance(matrix, sympy.MatrixBase | sympy.MatrixExpr):
+        rows, columns = matrix.shape
+        return size_of(rows), size_of(columns)
+    return 1, 1
+
+
+def _arguments(kind: str, given: tuple[Any, ...]) -> tuple[list[Any], Shape]:
+    arguments = [sympy.ImmutableMatrix(part) if isinstance(part, sympy.MatrixBase) else part for part in given]
+    for part in arguments:
+        if not isinstance(part, sympy.MatrixBase | sympy.MatrixExpr):
+            raise LetterError(f"{kind}: expected matrices of SymPy, got {part!r} ({type(part).__name__})")
+    return arguments, shape_of(kind, [shape_in(part) for part in arguments])
+
+
+class _OfMatrices(sympy.MatrixExpr):  # type: ignore[misc]
+    """A matrix that is a function of matrices."""
+
+    kind: ClassVar[str]
+
+    def __new__(cls, *given: Any) -> Any:
+        arguments, _ = _arguments(cls.kind, given)
+        return sympy.Basic.__new__(cls, *arguments)
+
+    @property
+    def shape(self) -> tuple[Any, Any]:
+        """Rows and columns."""
+        rows, columns = _arguments(self.kind, self.args)[1]
+        return sympy.sympify(rows), sympy.sympify(columns)
+
+
+class _Scalar(sympy.Expr):  # type: ignore[misc]
+    """A number that is a function of matrices."""
+
+    kind: ClassVar[str]
+    is_commutative = True
+
+    def __new__(cls, *given: Any) -> Any:
+        arguments, _ = _arguments(cls.kind, given)
+        return sympy.Basic.__new__(cls, *arguments)
+
+
+class Dot(_Scalar):
+    """The scalar product of two vectors, a number.
+
+    Examples
+    --------
+    >>> from sympy import MatrixSymbol
+    >>> a, b = MatrixSymbol("a", 3, 1), MatrixSymbol("b", 3, 1)
+    >>> Dot(a, b) + 1
+    Dot(a, b) + 1
+    """
+
+    kind = "dot"
+
+
+class Norm(_Scalar):
+    """The length of a vector, a number; statements are decided where only its square matters."""
+
+    kind = "norm"
+
+
+class Cross(_OfMatrices):
+    """The cross product of two vectors of 3 components."""
+
+    kind = "cross"
+
+
+class Skew(_OfMatrices):
+    """The matrix of the cross product: ``Skew(a) * b`` is ``Cross(a, b)``."""
+
+    kind = "skew"
+
+
+class Vee(_OfMatrices):
+    """The vector of the skew part of a 3 x 3 matrix: ``Vee(Skew(a))`` is ``a``."""
+
+    kind = "vee"
+
+
+class Outer(_OfMatrices):
+    """The outer product of two vectors, ``a * b.T``."""
+
+    kind = "outer"
+
+
+class Adjugate(_OfMatrices):
+    """The transpose of the matrix of cofactors."""
+
+    kind = "adj"
+
+
+class Vec(_OfMatrices):
+    """The columns of a matrix, one below the other."""
+
+    kind = "vec"
+
+
+class QuaternionProduct(_OfMatrices):
+    """Hamilton's product of two quaternions (w, x, y, z)."""
+
+    kind = "qmul"
+
+
+class QuaternionConjugate(_OfMatrices):
+    """The quaternion (w, -x, -y, -z)."""
+
+    kind = "conj"
+
+
+class RotationOf(_OfMatrices):
+    """The rotation matrix of a quaternion that is not zero: it takes v to the vector part of q v q**-1."""
+
+    kind = "rotation"
+
+
+class Pure(_OfMatrices):
+    """The quaternion (0, v) of a vector of 3 components."""
+
+    kind = "pure"
+
+
+class VectorPart(_OfMatrices):
+    """The vector (x, y, z) of a quaternion."""
+
+    kind = "imag"

@@ -1,0 +1,185 @@
+"""Deciding statements about vectors and matrices as letters: in words, which hold for every size, or by entries."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions import SymbolError, assumed, is_plain
+from algebroproj_sym.expressions.letters import LetterError, Reading, Shape, Size, Term, made, number, parse_letters
+from algebroproj_sym.proving.engines import ENGINES
+from algebroproj_sym.proving.letters.deciding import Found, Point, decide
+from algebroproj_sym.proving.letters.properties import PROPERTIES, declared_letters
+from algebroproj_sym.proving.letters.statements import Statement
+from algebroproj_sym.proving.prove import Proof
+
+__all__ = ["PROPERTIES", "Found", "Point", "decide_texts", "prove_letters"]
+
+_DECLARED = re.compile(r"([0-9]+|[a-wyz])x([0-9]+|[a-wyz])(?: (.+))?")
+
+
+def prove_letters(
+    lhs: Any,
+    rhs: Any,
+    *,
+    constraints: Sequence[Any] = (),
+    nonzero: Sequence[Any] = (),
+    properties: Mapping[Any, Any] | None = None,
+    engine: str = "flint",
+) -> Proof:
+    """Decide whether two sides are equal wherever both are defined and all letters have their properties.
+
+    Parameters
+    ----------
+    lhs, rhs : SymPy matrix expression, or number made of such
+        Of one shape; a number 0 stands for a zero matrix.
+    constraints : sequence of SymPy expressions
+        Numbers or matrices that are zero.
+    nonzero : sequence of SymPy expressions
+        Numbers that are not zero.
+    properties : mapping of MatrixSymbol, or name, to str or tuple of str
+        What letters are, see `PROPERTIES`.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
+
+    Raises
+    ------
+    LetterError
+        If shapes do not fit, a property is unknown, or a name is not declared.
+    UndefinedError
+        If what is inverted has no inverse anywhere.
+    ValueError
+        If the engine is unknown.
+
+    Examples
+    --------
+    >>> R = sympy.MatrixSymbol("R", 3, 3)
+    >>> proof = prove_letters(R.T * R, sympy.Identity(3), properties={R: "rotation"})
+    >>> proof.verdict, proof.scope
+    ('proved', 'for every size')
+    """
+    if engine not in ENGINES:
+        raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
+    reading = Reading()
+    sides = [reading.term(side, name) for side, name in ((lhs, "lhs"), (rhs, "rhs"))]
+    zeros = [reading.term(term, f"constraints[{place}]") for place, term in enumerate(constraints)]
+    units = [reading.term(term, f"nonzero[{place}]") for place, term in enumerate(nonzero)]
+    shapes = {name: Reading().term(letter, name).shape for name, letter in reading.letters.items()}
+    statement = _statement(sides, zeros, units, shapes, _named(properties or {}, reading), reading.scalars)
+    found = decide(statement, engine)
+    try:
+        stated = assumed(reading.scalars.values(), "symbols")
+    except SymbolError as error:
+        raise LetterError(str(error)) from error
+    return Proof(
+        found.verdict,
+        tuple(map(reading.expression, found.hypotheses)),
+        found.certificate,
+        None if found.point is None else _shown(found.point, reading),
+        engine,
+        tuple(symbol for symbol in stated if not is_plain(symbol)),
+        found.scope,
+    )
+
+
+def decide_texts(
+    lhs: str,
+    rhs: str,
+    letters: Mapping[str, str],
+    *,
+    constraints: Sequence[str] = (),
+    nonzero: Sequence[str] = (),
+    engine: str = "flint",
+) -> Found:
+    """Decide a statement that is given as text, with letters such as ``{"R": "3x3 rotation", "v": "nx1"}``.
+
+    Raises
+    ------
+    LetterError
+        If a text is not of the grammar, or a letter is not declared well.
+
+    Examples
+    --------
+    >>> decide_texts("dot(R*a, R*b)", "dot(a, b)", {"R": "3x3 rotation", "a": "3x1", "b": "3x1"}).verdict
+    'proved'
+    """
+    declared = {name: _declared(name, text) for name, text in letters.items()}
+    shapes = {name: shape for name, (shape, _) in declared.items()}
+    sides = [parse_letters(text, shapes, key) for key, text in (("key 'lhs'", lhs), ("key 'rhs'", rhs))]
+    zeros = [_difference(text, shapes, f"key 'constraints', entry {i}") for i, text in enumerate(constraints)]
+    units = [parse_letters(text, shapes, f"key 'nonzero', entry {i}") for i, text in enumerate(nonzero)]
+    properties = {name: listed for name, (_, listed) in declared.items()}
+    return decide(_statement(sides, zeros, units, shapes, properties, {}), engine)
+
+
+def _declared(name: str, text: str) -> tuple[Shape, tuple[str, ...]]:
+    match = _DECLARED.fullmatch(text) if isinstance(text, str) else None
+    if match is None:
+        raise LetterError(
+            f"key 'letters', {name}: expected a shape and properties such as '3x3 rotation', got {text!r}"
+        )
+    rows, columns, listed = match.groups()
+    return (_size(rows), _size(columns)), tuple(listed.split(", ")) if listed else ()
+
+
+def _size(text: str) -> Size:
+    return int(text) if text.isdecimal() else text
+
+
+def _difference(text: str, shapes: Mapping[str, Shape], argument: str) -> Term:
+    left, equal, right = text.partition("=")
+    first = parse_letters(left, shapes, argument)
+    if not equal:
+        return first
+    second = parse_letters(right, shapes, argument)
+    if second == number(0):
+        return first
+    return made("sum", first, made("product", number(-1), second))
+
+
+def _statement(
+    sides: Sequence[Term],
+    zeros: Sequence[Term],
+    units: Sequence[Term],
+    shapes: Mapping[str, Shape],
+    properties: Mapping[str, Any],
+    scalars: Mapping[str, sympy.Symbol],
+) -> Statement:
+    left, right = (
+        made("zeros", value=other.shape) if side == number(0) and other.shape != (1, 1) else side
+        for side, other in (sides, [*reversed(sides)])
+    )
+    if left.shape != right.shape:
+        shown = " and ".join(f"{side.shape[0]}x{side.shape[1]}" for side in (left, right))
+        raise LetterError(f"prove: expected two sides of one shape, got {shown}")
+    if any(unit.shape != (1, 1) for unit in units):
+        raise LetterError("nonzero: expected numbers, got a matrix")
+    return Statement(left, right, declared_letters(shapes, properties), (*zeros,), (*units,), scalars)
+
+
+def _named(properties: Mapping[Any, Any], reading: Reading) -> dict[str, Any]:
+    """Return properties by name."""
+    if not isinstance(properties, Mapping):
+        raise LetterError(f"properties: expected a mapping of letters to properties, got {type(properties).__name__}")
+    found = {}
+    for letter, given in properties.items():
+        name = letter if isinstance(letter, str) else str(getattr(letter, "name", ""))
+        if not isinstance(letter, str) and reading.letters.get(name) != letter:
+            known = ", ".join(sorted(reading.letters)) or "none"
+            raise LetterError(f"properties: expected letters that occur ({known}), got {letter}")
+        found[name] = given
+    return found
+
+
+def _shown(point: Point, reading: Reading) -> dict[Any, Any]:
+    """Return a point by symbol: matrices for letters, fractions for numbers."""
+    matrices = {
+        reading.letters[name]: sympy.ImmutableMatrix(
+            [[sympy.Rational(entry.numerator, entry.denominator) for entry in row] for row in rows]
+        )
+        for name, rows in point.letters.items()
+    }
+    return matrices | {reading.scalars[name]: value for name, value in point.scalars.items()}

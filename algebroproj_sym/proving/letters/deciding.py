@@ -1,0 +1,402 @@
+"""Decide a statement in letters: by exact matrices, then in the algebra of words, then entry by entry.
+
+A refutation is exact matrices that have every property and at which the sides differ.  A proof in words holds for every
+size.  A proof by entries holds for the sizes that are given.  With either goes a witness: matrices at which both sides
+are defined, so that nothing is proved about nothing.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import islice, product
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions import admits, over, text, values_of
+from algebroproj_sym.expressions.letters import LetterError, Term, factors_of, letters_text
+from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
+from algebroproj_sym.proving.letters.points import example, has_properties
+from algebroproj_sym.proving.letters.properties import Coordinates, coordinates
+from algebroproj_sym.proving.letters.rewriting import proof_in_words
+from algebroproj_sym.proving.letters.rules import rules_for
+from algebroproj_sym.proving.letters.statements import (
+    Statement,
+    fixed,
+    hypotheses_of,
+    without_definitions,
+    without_lengths,
+)
+from algebroproj_sym.proving.letters.words import Algebra, NotWordsError
+from algebroproj_sym.proving.points import rational_zeros
+from algebroproj_sym.proving.prove import Decision, UndefinedError
+from algebroproj_sym.proving.prove import prove as decided
+from algebroproj_sym.proving.rational_function import RationalFunctionField
+
+LARGEST_TURN = 3
+FIRST_TRIES = 40
+ENOUGH_POINTS = 4
+MORE_TRIES = 200
+CONSTRAINED_STARTS = 8
+CONSTRAINED_TRIES = 60
+
+_NUMBERS = Field(Fraction)
+_EXPRESSIONS = Field(lambda value: sympy.Rational(value.numerator, value.denominator), over)
+
+
+@dataclass(frozen=True)
+class Point:
+    """Exact values of letters and numbers, at sizes that have names.
+
+    Attributes
+    ----------
+    letters : mapping of str to rows
+        The matrices.
+    scalars : mapping of str to Fraction
+        The numbers.
+    sizes : mapping of str to int
+        The sizes.
+    """
+
+    letters: Mapping[str, Rows]
+    scalars: Mapping[str, Fraction]
+    sizes: Mapping[str, int]
+
+    def record(self) -> dict[str, Any]:
+        """Return the values as text."""
+        rows = {name: [[*map(str, row)] for row in value] for name, value in self.letters.items()}
+        values = {name: str(value) for name, value in self.scalars.items()}
+        return rows | values | dict(self.sizes)
+
+
+@dataclass(frozen=True)
+class Found:
+    """What became of a statement.
+
+    Attributes
+    ----------
+    verdict : {"proved", "refuted", "open"}
+        The decision.
+    certificate : mapping
+        The evidence, or why there is none.
+    scope : str
+        What it holds for: ``for every size``, or some sizes.
+    point : Point or None
+        A counterexample.
+    hypotheses : tuple of Term
+        What is not zero wherever the statement is made: determinants of what is inverted, and divisors.
+    """
+
+    verdict: Decision
+    certificate: Mapping[str, Any]
+    scope: str = ""
+    point: Point | None = None
+    hypotheses: tuple[Term, ...] = ()
+
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """The hypotheses as text."""
+        return tuple(map(letters_text, self.hypotheses))
+
+
+def decide(statement: Statement, engine: str = "flint") -> Found:
+    """Decide a statement.
+
+    Raises
+    ------
+    LetterError
+        If a norm is not squared, or entries are needed and a letter is too large for them.
+    UndefinedError
+        If what is inverted has no inverse anywhere.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.expressions.letters import parse_letters
+    >>> from algebroproj_sym.proving.letters.properties import declared_letters
+    >>> def asked(left, right, shape, **properties):
+    ...     letters = declared_letters(dict.fromkeys(properties, shape), properties)
+    ...     sides = (parse_letters(text, dict.fromkeys(properties, shape)) for text in (left, right))
+    ...     return decide(Statement(*sides, letters))
+    >>> found = asked("R.T*R", "eye(n)", ("n", "n"), R="orthogonal")
+    >>> found.verdict, found.scope
+    ('proved', 'for every size')
+    >>> found = asked("det(R)", "1", (3, 3), R="orthogonal")
+    >>> found.verdict, len(found.point.letters["R"])
+    ('refuted', 3)
+    """
+    return _Question(statement, engine).found()
+
+
+class _Question:
+    def __init__(self, statement: Statement, engine: str) -> None:
+        self.letters = statement.letters
+        self.definitions, statement = without_definitions(without_lengths(statement))
+        self.statement = statement
+        self.engine = engine
+        self.witness: Point | None = None
+        self.hypotheses = hypotheses_of(statement.terms, statement.letters)
+
+    def found(self) -> Found:
+        refuting = self._differing(FIRST_TRIES, ENOUGH_POINTS)
+        if refuting is not None:
+            return self._refuted(refuting)
+        found = self._in_words()
+        reason = self._without_entries()
+        if found is None and not reason:
+            found = self._by_entries()
+            reason = "neither a proof nor exact matrices at which the sides differ were found"
+        if found is None:
+            refuting = self._differing(MORE_TRIES, MORE_TRIES)
+            return self._open(reason) if refuting is None else self._refuted(refuting)
+        if self.witness is None and found.verdict == "proved":
+            return self._open("no exact matrices were found at which both sides are defined and all conditions hold")
+        return found
+
+    def _without_entries(self) -> str:
+        """Return why entries decide nothing; empty if they may."""
+        if self.statement.size_names:
+            return "no proof was found in words, and sizes with names have no entries"
+        turning = [each for each in self.statement.letters.values() if "orthogonal" in each.properties]
+        if any(int(letter.shape[0]) > LARGEST_TURN for letter in turning):
+            return f"no proof was found in words, and rotations have entries up to {LARGEST_TURN}x{LARGEST_TURN} only"
+        return ""
+
+    def _open(self, reason: str) -> Found:
+        return Found("open", {"method": "none", "reason": reason})
+
+    # -- points
+
+    def _differing(self, tries: int, enough: int) -> Point | None:
+        """Return a point at which the sides differ; the first other one is the witness."""
+        count = 0
+        for point in self._points(tries):
+            differs = self.differs_at(point)
+            if differs:
+                return point
+            if differs is False:
+                self.witness = self.witness or point
+                count += 1
+                if count == enough:
+                    break
+        return None
+
+    def differs_at(self, point: Point) -> bool | None:
+        """Whether the sides differ at a point; None where a condition fails or a side is undefined."""
+        statement = self.statement
+        if not all(has_properties(letter, point.letters[name]) for name, letter in statement.letters.items()):
+            return None
+        try:
+            if not all(self._admits(name, value) for name, value in self._completed(point).scalars.items()):
+                return None
+            values = [entries_of(term, point.letters, point.scalars, _NUMBERS, point.sizes) for term in statement.terms]
+        except ZeroDivisionError:
+            return None
+        left, right, *others = values
+        constraints, nonzero = others[: len(statement.constraints)], others[len(statement.constraints) :]
+        if any(entry for rows in constraints for row in rows for entry in row) or any(
+            rows == [[0]] for rows in nonzero
+        ):
+            return None
+        return left != right
+
+    def _admits(self, name: str, value: Fraction) -> bool:
+        return name not in self.statement.scalars or admits(self.statement.scalars[name], value)
+
+    def _points(self, tries: int) -> Iterator[Point]:
+        generator = random.Random(self.statement.seed)
+        for attempt in range(tries):
+            sizes = self._sizes(generator, attempt)
+            if self.statement.constraints:
+                yield from self._constrained_points(sizes, attempt)
+            letters = {
+                name: example(letter, sizes, generator, attempt) for name, letter in self.statement.letters.items()
+            }
+            scalars = {name: self._number(symbol, generator, attempt) for name, symbol in self._scalars().items()}
+            if None not in letters.values():
+                yield Point(letters, scalars, sizes)  # type: ignore[arg-type]
+
+    def _sizes(self, generator: random.Random, attempt: int) -> dict[str, int]:
+        names = self.statement.size_names
+        if attempt < 4:
+            return {name: 2 + (k + attempt) % 2 for k, name in enumerate(names)}
+        return {name: generator.randint(1, 3) for name in names}
+
+    def _scalars(self) -> dict[str, sympy.Symbol]:
+        names = {part.value for term in self.statement.terms for part in factors_of(term) if part.kind == "symbol"}
+        others = sorted(names - {*self.statement.size_names})
+        return {name: self.statement.scalars.get(name, sympy.Symbol(name)) for name in others}
+
+    def _number(self, symbol: sympy.Symbol, generator: random.Random, attempt: int) -> Fraction:
+        return generator.choice(values_of(symbol)[: 8 + attempt])
+
+    def _constrained_points(self, sizes: Mapping[str, int], attempt: int) -> Iterator[Point]:
+        """Yield points on the constraints, in the coordinates of the letters."""
+        if attempt >= CONSTRAINED_STARTS:
+            return
+        statement = fixed(self.statement, sizes)
+        expansion = _Expansion(statement)
+        if not expansion.equations:
+            return
+        zeros = rational_zeros(expansion.equations, expansion.symbols, statement.seed + attempt, CONSTRAINED_TRIES)
+        with suppress(ZeroDivisionError):
+            for values in islice(zeros, ENOUGH_POINTS):
+                scalars = {symbol.name: value for symbol, value in values.items()}
+                letters = {k: entries_of(each.entries, {}, scalars, _NUMBERS) for k, each in expansion.letters.items()}
+                yield Point(letters, {name: scalars[name] for name in self._scalars()}, sizes)
+
+    def _refuted(self, point: Point) -> Found:
+        values = [
+            entries_of(side, point.letters, point.scalars, _NUMBERS, point.sizes)
+            for side in (self.statement.left, self.statement.right)
+        ]
+        shown = ([[*map(str, row)] for row in rows] for rows in values)
+        certificate = {"method": "counterexample"} | dict(zip(("left", "right"), shown, strict=True))
+        return Found("refuted", certificate, self._scope(point.sizes), self._completed(point))
+
+    def _completed(self, point: Point) -> Point:
+        """Return a point with values also for what constraints define."""
+        letters, scalars = dict(point.letters), dict(point.scalars)
+        for name, term in self.definitions.items():
+            rows = entries_of(term, point.letters, point.scalars, _NUMBERS, point.sizes)
+            if name in self.letters:
+                letters[name] = rows
+            else:
+                scalars[name] = rows[0][0]
+        return Point(letters, scalars, point.sizes)
+
+    # -- proofs
+
+    def _in_words(self) -> Found | None:
+        statement = self.statement
+        algebra = Algebra(statement.letters)
+        try:
+            claim = algebra.poly(statement.left) - algebra.poly(statement.right)
+            constraints = [algebra.poly(term) for term in statement.constraints]
+            rules = rules_for(algebra, [claim, algebra.poly(statement.left)], constraints)
+            proof = proof_in_words(algebra, claim, rules)
+        except NotWordsError:
+            return None
+        except ZeroDivisionError:
+            raise self._undefined() from None
+        if proof is None:
+            return None
+        scope = self._scope({}) if algebra.is_sized else "for every size"
+        return self._proved({"method": "words"} | proof, scope)
+
+    def _proved(self, certificate: Mapping[str, Any], scope: str) -> Found:
+        witness = {} if self.witness is None else {"witness": self._completed(self.witness).record()}
+        return Found("proved", {**certificate, "scope": scope, **witness}, scope, None, self.hypotheses)
+
+    def _scope(self, sizes: Mapping[str, int]) -> str:
+        """Return the shapes of the letters, such as ``for 3x3 and 3x1``."""
+        shapes = {tuple(str(sizes.get(str(size), size)) for size in letter.shape) for letter in self.letters.values()}
+        return f"for {' and '.join('x'.join(shape) for shape in sorted(shapes, reverse=True))}" if shapes else ""
+
+    def _by_entries(self) -> Found | None:
+        expansion = _Expansion(self.statement)
+        if expansion.equations:
+            return self._constrained(expansion)
+        field = RationalFunctionField(expansion.symbols, self.engine)
+        numbers = Field(field.lift)
+        named = {symbol.name: value for symbol, value in field.variables.items()}
+        try:
+            for signs in product((1, -1), repeat=len(expansion.signs)):
+                values = named | {name: field.lift(Fraction(s)) for name, s in zip(expansion.signs, signs, strict=True)}
+                letters = {k: entries_of(each.entries, {}, values, numbers) for k, each in expansion.letters.items()}
+                sides = (entries_of(side, letters, values, numbers) for side in self.statement.terms[:2])
+                pairs = zip(*sides, strict=True)
+                if any(not (a - b).is_zero for rows in pairs for a, b in zip(*rows, strict=True)):
+                    return None
+        except ZeroDivisionError:
+            raise self._undefined() from None
+        divisors = [str(factor) for factor in field.divisors()]
+        return self._proved(
+            {"method": "entries", "entries": expansion.texts(), "denominators": divisors}, self._scope({})
+        )
+
+    def _undefined(self) -> UndefinedError:
+        texts = " and ".join(map(letters_text, self.statement.terms[:2]))
+        return UndefinedError(f"prove: expected sides in which something has an inverse somewhere, got {texts}")
+
+    def _constrained(self, expansion: _Expansion) -> Found | None:
+        left, right, *others = (expansion.matrix(term) for term in self.statement.terms)
+        nonzero = [unit[0] for unit in others[len(self.statement.constraints) :]]
+        given = [
+            symbol for symbol in self.statement.scalars.values() if symbol.name in {s.name for s in expansion.symbols}
+        ]
+        proof = decided(
+            left, right, constraints=expansion.equations, nonzero=nonzero, engine=self.engine, assumptions=given
+        )
+        if proof.verdict == "refuted" and proof.counterexample is not None:
+            values = {symbol.name: value for symbol, value in proof.counterexample.items()}
+            if all(isinstance(value, Fraction) for value in values.values()):
+                values |= {symbol.name: Fraction(1) for symbol in expansion.symbols if symbol.name not in values}
+                letters = {k: entries_of(e.entries, {}, values, _NUMBERS) for k, e in expansion.letters.items()}
+                point = Point(letters, {name: values[name] for name in self._scalars()}, {})
+                return self._refuted(point) if self.differs_at(point) else None
+        if proof.verdict != "proved":
+            return None
+        certificate = {
+            "method": "entries",
+            "entries": expansion.texts(),
+            "equations": [*map(text, expansion.equations)],
+            "conditions": [*map(text, nonzero)],
+            "proof": self._whole(expansion, dict(proof.certificate or {})),
+        }
+        return self._proved(certificate, self._scope({}))
+
+    def _whole(self, expansion: _Expansion, proof: dict[str, Any]) -> dict[str, Any]:
+        """Return a proof with a witness that has a value also for coordinates that cancel."""
+        return proof | {"witness": dict.fromkeys(expansion.values, "1") | proof["witness"]}
+
+
+class _Expansion:
+    """A statement of fixed size in the coordinates of its letters."""
+
+    def __init__(self, statement: Statement) -> None:
+        self.statement = statement
+        self.letters: dict[str, Coordinates] = {
+            k: coordinates(letter) for k, letter in sorted(statement.letters.items())
+        }
+        numbers = {part.value for term in statement.terms for part in factors_of(term) if part.kind == "symbol"}
+        names = [*numbers, *(name for each in self.letters.values() for name in each.names)]
+        for name in names:
+            if names.count(name) > 1 or name in self.letters:
+                raise LetterError(f"expected other names: {name} is also that of a coordinate of a letter")
+        self.signs = [name for each in self.letters.values() for name in each.signs]
+        self.is_constrained = bool(statement.constraints) or any(each.equations for each in self.letters.values())
+        free = {*names} - (set() if self.is_constrained else {*self.signs})
+        self.symbols = tuple(sympy.Symbol(name) for name in sorted(free))
+
+    def texts(self) -> dict[str, str]:
+        """Return the entries of the letters as text."""
+        return {name: letters_text(each.entries) for name, each in self.letters.items()}
+
+    @cached_property
+    def rows(self) -> dict[str, Rows]:
+        """The entries of the letters as expressions."""
+        return {name: entries_of(each.entries, {}, self.values, _EXPRESSIONS) for name, each in self.letters.items()}
+
+    @cached_property
+    def values(self) -> dict[str, sympy.Symbol]:
+        """The coordinates as symbols."""
+        return {symbol.name: symbol for symbol in self.symbols}
+
+    def matrix(self, term: Term) -> Any:
+        """Return a term as a matrix of expressions."""
+        return sympy.ImmutableDenseMatrix(entries_of(term, self.rows, self.values, _EXPRESSIONS))
+
+    @cached_property
+    def equations(self) -> list[Any]:
+        """What is zero, entry by entry, each once; empty if coordinates say it all."""
+        if not self.is_constrained:
+            return []
+        terms = [*self.statement.constraints, *(term for each in self.letters.values() for term in each.equations)]
+        found = [entry for term in terms for entry in self.matrix(term).flat()]
+        found += [self.values[name] ** 2 - 1 for name in self.signs]
+        return [*dict.fromkeys(sympy.expand(entry) for entry in found if entry != 0)]

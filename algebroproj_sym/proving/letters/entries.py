@@ -1,0 +1,243 @@
+"""Terms entry by entry, in any field: the numbers are fractions, rational functions or expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from operator import add, mul, truediv
+from typing import Any, TypeAlias
+
+from algebroproj_sym.expressions.letters import ONE, Size, Term
+
+Rows: TypeAlias = list[list[Any]]
+
+
+@dataclass(frozen=True)
+class Field:
+    """Where a term is evaluated.
+
+    Attributes
+    ----------
+    lift : callable
+        The embedding of the rational numbers.
+    divide : callable
+        The division; it raises `ZeroDivisionError` where the divisor is zero.
+    """
+
+    lift: Callable[[Fraction], Any]
+    divide: Callable[[Any, Any], Any] = truediv
+
+
+def entries_of(
+    term: Term,
+    letters: Mapping[str, Rows],
+    scalars: Mapping[str, Any],
+    field: Field,
+    sizes: Mapping[str, int] | None = None,
+) -> Rows:
+    """Return the rows of a term.
+
+    Parameters
+    ----------
+    term : Term
+        What is evaluated.
+    letters : mapping of str to rows
+        The matrices.
+    scalars : mapping of str to number
+        The numbers.
+    field : Field
+        What they are numbers of.
+    sizes : mapping of str to int, optional
+        The sizes that have names.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If a divisor, or the determinant of what is inverted, is zero.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.expressions.letters import parse_letters
+    >>> term = parse_letters("x*A**-1", {"A": (2, 2)})
+    >>> rows = [[Fraction(1), Fraction(2)], [Fraction(3), Fraction(4)]]
+    >>> [str(entry) for row in entries_of(term, {"A": rows}, {"x": Fraction(1)}, Field(Fraction)) for entry in row]
+    ['-2', '1', '3/2', '-1/2']
+    """
+    return _Evaluation(letters, scalars, field, sizes or {}).rows(term)
+
+
+class _Evaluation:
+    def __init__(
+        self, letters: Mapping[str, Rows], scalars: Mapping[str, Any], field: Field, sizes: Mapping[str, int]
+    ) -> None:
+        self.letters, self.scalars, self.field, self.sizes = letters, scalars, field, sizes
+        self.known: dict[Term, Rows] = {}
+        self.zero, self.one = field.lift(Fraction(0)), field.lift(Fraction(1))
+
+    def rows(self, term: Term) -> Rows:
+        if term not in self.known:
+            self.known[term] = self._rows(term)
+        return self.known[term]
+
+    def _rows(self, term: Term) -> Rows:
+        if term.kind == "number":
+            return [[self.field.lift(term.value)]]
+        if term.kind == "symbol":
+            value = term.value
+            return [[self.field.lift(Fraction(self.sizes[value])) if value in self.sizes else self.scalars[value]]]
+        if term.kind == "letter":
+            return self.letters[term.value]
+        if term.kind in ("eye", "zeros"):
+            height, width = (self.size(term.value[place]) for place in (0, -1))
+            diagonal = self.one if term.kind == "eye" else self.zero
+            return [[diagonal if i == j else self.zero for j in range(width)] for i in range(height)]
+        parts = [self.rows(part) for part in term.parts]
+        if term.kind == "power":
+            return self.power(parts[0], term.value)
+        if term.kind == "entry":
+            return [[parts[0][term.value[0]][term.value[1]]]]
+        if term.kind == "block":
+            return self.block(parts, term.value[0])
+        if term.kind == "product":
+            return reduce(self.product, parts)
+        if term.kind == "kron":
+            return reduce(_kron, parts)
+        function = getattr(self, term.kind)
+        result: Rows = function(*parts)
+        return result
+
+    def size(self, size: Size) -> int:
+        return size if isinstance(size, int) else self.sizes[size]
+
+    def sum(self, *parts: Rows) -> Rows:
+        return [[reduce(add, entries) for entries in zip(*rows, strict=True)] for rows in zip(*parts, strict=True)]
+
+    def scaled(self, factor: Any, matrix: Rows) -> Rows:
+        return [[factor * entry for entry in row] for row in matrix]
+
+    def product(self, left: Rows, right: Rows) -> Rows:
+        if _is_scalar(left):
+            return self.scaled(left[0][0], right)
+        if _is_scalar(right):
+            return self.scaled(right[0][0], left)
+        columns = [*zip(*right, strict=True)]
+        return [[reduce(add, map(mul, row, column)) for column in columns] for row in left]
+
+    def power(self, base: Rows, exponent: int) -> Rows:
+        if exponent < 0:
+            return self.power(self.inverse(base), -exponent)
+        result = self.identity(len(base))
+        for bit in bin(exponent)[2:]:
+            result = self.product(result, result)
+            if bit == "1":
+                result = self.product(result, base)
+        return result
+
+    def identity(self, size: int) -> Rows:
+        return [[self.one if i == j else self.zero for j in range(size)] for i in range(size)]
+
+    def inverse(self, matrix: Rows) -> Rows:
+        divisor = self.minor(matrix, range(len(matrix)), range(len(matrix)), {})
+        return [[self.field.divide(entry, divisor) for entry in row] for row in self.adj(matrix)]
+
+    def minor(self, matrix: Rows, rows: Sequence[int], columns: Sequence[int], known: dict[Any, Any]) -> Any:
+        """Return the determinant of some rows and columns, expanded along the first row."""
+        if not rows:
+            return self.one
+        key = (*rows,), (*columns,)
+        if key not in known:
+            total = self.zero
+            for place, column in enumerate(columns):
+                others = [*columns[:place], *columns[place + 1 :]]
+                term = matrix[rows[0]][column] * self.minor(matrix, rows[1:], others, known)
+                total = total - term if place % 2 else total + term
+            known[key] = total
+        return known[key]
+
+    def det(self, matrix: Rows) -> Rows:
+        return [[self.minor(matrix, range(len(matrix)), range(len(matrix)), {})]]
+
+    def adj(self, matrix: Rows) -> Rows:
+        places, known = range(len(matrix)), dict[Any, Any]()
+
+        def cofactor(i: int, j: int) -> Any:
+            value = self.minor(matrix, [k for k in places if k != i], [k for k in places if k != j], known)
+            return -value if (i + j) % 2 else value
+
+        return [[cofactor(i, j) for i in places] for j in places]
+
+    def transpose(self, matrix: Rows) -> Rows:
+        return [[*column] for column in zip(*matrix, strict=True)]
+
+    def trace(self, matrix: Rows) -> Rows:
+        return [[reduce(add, (row[place] for place, row in enumerate(matrix)))]]
+
+    def dot(self, left: Rows, right: Rows) -> Rows:
+        return self.product(self.transpose(left), right)
+
+    def outer(self, left: Rows, right: Rows) -> Rows:
+        return [[a * b for (b,) in right] for (a,) in left]
+
+    def diag(self, vector: Rows) -> Rows:
+        return [[value if i == j else self.zero for j in range(len(vector))] for i, (value,) in enumerate(vector)]
+
+    def vec(self, matrix: Rows) -> Rows:
+        return [[entry] for column in zip(*matrix, strict=True) for entry in column]
+
+    def skew(self, vector: Rows) -> Rows:
+        (x,), (y,), (z,) = vector
+        return [[self.zero, -z, y], [z, self.zero, -x], [-y, x, self.zero]]
+
+    def vee(self, matrix: Rows) -> Rows:
+        half = self.field.lift(Fraction(1, 2))
+        return [[half * (matrix[i][j] - matrix[j][i])] for i, j in ((2, 1), (0, 2), (1, 0))]
+
+    def cross(self, left: Rows, right: Rows) -> Rows:
+        return self.product(self.skew(left), right)
+
+    def pure(self, vector: Rows) -> Rows:
+        return [[self.zero], *vector]
+
+    def imag(self, quaternion: Rows) -> Rows:
+        return quaternion[1:]
+
+    def conj(self, quaternion: Rows) -> Rows:
+        return [quaternion[0], *([-entry] for (entry,) in quaternion[1:])]
+
+    def qmul(self, left: Rows, right: Rows) -> Rows:
+        (a,), (b,), (c,), (d,) = left
+        (w,), (x,), (y,), (z,) = right
+        return [
+            [a * w - b * x - c * y - d * z],
+            [a * x + b * w + c * z - d * y],
+            [a * y - b * z + c * w + d * x],
+            [a * z + b * y - c * x + d * w],
+        ]
+
+    def rotation(self, quaternion: Rows) -> Rows:
+        (w,), (x,), (y,), (z,) = quaternion
+        square = w * w + x * x + y * y + z * z
+        rows = [
+            [w * w + x * x - y * y - z * z, _twice(x * y - w * z), _twice(x * z + w * y)],
+            [_twice(x * y + w * z), w * w - x * x + y * y - z * z, _twice(y * z - w * x)],
+            [_twice(x * z - w * y), _twice(y * z + w * x), w * w - x * x - y * y + z * z],
+        ]
+        return [[self.field.divide(entry, square) for entry in row] for row in rows]
+
+    def block(self, parts: list[Rows], width: int) -> Rows:
+        lines = [parts[k : k + width] for k in range(0, len(parts), width)]
+        return [[entry for row in rows for entry in row] for line in lines for rows in zip(*line, strict=True)]
+
+
+def _twice(value: Any) -> Any:
+    return value + value
+
+
+def _is_scalar(rows: Rows) -> bool:
+    return (len(rows), len(rows[0])) == ONE
+
+
+def _kron(left: Rows, right: Rows) -> Rows:
+    return [[a * b for a in upper for b in lower] for upper in left for lower in right]

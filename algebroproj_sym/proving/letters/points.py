@@ -1,0 +1,104 @@
+"""Exact matrices with properties: where counterexamples are looked for, and how they are checked."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from fractions import Fraction
+
+from algebroproj_sym.expressions.letters import parse_letters
+from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
+from algebroproj_sym.proving.letters.properties import Letter
+
+_NUMBERS = Field(Fraction)
+
+
+def example(letter: Letter, sizes: Mapping[str, int], generator: random.Random, attempt: int) -> Rows | None:
+    """Return random exact entries of a letter that has all its properties; None if this attempt fails.
+
+    Examples
+    --------
+    >>> rotation = Letter("R", (3, 3), frozenset({"rotation", "orthogonal"}))
+    >>> has_properties(rotation, example(rotation, {}, random.Random(1), 0))
+    True
+    """
+    rows, columns = (size if isinstance(size, int) else sizes[size] for size in letter.shape)
+    try:
+        found = _example(letter.properties, rows, columns, generator, 2 + attempt // 4)
+    except ZeroDivisionError:
+        return None
+    return found if has_properties(letter, found) else None
+
+
+def _example(properties: frozenset[str], rows: int, columns: int, generator: random.Random, height: int) -> Rows:
+    def random_rows(width: int = columns) -> Rows:
+        return [[Fraction(generator.randint(-height, height)) for _ in range(width)] for _ in range(rows)]
+
+    def made(text: str, **letters: Rows) -> Rows:
+        shapes = {name: (len(value), len(value[0])) for name, value in letters.items()}
+        return entries_of(parse_letters(text, shapes), letters, {}, _NUMBERS)
+
+    def projection() -> Rows:
+        rank = generator.randint(0, rows)
+        basis = random_rows(rank) if rank else []
+        return made("B*(B.T*B)**-1*B.T", B=basis) if rank else made(f"zeros({rows}, {rows})")
+
+    def signs() -> Rows:
+        diagonal = [[Fraction(generator.choice((-1, 1)))] for _ in range(rows)]
+        return made("diag(v)", v=diagonal)
+
+    free = random_rows()
+    if "unit" in properties:
+        return made(f"({_first(rows)}) - 2*h[0, 0]*h*dot(h, h)**-1", h=free) if rows > 1 else signs()
+    if {"symmetric", "orthogonal"} <= properties:
+        return made(f"eye({rows}) - 2*P", P=projection())
+    if "orthogonal" in properties:
+        cayley = made(f"(eye({rows}) + A - A.T)**-1*(eye({rows}) - A + A.T)", A=free)
+        return cayley if "rotation" in properties else made("R*S", R=cayley, S=signs())
+    if "positive definite" in properties:
+        if "diagonal" in properties:
+            return made("diag(v)", v=[[Fraction(generator.randint(1, height + 1))] for _ in range(rows)])
+        return made(f"A*A.T + eye({rows})", A=free)
+    if "diagonal" in properties:
+        return made("diag(v)", v=[row[:1] for row in free])
+    if {"symmetric", "idempotent"} <= properties:
+        return projection()
+    if "idempotent" in properties:
+        kept = made("diag(v)", v=[[Fraction(generator.randint(0, 1))] for _ in range(rows)])
+        return made("A*D*A**-1", A=free, D=kept)
+    if "symmetric" in properties:
+        return made("A + A.T", A=free)
+    return made("A - A.T", A=free) if "skew" in properties else free
+
+
+def _first(size: int) -> str:
+    return f"block({', '.join(f'[{int(k == 0)}]' for k in range(size))})"
+
+
+def has_properties(letter: Letter, rows: Rows) -> bool:
+    """Whether exact entries have all the properties of a letter."""
+    properties, size = letter.properties, len(rows)
+    transposed = [[*column] for column in zip(*rows, strict=True)]
+    identity = [[Fraction(i == j) for j in range(size)] for i in range(size)]
+    shapes = {"A": (size, len(rows[0]))}
+
+    def value(text: str) -> Rows:
+        return entries_of(parse_letters(text, shapes), {"A": rows}, {}, _NUMBERS)
+
+    checks = {
+        "orthogonal": lambda: value("A*A.T") == identity,
+        "rotation": lambda: value("det(A)") == [[1]],
+        "symmetric": lambda: transposed == rows,
+        "skew": lambda: value("A + A.T") == value(f"zeros({size}, {size})"),
+        "unit": lambda: value("dot(A, A)") == [[1]],
+        "idempotent": lambda: value("A*A") == rows,
+        "diagonal": lambda: all(i == j or entry == 0 for i, row in enumerate(rows) for j, entry in enumerate(row)),
+        "positive definite": lambda: all(_leading_minor(rows, k) > 0 for k in range(1, size + 1)),
+    }
+    return all(checks[one]() for one in properties)
+
+
+def _leading_minor(rows: Rows, size: int) -> Fraction:
+    part = [row[:size] for row in rows[:size]]
+    value: Fraction = entries_of(parse_letters("det(A)", {"A": (size, size)}), {"A": part}, {}, _NUMBERS)[0][0]
+    return value

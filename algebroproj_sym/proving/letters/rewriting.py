@@ -1,0 +1,287 @@
+"""Proofs in words: a polynomial is zero because it is a sum of rules, each between words.
+
+A polynomial is rewritten by the rules, the longest word first, each time into shorter ones: that ends.  Where something
+is left, it is multiplied by what has an inverse in it, and rewritten again.  Whether all of it is found does not
+matter: a proof is a list of sums, and each can be multiplied out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+from algebroproj_sym.expressions.letters import ONE, letters_text
+from algebroproj_sym.proving.letters.rules import Rule
+from algebroproj_sym.proving.letters.words import (
+    Algebra,
+    Monomial,
+    NotWordsError,
+    Poly,
+    Scalar,
+    Word,
+    constant,
+    cuts_of,
+    of_key,
+    of_scalar,
+    order,
+)
+
+MOST_STEPS = 400
+MOST_STATES = 60
+MOST_MULTIPLICATIONS = 4
+
+
+@dataclass(frozen=True)
+class Part:
+    """A multiple of something that is zero: ``factor * left * zero * right``, or a number made of that.
+
+    Attributes
+    ----------
+    place : int
+        The place of what is zero: of a rule, or of an earlier sum.
+    factor : Poly
+        A number.
+    left, right : Poly
+        What it is multiplied by.
+    inside : {"", "trace"}
+        Whether its trace is taken.
+    outer : Poly or None
+        What a number that is made of it is multiplied by.
+    """
+
+    place: int
+    factor: Poly
+    left: Poly
+    right: Poly
+    inside: str = ""
+    outer: Poly | None = None
+
+    def value(self, algebra: Algebra, zero: Poly) -> Poly:
+        """Return the multiple."""
+        inner = algebra.product(algebra.product(self.left, zero), self.right)
+        inner = algebra.trace(inner) if self.inside else inner
+        inner = algebra.product(self.factor, inner)
+        return inner if self.outer is None else algebra.product(inner, self.outer)
+
+    def record(self, algebra: Algebra) -> dict[str, Any]:
+        """Return the multiple as text, without what is 1."""
+        found: dict[str, Any] = {"of": self.place}
+        named = {"times": self.factor, "left": self.left, "right": self.right, "then": self.outer}
+        for key, poly in named.items():
+            if poly is not None and poly != constant(1):
+                found[key] = letters_text(algebra.term(poly))
+        return {**found, "trace": True} if self.inside else found
+
+
+def proof_in_words(algebra: Algebra, claim: Poly, rules: Sequence[Rule]) -> dict[str, Any] | None:
+    """Return why a polynomial is zero, as a record; None if that was not found.
+
+    The record lists rules, by name and what they are of, and sums of multiples of them and of earlier sums.  The last
+    sum is the claim.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.expressions.letters import parse_letters
+    >>> from algebroproj_sym.proving.letters.properties import Letter
+    >>> from algebroproj_sym.proving.letters.rules import rules_for
+    >>> algebra = Algebra({"R": Letter("R", ("n", "n"), frozenset({"orthogonal"}))})
+    >>> claim = algebra.poly(parse_letters("R.T*R*R - R", {"R": ("n", "n")}))
+    >>> proof_in_words(algebra, claim, rules_for(algebra, [claim], []))
+    {'rules': [{'rule': 'orthogonal columns', 'of': ['R']}], 'sums': [[{'of': 0, 'right': 'R'}]]}
+    """
+    return _Search(algebra, rules).proof(claim)
+
+
+@dataclass(frozen=True)
+class _State:
+    """What is left of a claim that was multiplied and rewritten.
+
+    ``whole == rest + sum(parts)``; the claim of `before` follows, since what it was multiplied by has an inverse.
+    """
+
+    whole: Poly
+    rest: Poly
+    parts: list[Part]
+    before: _State | None = None
+    undo: Part | None = None
+    rule: Part | None = None
+    depth: int = 0
+
+
+class _Search:
+    def __init__(self, algebra: Algebra, rules: Sequence[Rule]) -> None:
+        self.algebra = algebra
+        self.rules = rules
+        self.leads = [max(rule.poly.terms, key=order) for rule in rules]
+        self.places = {
+            (rule.name, rule.of[0].key): place
+            for place, rule in enumerate(rules)
+            if isinstance(rule.of[0], Poly) and not rule.transposed
+        }
+        self.left = MOST_STEPS
+
+    def proof(self, claim: Poly) -> dict[str, Any] | None:
+        waiting, seen = [self._state(claim)], set[object]()
+        for _ in range(MOST_STATES):
+            if not waiting:
+                return None
+            waiting.sort(key=lambda state: (len(state.rest.terms) + 2 * state.depth, str(state.rest.key)))
+            state = waiting.pop(0)
+            if not state.rest:
+                return self._record(state)
+            if state.depth < MOST_MULTIPLICATIONS:
+                for following in self._multiplied(state):
+                    if following.rest.key not in seen:
+                        seen.add(following.rest.key)
+                        waiting.append(following)
+        return None
+
+    # -- rewriting
+
+    def _state(self, whole: Poly, **more: Any) -> _State:
+        rest, done, parts = whole, Poly(whole.shape, {}), list[Part]()
+        self.left = MOST_STEPS
+        while rest and self.left:
+            monomial = max(rest.terms, key=order)
+            part = self._step(monomial, rest)
+            if part is None:
+                moved = Poly(whole.shape, {monomial: rest.terms[monomial]})
+                rest, done = rest - moved, done + moved
+            else:
+                parts.append(part)
+                rest = rest - part.value(self.algebra, self.rules[part.place].poly)
+                self.left -= 1
+        return _State(whole, rest + done, parts, **more)
+
+    def _step(self, monomial: Monomial, rest: Poly) -> Part | None:
+        """Return the multiple of a rule that takes a monomial out, and leaves shorter ones."""
+        for place, (rule, lead) in enumerate(zip(self.rules, self.leads, strict=True)):
+            for part in self._fits(place, lead, monomial, rest.shape):
+                found = part.value(self.algebra, rule.poly)
+                value = found.terms.get(monomial)
+                if value and all(order(other) <= order(monomial) for other in found.terms):
+                    return replace(part, factor=part.factor.times(rest.terms[monomial] / value))
+        return None
+
+    def _fits(self, place: int, lead: Monomial, monomial: Monomial, shape: Any) -> Iterator[Part]:
+        scalars, word = [*monomial[0]], monomial[1]
+        for scalar in lead[0]:
+            if scalar not in scalars:
+                return
+            scalars.remove(scalar)
+        rule = self.rules[place].poly
+        if not lead[1]:
+            if rule.shape == ONE:
+                yield Part(place, self._number(scalars), constant(1), Poly(shape, {((), word): Fraction(1)}))
+            return
+        for start in _places(lead[1], word):
+            left, right = word[:start], word[start + len(lead[1]) :]
+            yield self._part(place, scalars, left, right, rule)
+        for scalar in dict.fromkeys(scalars):
+            if scalar.kind in ("form", "trace"):
+                others = [*scalars]
+                others.remove(scalar)
+                if scalar.kind == "form":
+                    yield from self._across(place, lead[1], scalar, others, word)
+                yield from self._inside(place, lead[1], scalar, others, Poly(shape, {((), word): Fraction(1)}))
+
+    def _across(self, place: int, lead: Word, scalar: Scalar, others: list[Scalar], word: Word) -> Iterator[Part]:
+        """Yield where a rule fits when a number is put back into the word."""
+        first: Word = scalar.key  # type: ignore[assignment]
+        for cut in cuts_of(word):
+            for form in (first, self.algebra.transposed_word(first)[1]):
+                whole = word[:cut] + form + word[cut:]
+                for start in _places(lead, whole):
+                    left, right = whole[:start], whole[start + len(lead) :]
+                    yield self._part(place, others, left, right, self.rules[place].poly)
+
+    def _inside(self, place: int, lead: Word, scalar: Scalar, others: list[Scalar], outer: Poly) -> Iterator[Part]:
+        first: Word = scalar.key  # type: ignore[assignment]
+        turns = range(len(first)) if scalar.kind == "trace" else (0,)
+        outside = None if outer == constant(1) else outer
+        for word in (first, self.algebra.transposed_word(first)[1]):
+            for turn in turns:
+                turned = word[turn:] + word[:turn]
+                for start in _places(lead, turned):
+                    left, right = turned[:start], turned[start + len(lead) :]
+                    part = self._part(place, others, left, right, self.rules[place].poly)
+                    yield replace(part, inside="trace" if scalar.kind == "trace" else "", outer=outside)
+
+    def _part(self, place: int, scalars: Sequence[Scalar], left: Word, right: Word, rule: Poly) -> Part:
+        before = Poly((left[0].rows, left[-1].columns), {((), left): Fraction(1)}) if left else constant(1)
+        after = Poly((right[0].rows, right[-1].columns), {((), right): Fraction(1)}) if right else constant(1)
+        return Part(place, self._number(scalars), before, after)
+
+    def _number(self, scalars: Sequence[Scalar]) -> Poly:
+        result = constant(1)
+        for scalar in scalars:
+            result = self.algebra.product(result, of_scalar(scalar))
+        return result
+
+    # -- multiplying
+
+    def _multiplied(self, state: _State) -> Iterator[_State]:
+        """Yield what is left times what has an inverse: what is inverted at its ends, and orthogonal letters there."""
+        algebra, rest = self.algebra, state.rest
+        ends = {(True, word[0]) for _, word in rest.terms if word} | {
+            (False, word[-1]) for _, word in rest.terms if word
+        }
+        for scalar in sorted({scalar for scalars, _ in rest.terms for scalar in scalars}, key=str):
+            if scalar.kind == "reciprocal":
+                base = of_key(scalar.key)
+                yield from self._following(state, base, of_scalar(scalar), "left inverse", base, on_left=True)
+        for on_left, atom in sorted(ends, key=str):
+            value = algebra.of_word((atom.rows, atom.columns), (atom,))
+            if atom.kind == "inverse":
+                base = algebra.transposed(of_key(atom.key)) if atom.transposed else of_key(atom.key)
+                name = "left inverse" if on_left else "right inverse"
+                yield from self._following(state, base, value, name, base, on_left=on_left)
+            elif atom.kind == "letter" and "orthogonal" in algebra.letters[str(atom.key)].properties:
+                other = algebra.transposed(value)
+                name = "orthogonal rows" if on_left != atom.transposed else "orthogonal columns"
+                letter = other if atom.transposed else value
+                yield from self._following(state, other, value, name, letter, on_left=on_left)
+
+    def _following(
+        self, state: _State, base: Poly, inverse: Poly, name: str, of: Poly, *, on_left: bool
+    ) -> Iterator[_State]:
+        place = self.places.get((name, of.key))
+        if place is None:
+            return
+        one, rest = constant(1), state.rest
+        try:
+            whole = self.algebra.product(base, rest) if on_left else self.algebra.product(rest, base)
+            undo = Part(0, one, *((inverse, one) if on_left else (one, inverse)))
+            rule = Part(place, constant(-1), *((one, rest) if on_left else (rest, one)))
+            yield self._state(whole, before=state, undo=undo, rule=rule, depth=state.depth + 1)
+        except NotWordsError:
+            return
+
+    # -- the record
+
+    def _record(self, state: _State) -> dict[str, Any]:
+        sums = [state.parts]
+        while state.before is not None and state.undo is not None and state.rule is not None:
+            last = replace(state.undo, place=-len(sums))
+            sums.append([*state.before.parts, last, state.rule])
+            state = state.before
+        used = sorted({part.place for parts in sums for part in parts if part.place >= 0})
+        places = {place: k for k, place in enumerate(used)} | {-k: len(used) + k - 1 for k in range(1, len(sums))}
+        return {
+            "rules": [self._rule(self.rules[place]) for place in used],
+            "sums": [
+                [replace(part, place=places[part.place]).record(self.algebra) for part in parts] for parts in sums
+            ],
+        }
+
+    def _rule(self, rule: Rule) -> dict[str, Any]:
+        named = [part if isinstance(part, int) else letters_text(self.algebra.term(part)) for part in rule.of]
+        return {"rule": rule.name, "of": named} | ({"transposed": True} if rule.transposed else {})
+
+
+def _places(part: Word, word: Word) -> Iterator[int]:
+    for start in range(len(word) - len(part) + 1):
+        if word[start : start + len(part)] == part:
+            yield start

@@ -5,7 +5,7 @@
 writes what the commands print today into the pages.  The tests compare instead of writing.
 
 A block of the language ``console`` is a session, ``python`` a session of the interpreter or a module, whose first line
-names the file, and ``json`` with a title is a file.
+names the file, and ``json`` or ``latex`` with a title is a file.
 """
 
 import doctest
@@ -88,7 +88,7 @@ def perform(page, folder, session):
             interpret(block, names)
         elif language == "python":
             write(block, folder)
-        elif language == "json":
+        elif language in ("json", "latex"):
             (folder / title).write_text(block, encoding="utf-8")
         elif language == "toml":
             assert tomllib.loads(block)

@@ -13,24 +13,19 @@ from click.testing import CliRunner
 
 from algebroproj_sym import Section
 from algebroproj_sym.auditing import (
-    Symbols,
-    Table,
-    UnreadableError,
     audit,
     audited,
     lines_of,
     misplaced,
     numbers_in,
-    read_formula,
     stale,
-    symbols_for,
-    tables_in,
 )
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import DeclarationError, Quotations, Quote, located, quotations, select
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving import prove
+from algebroproj_sym.reading import Symbols, Table, UnreadableError, read_formula, symbols_for, tables_in
 from algebroproj_sym.reporting.audits import audit_counts, audit_record, audited_share
 
 x, y, D, u1, u2, up1, upp31, mu1, mu2, y01, z11 = sympy.symbols("x y D u1 u2 up1 upp31 mu1 mu2 y01 z11")
@@ -99,9 +94,9 @@ def test_blocks_make_one_matrix():
 @pytest.mark.parametrize(
     "latex",
     [
-        *("", "x +", r"\frac{x}", r"\mathbf{q} x", "x^k", r"\frac{x}{0}", r"\mathbf{M} + x", r"x / \mathbf{u}"),
+        *("", "x +", r"\frac{x}", r"\mathbf{q} x", r"\frac{x}{0}", r"\mathbf{M} + x", r"x / \mathbf{u}"),
         *(r"\begin{bmatrix} 1 & \\ x & y \end{bmatrix}", r"\begin{bmatrix} 1 & 2 \\ 3 \end{bmatrix}"),
-        *(r"\sqrt{x}", r"\sum x", r"\infty", "x ? y", "(" * 500, r"\mathbf{M}^2", "x^{2y}", "x^{-1}"),
+        *(r"\sum x", r"\infty", "x ? y", "(" * 500),
     ],
 )
 def test_what_is_no_formula_is_refused(latex):

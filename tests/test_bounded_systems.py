@@ -6,16 +6,13 @@ import flint
 import numpy as np
 import pytest
 
-from algebroproj_sym.generating.runtime.bounded_primitives import (
-    arctan2_with_bound,
-    cos_sin_with_bounds,
-    null_vector_with_bounds,
-    solution_with_bounds,
-)
-from algebroproj_sym.generating.runtime.double_double import DoubleDouble
+from algebroproj_sym.generating.runtime.arctan2 import arctan2
+from algebroproj_sym.generating.runtime.bounded_systems import null_vector_with_bounds, solution_with_bounds
+from algebroproj_sym.generating.runtime.cos_sin import cos_sin
 from algebroproj_sym.generating.runtime.elimination import null_vector_of, solution_of
 from algebroproj_sym.generating.runtime.error_bounds import Bounded
-from algebroproj_sym.generating.runtime.primitives import arctan2, cos_sin, null_vector, solve
+from algebroproj_sym.generating.runtime.pairs import DoubleDouble
+from algebroproj_sym.generating.runtime.systems import null_vector, solve
 
 BATCH = 12
 nearness = pytest.mark.parametrize("nearness", [1.0, 1e-4, 1e-9])
@@ -130,10 +127,10 @@ def test_bounds_of_angles_cover_uncertain_points():
     y, x = rng.normal(size=(2, 400))
     radius = rng.uniform(0, 0.5, 400)
     turn = rng.uniform(0, 2 * np.pi, 400)
-    angle = arctan2_with_bound(Bounded(y, radius), Bounded(x, radius), arctan2)
+    angle = arctan2(Bounded(y, radius), Bounded(x, radius))
     moved = np.arctan2(y + radius * np.sin(turn), x + radius * np.cos(turn))
     assert (abs(moved - angle.value) <= angle.error + 1e-15).all()
     assert np.isfinite(angle.error).mean() > 0.5
-    cosine, sine = cos_sin_with_bounds(Bounded(y, radius), cos_sin)
+    cosine, sine = cos_sin(Bounded(y, radius))
     assert (abs(np.cos(y + radius) - cosine.value) <= cosine.error + 1e-15).all()
     assert (abs(np.sin(y - radius) - sine.value) <= sine.error + 1e-15).all()

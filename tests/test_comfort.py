@@ -108,10 +108,10 @@ def test_check_of_a_number_imports_nothing_that_makes_functions():
 
 
 def test_the_advice_is_for_errors_that_there_are():
-    from algebroproj_sym import declaring, expressions, generating, pipeline, proving, verifying
+    from algebroproj_sym import declaring, expressions, generating, pipeline, proving, reading, verifying
     from algebroproj_sym.reporting import notebooks
 
-    homes = (declaring, expressions, generating, pipeline, proving, notebooks, verifying)
+    homes = (declaring, expressions, generating, pipeline, proving, reading, notebooks, verifying)
     for name in (*group.NEXT, *group.WRONG_USAGE):
         assert any(issubclass(vars(home)[name], Exception) for home in homes if name in vars(home)), name
 

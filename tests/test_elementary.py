@@ -4,8 +4,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from algebroproj_sym.generating.runtime.double_double import DoubleDouble
-from algebroproj_sym.generating.runtime.elementary import HALF_PI, arctan2_of_pair, cos_sin_of_pair
+from algebroproj_sym.generating.runtime.arctan2 import arctan2_of_pair
+from algebroproj_sym.generating.runtime.cos_sin import HALF_PI, cos_sin_of_pair
+from algebroproj_sym.generating.runtime.pairs import DoubleDouble
 
 ANGLES = (
     0.0,

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.generating import run
-from algebroproj_sym.generating.runtime.compensated import NEAR, SUMS, Compensated
 from algebroproj_sym.generating.runtime.error_bounds import Bounded
+from algebroproj_sym.generating.runtime.pairs import NEAR, SUMS, Pair
 from algebroproj_sym.verifying import stratified
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels() if not kernel.stages}
@@ -60,7 +60,7 @@ def uncertain(draw):
         | st.floats(-1, 1)
     )
     near = lo is not None and abs(lo) <= 2.0**-53 * abs(hi)
-    value = np.float64(hi) if lo is None else Compensated(np.float64(hi), np.float64(lo), NEAR if near else SUMS)
+    value = np.float64(hi) if lo is None else Pair(np.float64(hi), np.float64(lo), NEAR if near else SUMS)
     total = Fraction(hi) + (0 if lo is None else Fraction(lo))
     error = abs(float(total)) * draw(st.sampled_from([0.0, 1e-30, 2.0**-52, 1e-3, 0.5, 2.0]))
     return Bounded(value, np.float64(error)).wide(), [total - Fraction(error), total + Fraction(error)]

@@ -15,11 +15,12 @@ STAGES = (
         "proving",
         "processes",
         "declaring",
-        "auditing",
         "showing",
         "generating",
         "verifying",
         "mutating",
+        "reading",
+        "auditing",
     ),
     *("study", "reporting", "pipeline", "exporting", "scaffolding", "cli", "plugin"),
 )

@@ -11,15 +11,12 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 import algebroproj
 from algebroproj import correlation, normal_case, optics, projection
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating import PACKAGE, c_name, plain_files, run
-from algebroproj_sym.generating.runtime.primitives import null_vector_once, solve_once
-from algebroproj_sym.generating.runtime.tape import tape_of
+from algebroproj_sym.generating.runtime.systems import null_vector_once, solve_once
 from algebroproj_sym.verifying import call, function_of, source_is_proved, stratified, truths, without_twin
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, plain_outputs, source_of
 from algebroproj_sym.verifying.identity import SPECIAL, same_bits
@@ -241,53 +238,6 @@ def test_functions_of_functions_take_it():
     assert algebroproj.hypotheses(algebroproj.plain(optics.scale))(1.0, 2.0) == algebroproj.hypotheses(optics.scale)(
         1.0, 2.0
     )
-
-
-# Tapes
-
-OPERATORS = "+-*/"
-
-
-@given(
-    st.lists(st.tuples(st.sampled_from(OPERATORS), st.integers(-3, 9), st.integers(-3, 9)), min_size=1, max_size=25),
-    st.data(),
-)
-@settings(max_examples=200, deadline=None)
-def test_a_tape_computes_what_was_recorded(steps, data):
-    kept = data.draw(st.lists(st.integers(-3, 60), min_size=1, max_size=6))
-
-    def body(*entries):
-        values = list(entries)
-        for operator, left, right in steps:
-            a, b = (values[k % len(values)] if k >= 0 else k for k in (left, right))
-            if isinstance(a, int) and isinstance(b, int):
-                a = values[0]
-            values.append(
-                {
-                    "+": lambda a=a, b=b: a + b,
-                    "-": lambda a=a, b=b: -(a - b),
-                    "*": lambda a=a, b=b: a * b,
-                    "/": lambda a=a, b=b: a / b,
-                }[operator]()
-            )
-        return tuple(values[k % len(values)] if k >= 0 else k for k in kept)
-
-    entries = [np.random.default_rng(k).uniform(-2, 2, 7) for k in range(3)]
-    before = [entry.copy() for entry in entries]
-    results = np.empty((len(kept), 7))
-    with np.errstate(all="ignore"):
-        tape_of.__wrapped__(body, 3).run(entries, list(results))
-        expected = body(*entries)
-    assert all(
-        same_bits(row, np.broadcast_to(np.asarray(e, float), 7)) for row, e in zip(results, expected, strict=True)
-    )
-    assert all(map(np.array_equal, entries, before))
-
-
-def test_buffers_are_used_again():
-    tape = tape_of(lambda x: (sum((x * k for k in range(2, 50)), 0),), 1)
-    assert len(tape.operations) > 90
-    assert tape.buffers == 2
 
 
 # The C source

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from algebroproj_sym.generating.runtime.program import Call, Program, Step, run
+from algebroproj_sym.generating.program import Call, Program, Step, run
 from algebroproj_sym.generating.signs import with_negative_reciprocals
 
 INPUTS = ("x", "y", "z")

@@ -10,7 +10,7 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError, cos_sin, judge, let, null_vector, solution
 from algebroproj_sym.expressions import Matrix, over, vector
 from algebroproj_sym.generating import PACKAGE, lower, render, write
-from algebroproj_sym.generating.runtime import primitives as primitives
+from algebroproj_sym.generating.runtime import systems
 from algebroproj_sym.verifying import load_package, source_is_proved, stratified
 
 x, y, z, a, b, c, d, e, s, phi = sympy.symbols("x y z a b c d e s phi")
@@ -67,18 +67,18 @@ def test_samples_near_a_singular_system_with_divisions():
     assert len(stratified(lowered, 3)) >= 6
 
 
-# generating/runtime/primitives.py
+# generating/runtime/systems.py
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
 def test_equal_equations_are_singular_whatever_their_entries():
-    assert not np.isfinite(primitives.solve([1.0, 49.0, 1.0], [1.0, 49.0, 2.0])).any()
-    assert not np.isfinite(primitives.null_vector([1.0, 49.0, 3.0], [1.0, 49.0, 3.0])).all()
+    assert not np.isfinite(systems.solve([1.0, 49.0, 1.0], [1.0, 49.0, 2.0])).any()
+    assert not np.isfinite(systems.null_vector([1.0, 49.0, 3.0], [1.0, 49.0, 3.0])).all()
 
 
 def test_integers_are_numbers():
-    assert [float(v) for v in primitives.solve([2, 1, 4], [1, 3, 1])] == pytest.approx([2.2, -0.4])
-    assert [float(v) for v in primitives.null_vector([2, 3])] == pytest.approx([1, -2 / 3])
+    assert [float(v) for v in systems.solve([2, 1, 4], [1, 3, 1])] == pytest.approx([2.2, -0.4])
+    assert [float(v) for v in systems.null_vector([2, 3])] == pytest.approx([1, -2 / 3])
 
 
 def test_a_constant_system_is_solved(tmp_path):
@@ -118,7 +118,7 @@ def test_a_call_too_many_is_not_proved(tmp_path):
 
 def test_a_module_without_the_primitive_function_is_not_proved(tmp_path):
     kernel = of_xy(c, [cos_sin(c, s, x)])
-    changes = ("from ._runtime.primitives import cos_sin\n", ""), ("c, s = cos_sin(x)", "c, s = x, y")
+    changes = ("from ._runtime.cos_sin import cos_sin\n", ""), ("c, s = cos_sin(x)", "c, s = x, y")
     assert not source_is_proved(kernel, shipped(tmp_path, kernel, *changes))
 
 

@@ -21,8 +21,8 @@ from algebroproj_sym.declaring import arctan2, cos_sin, let, null_vector, soluti
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.generating import PACKAGE, LoweringError, Program, Step, lower, render, run, write
 from algebroproj_sym.generating.backends.numpy.printer import LINE, statements
-from algebroproj_sym.generating.runtime import primitives as primitives
-from algebroproj_sym.generating.runtime.program import Call
+from algebroproj_sym.generating.program import Call
+from algebroproj_sym.generating.runtime import systems
 from algebroproj_sym.generating.writing import NOTICE
 from algebroproj_sym.proving import ENGINES
 from algebroproj_sym.study.arithmetics import double_double, float64_balls, mpmath_digits
@@ -512,21 +512,28 @@ def docstring_of(declared, files):
 
 
 def test_a_module_imports_the_primitive_functions_that_it_calls_and_no_others(files):
-    assert imports_of(files["plane.py"])["_runtime.primitives"] == ["arctan2", "cos_sin", "solve"]
-    assert imports_of(files["space.py"])["_runtime.primitives"] == ["null_vector"]
-    assert "_runtime.primitives" not in imports_of(files["names.py"])
-    assert "_runtime.primitives" not in imports_of(render([lower(AREA)])["space.py"])
+    homes = {"_runtime.arctan2": ["arctan2"], "_runtime.cos_sin": ["cos_sin"], "_runtime.systems": ["solve"]}
+    assert homes.items() <= imports_of(files["plane.py"]).items()
+    assert imports_of(files["space.py"])["_runtime.systems"] == ["null_vector"]
+    assert homes.keys().isdisjoint(imports_of(files["names.py"]))
+    assert homes.keys().isdisjoint(imports_of(render([lower(AREA)])["space.py"]))
 
 
 def test_the_primitive_functions_travel_with_the_package_under_the_notice(files):
-    source = inspect.getsource(primitives)
+    source = inspect.getsource(systems)
     assert NOTICE not in source
-    assert files["_runtime/primitives.py"].replace(f"\n\n{NOTICE}", "", 1) == source
-    assert NOTICE in ast.get_docstring(ast.parse(files["_runtime/primitives.py"]))
+    assert files["_runtime/systems.py"].replace(f"\n\n{NOTICE}", "", 1) == source
+    assert NOTICE in ast.get_docstring(ast.parse(files["_runtime/systems.py"]))
 
 
-def test_the_primitive_functions_travel_even_if_nothing_calls_them():
-    assert render([lower(AREA)])["_runtime/primitives.py"] == render([lower(TURN)])["_runtime/primitives.py"]
+def test_a_package_has_the_modules_that_it_imports_and_no_others():
+    without, with_angles = (render([lower(kernel)]) for kernel in (AREA, TURN))
+    runtimes = [{name for name in files if name.startswith("_runtime/")} for files in (without, with_angles)]
+    assert runtimes[1] - runtimes[0] == {"_runtime/cos_sin.py"}
+    assert "_runtime/systems.py" not in with_angles
+    for files, own in zip((without, with_angles), runtimes, strict=True):
+        imported = {f"_runtime/{module}.py" for name in own for module in imports_of(files[name])}
+        assert imported <= own
 
 
 def test_the_package_imports_numpy_and_itself_only(files):

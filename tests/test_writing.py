@@ -7,7 +7,7 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from algebroproj_sym.expressions import divided, over, written
+from algebroproj_sym.expressions import divided, evaluate, over, parse, text, values_of, written
 
 symbols = st.sampled_from([sympy.Symbol(name) for name in ("a", "b", "x1", "x10", "x2", "Z")])
 numbers = st.fractions(-4, 4, max_denominator=3).map(lambda q: sympy.Rational(q.numerator, q.denominator))
@@ -59,3 +59,16 @@ def test_what_is_not_rational_is_left_to_sympy():
 def test_dividing_is_what_doit_does(expression):
     assert divided(expression) == expression.doit()
     assert str(divided(expression)) == str(expression.doit())
+
+
+def value(expression, point):
+    try:
+        return evaluate(expression, point)
+    except ZeroDivisionError:
+        return None
+
+
+@given(expressions, st.data())
+def test_every_division_can_be_read_from_the_text(expression, data):
+    point = {symbol: data.draw(st.sampled_from(values_of(symbol)[:6])) for symbol in expression.free_symbols}
+    assert value(parse(text(expression)), point) == value(expression, point)

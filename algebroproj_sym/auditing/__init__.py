@@ -1,25 +1,20 @@
 """Auditing: what claims say is printed, held against the words and the LaTeX of the papers.
 
-A quote is looked up in the paper's file (`scans`), parsed (`latex`), its symbols are looked up in the paper's tables
-(`symbols`), and what it reads must be what the claim says is printed, symbol by symbol (`audit`).
+A quote is looked up in the paper's file (`scans`) and read with the paper's tables of symbols.  What it reads must be
+what the claim says is printed, symbol by symbol (`audit`).
 Which claims quote which line of a paper, `coverage` tells.
 """
 
 from algebroproj_sym.auditing.audit import STATUSES, Finding, Status, audited, numbers_in
 from algebroproj_sym.auditing.collection import audit, stale
 from algebroproj_sym.auditing.coverage import Line, coverage, ranges
-from algebroproj_sym.auditing.latex import UnreadableError, read_formula
 from algebroproj_sym.auditing.scans import lines_of, misplaced
-from algebroproj_sym.auditing.symbols import Symbols, Table, symbols_for, tables_in
 
 __all__ = [
     "STATUSES",
     "Finding",
     "Line",
     "Status",
-    "Symbols",
-    "Table",
-    "UnreadableError",
     "audit",
     "audited",
     "coverage",
@@ -27,8 +22,5 @@ __all__ = [
     "misplaced",
     "numbers_in",
     "ranges",
-    "read_formula",
     "stale",
-    "symbols_for",
-    "tables_in",
 ]

@@ -11,17 +11,17 @@ from typing import Any, Literal, get_args
 
 import sympy
 
-from algebroproj_sym.auditing.latex import Side, UnreadableError, read_formula
-from algebroproj_sym.auditing.symbols import Symbols
 from algebroproj_sym.declaring import Claim, Quotations, Quote
 from algebroproj_sym.expressions import entries, remembered, shape, vector
 from algebroproj_sym.proving import prove
+from algebroproj_sym.reading import Side, Symbols, UnreadableError, read_formula
 
 Status = Literal["equal", "number", "quoted", "unquoted", "failed"]
 STATUSES: tuple[Status, ...] = get_args(Status)
 _COUNTED = ("rank", "count", "reference")
 _DIGITS = re.compile(r"(?<![\d.,])[-−]?\s?(?:\d+(?:[.,]\d+)?|\.\d+)(?!\d)")
 _PLAIN = str.maketrans({"−": "-", ",": "."})
+_BROKEN = re.compile(r"\\n(?!eq|u(?![a-z]))")
 _WORDS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 
 
@@ -136,8 +136,9 @@ def _readings(piece: str, quote: Quote, symbols: Symbols) -> Iterator[Any]:
 
 
 def _cells(piece: str) -> list[str]:
-    """Return the cells of a row of a table, which tabulators separate; of a formula itself."""
-    return [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
+    r"""Return the cells of a row of a table, which tabulators separate, or the formula; a scanned ``\n`` is a space."""
+    cells = [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
+    return [_BROKEN.sub(" ", cell) for cell in cells]
 
 
 def _parts(sides: tuple[Side, ...], quote: Quote) -> list[Any]:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from algebroproj_sym.auditing.audit import Finding, audited
 from algebroproj_sym.auditing.scans import misplaced
-from algebroproj_sym.auditing.symbols import symbols_for, tables_in
 from algebroproj_sym.declaring import Claim, Derivation, derivation_at, quotations
+from algebroproj_sym.reading import symbols_for, tables_in
 
 
 def audit(located: Sequence[tuple[Derivation, Claim]], papers: Path | None = None) -> Iterator[Finding]:

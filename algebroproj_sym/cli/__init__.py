@@ -9,6 +9,7 @@ from algebroproj_sym.cli.group import Group
 SUMMARIES = {
     "new": "Write a folder DIR/NAME to start from.",
     "check": "Judge claims, and compare each verdict with the declared one.",
+    "read": "Read the equations of a document, and judge each.",
     "explain": "Show one claim: the printed form, the derived form, the verdict and the evidence.",
     "generate": "Generate the functions, and write them to DIR/NAME.",
     "verify": "Prove the source of generated functions, and measure their errors.",

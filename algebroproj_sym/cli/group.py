@@ -15,7 +15,7 @@ from click.shell_completion import CompletionItem
 from algebroproj_sym.cli.echoing import echo, verbosity, visible
 
 INTERRUPTED = 130
-WRONG_USAGE = ("MalformedFileError", "UnknownSelectorError")
+WRONG_USAGE = ("MalformedFileError", "UnknownSelectorError", "UnreadableDocumentError")
 NEXT = {
     "BrokenModuleError": "Correct the module, and run the command again.",
     "DeclarationError": "Correct the declaration, and run the command again.",

@@ -25,28 +25,23 @@ from algebroproj_sym.declaring.discovery import (
     split,
 )
 from algebroproj_sym.declaring.driver import Driver
+from algebroproj_sym.declaring.elementary import ELEMENTARY, PRIMITIVES
+from algebroproj_sym.declaring.elementary.arctan2 import arctan2
+from algebroproj_sym.declaring.elementary.cos_sin import cos_sin
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
 from algebroproj_sym.declaring.importing import BrokenModuleError, import_root
 from algebroproj_sym.declaring.judging import Judgement, judge, judge_all
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
 from algebroproj_sym.declaring.kind import Kind
 from algebroproj_sym.declaring.kinds import KINDS
+from algebroproj_sym.declaring.primitive import Primitive
 from algebroproj_sym.declaring.quotes import UNPARSED, UNQUOTED, Quotations, Quote, quotations
 from algebroproj_sym.declaring.section import Section
-from algebroproj_sym.declaring.stage import (
-    LINEAR,
-    PRIMITIVES,
-    Primitive,
-    Stage,
-    arctan2,
-    cos_sin,
-    let,
-    null_vector,
-    solution,
-)
+from algebroproj_sym.declaring.stage import LINEAR, Stage, let, null_vector, solution
 from algebroproj_sym.papers import installed_papers
 
 __all__ = [
+    "ELEMENTARY",
     "KINDS",
     "LINEAR",
     "PRIMITIVES",

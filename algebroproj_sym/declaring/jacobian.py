@@ -12,6 +12,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
+from algebroproj_sym.declaring.elementary import ELEMENTARY
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, Result
 from algebroproj_sym.declaring.stage import Stage, let, solution
 from algebroproj_sym.expressions import Expression, Matrix, Scalar, entries, over
@@ -136,12 +137,8 @@ def _slopes(stage: Stage, operands: Sequence[Scalar], along: Tangents) -> list[S
     slopes = [derivative(operand, along) for operand in operands]
     if stage.primitive == "let":
         return slopes
-    if stage.primitive == "cos_sin":
-        cosine, sine = stage.results
-        return [-sine * slopes[0], cosine * slopes[0]]
-    if stage.primitive == "arctan2":
-        (y, x), (dy, dx) = operands, slopes
-        return [over(x * dy - y * dx, x**2 + y**2)]
+    if stage.primitive in ELEMENTARY:
+        return ELEMENTARY[stage.primitive].tangent(operands, stage.results, slopes, over)
     raise DeclarationError(f"jacobian: expected stages that can be differentiated, got {stage.primitive}")
 
 

@@ -12,7 +12,8 @@ from typing import Any, NotRequired, TypedDict, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
-from algebroproj_sym.declaring.stage import LINEAR, PRIMITIVES, Stage
+from algebroproj_sym.declaring.elementary import PRIMITIVES
+from algebroproj_sym.declaring.stage import LINEAR, Stage
 from algebroproj_sym.expressions import Expression, entries, rational, shape, symbols_of, vector
 
 

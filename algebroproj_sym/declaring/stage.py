@@ -8,16 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, get_args
+from typing import Any
 
 import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
 from algebroproj_sym.expressions import Matrix, columns, entries, rational, shape
 
-Primitive = Literal["let", "cos_sin", "arctan2", "solve", "null_vector"]
-PRIMITIVES: tuple[Primitive, ...] = get_args(Primitive)
-LINEAR: tuple[Primitive, ...] = ("solve", "null_vector")
+LINEAR = ("solve", "null_vector")
+"""What is done with the rows of a linear system."""
 
 
 @dataclass(frozen=True)
@@ -27,7 +26,7 @@ class Stage:
     Attributes
     ----------
     primitive : str
-        One of `PRIMITIVES`.
+        ``let``, one of `LINEAR`, or the name of an elementary function.
     results : tuple of Symbol
         What it gives.
     derived : Expression
@@ -36,7 +35,7 @@ class Stage:
         The same, in the form to be lowered.
     """
 
-    primitive: Primitive
+    primitive: str
     results: tuple[sympy.Symbol, ...]
     derived: Matrix
     form: Matrix
@@ -61,20 +60,9 @@ def let(values: Mapping[sympy.Symbol, Any], *, form: Mapping[sympy.Symbol, Any] 
     return _stage("let", tuple(values), derived, lowered)
 
 
-def cos_sin(cosine: sympy.Symbol, sine: sympy.Symbol, angle: Any) -> Stage:
-    """Return the stage that gives cosine and sine of an angle in radians.
-
-    Examples
-    --------
-    >>> cos_sin(*sympy.symbols("c s phi")).results
-    (c, s)
-    """
-    return _stage("cos_sin", (cosine, sine), Matrix([[_scalar(angle, "angle")]]))
-
-
-def arctan2(angle: sympy.Symbol, y: Any, x: Any) -> Stage:
-    """Return the stage that gives the angle, in radians between -pi and pi, of the direction (x, y)."""
-    return _stage("arctan2", (angle,), Matrix([[_scalar(y, "y"), _scalar(x, "x")]]))
+def applied(primitive: str, results: tuple[sympy.Symbol, ...], **operands: Any) -> Stage:
+    """Return the stage that gives what an elementary function gives for some operands."""
+    return _stage(primitive, results, Matrix([[_scalar(value, name) for name, value in operands.items()]]))
 
 
 def solution(unknowns: Sequence[sympy.Symbol], matrix: Any, right_side: Any, *, form: Any = None) -> Stage:
@@ -121,7 +109,7 @@ def _scalar(value: Any, argument: str) -> sympy.Expr:
     return entries(expression)[0]
 
 
-def _stage(primitive: Primitive, results: tuple[Any, ...], derived: Matrix, form: Any = None) -> Stage:
+def _stage(primitive: str, results: tuple[Any, ...], derived: Matrix, form: Any = None) -> Stage:
     plain = all(isinstance(result, sympy.Symbol) for result in results)
     if not plain or len(set(results)) != len(results):
         raise DeclarationError(f"{primitive}: expected different symbols for its results, got {results}")

@@ -7,6 +7,7 @@
 
 From Coq Require Import Reals QArith Qreals Qabs Qround List ZArith Lia Lra.
 From Coq Require Import BinList Ring_theory Ring_polynom.
+From Algebroproj Require Export Elimination.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -46,6 +47,10 @@ Fixpoint eval (env : list R) (e : expr) : R :=
   | Compare a b => at_most (eval env a) (eval env b)
   end.
 
+(** The environment with the values of definitions, each in terms of those before it. *)
+Fixpoint run (env : list R) (definitions : list expr) : list R :=
+  match definitions with [] => env | d :: rest => run (env ++ [eval env d]) rest end.
+
 Inductive literal : Type :=
 | Zero (a : expr)
 | Nonzero (a : expr)
@@ -53,17 +58,7 @@ Inductive literal : Type :=
 | Unequal (a b : expr)
 | Less (a b : expr)
 | AtMost (a b : expr)
-| Regular (rows : list (list expr)) (inverse : list (list Q)).
-
-(** Matrices are lists of rows; a second factor is a list of columns. *)
-Fixpoint dot (u v : list R) : R :=
-  match u, v with a :: u, b :: v => a * b + dot u v | _, _ => 0 end.
-Definition times (rows columns : list (list R)) : list (list R) := map (fun row => map (dot row) columns) rows.
-Definition unit_matrix (n : nat) : list (list R) :=
-  map (fun i => map (fun j => if Nat.eqb i j then 1 else 0) (seq 0 n)) (seq 0 n).
-(** A square matrix with an inverse: its determinant is not zero. *)
-Definition regular_matrix (rows : list (list R)) : Prop :=
-  exists columns, length columns = length rows /\ times rows columns = unit_matrix (length rows).
+| Regular (rows : list (list expr)).
 
 Definition says (env : list R) (l : literal) : Prop :=
   match l with
@@ -73,7 +68,7 @@ Definition says (env : list R) (l : literal) : Prop :=
   | Unequal a b => eval env a <> eval env b
   | Less a b => eval env a < eval env b
   | AtMost a b => eval env a <= eval env b
-  | Regular rows _ => regular_matrix (map (map (eval env)) rows)
+  | Regular rows => regular_matrix (map (map (eval env)) rows)
   end.
 
 Fixpoint all (props : list Prop) : Prop :=
@@ -379,6 +374,27 @@ Proof.
     + destruct j; discriminate.
 Qed.
 
+(** The same of terms that a proof shares: their values are appended to the environment. *)
+Lemma extended_run shared : forall env values more, length env = length values ->
+  faithful env values -> extended values shared = Some more -> faithful (run env shared) more.
+Proof.
+  induction shared as [|d rest IH]; cbn [extended run]; intros env values more L F E; [now injection E as <-|].
+  destruct (normal values d) as [v|] eqn:N; [|discriminate].
+  apply IH with (values ++ [v]); [now rewrite !app_length, L| |assumption].
+  intros k w H. destruct (Nat.lt_ge_cases k (length values)) as [K|K].
+  - rewrite nth_error_app1 in H by assumption. rewrite app_nth1 by now rewrite L. now apply F.
+  - rewrite nth_error_app2 in H by assumption. rewrite app_nth2, L by now rewrite L.
+    destruct (k - length values)%nat as [|j]; [|destruct j; discriminate].
+    simpl in *. injection H as <-. now apply normal_sound with values.
+Qed.
+
+Lemma extended_length definitions : forall values more,
+  extended values definitions = Some more -> length more = (length values + length definitions)%nat.
+Proof.
+  induction definitions as [|d rest IH]; cbn [extended]; intros values more E; [injection E as <-; simpl; lia|].
+  destruct (normal values d); [|discriminate]. apply IH in E. rewrite E, app_length. simpl. lia.
+Qed.
+
 (** * What follows from constraints *)
 
 Definition above (v : fraction) : fraction := (fst v, map (Z.max 0) (snd v)).
@@ -441,12 +457,6 @@ Qed.
 
 End Fractions.
 
-Fixpoint traverse {A B} (f : A -> option B) (l : list A) : option (list B) :=
-  match l with
-  | [] => Some []
-  | a :: rest => match f a, traverse f rest with Some b, Some bs => Some (b :: bs) | _, _ => None end
-  end.
-
 Lemma traverse_Forall {A B} (f : A -> option B) (P : A -> Prop) (Q : B -> Prop) l bs :
   (forall a b, f a = Some b -> P a -> Q b) -> traverse f l = Some bs -> Forall P l -> Forall Q bs.
 Proof.
@@ -470,8 +480,8 @@ Proof.
 Qed.
 
 (** Whether the goals follow from divisors and units that are not zero, definitions, and constraints that are zero;
-    the first [n] variables are free. *)
-Definition decided (n : nat) (divisors definitions units constraints : list expr) (goals : list goal) : bool :=
+    the first [n] variables are free, [m] are defined, and the goals have more that they share. *)
+Definition decided (n m : nat) (divisors definitions units constraints shared : list expr) (goals : list goal) : bool :=
   match traverse (fun e => polynomial (normal [] (base n) e)) divisors with
   | None => false
   | Some ps =>
@@ -487,16 +497,19 @@ Definition decided (n : nat) (divisors definitions units constraints : list expr
   | Some values =>
   match traverse (normal qs values) constraints with
   | None => false
-  | Some cs => forallb (reached qs values cs) goals
-  end end end end end.
+  | Some cs =>
+  match extended qs values shared with
+  | None => false
+  | Some values => Nat.eqb m (length definitions) && forallb (reached qs values cs) goals
+  end end end end end end.
 
-Theorem follows xs ss divisors definitions units constraints goals :
-  decided (length xs) divisors definitions units constraints goals = true ->
+Theorem follows xs ss divisors definitions units constraints shared goals :
+  decided (length xs) (length ss) divisors definitions units constraints shared goals = true ->
   all (map (fun d => eval xs d <> 0) divisors) ->
   all (defined (xs ++ ss) (length xs) definitions) ->
   all (map (fun u => eval (xs ++ ss) u <> 0) units) ->
   all (map (fun c => eval (xs ++ ss) c = 0) constraints) ->
-  all (map (concludes (xs ++ ss)) goals).
+  all (map (concludes (run (xs ++ ss) shared)) goals).
 Proof.
   unfold decided. rewrite !all_map. intros H Hd Hdef Hu Hc.
   destruct (traverse _ divisors) as [ps|] eqn:Ed; [|discriminate].
@@ -504,6 +517,8 @@ Proof.
   destruct (traverse (normal ps values) units) as [us|] eqn:Eu; [|discriminate].
   destruct (extended (ps ++ map fst us)%list _ definitions) as [values'|] eqn:Ev'; [|discriminate].
   destruct (traverse (normal _ values') constraints) as [cs|] eqn:Ec; [|discriminate].
+  destruct (extended _ values' shared) as [more|] eqn:Es; [|discriminate].
+  apply andb_prop in H as [Lm H]. apply Nat.eqb_eq in Lm.
   assert (length (base (length xs)) = length xs) as L by (unfold base; now rewrite map_length, seq_length).
   assert (regular (map (value_of xs) ps)) as Rps.
   { apply Forall_map. refine (traverse_Forall _ _ _ _ _ _ Ed Hd). intros d p E N.
@@ -523,8 +538,11 @@ Proof.
   assert (faithful xs qs (xs ++ ss) values') as F'.
   { apply (extended_faithful xs qs Rqs (xs ++ ss) definitions (base (length xs))); [apply base_faithful|assumption|].
     now rewrite L. }
+  assert (faithful xs qs (run (xs ++ ss) shared) more) as Fs.
+  { apply (extended_run xs qs Rqs shared _ values'); [|assumption|assumption].
+    now rewrite (extended_length _ _ _ _ Ev'), L, app_length, Lm. }
   apply Forall_forall. intros g Hg. rewrite forallb_forall in H.
-  apply (reached_sound xs qs Rqs _ _ cs g F'); [|now apply H].
+  apply (reached_sound xs qs Rqs _ _ cs g Fs); [|now apply H].
   refine (traverse_Forall _ _ _ _ _ _ Ec Hc). intros c v E Zc.
   now rewrite <- (normal_sound xs qs Rqs _ _ F' _ _ E).
 Qed.
@@ -555,15 +573,6 @@ Fixpoint numbers (env : list Q) (definitions : list expr) : option (list Q) :=
   | d :: rest => match number env d with Some q => numbers (env ++ [q]) rest | None => None end
   end.
 
-Fixpoint qdot (u v : list Q) : Q :=
-  match u, v with a :: u, b :: v => qadd (qmul a b) (qdot u v) | _, _ => 0%Q end.
-Definition qtimes (rows columns : list (list Q)) : list (list Q) := map (fun row => map (qdot row) columns) rows.
-Definition qunit (n : nat) : list (list Q) :=
-  map (fun i => map (fun j => if Nat.eqb i j then 1%Q else 0%Q) (seq 0 n)) (seq 0 n).
-Fixpoint each {A} (f : A -> A -> bool) (u v : list A) : bool :=
-  match u, v with [], [] => true | a :: u, b :: v => f a b && each f u v | _, _ => false end.
-Definition qsame : list (list Q) -> list (list Q) -> bool := each (each Qeq_bool).
-
 Definition holds (env : list Q) (l : literal) : bool :=
   let compare a b f := match number env a, number env b with Some p, Some q => f p q | _, _ => false end in
   match l with
@@ -573,11 +582,8 @@ Definition holds (env : list Q) (l : literal) : bool :=
   | Unequal a b => compare a b (fun p q => negb (Qeq_bool p q))
   | Less a b => compare a b (fun p q => negb (Qle_bool q p))
   | AtMost a b => compare a b Qle_bool
-  | Regular rows inverse =>
-      match traverse (traverse (number env)) rows with
-      | Some m => Nat.eqb (length inverse) (length rows) && qsame (qtimes m inverse) (qunit (length rows))
-      | None => false
-      end
+  | Regular rows =>
+      match traverse (traverse (number env)) rows with Some m => invertible m | None => false end
   end.
 
 Definition evaluated (xs : list Q) (definitions : list expr) (literals : list literal) : bool :=
@@ -588,8 +594,6 @@ Definition rational (env : list R) (values : list Q) : Prop :=
 
 Lemma Q2R_Z n : Q2R (inject_Z n) = IZR n.
 Proof. unfold Q2R, inject_Z; simpl; lra. Qed.
-Lemma Q2R_red q : Q2R (Qred q) = Q2R q.
-Proof. apply Qeq_eqR, Qred_correct. Qed.
 Lemma Q2R_power q n : Q2R (qpow q n) = Q2R q ^ n.
 Proof. induction n as [|n IH]; simpl; [exact Q2R_1|]. unfold qmul. now rewrite Q2R_red, Q2R_mult, IH. Qed.
 
@@ -652,37 +656,6 @@ Proof.
     + destruct j; discriminate.
 Qed.
 
-Lemma each_map {A B} (f : A -> A -> bool) (g : A -> B) : (forall a b, f a b = true -> g a = g b) ->
-  forall u v, each f u v = true -> map g u = map g v.
-Proof.
-  intros H. induction u as [|a u IH]; intros [|b v] E; try discriminate; [reflexivity|].
-  simpl in *. apply andb_prop in E as [E1 E2]. f_equal; auto.
-Qed.
-
-Lemma qsame_sound m n : qsame m n = true -> map (map Q2R) m = map (map Q2R) n.
-Proof.
-  apply each_map, each_map. intros a b E. now apply Qeq_eqR, Qeq_bool_iff.
-Qed.
-
-Lemma qdot_real u v : Q2R (qdot u v) = dot (map Q2R u) (map Q2R v).
-Proof.
-  revert v; induction u as [|a u IH]; intros [|b v]; simpl; try exact Q2R_0.
-  unfold qadd, qmul. now rewrite Q2R_red, Q2R_plus, Q2R_red, Q2R_mult, IH.
-Qed.
-
-Lemma qtimes_real rows columns :
-  map (map Q2R) (qtimes rows columns) = times (map (map Q2R) rows) (map (map Q2R) columns).
-Proof.
-  unfold qtimes, times. rewrite !map_map. apply map_ext. intro row. rewrite !map_map. apply map_ext. intro column.
-  apply qdot_real.
-Qed.
-
-Lemma qunit_real n : map (map Q2R) (qunit n) = unit_matrix n.
-Proof.
-  unfold qunit, unit_matrix. rewrite map_map. apply map_ext. intro i. rewrite map_map. apply map_ext. intro j.
-  destruct (Nat.eqb i j); [exact Q2R_1|exact Q2R_0].
-Qed.
-
 Lemma traverse_map {A} (f : A -> option Q) (g : A -> R) : (forall a q, f a = Some q -> g a = Q2R q) ->
   forall l qs, traverse f l = Some qs -> map g l = map Q2R qs.
 Proof.
@@ -692,12 +665,12 @@ Proof.
 Qed.
 
 Lemma traverse_matrix env values rows m : rational env values -> traverse (traverse (number values)) rows = Some m ->
-  map (map (eval env)) rows = map (map Q2R) m /\ length m = length rows.
+  map (map (eval env)) rows = map (map Q2R) m.
 Proof.
   intro F. revert m. induction rows as [|row rows IH]; simpl; intros m E; [now injection E as <-|].
   destruct (traverse (number values) row) as [r|] eqn:Er; [|discriminate].
   destruct (traverse _ rows) as [rs|]; [|discriminate]. injection E as <-.
-  destruct (IH rs eq_refl) as [I1 I2]. simpl. split; [|now f_equal]. f_equal; [|assumption].
+  simpl. f_equal; [|now apply IH].
   apply (traverse_map (number values)); [|assumption]. intros a q. now apply number_sound.
 Qed.
 
@@ -708,7 +681,7 @@ Proof.
     exists p q, eval env a = Q2R p /\ eval env b = Q2R q /\ f p q = true) as C.
   { intros a b f H. destruct (number values a) as [p|] eqn:Ea; [|discriminate].
     destruct (number values b) as [q|] eqn:Eb; [|discriminate]. exists p, q. auto. }
-  destruct l as [a|a|a b|a b|a b|a b|rows inverse]; unfold holds, says; intro H.
+  destruct l as [a|a|a b|a b|a b|a b|rows]; unfold holds, says; intro H.
   - apply C in H as (p & q & -> & E & H). simpl in E. rewrite E. now apply Qeq_eqR, Qeq_bool_iff.
   - apply C in H as (p & q & -> & E & H). simpl in E. rewrite E. intro D. apply Bool.negb_true_iff, Qeq_bool_neq in H.
     now apply H, eqR_Qeq.
@@ -717,10 +690,8 @@ Proof.
   - apply C in H as (p & q & -> & -> & H). apply Bool.negb_true_iff in H.
     apply Rnot_le_lt. intro D. apply Rle_Qle, Qle_bool_iff in D. congruence.
   - apply C in H as (p & q & -> & -> & H). now apply Qle_Rle, Qle_bool_iff.
-  - destruct (traverse _ rows) as [m|] eqn:E; [|discriminate]. apply andb_prop in H as [L H].
-    destruct (traverse_matrix _ _ _ _ F E) as [-> N]. apply Nat.eqb_eq in L.
-    exists (map (map Q2R) inverse). rewrite !map_length, N. split; [assumption|].
-    rewrite <- qtimes_real, (qsame_sound _ _ H). apply qunit_real.
+  - destruct (traverse _ rows) as [m|] eqn:E; [|discriminate].
+    rewrite (traverse_matrix _ _ _ _ F E). now apply invertible_regular.
 Qed.
 
 Theorem computed xs ss definitions literals :
@@ -735,6 +706,28 @@ Proof.
   apply (numbers_rational _ definitions xs); [|assumption|assumption].
   intros k q N. rewrite app_nth1; [|rewrite map_length; apply nth_error_Some; now rewrite N].
   apply (map_nth_error Q2R) in N. now apply nth_error_nth.
+Qed.
+
+(** The same without variables, of terms that a proof shares. *)
+Lemma numbers_run shared : forall env values more, length env = length values ->
+  rational env values -> numbers values shared = Some more -> rational (run env shared) more.
+Proof.
+  induction shared as [|d rest IH]; cbn [numbers run]; intros env values more L F E; [now injection E as <-|].
+  destruct (number values d) as [v|] eqn:N; [|discriminate].
+  apply IH with (values ++ [v])%list; [now rewrite !app_length, L| |assumption].
+  intros k w H. destruct (Nat.lt_ge_cases k (length values)) as [K|K].
+  - rewrite nth_error_app1 in H by assumption. rewrite app_nth1 by now rewrite L. now apply F.
+  - rewrite nth_error_app2 in H by assumption. rewrite app_nth2, L by now rewrite L.
+    destruct (k - length values)%nat as [|j]; [|destruct j; discriminate].
+    simpl in *. injection H as <-. now apply number_sound with values.
+Qed.
+
+Theorem calculated shared literals :
+  evaluated [] shared literals = true -> all (map (says (run [] shared)) literals).
+Proof.
+  unfold evaluated. intro H. rewrite all_map. destruct (numbers [] shared) as [values|] eqn:E; [|discriminate].
+  apply Forall_forall. intros l Hl. rewrite forallb_forall in H. apply holds_sound with values; [|now apply H].
+  apply (numbers_run shared [] []); [reflexivity| |assumption]. intros [|k] q N; discriminate.
 Qed.
 
 (** * Proportional lists *)
@@ -817,24 +810,18 @@ Definition slope (F : list R -> list R) (x v : list R) (i : nat) (d : R) : Prop 
   derivable_pt_lim (fun t => List.nth i (F (moved x v t)) 0) 0 d.
 (** No component of F has a derivative other than zero along v at x: v is in the kernel of the Jacobian matrix. *)
 Definition stationary (F : list R -> list R) (x v : list R) : Prop := forall i, slope F x v i 0.
-Definition basis (n k : nat) : list R := map (fun j => if Nat.eqb j k then 1 else 0) (seq 0 n).
 (** The derivatives of F at x by some variables, a list for each of them, are a matrix with an inverse. *)
 Definition regular_derivatives (F : list R -> list R) (x : list R) (variables : list nat) : Prop :=
   exists m, Forall2 (fun k column => forall i, slope F x (basis (length x) k) i (List.nth i column 0)) variables m /\
     regular_matrix m.
 
-(** A program: definitions, each of which is appended to the environment, and results. *)
-Fixpoint run (env : list R) (definitions : list expr) : list R :=
-  match definitions with [] => env | d :: rest => run (env ++ [eval env d]) rest end.
+(** A program: definitions, and results. *)
 Definition program (definitions results : list expr) (x : list R) : list R := map (eval (run x definitions)) results.
 
 Definition coordinates (n : nat) (x : list R) : list R := map (fun k => List.nth k x 0) (seq 0 n).
 
 Lemma coordinates_all x : coordinates (length x) x = x.
-Proof.
-  unfold coordinates. induction x as [|a x IH]; [reflexivity|].
-  cbn [length seq map]. rewrite <- seq_shift, map_map. f_equal. exact IH.
-Qed.
+Proof. apply nth_all. Qed.
 
 Lemma is_program F definitions results n :
   (forall x, F (coordinates n x) = program definitions results (coordinates n x)) ->
@@ -983,12 +970,6 @@ Definition derived (values : list dual) (definitions results : list expr) : opti
   | None => None
   end.
 
-Lemma moved_0 x v : length v = length x -> moved x v 0 = x.
-Proof.
-  revert v. induction x as [|a x IH]; intros [|b v] H; try discriminate; [reflexivity|].
-  unfold moved in *. cbn [combine map fst snd]. rewrite IH by (simpl in H; lia). f_equal. ring.
-Qed.
-
 Lemma nth_moved x v t k : length v = length x ->
   List.nth k (moved x v t) 0 = List.nth k x 0 + t * List.nth k v 0.
 Proof.
@@ -1130,12 +1111,8 @@ Definition qbasis (n k : nat) : list Q := map (fun j => if Nat.eqb j k then 1%Q 
 Definition qderived (point : list Q) (definitions results : list expr) (k : nat) : option (list Q) :=
   derived Q (fun c => c) qadd qmul Qopp qquotient (combine point (qbasis (length point) k)) definitions results.
 
-Definition jacobian_regular (point : list Q) (definitions results : list expr) (variables : list nat)
-    (inverse : list (list Q)) : bool :=
-  match traverse (qderived point definitions results) variables with
-  | Some m => Nat.eqb (length inverse) (length m) && qsame (qtimes m inverse) (qunit (length m))
-  | None => false
-  end.
+Definition jacobian_regular (point : list Q) (definitions results : list expr) (variables : list nat) : bool :=
+  match traverse (qderived point definitions results) variables with Some m => invertible m | None => false end.
 
 Lemma qquotient_real a b c h q : qquotient a b c h = Some q -> Q2R b <> 0 /\ Q2R q = Q2R a / Q2R b.
 Proof.
@@ -1153,15 +1130,15 @@ Proof.
   unfold qbasis, basis. rewrite map_map. apply map_ext. intro j. destruct (Nat.eqb j k); [exact Q2R_1|exact Q2R_0].
 Qed.
 
-Theorem regular_at point definitions results variables inverse F :
-  jacobian_regular point definitions results variables inverse = true ->
+Theorem regular_at point definitions results variables F :
+  jacobian_regular point definitions results variables = true ->
   (forall x, length x = length point -> F x = program definitions results x) ->
   regular_derivatives F (map Q2R point) variables.
 Proof.
   unfold jacobian_regular. intros H E.
-  destruct (traverse _ variables) as [m|] eqn:M; [|discriminate]. apply andb_prop in H as [L H]. apply Nat.eqb_eq in L.
-  exists (map (map Q2R) m). split.
-  - clear L H. revert m M. induction variables as [|k rest IH]; simpl; intros m M; [injection M as <-; constructor|].
+  destruct (traverse _ variables) as [m|] eqn:M; [|discriminate].
+  exists (map (map Q2R) m). split; [|now apply invertible_regular].
+  - clear H. revert m M. induction variables as [|k rest IH]; simpl; intros m M; [injection M as <-; constructor|].
     destruct (qderived point definitions results k) as [slopes|] eqn:D; [|discriminate].
     destruct (traverse _ rest) as [ms|]; [|discriminate]. injection M as <-. constructor; [|now apply IH].
     rewrite map_length, <- qbasis_real.
@@ -1178,6 +1155,4 @@ Proof.
       split; apply nth_error_nth; now apply map_nth_error.
     + intro t. apply E. rewrite length_moved; rewrite ?map_length; [reflexivity|].
       unfold qbasis. now rewrite map_length, seq_length.
-  - exists (map (map Q2R) inverse). rewrite !map_length. split; [assumption|].
-    rewrite <- qtimes_real, (qsame_sound _ _ H). apply qunit_real.
 Qed.

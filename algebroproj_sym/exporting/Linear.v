@@ -10,9 +10,6 @@ Open Scope R_scope.
 
 Definition matrix : Type := list (list R).
 
-Fixpoint zipped {A B C} (f : A -> B -> C) (u : list A) (v : list B) : list C :=
-  match u, v with a :: u, b :: v => f a b :: zipped f u v | _, _ => [] end.
-
 Definition entry (m : matrix) (i j : nat) : R := List.nth j (List.nth i m []) 0.
 Definition part (m : matrix) (rows columns : list nat) : matrix := map (fun i => map (entry m i) columns) rows.
 Definition sum (a b : matrix) : matrix := zipped (zipped Rplus) a b.
@@ -79,6 +76,9 @@ Proof. simpl. destruct (Req_EM_T 1 0); [lra|reflexivity]. Qed.
 Lemma left_row conditions row m : chosen_rows (0 :: conditions) (row :: m) = chosen_rows conditions m.
 Proof. simpl. destruct (Req_EM_T 0 0); [reflexivity|lra]. Qed.
 Ltac choose := unfold chosen; cbn [concat app]; rewrite ?chosen_row, ?left_row; repeat rewrite ?chosen_row, ?left_row; reflexivity.
+
+(** Lemmas are looked for in the left side alone. *)
+Ltac name_right_side := lazymatch goal with |- _ = ?r => let right := fresh "right" in set (right := r) end.
 
 (** * Theorems about matrices from equations between entries *)
 

@@ -13,11 +13,11 @@ from itertools import combinations
 from typing import Any, TypeAlias
 
 from algebroproj_sym.exporting import points
-from algebroproj_sym.exporting.counts import Functions, gradients, independent_at, unchanged_along
+from algebroproj_sym.exporting.counts import Functions, independent_at, unchanged_along
 from algebroproj_sym.exporting.gallina import formula, listed
 from algebroproj_sym.exporting.limits import denominators, limits
 from algebroproj_sym.exporting.objects import Object, dot
-from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero, inverse
+from algebroproj_sym.exporting.points import Literal, Regular, divisors_nonzero
 from algebroproj_sym.exporting.rational_functions import exact_quotient, hypotheses, ratio, vector
 from algebroproj_sym.exporting.reading import decimal, formula_of, natural, symbol
 from algebroproj_sym.exporting.reading import form as read
@@ -28,6 +28,7 @@ from algebroproj_sym.exporting.terms import (
     Written,
     difference,
     free,
+    in_rows,
     inlined,
     integer,
     name,
@@ -94,8 +95,7 @@ def about(statement: Statement, form: str, certificate: Certificate, made: Objec
     if "constraints" in statement.setting:
         given = _constrained(statement, given)
         goals = _members(given, [(goal.left, goal.right) for goal in goals], certificate)
-    width = len(piece.rows[0])
-    rows = [goals[start : start + width] for start in range(0, len(goals), width)]
+    rows = in_rows(goals, len(piece.rows[0]))
     holds = universal_of_matrix(
         given, rows, piece.text, scalar=piece.scalar, first=made.rewriting, required=piece.needs
     )
@@ -249,7 +249,7 @@ def structure(statement: Statement, form: str, certificate: Certificate) -> Prov
         expected.append(value if sign > 0 else negative(value))
     width = statement.form("derived").shape[1]
     goals = [Goal(a, b) for a, b in zip(derived.entries, expected, strict=True)]
-    rows = [goals[start : start + width] for start in range(0, len(goals), width)]
+    rows = in_rows(goals, width)
     variables = tuple(v for v in given.variables if v not in first)
     given = replace(given, variables=variables)
     bound = {mark: name(mark) for mark in first}
@@ -257,8 +257,7 @@ def structure(statement: Statement, form: str, certificate: Certificate) -> Prov
         (lambda value: value if sign > 0 else negative(value))(bound[mark] if mark in bound else integer(int(mark)))
         for sign, mark in marks
     ]
-    shown = [pattern[start : start + width] for start in range(0, len(pattern), width)]
-    holds = universal_of_matrix(given, rows, pattern=shown, marks=first)
+    holds = universal_of_matrix(given, rows, pattern=in_rows(pattern, width), marks=first)
     point = _point_where(statement, given, [*first.values()])
     literals = [
         *divisors_nonzero([*first.values()], given.definitions),
@@ -300,15 +299,10 @@ def rank(statement: Statement, form: str, certificate: Certificate) -> Proved:
     return {"minor": _minor(statement, certificate, certificate["point"])} | _kernel(statement, certificate)
 
 
-def _rows(statement: Statement, entries: Sequence[Any]) -> list[Sequence[Any]]:
-    width = statement.form("derived").shape[1]
-    return [entries[start : start + width] for start in range(0, len(entries), width)]
-
-
 def _minor(statement: Statement, certificate: Certificate, exact: Any) -> tuple[str, str]:
     derived, point = statement.written("derived"), statement.point(exact)
     rows, columns = certificate["rows"], certificate["columns"]
-    matrix = _rows(statement, derived.entries)
+    matrix = in_rows(derived.entries, statement.form("derived").shape[1])
     minor = tuple(tuple(matrix[natural(i)][natural(j)] for j in columns) for i in rows)
     literal = _regular(point, derived.definitions, minor)
     chosen = [entry for row in minor for entry in row]
@@ -317,14 +311,11 @@ def _minor(statement: Statement, certificate: Certificate, exact: Any) -> tuple[
 
 def _regular(point: Point, definitions: Mapping[str, Term], rows: Sequence[Sequence[Term]]) -> Regular:
     """Return that a matrix of formulas is regular at a point."""
-    values = points.values(point, definitions, [entry for row in rows for entry in row])
-    if values is None:
+    if points.values(point, definitions, [entry for row in rows for entry in row]) is None:
         raise NotExportable("a divisor is zero at the point")
-    count = len(rows)
-    if any(len(row) != count for row in rows):
+    if any(len(row) != len(rows) for row in rows):
         raise NotExportable("the minor is not square")
-    matrix = [values[start : start + count] for start in range(0, len(values), count or 1)]
-    return Regular(tuple(map(tuple, rows)), inverse(matrix))
+    return Regular(tuple(map(tuple, rows)))
 
 
 def _kernel(statement: Statement, certificate: Certificate) -> Proved:
@@ -333,7 +324,7 @@ def _kernel(statement: Statement, certificate: Certificate) -> Proved:
     derived = statement.written("derived")
     vectors = [read(text).entries for text in certificate["kernel"]]
     given = Hypotheses(tuple(sorted(statement.symbols)), (), derived.definitions)
-    matrix = _rows(statement, derived.entries)
+    matrix = in_rows(derived.entries, statement.form("derived").shape[1])
     rows = [[Goal(dot(row, vector), integer(0)) for vector in vectors] for row in matrix]
     given = with_divisors(given, [goal.left for row in rows for goal in row])
     shown = f"times\n {matrix_of(matrix)}\n {matrix_of(vectors)}"
@@ -365,7 +356,7 @@ def _derivatives(statement: Statement, certificate: Certificate, exact: Any) -> 
     variables = [symbol(statement.setting["variables"][natural(column)]) for column in certificate["columns"]]
     places = [functions.variables.index(variable) for variable in variables]
     chosen = functions.chosen([natural(row) for row in certificate["rows"]])
-    return independent_at(chosen, point, places, gradients(chosen, point, variables))
+    return independent_at(chosen, point, places)
 
 
 def _unchanged(statement: Statement, certificate: Certificate) -> Proved:

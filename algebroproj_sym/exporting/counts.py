@@ -8,11 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 
 from algebroproj_sym.exporting.gallina import conjoined, formula, identifier, listed, rational, tree
-from algebroproj_sym.exporting.points import Point, inverse
-from algebroproj_sym.exporting.refusal import NotExportable
+from algebroproj_sym.exporting.points import Point
 from algebroproj_sym.exporting.terms import Definitions, Term, free, used
 from algebroproj_sym.exporting.theorems import CHECKED, Hypotheses, premises, spelled, splitting, with_divisors
 
@@ -66,56 +64,11 @@ class Functions:
         return f"intro {self.called}.\npose proof (is_program {program}\n {cast}) as same."
 
 
-def gradients(functions: Functions, point: Point, variables: Sequence[str]) -> list[list[Fraction]]:
-    """Return, for each function, the values of its derivatives by some variables at a point.
-
-    Examples
-    --------
-    >>> from algebroproj_sym.exporting.terms import name, quotient
-    >>> functions = Functions(("x", "y"), {}, (quotient(name("x"), name("y")),))
-    >>> gradients(functions, {"x": Fraction(3), "y": Fraction(2)}, ["x", "y"])
-    [[Fraction(1, 2), Fraction(-3, 4)]]
-    """
-    still = [Fraction(0)] * len(variables)
-    known = {v: (value, [Fraction(v == other) for other in variables]) for v, value in point.items()}
-
-    def dual(term: Term) -> tuple[Fraction, list[Fraction]]:
-        if term.kind == "int":
-            return Fraction(term.value), still
-        if term.kind == "name":
-            return known[str(term.value)]
-        (value, along), *others = map(dual, term.parts)
-        if term.kind == "-":
-            return -value, [-a for a in along]
-        if term.kind == "^":
-            slope = int(term.value) * value ** (int(term.value) - 1) if term.value else Fraction(0)
-            return value ** int(term.value), [slope * a for a in along]
-        for other, across in others:
-            if term.kind == "+":
-                value, along = value + other, [a + b for a, b in zip(along, across, strict=True)]
-            elif term.kind == "*":
-                along = [a * other + value * b for a, b in zip(along, across, strict=True)]
-                value *= other
-            else:
-                value /= other
-                along = [(a - value * b) / other for a, b in zip(along, across, strict=True)]
-        return value, along
-
-    try:
-        for called, definition in functions.definitions.items():
-            known[called] = dual(definition)
-        return [dual(entry)[1] for entry in functions.entries]
-    except ZeroDivisionError:
-        raise NotExportable("a divisor is zero at the point") from None
-
-
 def _formulas(terms: Sequence[Term]) -> str:
     return listed([formula(term) for term in terms])
 
 
-def independent_at(
-    functions: Functions, point: Point, places: Sequence[int], derivatives: Sequence[Sequence[Fraction]]
-) -> tuple[str, str]:
+def independent_at(functions: Functions, point: Point, places: Sequence[int]) -> tuple[str, str]:
     """Return statement and proof that the derivatives of functions by some variables are a regular matrix at a point.
 
     Parameters
@@ -126,14 +79,11 @@ def independent_at(
         A value for each of the variables.
     places : sequence of int
         The variables by which the derivatives are taken, among all.
-    derivatives : sequence of sequence of Fraction
-        Their values, a row for each function.
     """
     values = [point[variable] for variable in functions.variables]
     definitions = listed([tree(value, functions.places, {}) for value in functions.definitions.values()])
     results = listed([tree(entry, functions.places, {}) for entry in functions.entries])
     chosen = listed([*map(str, places)]) + "%nat"
-    columns = [listed([*map(rational, row)]) for row in inverse(derivatives)]
     names = listed([*map(identifier, functions.variables)])
     statement = "\n".join(
         [
@@ -146,8 +96,7 @@ def independent_at(
     proof = [
         functions.introduced(definitions, results),
         f"exists {', '.join(f'(Q2R {rational(value)})' for value in values)}.",
-        f"refine (regular_at {given} {definitions}\n {results}\n {chosen}\n {listed(columns)}\n"
-        f" {functions.called} _ same).",
+        f"refine (regular_at {given} {definitions}\n {results}\n {chosen}\n {functions.called} _ same).",
         CHECKED,
     ]
     return statement, "\n".join(proof)
@@ -169,7 +118,7 @@ def unchanged_along(functions: Functions, directions: Sequence[Sequence[Term]]) 
     lines, introduced = premises(Hypotheses(given.variables, given.divisors))
     names = listed([*map(identifier, given.variables)])
     said = [f"stationary {functions.called} {names} {_formulas(direction)}" for direction in directions]
-    statement = "\n".join([functions.stated(), f"forall {spelled(given.variables)} : R,", *lines, " /\\\n".join(said)])
+    statement = "\n".join([functions.stated(), *lines, " /\\\n".join(said)])
     held = conjoined(introduced.divisors)
     proofs = [
         f"(stationary_by {names} {split.trees(direction)}\n {split.trees(given.divisors)}\n {definitions}\n {results}\n"

@@ -106,7 +106,7 @@ def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     x - 1 <> 0 ->
     (x ^ 2 - 1) / (x - 1) = x + 1
     >>> exported({**record, "derived": "x + 2"}).reason
-    'the evidence does not replay: the digest is not that of the declaration'
+    'the evidence does not replay: the digest differs from that of the declaration'
     """
     replayed = replay_claim(record)
     if replayed.status == "replayed":
@@ -303,12 +303,14 @@ def plain(text: str) -> str:
 
 
 def _makefile(sections: Sequence[str]) -> str:
-    names = [*lemmas(), *sections, ASSUMPTIONS]
+    needed = [*lemmas()]
+    names = [*needed, *sections, ASSUMPTIONS]
     targets = " ".join(f"{name}.vo" for name in names)
     theorems = " ".join(f"{name}.vo" for name in sections)
     rules = [
         f"all: {targets}\n",
-        f"{theorems}: {' '.join(f'{name}.vo' for name in lemmas())}\n" if sections else "",
+        "".join(f"{name}.vo: {needed[place]}.vo\n" for place, name in enumerate(needed[1:])),
+        f"{theorems}: {needed[-1]}.vo\n" if sections else "",
         f"{ASSUMPTIONS}.vo: {theorems}\n",
         f"%.vo: %.v\n\tcoqc -q -R . {LIBRARY} $<\n",
         f"check: all\n\tcoqchk {' '.join(CHECKING)} -R . {LIBRARY} "

@@ -21,8 +21,8 @@ class Split(NamedTuple):
 
 Splits: TypeAlias = Mapping[Term, Split]
 
-LEMMAS = ("Formulas.v", "Linear.v")
-"""The files that every exported file requires."""
+LEMMAS = ("Elimination.v", "Formulas.v", "Linear.v")
+"""The files that every exported file requires; each may require those before it."""
 
 _KEYWORDS = """
 Axiom CoFixpoint Definition Fixpoint Hypothesis IF Inductive Lemma Parameter Prop Record SProp Section Set Theorem Type
@@ -35,7 +35,7 @@ eq_refl eq_sym ex_intro false inl inr left length limit1_in list map mod nat nil
 tt xH xI xO
 """
 
-_BOUND = ("at_zero", "held", "zero")
+_BOUND = ("at_zero", "held", "rows", "same", "shared", "zero")
 """What proofs call what they have shown."""
 
 _DEFINED = re.compile(r"^\s*(?:Definition|Fixpoint|Inductive|Lemma|Theorem)\s+(\w+)", re.MULTILINE)

@@ -16,7 +16,6 @@ from algebroproj_sym.exporting.theorems import (
     Introduced,
     consequence,
     premises,
-    spelled,
     splitting,
 )
 
@@ -48,8 +47,7 @@ def limits(
         function = f"(fun {t} : R => {formula(expression)})"
         statements.append(f"limit1_in {function} {domain} ({formula(limit)}) 0")
         proofs.append(_proof(given, introduced, near, variable, expression, limit, function, domain))
-    quantified = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
-    statement = "\n".join([*quantified, *lines, " /\\\n".join(statements)])
+    statement = "\n".join([*lines, " /\\\n".join(statements)])
     return statement, f"intros {' '.join(introduced.order)}.\nrefine {conjoined(proofs)}.\n{CHECKED}"
 
 

@@ -6,7 +6,8 @@ part by part in the same order.  Coq compares the two; if they differ, it reject
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, TypeAlias
@@ -20,6 +21,7 @@ from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import (
     Term,
     applied,
+    in_rows,
     integer,
     name,
     names,
@@ -37,29 +39,33 @@ from algebroproj_sym.expressions import over
 from algebroproj_sym.expressions.provenance import Made
 
 Rows: TypeAlias = tuple[tuple[Term, ...], ...]
-LARGE, LARGE_NUMBER = 1_500, 150
-"""From how many parts on a step has a theorem of its own, which later steps rest on."""
-MOST_PARTS, MOST_UNKNOWNS = 60_000, 6
+LARGE, LARGE_NUMBER = 200_000, 1_000
+"""From how many parts on a step has a lemma of its own, which later steps rest on."""
+LONG_TEXT = 500
+"""From how many characters on a step has a name."""
+MOST_PARTS, MOST_UNKNOWNS = 1_000_000, 6
 
 
 @dataclass(frozen=True)
 class Definition:
-    """A definition of Coq: its name, its variables, and its text.
+    """A definition of Coq: its name, its variables, its type, and its text.
 
-    There may be a lemma that says what it is: its statement and proof, and what must not be zero.
+    There may be a lemma that says what it is: its statement and proof.  What has such a lemma, and no variables, is a
+    parameter of the definitions that rest on it, so that the lemma can be used without unfolding them.
     """
 
     name: str
+    parameters: tuple[str, ...]
     variables: tuple[str, ...]
+    type: str
     text: str
     lemma: tuple[str, str] | None = None
-    divisors: tuple[Term, ...] = ()
 
     @property
     def command(self) -> str:
         """The commands that make it, and prove the lemma."""
         bound = f" ({' '.join(map(identifier, self.variables))} : R)" if self.variables else ""
-        made = f"Definition {self.name}{bound} :=\n  {self.text}."
+        made = f"Definition {' '.join([self.name, *self.parameters])}{bound} : {self.type} :=\n  {self.text}."
         if self.lemma is None:
             return made
         statement, proof = self.lemma
@@ -115,15 +121,18 @@ class Workshop:
         self.pieces: dict[Made, Piece] = {}
         self.defined: dict[Made, Definition] = {}
         self.operands: dict[Made, list[Made]] = {}
+        self.bound: dict[Made, bool] = {}
+        self.first: dict[tuple[str | None, str], Made] = {}
         self.taken: set[str] = set()
+        self.closed: set[str] = set()
 
     def object(self, made: Made) -> Object | None:
         """Return what a claim is about, None if nothing but its entries is known."""
         piece = self.piece(made)
         if not piece.made:
             return None
-        order = tuple(self.defined[step] for step in self._steps([made]))
-        return Object(order, piece, self._rewriting([made]))
+        order = dict.fromkeys(self.defined[step] for step in self._steps([made]))
+        return Object(tuple(order), piece, self._rewriting([made]))
 
     def _steps(self, roots: Sequence[Made], behind_lemmas: bool = True) -> list[Made]:
         """Return the definitions of some values, those that others use before them."""
@@ -141,11 +150,24 @@ class Workshop:
 
     def _rewriting(self, roots: Sequence[Made]) -> str:
         """Return the tactic that puts values into a text that lemmas have for its parts."""
-        steps = [self.defined[step] for step in self._steps(roots, behind_lemmas=False)]
-        lemmas = [f"?{step.name}_is" for step in steps if step.lemma is not None]
-        unfolded = " ".join(step.name for step in steps if step.lemma is None)
-        opened = f"cbv beta delta [{unfolded}].\n" if unfolded else ""
-        return f"{opened}rewrite {', '.join(lemmas)} by assumption." if lemmas else ""
+        steps = self._steps(roots, behind_lemmas=False)
+        lemmas = dict.fromkeys(self.defined[step].name for step in steps if self.defined[step].lemma is not None)
+        if not lemmas:
+            return ""
+        inner = [step for step in steps if self.defined[step].lemma is None and self._is_bound(step)]
+        unfolded = " ".join(dict.fromkeys(self.defined[step].name for step in inner))
+        opened = f"cbv beta delta [{unfolded}].\n" if inner else ""
+        used = ", ".join(f"?{called}_is" for called in lemmas)
+        return f"name_right_side.\n{opened}rewrite {used} by assumption."
+
+    def _is_bound(self, made: Made) -> bool:
+        """Whether a value rests on a lemma with variables, to which it must be unfolded."""
+        if made not in self.bound:
+            definition = self.defined.get(made)
+            if definition is not None and definition.lemma is not None:
+                return bool(definition.variables)
+            self.bound[made] = any(map(self._is_bound, self._operands(made)))
+        return self.bound[made]
 
     def _operands(self, made: Made) -> list[Made]:
         return self.operands.get(made) or _operands(made)
@@ -154,6 +176,9 @@ class Workshop:
         """Return a value, after defining it if it has a name, or is large."""
         if made not in self.pieces:
             found = self._made(made)
+            first = self.first.setdefault((self.called.get(made), found.text), made)
+            if first is not made:
+                return self._again(made, first)
             known = [self.pieces[part] for part in self._operands(made) if part in self.pieces]
             needs = dict.fromkeys(need for part in known for need in part.needs)
             found = replace(found, needs=tuple(needs))
@@ -162,25 +187,37 @@ class Workshop:
                 found = self._with_lemma(made, found)
             if _size(found) > MOST_PARTS:
                 raise NotExportable("the steps are too many to be written out")
-            if made in self.called and made not in self.defined and (found.made or not found.variables):
+            named = made in self.called or len(found.text) > LONG_TEXT
+            if named and made not in self.defined and (found.made or not found.variables):
                 found = self._named(made, found)
             self.pieces[made] = found
+        return self.pieces[made]
+
+    def _again(self, made: Made, first: Made) -> Piece:
+        """Return a value that was made before by the same steps."""
+        if first in self.defined:
+            self.defined[made] = self.defined[first]
+        self.pieces[made] = self.pieces[first]
         return self.pieces[made]
 
     def _at_other_places(self, made: Made) -> bool:
         """Whether lemmas about the parts of a value assume something of other values of its variables."""
         return made.operation == "substituted" and bool(self.pieces[self._operands(made)[0]].needs)
 
-    def _named(self, made: Made, piece: Piece, wanted: str = "step") -> Piece:
-        """Return a value after defining it."""
+    def _named(self, made: Made, piece: Piece, wanted: str = "step", lemma: bool = False) -> Piece:
+        """Return a value after defining it; there may be a lemma to come."""
         wanted = self.called.get(made, wanted)
         called, count = identifier(f"the_{wanted}"), 1
         while called in self.taken:
             called, count = identifier(f"the_{wanted}_{count + 1}"), count + 1
         self.taken.add(called)
-        variables = tuple(sorted(piece.variables))
-        self.defined[made] = Definition(called, variables, piece.text.removeprefix("(").removesuffix(")"))
-        return replace(piece, text=_applied(called, map(identifier, variables)))
+        variables, text = tuple(sorted(piece.variables)), piece.text.removeprefix("(").removesuffix(")")
+        parameters = () if lemma else tuple(sorted(self.closed & {*re.findall(r"[\w']+", text)}))
+        found = Definition(called, parameters, variables, "R" if piece.scalar else "matrix", text)
+        self.defined[made] = found
+        if lemma and not variables:
+            self.closed.add(called)
+        return replace(piece, text=_applied(found, map(identifier, variables)))
 
     def _with_lemma(self, made: Made, piece: Piece) -> Piece:
         """Return a value after defining it, with a lemma that has shorter formulas for it, if there are any."""
@@ -198,7 +235,7 @@ class Workshop:
         ):
             return piece
         rows, divisors = found
-        named = self._named(made, piece)
+        named = self._named(made, piece, lemma=True)
         definition = self.defined[made]
         goals = [[Goal(a, b) for a, b in zip(*pair, strict=True)] for pair in zip(piece.rows, rows, strict=True)]
         given = Hypotheses(definition.variables, divisors)
@@ -214,7 +251,7 @@ class Workshop:
             sides=len(sides),
         )
         lemma = statement, f"{first}\nchoose." if made.operation == "chosen" else proof
-        self.defined[made] = replace(definition, lemma=lemma, divisors=divisors)
+        self.defined[made] = replace(definition, lemma=lemma)
         return replace(named, rows=rows, needs=divisors)
 
     def _made(self, made: Made) -> Piece:
@@ -265,19 +302,19 @@ class Workshop:
         variables = frozenset(names([term])) - parts.keys()
         for piece in parts.values():
             variables |= piece.variables
-        return Piece(f"({text})", ((entry,),), variables, scalar=True, made=bool(parts))
+        return Piece(f"({text})", ((entry,),), variables, True, bool(parts))
 
     def _entries(self, made: Made) -> Piece:
         (height, width), *operands = made.operands
         if not height or not width:
             raise NotExportable("a matrix has no entries")
         parts = [self.piece(operand) for operand in operands]
-        rows = [parts[start : start + width] for start in range(0, len(parts), width)]
-        text = listed([listed([part.text.removeprefix("(").removesuffix(")") for part in row]) for row in rows])
+        texts = [part.text.removeprefix("(").removesuffix(")") for part in parts]
+        text = listed([*map(listed, in_rows(texts, width))])
         return Piece(
             text,
-            tuple(tuple(part.rows[0][0] for part in row) for row in rows),
-            frozenset().union(*(part.variables for part in parts)),
+            tuple(map(tuple, in_rows([part.rows[0][0] for part in parts], width))),
+            _variables(parts),
             scalar=False,
             made=any(part.made for part in parts),
         )
@@ -299,7 +336,7 @@ class Workshop:
         arguments = [values[v].text if v in values else identifier(v) for v in definition.variables]
         variables = (piece.variables - values.keys()).union(*(value.variables for value in values.values()))
         return Piece(
-            _applied(definition.name, arguments),
+            _applied(definition, arguments),
             _replaced(piece.rows, {old: value.rows[0][0] for old, value in values.items()}),
             frozenset(variables),
             piece.scalar,
@@ -337,12 +374,12 @@ class Workshop:
             entry = piece.rows[i][j]
             if not piece.made:
                 return Piece(f"({formula(entry)})", ((entry,),), frozenset(names([entry])), True, False)
-            return Piece(f"(entry {piece.text} {i} {j})", ((entry,),), piece.variables, scalar=True, made=True)
+            return Piece(f"(entry {piece.text} {i} {j})", ((entry,),), piece.variables, True, True)
         rows = [range(height)[int(k)] for k in (rows if isinstance(rows, list | tuple) else [rows])]
         columns = [range(width)[int(k)] for k in (columns if isinstance(columns, list | tuple) else [columns])]
         chosen = tuple(tuple(piece.rows[i][j] for j in columns) for i in rows)
         places = " ".join(f"{listed([*map(str, part)])}%nat" for part in (rows, columns))
-        return Piece(f"(part {piece.text} {places})", chosen, piece.variables, scalar=False, made=piece.made)
+        return Piece(f"(part {piece.text} {places})", chosen, piece.variables, False, piece.made)
 
 
 def _size(piece: Piece) -> int:
@@ -359,8 +396,7 @@ def _shorter(piece: Piece, required: Sequence[Term]) -> tuple[Rows, tuple[Term, 
         shorter, divisors = [] if numbers is None else [*map(number, numbers)], ()
     if not shorter:
         return None
-    found = iter(shorter)
-    return tuple(tuple(next(found) for _ in row) for row in piece.rows), divisors
+    return tuple(map(tuple, in_rows(shorter, len(piece.rows[0])))), divisors
 
 
 def _operands(made: Made) -> list[Made]:
@@ -379,9 +415,13 @@ def _literal(value: Any) -> Made:
     return Made("scalar", (), sympy.sympify(value).doit())
 
 
-def _applied(called: str, arguments: Any) -> str:
-    spelled = " ".join(arguments)
-    return f"({called} {spelled})" if spelled else called
+def _applied(definition: Definition, arguments: Iterable[str]) -> str:
+    spelled = " ".join([definition.name, *definition.parameters, *arguments])
+    return f"({spelled})" if " " in spelled else spelled
+
+
+def _variables(parts: Iterable[Piece]) -> frozenset[str]:
+    return frozenset().union(*(part.variables for part in parts))
 
 
 def _term(value: Any, known: Mapping[Any, Term]) -> Term:
@@ -405,8 +445,7 @@ def _term(value: Any, known: Mapping[Any, Term]) -> Term:
 
 
 def _replaced(rows: Rows, values: Mapping[str, Term]) -> Rows:
-    entries = iter(substituted(_flat(rows), values))
-    return tuple(tuple(next(entries) for _ in row) for row in rows)
+    return tuple(map(tuple, in_rows(substituted(_flat(rows), values), len(rows[0]))))
 
 
 def _flat(rows: Rows) -> tuple[Term, ...]:
@@ -477,18 +516,18 @@ def _cross(a: Sequence[Term], b: Sequence[Term]) -> Rows:
 def _called(function: str, compute: Callable[..., Any], scalar: bool = False) -> Callable[..., Piece]:
     def make(*parts: Piece) -> Piece:
         found = compute(*(part.rows for part in parts))
-        variables = frozenset().union(*(part.variables for part in parts))
         text = f"({function} {' '.join(part.text for part in parts)})"
-        return Piece(text, ((found,),) if scalar else found, variables, scalar, made=True)
+        rows = ((found,),) if scalar else found
+        return Piece(text, rows, _variables(parts), scalar, made=True)
 
     return make
 
 
 def _scalar(operation: str, *parts: Piece) -> Piece:
     texts, compute = _OF_SCALARS[operation]
-    variables = frozenset().union(*(part.variables for part in parts))
     row = (compute(*(part.rows[0][0] for part in parts)),)
-    return Piece(f"({texts.format(*(part.text for part in parts))})", (row,), variables, scalar=True, made=True)
+    text = f"({texts.format(*(part.text for part in parts))})"
+    return Piece(text, (row,), _variables(parts), scalar=True, made=True)
 
 
 def _power(base: Term, exponent: Term) -> Term:

@@ -8,7 +8,6 @@ from fractions import Fraction
 from math import floor, prod
 
 from algebroproj_sym.exporting.gallina import FUNCTIONS, conjoined, formula, identifier, listed, rational, tree
-from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.exporting.terms import Term, names, used, walk
 from algebroproj_sym.exporting.theorems import CHECKED, premises_of_definitions, spelled
 
@@ -25,10 +24,9 @@ class Literal:
 
 @dataclass(frozen=True)
 class Regular:
-    """A square matrix of formulas, and the inverse of its value at the point."""
+    """A square matrix of formulas has an inverse at a point."""
 
     rows: tuple[tuple[Term, ...], ...]
-    inverse: tuple[tuple[Fraction, ...], ...]
 
 
 _SAID = {
@@ -91,39 +89,8 @@ def at_point(point: Point, definitions: Mapping[str, Term], literals: Sequence[L
 
 def _literal(literal: Literal | Regular, places: Mapping[str, int]) -> str:
     if isinstance(literal, Regular):
-        rows = listed([listed([tree(term, places, {}) for term in row]) for row in literal.rows])
-        columns = listed([listed([*map(rational, column)]) for column in zip(*literal.inverse, strict=True)])
-        return f"Regular {rows} {columns}"
+        return f"Regular {listed([listed([tree(term, places, {}) for term in row]) for row in literal.rows])}"
     return f"{literal.kind} {' '.join(f'({tree(term, places, {})})' for term in literal.terms)}"
-
-
-def inverse(matrix: Sequence[Sequence[Fraction]]) -> tuple[tuple[Fraction, ...], ...]:
-    """Return the inverse of a regular matrix.
-
-    Raises
-    ------
-    NotExportable
-        If it is not regular.
-
-    Examples
-    --------
-    >>> inverse([[Fraction(2)]])
-    ((Fraction(1, 2),),)
-    """
-    count = len(matrix)
-    if any(len(row) != count for row in matrix):
-        raise NotExportable("the minor is not square")
-    rows = [[*row, *(Fraction(i == j) for j in range(count))] for i, row in enumerate(matrix)]
-    for place in range(count):
-        pivot = next((i for i in range(place, count) if rows[i][place]), None)
-        if pivot is None:
-            raise NotExportable("the minor is zero")
-        rows[place], rows[pivot] = rows[pivot], rows[place]
-        rows[place] = [entry / rows[place][place] for entry in rows[place]]
-        for i, row in enumerate(rows):
-            if i != place and row[place]:
-                rows[i] = [a - row[place] * b for a, b in zip(row, rows[place], strict=True)]
-    return tuple(tuple(row[count:]) for row in rows)
 
 
 def values(point: Point, definitions: Mapping[str, Term], terms: Sequence[Term]) -> list[Fraction] | None:

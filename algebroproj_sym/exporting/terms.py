@@ -7,6 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
+from typing import TypeVar
+
+Entry = TypeVar("Entry")
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,6 +100,17 @@ def difference(left: Term, right: Term) -> Term:
 def remade(term: Term, parts: Sequence[Term]) -> Term:
     """Return a term with other parts."""
     return _made(term.kind, tuple(parts), term.value)
+
+
+def in_rows(entries: Sequence[Entry], width: int) -> list[Sequence[Entry]]:
+    """Return the rows of a matrix.
+
+    Examples
+    --------
+    >>> in_rows("abcd", 2)
+    ['ab', 'cd']
+    """
+    return [entries[start : start + width] for start in range(0, len(entries), width)]
 
 
 def walk(terms: Iterable[Term]) -> Iterator[Term]:

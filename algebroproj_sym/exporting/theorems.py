@@ -10,7 +10,7 @@ from typing import TypeAlias
 from algebroproj_sym.exporting.gallina import conjoined, exponent_list, formula, identifier, listed, tree
 from algebroproj_sym.exporting.rational_functions import Field
 from algebroproj_sym.exporting.refusal import NotExportable
-from algebroproj_sym.exporting.terms import Term, free, integer, product, quotient, used
+from algebroproj_sym.exporting.terms import Definitions, Term, free, integer, product, quotient, used, written
 
 CHECKED = "all: vm_cast_no_check (@eq_refl bool true)."
 
@@ -90,15 +90,19 @@ class Hypotheses:
 
 @dataclass(frozen=True)
 class Splitting:
-    """Where names stand in the environment, and the field that tells how divisors split."""
+    """Where names stand in the environment, and the field that tells how divisors split.
+
+    Terms that are `closed` are of numbers alone, which need no splitting.
+    """
 
     places: Mapping[str, int]
     field: Field
+    closed: bool
 
     def tree(self, term: Term) -> str:
         """Return a term as a tree, after its divisors were split; each must be listed."""
-        if not self.places:
-            return tree(term, {}, {})
+        if self.closed:
+            return tree(term, self.places, {})
         self.field.value(term)
         if len(self.field.divisors) > len(self.field.listed):
             raise NotExportable("a division meets a factor that is no hypothesis")
@@ -109,10 +113,12 @@ class Splitting:
         return listed([self.tree(term) for term in terms])
 
 
-def splitting(given: Hypotheses) -> Splitting:
-    """Return how divisors split under hypotheses."""
-    places = {called: place for place, called in enumerate((*given.variables, *given.definitions))}
-    return Splitting(places, _field(given))
+def splitting(given: Hypotheses, shared: Definitions | None = None) -> Splitting:
+    """Return how divisors split under hypotheses, and of more terms that a proof shares."""
+    definitions = {**given.definitions, **(shared or {})}
+    places = {called: place for place, called in enumerate((*given.variables, *definitions))}
+    closed = not given.variables and not given.definitions
+    return Splitting(places, _field(given if closed else replace(given, definitions=definitions)), closed)
 
 
 def _field(given: Hypotheses) -> Field:
@@ -168,8 +174,7 @@ def universal(
     stated, introduced = premises(given)
     conclusion = conclusion or equations(goals)
     proof = using(introduced, consequence(given, goals, introduced))
-    lines = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
-    statement = "\n".join([*lines, *stated, f"{conclusion}"])
+    statement = "\n".join([*stated, conclusion])
     return statement, f"intros {' '.join(introduced.order)}.\nrefine ({proof}).\n{CHECKED}"
 
 
@@ -222,17 +227,19 @@ def universal_of_matrix(
     shown = formula(right[0][0]) if scalar else matrix_of(right)
     left = left or matrix_of([[goal.left for goal in row] for row in rows])
     chosen = f"exists {spelled([*(marks or {})])} : R,\n" if marks else ""
-    lines = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
-    statement = "\n".join([*lines, *stated, f"{chosen}{left} =\n{shown}"])
-    split = splitting(given)
+    statement = "\n".join([*stated, f"{chosen}{left} =\n{shown}"])
+    shared, rows = _sharing(given, rows)
+    split = splitting(given, shared)
     listed_rows = listed([listed([_goal(goal, split) for goal in row], ";\n  ") for row in rows], ";\n ")
-    environment = f"({_environment(given)})"
+    variables, definitions = (listed([identifier(n) for n in part]) for part in (given.variables, given.definitions))
+    environment = f"(run ({variables} ++ {definitions}) shared)"
     tactics = [f"intros {' '.join(introduced.order)}."] if introduced.order else []
     tactics += [f"exists {', '.join(f'({formula(value)})' for value in named)}."] if named else []
     tactics += [
+        f"pose (shared := {split.trees([*shared.values()])} : list expr).",
         f"pose (rows := {listed_rows}).",
         f"assert (all (map (concludes {environment}) (concat rows))) as same.",
-        f"{{ refine ({_following(given, split, 'concat rows', introduced)}).\n{CHECKED} }}",
+        f"{{ refine ({_following(given, split, 'concat rows', introduced, 'shared')}).\n{CHECKED} }}",
         *_nonzero(given, split, required, introduced),
         *filter(None, [first]),
         *([f"rewrite {lemma}; [|{'|'.join(f'vm_cast_no_check side_{k}' for k in range(sides))}]."] if lemma else []),
@@ -241,25 +248,31 @@ def universal_of_matrix(
     return statement, "\n".join(tactics)
 
 
+def _sharing(given: Hypotheses, rows: Sequence[Sequence[Goal]]) -> tuple[Definitions, list[list[Goal]]]:
+    """Return names for what occurs more than once in equations, and the equations in their terms."""
+    found = written(
+        [side for row in rows for goal in row for side in (goal.left, goal.right)],
+        "shared",
+        {*given.variables, *given.definitions},
+    )
+    sides = iter(found.entries)
+    return found.definitions, [[replace(goal, left=next(sides), right=next(sides)) for goal in row] for row in rows]
+
+
 def _nonzero(given: Hypotheses, split: Splitting, terms: Sequence[Term], introduced: Introduced) -> list[str]:
     """Return the tactics that show of formulas that they are not zero where the hypotheses hold."""
     found = []
     for place, term in enumerate(terms):
-        proof = f"computed [] [] [] [Nonzero ({split.tree(term)})] _ I"
-        if split.places:
+        proof = f"calculated [] [Nonzero ({split.tree(term)})] _"
+        if not split.closed:
             goal = Goal(product([quotient(integer(1), term), term]), integer(1))
             proof = f"nonzero_by _ ({_following(given, split, listed([_goal(goal, split)]), introduced)})"
         found.append(f"assert ({formula(term)} <> 0) as side_{place}.\n{{ refine ({proof}).\n{CHECKED} }}")
     return found
 
 
-def _environment(given: Hypotheses) -> str:
-    variables, definitions = (listed([identifier(n) for n in part]) for part in (given.variables, given.definitions))
-    return f"{variables} ++ {definitions}"
-
-
 def premises(given: Hypotheses) -> tuple[list[str], Introduced]:
-    """Return the lines of the premises, and the names that a proof introduces."""
+    """Return the lines that quantify and assume, and the names that a proof introduces."""
     taken = {*given.variables, *given.definitions}
 
     def called(prefix: str, count: int) -> tuple[str, ...]:
@@ -267,7 +280,8 @@ def premises(given: Hypotheses) -> tuple[list[str], Introduced]:
 
     divisors, units = called("nonzero", len(given.divisors)), called("unit", len(given.units))
     constraints = called("zero", len(given.constraints))
-    lines = [f"{formula(divisor)} <> 0 ->" for divisor in given.divisors]
+    lines = [f"forall {spelled(given.variables)} : R,"] if given.variables else []
+    lines += [f"{formula(divisor)} <> 0 ->" for divisor in given.divisors]
     defined, definitions = premises_of_definitions(given.definitions, taken)
     lines += defined
     lines += [f"{formula(unit)} <> 0 ->" for unit in given.units]
@@ -289,15 +303,17 @@ def consequence(given: Hypotheses, goals: Sequence[Goal], introduced: Introduced
     return _following(given, split, listed([_goal(goal, split) for goal in goals], ";\n  "), introduced)
 
 
-def _following(given: Hypotheses, split: Splitting, certificates: str, introduced: Introduced) -> str:
-    if not split.places:
-        return f"computed [] [] [] (map equal ({certificates})) _ I"
+def _following(
+    given: Hypotheses, split: Splitting, certificates: str, introduced: Introduced, shared: str = "[]"
+) -> str:
+    if split.closed:
+        return f"calculated {shared} (map equal ({certificates})) _"
     variables, definitions = (listed([identifier(n) for n in part]) for part in (given.variables, given.definitions))
     return (
         f"follows {variables} {definitions}\n {split.trees(given.divisors)}\n"
         f" {split.trees([*given.definitions.values()])}\n"
         f" {split.trees(given.units)}\n {split.trees(given.constraints)}\n"
-        f" ({certificates})\n _ {conjoined(introduced.divisors)} {conjoined(introduced.definitions)}"
+        f" {shared} ({certificates})\n _ {conjoined(introduced.divisors)} {conjoined(introduced.definitions)}"
         f" {conjoined(introduced.units)} {conjoined(introduced.constraints)}"
     )
 

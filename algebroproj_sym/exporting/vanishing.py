@@ -24,7 +24,6 @@ from algebroproj_sym.exporting.theorems import (
     consequence,
     needed,
     premises,
-    spelled,
     splitting,
 )
 
@@ -51,13 +50,7 @@ def both_ways(given: Hypotheses, derived: Term, printed: Sequence[Term]) -> tupl
         consequence(replace(given, constraints=(assumed,)), [goal], replace(introduced, constraints=("zero",)))
         for assumed, goal in ((derived, forth), (meant, back))
     ]
-    statement = "\n".join(
-        [
-            *([f"forall {spelled(given.variables)} : R,"] if given.variables else []),
-            *lines,
-            f"{formula(derived)} = 0 <-> {formula(meant)} = 0",
-        ]
-    )
+    statement = "\n".join([*lines, f"{formula(derived)} = 0 <-> {formula(meant)} = 0"])
     proof = (
         f"intros {' '.join(introduced.order)}.\nrefine (conj (fun zero => {steps[0]})\n (fun zero => {steps[1]})).\n"
     )

@@ -13,7 +13,7 @@ from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.lowering import Lowered, LoweringError
 from algebroproj_sym.generating.operation_counts import OperationCounts, operation_counts
-from algebroproj_sym.generating.runtime.program import Call, Program, Step, run
+from algebroproj_sym.generating.program import Call, Program, Step, run
 from algebroproj_sym.generating.writing import PACKAGE, drift, superfluous, write
 
 __all__ = [

@@ -23,7 +23,7 @@ from algebroproj_sym.generating.compensation import compensated, with_sums_round
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.factored import factored
 from algebroproj_sym.generating.lowering import Lowered, lowered_form, program_of
-from algebroproj_sym.generating.runtime.program import Program, named, run
+from algebroproj_sym.generating.program import Program, named, run
 from algebroproj_sym.generating.samples import Sample, stratified
 
 Numbers: TypeAlias = "NDArray[np.float64]"

@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from itertools import count
 
 from algebroproj_sym.declaring import LINEAR
-from algebroproj_sym.generating.runtime.program import Call, Operand, Program, Step
+from algebroproj_sym.generating.program import Call, Operand, Program, Step
 
 
 def compensated(program: Program, throughout: bool = False) -> Program:

@@ -18,7 +18,7 @@ from algebroproj_sym.declaring import Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate, vector
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.graph import Graph, Node, Signed
-from algebroproj_sym.generating.runtime.program import Call, Operand, Program, Step, run
+from algebroproj_sym.generating.program import Call, Operand, Program, Step, run
 from algebroproj_sym.generating.sharing import share_pairs, share_reciprocals
 from algebroproj_sym.generating.signs import with_negative_reciprocals
 from algebroproj_sym.proving import RationalFunctionField

@@ -17,7 +17,7 @@ import sympy
 from algebroproj_sym.expressions import Scalar, evaluate
 from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.runtime.program import Program, named, run, without_unused
+from algebroproj_sym.generating.program import Program, named, run, without_unused
 from algebroproj_sym.proving import seed_of
 
 DISTANCES = tuple(range(1, 15))

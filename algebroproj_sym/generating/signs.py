@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
 
-from algebroproj_sym.generating.runtime.program import Call, Program, Step
+from algebroproj_sym.generating.program import Call, Program, Step
 
 
 def with_negative_reciprocals(program: Program, kept: Collection[str] = ()) -> Program:

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
+from algebroproj_sym.generating.program import Program, recorded
 from algebroproj_sym.generating.runtime.elimination import null_vector_of, solution_of
-from algebroproj_sym.generating.runtime.program import Program, recorded
 
 _SOLVED: Mapping[str, Callable[..., list[Any]]] = {"solve": solution_of, "null_vector": null_vector_of}
 

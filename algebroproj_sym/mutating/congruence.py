@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.generating.runtime.compensated import ROUNDINGS
+from algebroproj_sym.generating.runtime.pairs import ROUNDINGS
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any, NamedTuple
 
-from algebroproj_sym.generating.runtime.compensated import DIGITS, ROUNDINGS
+from algebroproj_sym.generating.runtime.pairs import DIGITS, ROUNDINGS
 from algebroproj_sym.verifying import without_twin
 
 _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {

@@ -11,8 +11,8 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj._runtime.double_double import DoubleDouble, Unrounded
 from algebroproj._runtime.error_bounds import Bounded
+from algebroproj._runtime.pairs import DoubleDouble
 from algebroproj_sym.study.exact_systems import ARB, MPMATH
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 
@@ -52,7 +52,7 @@ def double_double() -> Arithmetic:
         digits=31,
         parts=2,
         lift=lambda values, off: np.stack(_no_rest(values)),
-        join=lambda parts: Unrounded(parts[0], parts[1]),
+        join=lambda parts: DoubleDouble(parts[0], parts[1]),
         split=lambda value: _words(value),
         nearest=lambda numbers: (numbers[0], numbers[1]),
     )
@@ -81,7 +81,7 @@ def double_double_balls() -> Arithmetic:
         digits=31,
         parts=3,
         lift=lambda values, off: np.stack([*_no_rest(values), off]),
-        join=lambda parts: Bounded(Unrounded(parts[0], parts[1]), parts[2]),
+        join=lambda parts: Bounded(DoubleDouble(parts[0], parts[1]), parts[2]),
         split=lambda ball: (*_words(ball.value), ball.error) if isinstance(ball, Bounded) else (ball, 0.0, 0.0),
         nearest=lambda numbers: (numbers[0], numbers[1]),
         radius=lambda numbers: np.asarray(numbers[2]),

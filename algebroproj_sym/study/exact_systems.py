@@ -14,6 +14,8 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
+from algebroproj_sym.declaring import ELEMENTARY, Primitive
+
 __all__ = ["ARB", "MPMATH"]
 
 Solver = Callable[[list[list[Any]]], list[Any]]
@@ -70,14 +72,20 @@ def _arb_solution(rows: list[list[Any]]) -> list[Any]:
     return [solution[i, 0] for i in range(len(rows))]
 
 
+def _in_each_place(function: Callable[..., tuple[Any, ...]], primitive: Primitive) -> Any:
+    def single(*operands: Any) -> Any:
+        results = function(*operands)
+        return results if len(results) > 1 else results[0]
+
+    return np.frompyfunc(single, primitive.operands, primitive.results)
+
+
 MPMATH: Meanings = {
     **_meanings(_mpmath_solution, mpmath.mpf(1), mpmath.nan, lambda number: abs(number) <= 1),
-    "cos_sin": np.frompyfunc(lambda angle: (mpmath.cos(angle), mpmath.sin(angle)), 1, 2),
-    "arctan2": np.frompyfunc(mpmath.atan2, 2, 1),
+    **{name: _in_each_place(primitive.exact, primitive) for name, primitive in ELEMENTARY.items()},
 }
 
 ARB: Meanings = {
     **_meanings(_arb_solution, flint.arb(1), flint.arb.nan(), lambda ball: abs(ball) < 1),
-    "cos_sin": np.frompyfunc(lambda angle: (angle.cos(), angle.sin()), 1, 2),
-    "arctan2": np.frompyfunc(lambda y, x: flint.arb.atan2(y, x), 2, 1),
+    **{name: _in_each_place(primitive.ball, primitive) for name, primitive in ELEMENTARY.items()},
 }

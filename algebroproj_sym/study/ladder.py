@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._runtime.double_double import DoubleDouble
+from algebroproj._runtime.pairs import DoubleDouble
 from algebroproj_sym.study.arithmetics import arb, double_double_balls, float64_balls, rational
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply, lift, nearest, radius
 

@@ -20,9 +20,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._runtime.compensated import DIGITS
-from algebroproj._runtime.double_double import DoubleDouble
 from algebroproj._runtime.evaluation import Body, Signature, parts_of, require_count
+from algebroproj._runtime.pairs import DIGITS, DoubleDouble
 
 __all__ = [
     "Arithmetic",

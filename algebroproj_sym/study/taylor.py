@@ -9,12 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cache
+from importlib import import_module
+from operator import truediv
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._runtime.primitives import null_vector, solve
+from algebroproj._runtime.systems import null_vector, solve
+from algebroproj_sym.declaring import ELEMENTARY, Primitive
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 
 __all__ = ["Taylor", "composed", "gradient", "hessian", "inverses", "taylor", "variables"]
@@ -134,8 +137,7 @@ def taylor(count: int, order: int = 1) -> Arithmetic:
         meanings={
             "solve": _solve,
             "null_vector": _null_vector,
-            "cos_sin": _cos_sin,
-            "arctan2": _arctan2,
+            **{name: _elementary(primitive) for name, primitive in ELEMENTARY.items()},
         },
     )
 
@@ -279,23 +281,34 @@ def composed(inner: Taylor, value: Any, slope: Any, bend: Any) -> Taylor:
     return _with_value(parts, value, inner.count)
 
 
-def _cos_sin(angle: Taylor) -> tuple[Taylor, Taylor]:
-    cosine, sine = np.cos(angle.value), np.sin(angle.value)
-    return composed(angle, cosine, -sine, -cosine), composed(angle, sine, cosine, -sine)
+def _elementary(primitive: Primitive) -> Callable[..., Any]:
+    """Return an elementary function of numbers with derivatives: how it changes is differentiated for the second."""
+    function = getattr(import_module(f"algebroproj._runtime.{primitive.name}"), primitive.name)
+
+    def results(*given: Any) -> Any:
+        sample = next(number for number in given if isinstance(number, Taylor))
+        count = sample.count
+        numbers = [number if isinstance(number, Taylor) else 0 * sample + number for number in given]
+        found = function(*(number.value for number in numbers))
+        values = found if isinstance(found, tuple) else (found,)
+        changes = [number.first for number in numbers]
+        firsts = primitive.tangent([number.value for number in numbers], values, changes, truediv)
+        parts = [np.concatenate([value[None], first]) for value, first in zip(values, firsts, strict=True)]
+        if len(sample.parts) > 1 + count:
+            operands = [Taylor(number.parts[: 1 + count], count) for number in numbers]
+            known = [Taylor(part, count) for part in parts]
+            rows = [
+                primitive.tangent(operands, known, [_change(number, place) for number in numbers], truediv)
+                for place in range(count)
+            ]
+            parts = [np.concatenate([part, *(row[k].first for row in rows)]) for k, part in enumerate(parts)]
+        together = tuple(Taylor(part, count) for part in parts)
+        return together if len(together) > 1 else together[0]
+
+    return results
 
 
-def _arctan2(y: Any, x: Any) -> Taylor:
-    """Differentiate the angle: its derivatives are those of ``(x dy - y dx) / (x^2 + y^2)``."""
-    sample = y if isinstance(y, Taylor) else x
-    y, x = (number if isinstance(number, Taylor) else 0 * sample + number for number in (y, x))
-    square = x.value * x.value + y.value * y.value
-    parts = (x.value * y.parts - y.value * x.parts) / square
-
-    def more() -> Any:
-        turned = y.first[:, None] * x.first[None] - x.first[:, None] * y.first[None]
-        growth = 2 * (x.value * x.first + y.value * y.first)
-        bend = -turned / square - parts[1 : 1 + sample.count][:, None] * growth[None] / square
-        return (bend + np.swapaxes(bend, 0, 1)) / 2
-
-    _add_to_second(parts, sample.count, more)
-    return _with_value(parts, np.arctan2(y.value, x.value), sample.count)
+def _change(number: Taylor, place: int) -> Taylor:
+    """Return the derivative of a number by one variable, with its own first derivatives."""
+    second = _second(number.parts, number.count)
+    return Taylor(np.concatenate([number.first[place][None], second[place]]), number.count)

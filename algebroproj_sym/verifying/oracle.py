@@ -13,7 +13,7 @@ from typing import Any
 import mpmath
 import sympy
 
-from algebroproj_sym.declaring import Kernel
+from algebroproj_sym.declaring import ELEMENTARY, Kernel
 from algebroproj_sym.expressions import Scalar, divided, entries, evaluate
 from algebroproj_sym.proving import RationalFunctionField
 
@@ -77,29 +77,24 @@ def _compiled(kernel: Kernel) -> Callable[..., tuple[Any, ...]]:
     steps = []
     for stage in kernel.stages:
         operands = sympy.lambdify(known, entries(divided(stage.derived)), modules="mpmath", cse=True)
-        steps.append((_PRIMITIVES[stage.primitive], operands, stage.derived.cols))
+        steps.append((stage.primitive, operands, stage.derived.cols))
         known += stage.results
     results = sympy.lambdify(known, _without_hidden_zeros(kernel), modules="mpmath", cse=True)
 
     def function(*point: Any) -> tuple[Any, ...]:
         values = list(point)
         for primitive, operands, width in steps:
-            values += primitive(operands(*values), width)
+            values += _given(primitive, operands(*values), width)
         return tuple(results(*values))
 
     return function
 
 
-def _let(operands: Sequence[Any], width: int) -> Sequence[Any]:
-    return operands
-
-
-def _cos_sin(operands: Sequence[Any], width: int) -> Sequence[Any]:
-    return mpmath.cos(operands[0]), mpmath.sin(operands[0])
-
-
-def _arctan2(operands: Sequence[Any], width: int) -> Sequence[Any]:
-    return (mpmath.atan2(*operands),)
+def _given(primitive: str, operands: Sequence[Any], width: int) -> Sequence[Any]:
+    """Return what a stage gives."""
+    if primitive in ELEMENTARY:
+        return ELEMENTARY[primitive].exact(*operands)
+    return _LINEAR[primitive](operands, width) if primitive in _LINEAR else operands
 
 
 def _solution(operands: Sequence[Any], width: int) -> Sequence[Any]:
@@ -128,10 +123,7 @@ def _rows(operands: Sequence[Any], width: int) -> list[list[Any]]:
     return [[mpmath.mpf(entry) for entry in operands[i : i + width]] for i in range(0, len(operands), width)]
 
 
-_PRIMITIVES: Mapping[str, Callable[[Sequence[Any], int], Sequence[Any]]] = {
-    "let": _let,
-    "cos_sin": _cos_sin,
-    "arctan2": _arctan2,
+_LINEAR: Mapping[str, Callable[[Sequence[Any], int], Sequence[Any]]] = {
     "solve": _solution,
     "null_vector": _null_vector,
 }

@@ -17,8 +17,8 @@ from pathlib import Path
 from . import affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space
 from ._runtime.accuracy import tell_errors
 from ._runtime.backend import backend
-from ._runtime.double_double import DoubleDouble
 from ._runtime.hypotheses import hypotheses
+from ._runtime.pairs import DoubleDouble
 from ._runtime.plain import plain
 from ._runtime.precision import bounds, dd
 

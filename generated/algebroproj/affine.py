@@ -10,8 +10,8 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from ._runtime.backend import ufunc
-from ._runtime.compensated import rounded, rounded_twice, wide
 from ._runtime.evaluation import Signature, evaluate
+from ._runtime.pairs import rounded, rounded_twice, wide
 
 __all__ = [
     "plane_frame",
@@ -78,7 +78,7 @@ def _plane_frame(
     return 1, 0, 0, g00, g10 - g00, g20 - g00, g01, g11 - g01, g21 - g01
 
 
-_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),), twin=ufunc("affine_plane_frame"), plain_twin=ufunc("plain_affine_plane_frame"), recordable=True)
+_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),), twin=ufunc("affine_plane_frame"), plain_twin=ufunc("plain_affine_plane_frame"))
 
 
 def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -151,7 +151,7 @@ def _plane_coordinates(
     return rounded_twice(c22 * d1 - c21 * d2) * t12, rounded_twice(c11 * d2 - c12 * d1) * t12
 
 
-_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),), twin=ufunc("affine_plane_coordinates"), plain_twin=ufunc("plain_affine_plane_coordinates"), recordable=True)
+_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),), twin=ufunc("affine_plane_coordinates"), plain_twin=ufunc("plain_affine_plane_coordinates"))
 
 
 def _plane_coordinates_factors(
@@ -234,7 +234,7 @@ def _space_frame(
     )
 
 
-_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),), twin=ufunc("affine_space_frame"), plain_twin=ufunc("plain_affine_space_frame"), recordable=True)
+_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),), twin=ufunc("affine_space_frame"), plain_twin=ufunc("plain_affine_space_frame"))
 
 
 def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -335,7 +335,7 @@ def _space_coordinates(
     )
 
 
-_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),), twin=ufunc("affine_space_coordinates"), plain_twin=ufunc("plain_affine_space_coordinates"), recordable=True)
+_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),), twin=ufunc("affine_space_coordinates"), plain_twin=ufunc("plain_affine_space_coordinates"))
 
 
 def _space_coordinates_factors(

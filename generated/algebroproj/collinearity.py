@@ -10,9 +10,9 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from ._runtime.backend import ufunc
-from ._runtime.compensated import rounded, rounded_twice, wide
 from ._runtime.evaluation import Signature, evaluate
-from ._runtime.primitives import cos_sin
+from ._runtime.pairs import rounded, rounded_twice, wide
+from ._runtime.cos_sin import cos_sin
 
 __all__ = [
     "coefficients",
@@ -227,7 +227,7 @@ def _project(
     )
 
 
-_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),), twin=ufunc("collinearity_project"), plain_twin=ufunc("plain_collinearity_project"), recordable=True)
+_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),), twin=ufunc("collinearity_project"), plain_twin=ufunc("plain_collinearity_project"))
 
 
 def _project_factors(
@@ -330,7 +330,7 @@ def _project_jacobian_parameters(
     )
 
 
-_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),), twin=ufunc("collinearity_project_jacobian_parameters"), plain_twin=ufunc("plain_collinearity_project_jacobian_parameters"), recordable=True)
+_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),), twin=ufunc("collinearity_project_jacobian_parameters"), plain_twin=ufunc("plain_collinearity_project_jacobian_parameters"))
 
 
 def _project_jacobian_parameters_factors(
@@ -421,7 +421,7 @@ def _project_jacobian_point(
     )
 
 
-_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),), twin=ufunc("collinearity_project_jacobian_point"), plain_twin=ufunc("plain_collinearity_project_jacobian_point"), recordable=True)
+_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),), twin=ufunc("collinearity_project_jacobian_point"), plain_twin=ufunc("plain_collinearity_project_jacobian_point"))
 
 
 def _project_jacobian_point_factors(
@@ -498,7 +498,7 @@ def _space_map(
     )
 
 
-_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),), twin=ufunc("collinearity_space_map"), plain_twin=ufunc("plain_collinearity_space_map"), recordable=True)
+_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),), twin=ufunc("collinearity_space_map"), plain_twin=ufunc("plain_collinearity_space_map"))
 
 
 def _space_map_factors(
@@ -608,7 +608,7 @@ def _coplanarity_determinant(
     return (rounded(t203),)
 
 
-_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),), twin=ufunc("collinearity_coplanarity_determinant"), plain_twin=ufunc("plain_collinearity_coplanarity_determinant"), recordable=True)
+_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),), twin=ufunc("collinearity_coplanarity_determinant"), plain_twin=ufunc("plain_collinearity_coplanarity_determinant"))
 
 
 def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -701,7 +701,7 @@ def _intersect_three(
     )
 
 
-_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect_three"), plain_twin=ufunc("plain_collinearity_intersect_three"), recordable=True)
+_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect_three"), plain_twin=ufunc("plain_collinearity_intersect_three"))
 
 
 def _intersect_three_factors(
@@ -891,7 +891,7 @@ def _intersect(
     )
 
 
-_INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect"), plain_twin=ufunc("plain_collinearity_intersect"), recordable=True)
+_INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect"), plain_twin=ufunc("plain_collinearity_intersect"))
 
 
 def _intersect_factors(
@@ -1014,7 +1014,7 @@ def _model_point(
     return t5 * Xbar1, t5 * Ybar1, t5 * Zbar1
 
 
-_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),), twin=ufunc("collinearity_model_point"), plain_twin=ufunc("plain_collinearity_model_point"), recordable=True)
+_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),), twin=ufunc("collinearity_model_point"), plain_twin=ufunc("plain_collinearity_model_point"))
 
 
 def _model_point_factors(

@@ -10,9 +10,9 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from ._runtime.backend import ufunc
-from ._runtime.compensated import rounded, rounded_twice, wide
 from ._runtime.evaluation import Signature, evaluate
-from ._runtime.primitives import null_vector, solve
+from ._runtime.pairs import rounded, rounded_twice, wide
+from ._runtime.systems import null_vector, solve
 
 __all__ = [
     "design_row",
@@ -82,7 +82,7 @@ def _design_row(
     return upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1)
 
 
-_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),), twin=ufunc("correlation_design_row"), plain_twin=ufunc("plain_correlation_design_row"), recordable=True)
+_DESIGN_ROW_SIGNATURE = Signature("design_row", (("u_left", (2,)), ("u_right", (2,))), ((5,),), twin=ufunc("correlation_design_row"), plain_twin=ufunc("plain_correlation_design_row"))
 
 
 def rhs(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -136,7 +136,7 @@ def _rhs(
     return (upp1 - up1,)
 
 
-_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),), twin=ufunc("correlation_rhs"), plain_twin=ufunc("plain_correlation_rhs"), recordable=True)
+_RHS_SIGNATURE = Signature("rhs", (("u_left", (2,)), ("u_right", (2,))), ((),), twin=ufunc("correlation_rhs"), plain_twin=ufunc("plain_correlation_rhs"))
 
 
 def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -198,7 +198,7 @@ def _epipolar_line_left(
     )
 
 
-_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_left"), plain_twin=ufunc("plain_correlation_epipolar_line_left"), recordable=True)
+_EPIPOLAR_LINE_LEFT_SIGNATURE = Signature("epipolar_line_left", (("Z", (3, 3)), ("u_right", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_left"), plain_twin=ufunc("plain_correlation_epipolar_line_left"))
 
 
 def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -260,7 +260,7 @@ def _epipolar_line_right(
     )
 
 
-_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_right"), plain_twin=ufunc("plain_correlation_epipolar_line_right"), recordable=True)
+_EPIPOLAR_LINE_RIGHT_SIGNATURE = Signature("epipolar_line_right", (("Z", (3, 3)), ("u_left", (2,))), ((3,),), twin=ufunc("correlation_epipolar_line_right"), plain_twin=ufunc("plain_correlation_epipolar_line_right"))
 
 
 def correlation_from_cameras(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -355,7 +355,7 @@ def _correlation_from_cameras(
     )
 
 
-_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),), twin=ufunc("correlation_correlation_from_cameras"), plain_twin=ufunc("plain_correlation_correlation_from_cameras"), recordable=True)
+_CORRELATION_FROM_CAMERAS_SIGNATURE = Signature("correlation_from_cameras", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3, 3),), twin=ufunc("correlation_correlation_from_cameras"), plain_twin=ufunc("plain_correlation_correlation_from_cameras"))
 
 
 def _correlation_from_cameras_factors(
@@ -467,7 +467,7 @@ def _system(
     )
 
 
-_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)), twin=ufunc("correlation_system"), plain_twin=ufunc("plain_correlation_system"), recordable=True)
+_SYSTEM_SIGNATURE = Signature("system", (("u_left", (5, 2)), ("u_right", (5, 2))), ((5, 5), (5,)), twin=ufunc("correlation_system"), plain_twin=ufunc("plain_correlation_system"))
 
 
 def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -700,7 +700,7 @@ def _epipoles(
     )
 
 
-_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)), twin=ufunc("correlation_epipoles"), plain_twin=ufunc("plain_correlation_epipoles"), recordable=True)
+_EPIPOLES_SIGNATURE = Signature("epipoles", (("Z", (3, 3)),), ((2,), (2,)), twin=ufunc("correlation_epipoles"), plain_twin=ufunc("plain_correlation_epipoles"))
 
 
 def _epipoles_factors(

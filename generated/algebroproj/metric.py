@@ -10,9 +10,10 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from ._runtime.backend import ufunc
-from ._runtime.compensated import rounded, wide
 from ._runtime.evaluation import Signature, evaluate
-from ._runtime.primitives import arctan2, cos_sin
+from ._runtime.pairs import rounded, wide
+from ._runtime.arctan2 import arctan2
+from ._runtime.cos_sin import cos_sin
 
 __all__ = [
     "reconstruct",
@@ -91,7 +92,7 @@ def _reconstruct(
     return xp * t1, yp * t1, -(c * t1)
 
 
-_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),), twin=ufunc("metric_reconstruct"), plain_twin=ufunc("plain_metric_reconstruct"), recordable=True)
+_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),), twin=ufunc("metric_reconstruct"), plain_twin=ufunc("plain_metric_reconstruct"))
 
 
 def _reconstruct_factors(
@@ -178,7 +179,7 @@ def _reconstruct_jacobian(
     return xpp * (1 / ((xpp - xp) * t1)), 0, xp * t6, 0, 0, -t8, t10, t8, 0, 0, t11, 0, -t11, 0, -t10
 
 
-_RECONSTRUCT_JACOBIAN_SIGNATURE = Signature("reconstruct_jacobian", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3, 5),), twin=ufunc("metric_reconstruct_jacobian"), plain_twin=ufunc("plain_metric_reconstruct_jacobian"), recordable=True)
+_RECONSTRUCT_JACOBIAN_SIGNATURE = Signature("reconstruct_jacobian", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3, 5),), twin=ufunc("metric_reconstruct_jacobian"), plain_twin=ufunc("plain_metric_reconstruct_jacobian"))
 
 
 def _reconstruct_jacobian_factors(
@@ -427,7 +428,7 @@ def _correlation_matrix(
     )
 
 
-_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),), twin=ufunc("metric_correlation_matrix"), plain_twin=ufunc("plain_metric_correlation_matrix"), recordable=True)
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),), twin=ufunc("metric_correlation_matrix"), plain_twin=ufunc("plain_metric_correlation_matrix"))
 
 
 def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -499,7 +500,7 @@ def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray
 
     No input is singular.
 
-    Operations: 85 (14 additions, 12 subtractions, 49 multiplications, 2 negations, 3 cos_sin, 5 arctan2).
+    Operations: 85 (14 additions, 12 subtractions, 49 multiplications, 2 negations, 5 arctan2, 3 cos_sin).
     The derived expression takes 78 as written.
     With compensation of sums that may cancel: 472 (47 of them compute errors of products).
 
@@ -628,7 +629,7 @@ def _coplanarity_row(
     return p1p * p2pp, p1p * p3pp, rounded(t40 * t52 + t44 * t56), -(p1pp * p2p), -(p1pp * p3p)
 
 
-_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),), twin=ufunc("metric_coplanarity_row"), plain_twin=ufunc("plain_metric_coplanarity_row"), recordable=True)
+_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),), twin=ufunc("metric_coplanarity_row"), plain_twin=ufunc("plain_metric_coplanarity_row"))
 
 
 def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -693,7 +694,7 @@ def _to_normal(
     )
 
 
-_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_to_normal"), plain_twin=ufunc("plain_metric_to_normal"), recordable=True)
+_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_to_normal"), plain_twin=ufunc("plain_metric_to_normal"))
 
 
 def _to_normal_factors(
@@ -809,7 +810,7 @@ def _to_normal_jacobian(
     )
 
 
-_TO_NORMAL_JACOBIAN_SIGNATURE = Signature("to_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_to_normal_jacobian"), plain_twin=ufunc("plain_metric_to_normal_jacobian"), recordable=True)
+_TO_NORMAL_JACOBIAN_SIGNATURE = Signature("to_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_to_normal_jacobian"), plain_twin=ufunc("plain_metric_to_normal_jacobian"))
 
 
 def _to_normal_jacobian_factors(
@@ -886,7 +887,7 @@ def _from_normal(
     )
 
 
-_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_from_normal"), plain_twin=ufunc("plain_metric_from_normal"), recordable=True)
+_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_from_normal"), plain_twin=ufunc("plain_metric_from_normal"))
 
 
 def _from_normal_factors(
@@ -1001,7 +1002,7 @@ def _from_normal_jacobian(
     )
 
 
-_FROM_NORMAL_JACOBIAN_SIGNATURE = Signature("from_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_from_normal_jacobian"), plain_twin=ufunc("plain_metric_from_normal_jacobian"), recordable=True)
+_FROM_NORMAL_JACOBIAN_SIGNATURE = Signature("from_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_from_normal_jacobian"), plain_twin=ufunc("plain_metric_from_normal_jacobian"))
 
 
 def _from_normal_jacobian_factors(
@@ -1076,7 +1077,7 @@ def _jacobian_angles(
     return t2, -((t3 + xN * xN) * t1), -yN, (t3 + yN * yN) * t1, -t2, xN
 
 
-_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),), twin=ufunc("metric_jacobian_angles"), plain_twin=ufunc("plain_metric_jacobian_angles"), recordable=True)
+_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),), twin=ufunc("metric_jacobian_angles"), plain_twin=ufunc("plain_metric_jacobian_angles"))
 
 
 def _jacobian_angles_factors(
@@ -1165,7 +1166,7 @@ def _jacobian_image(
     )
 
 
-_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),), twin=ufunc("metric_jacobian_image"), plain_twin=ufunc("plain_metric_jacobian_image"), recordable=True)
+_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),), twin=ufunc("metric_jacobian_image"), plain_twin=ufunc("plain_metric_jacobian_image"))
 
 
 def _jacobian_image_factors(
@@ -1289,7 +1290,7 @@ def _normal_covariance(
     )
 
 
-_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),), twin=ufunc("metric_normal_covariance"), plain_twin=ufunc("plain_metric_normal_covariance"), recordable=True)
+_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),), twin=ufunc("metric_normal_covariance"), plain_twin=ufunc("plain_metric_normal_covariance"))
 
 
 def _normal_covariance_factors(
@@ -1396,7 +1397,7 @@ def _model_covariance(
     )
 
 
-_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),), twin=ufunc("metric_model_covariance"), plain_twin=ufunc("plain_metric_model_covariance"), recordable=True)
+_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),), twin=ufunc("metric_model_covariance"), plain_twin=ufunc("plain_metric_model_covariance"))
 
 
 def _model_covariance_factors(

@@ -10,8 +10,8 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from ._runtime.backend import ufunc
-from ._runtime.compensated import rounded, rounded_twice, wide
 from ._runtime.evaluation import Signature, evaluate
+from ._runtime.pairs import rounded, rounded_twice, wide
 
 __all__ = [
     "tau",
@@ -85,7 +85,7 @@ def _tau(
     return u30 * uN31 / (u31 * uN30), u30 * uN32 / (u32 * uN30)
 
 
-_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),), twin=ufunc("normal_case_tau"), plain_twin=ufunc("plain_normal_case_tau"), recordable=True)
+_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),), twin=ufunc("normal_case_tau"), plain_twin=ufunc("plain_normal_case_tau"))
 
 
 def _tau_factors(
@@ -177,7 +177,7 @@ def _tau_jacobian(
     )
 
 
-_TAU_JACOBIAN_SIGNATURE = Signature("tau_jacobian", (("u3", (2,)), ("u3_normal", (2,))), ((2, 4),), twin=ufunc("normal_case_tau_jacobian"), plain_twin=ufunc("plain_normal_case_tau_jacobian"), recordable=True)
+_TAU_JACOBIAN_SIGNATURE = Signature("tau_jacobian", (("u3", (2,)), ("u3_normal", (2,))), ((2, 4),), twin=ufunc("normal_case_tau_jacobian"), plain_twin=ufunc("plain_normal_case_tau_jacobian"))
 
 
 def _tau_jacobian_factors(
@@ -248,7 +248,7 @@ def _transform(
     return 1, tau1 - 1, tau2 - 1, 0, tau1, 0, 0, 0, tau2
 
 
-_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),), twin=ufunc("normal_case_transform"), plain_twin=ufunc("plain_normal_case_transform"), recordable=True)
+_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),), twin=ufunc("normal_case_transform"), plain_twin=ufunc("plain_normal_case_transform"))
 
 
 def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -309,7 +309,7 @@ def _map_points(
     return tau1 * u1 * t7, tau2 * u2 * t7
 
 
-_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),), twin=ufunc("normal_case_map_points"), plain_twin=ufunc("plain_normal_case_map_points"), recordable=True)
+_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),), twin=ufunc("normal_case_map_points"), plain_twin=ufunc("plain_normal_case_map_points"))
 
 
 def _map_points_factors(
@@ -414,7 +414,7 @@ def _from_orientation(
     )
 
 
-_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)), twin=ufunc("normal_case_from_orientation"), plain_twin=ufunc("plain_normal_case_from_orientation"), recordable=True)
+_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)), twin=ufunc("normal_case_from_orientation"), plain_twin=ufunc("plain_normal_case_from_orientation"))
 
 
 def _from_orientation_factors(
@@ -508,7 +508,7 @@ def _mu_left(
     return t11, t11, yA0 * rounded(t17) / (difference * yA3)
 
 
-_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_left"), plain_twin=ufunc("plain_normal_case_mu_left"), recordable=True)
+_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_left"), plain_twin=ufunc("plain_normal_case_mu_left"))
 
 
 def _mu_left_factors(
@@ -604,7 +604,7 @@ def _mu_right(
     )
 
 
-_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_right"), plain_twin=ufunc("plain_normal_case_mu_right"), recordable=True)
+_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_right"), plain_twin=ufunc("plain_normal_case_mu_right"))
 
 
 def _mu_right_factors(
@@ -681,7 +681,7 @@ def _from_correlation(
     return -(z02 / t0), 1, -(z20 * t0 / (z02 * z10)), -(z01 * t7), t0 * t7
 
 
-_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)), twin=ufunc("normal_case_from_correlation"), plain_twin=ufunc("plain_normal_case_from_correlation"), recordable=True)
+_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)), twin=ufunc("normal_case_from_correlation"), plain_twin=ufunc("plain_normal_case_from_correlation"))
 
 
 def _from_correlation_factors(
@@ -755,7 +755,7 @@ def _frame(
     return 1, 0, 0, 0, 1, z_n, 0, (tau1 - 1) / (tau2 - 1), 1
 
 
-_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),), twin=ufunc("normal_case_frame"), plain_twin=ufunc("plain_normal_case_frame"), recordable=True)
+_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),), twin=ufunc("normal_case_frame"), plain_twin=ufunc("plain_normal_case_frame"))
 
 
 def _frame_factors(

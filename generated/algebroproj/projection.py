@@ -10,8 +10,8 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from ._runtime.backend import ufunc
-from ._runtime.compensated import rounded, rounded_twice, wide
 from ._runtime.evaluation import Signature, evaluate
+from ._runtime.pairs import rounded, rounded_twice, wide
 
 __all__ = [
     "camera_matrix",
@@ -91,7 +91,7 @@ def _camera_matrix(
     return 1, mu1 - 1, mu2 - 1, mu3 - 1, 0, mu1, 0, mu3 * u31, 0, 0, mu2, mu3 * u32
 
 
-_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"), plain_twin=ufunc("plain_projection_camera_matrix"), recordable=True)
+_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"), plain_twin=ufunc("plain_projection_camera_matrix"))
 
 
 def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -154,7 +154,7 @@ def _mu_from_center(
     return u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -(y00 / (u30 * y03))
 
 
-_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"), plain_twin=ufunc("plain_projection_mu_from_center"), recordable=True)
+_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"), plain_twin=ufunc("plain_projection_mu_from_center"))
 
 
 def _mu_from_center_factors(
@@ -255,7 +255,7 @@ def _mu_from_center_jacobian(
     )
 
 
-_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"), plain_twin=ufunc("plain_projection_mu_from_center_jacobian"), recordable=True)
+_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"), plain_twin=ufunc("plain_projection_mu_from_center_jacobian"))
 
 
 def _mu_from_center_jacobian_factors(
@@ -333,7 +333,7 @@ def _center_from_mu(
     return t13 * rounded(t23), t13 * rounded(t20), -(rounded(t11) * t12)
 
 
-_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"), plain_twin=ufunc("plain_projection_center_from_mu"), recordable=True)
+_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"), plain_twin=ufunc("plain_projection_center_from_mu"))
 
 
 def _center_from_mu_factors(
@@ -428,7 +428,7 @@ def _projection_matrix(
     )
 
 
-_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"), plain_twin=ufunc("plain_projection_projection_matrix"), recordable=True)
+_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"), plain_twin=ufunc("plain_projection_projection_matrix"))
 
 
 def _projection_matrix_factors(
@@ -586,7 +586,7 @@ def _projection_matrix_jacobian(
     )
 
 
-_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"), plain_twin=ufunc("plain_projection_projection_matrix_jacobian"), recordable=True)
+_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"), plain_twin=ufunc("plain_projection_projection_matrix_jacobian"))
 
 
 def _projection_matrix_jacobian_factors(
@@ -659,7 +659,7 @@ def _projection_matrix_from_mu(
     return mu1 - 1, mu2 - 1, mu3 - 1, mu1, 0, mu3 * u31, 0, mu2, mu3 * u32
 
 
-_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"), plain_twin=ufunc("plain_projection_projection_matrix_from_mu"), recordable=True)
+_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"), plain_twin=ufunc("plain_projection_projection_matrix_from_mu"))
 
 
 def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -720,7 +720,7 @@ def _projection_determinant(
     return (rounded(-(wide(u31) * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03))),)
 
 
-_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"), plain_twin=ufunc("plain_projection_projection_determinant"), recordable=True)
+_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"), plain_twin=ufunc("plain_projection_projection_determinant"))
 
 
 def _projection_determinant_factors(
@@ -788,7 +788,7 @@ def _projection_determinant_from_mu(
     return (rounded(t18),)
 
 
-_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"), plain_twin=ufunc("plain_projection_projection_determinant_from_mu"), recordable=True)
+_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"), plain_twin=ufunc("plain_projection_projection_determinant_from_mu"))
 
 
 def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -877,7 +877,7 @@ def _reconstruction_matrix(
     )
 
 
-_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"), plain_twin=ufunc("plain_projection_reconstruction_matrix"), recordable=True)
+_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"), plain_twin=ufunc("plain_projection_reconstruction_matrix"))
 
 
 def _reconstruction_matrix_factors(
@@ -975,7 +975,7 @@ def _reconstruction_matrix_from_mu(
     )
 
 
-_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"), plain_twin=ufunc("plain_projection_reconstruction_matrix_from_mu"), recordable=True)
+_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"), plain_twin=ufunc("plain_projection_reconstruction_matrix_from_mu"))
 
 
 def _reconstruction_matrix_from_mu_factors(
@@ -1052,7 +1052,7 @@ def _project(
     return rounded_twice(wide(mu1) * y1 + t10 * u31) * t13, rounded_twice(wide(mu2) * y2 + t10 * u32) * t13
 
 
-_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"), plain_twin=ufunc("plain_projection_project"), recordable=True)
+_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"), plain_twin=ufunc("plain_projection_project"))
 
 
 def _project_factors(

@@ -7,11 +7,12 @@ is not set, the compiled version runs if there is one.
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from types import ModuleType
 from typing import Any, Literal
 
-__all__ = ["backend", "evaluated", "ufunc"]
+__all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
 DIGEST = "DIGEST_OF_THE_SOURCE"
@@ -53,5 +54,5 @@ def _chosen() -> ModuleType | None:
 
 _COMPILED = _chosen()
 
-evaluated: Any = getattr(_COMPILED, "evaluated", None)
-"""What calls a ufunc with a tuple of arrays of one dtype and one leading shape; it returns None for other arguments."""
+calls: Mapping[Any, Callable[..., Any]] = getattr(_COMPILED, "calls", {})
+"""For each ufunc what does the same for arrays of one dtype and one leading shape, sooner; for others it gives None."""

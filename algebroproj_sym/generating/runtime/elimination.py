@@ -11,8 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .double_double import chosen, two_product, two_sum
+from .error_free import two_product, two_sum
 from .namespace import namespace
+from .pairs import chosen
 
 __all__ = ["is_finite", "is_larger", "null_vector_of", "selected", "solution_of"]
 

@@ -14,8 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from .compensated import NEAREST, Compensated, wide
-from .double_double import DoubleDouble
+from .pairs import NEAREST, DoubleDouble, Pair, wide
 
 __all__ = ["Bounded", "bounded", "guaranteed"]
 
@@ -27,6 +26,9 @@ SLACK = 16
 DOUBLED = 16
 """What an operation on double-double numbers rounds at most, in u**2 of its result."""
 
+LIBRARY = 4
+"""By how many units in the last place an elementary function of an array library is assumed to err at most."""
+
 _FLOAT64 = np.dtype(np.float64)
 
 
@@ -35,7 +37,7 @@ class Bounded:
 
     Attributes
     ----------
-    value : number, array, Compensated or DoubleDouble
+    value : number, array or Pair
         What is computed.
     error : array
         An upper bound of the distance to the exact value.
@@ -60,14 +62,14 @@ class Bounded:
 
     def rounded(self) -> Bounded:
         """Return the rounded number, whose bound grows by what is cut off."""
-        if isinstance(self.value, Compensated) and self.value.overlap != NEAREST:
+        if isinstance(self.value, Pair) and self.value.overlap != NEAREST:
             value = self.value.rounded()
             return guaranteed(bounded(value, self.error + unit_of(value) * abs(value)))
         return guaranteed(bounded(self.value.hi, self.error + tail(self.value)))
 
     def rounded_twice(self) -> Bounded:
         """Return the number rounded without the error of its first part, by which the bound grows too."""
-        if not isinstance(self.value, Compensated):
+        if isinstance(self.value, DoubleDouble):
             return self.rounded()
         value = self.value.rounded_twice()
         left_out = unit_of(value) * (abs(self.value.hi) + abs(value))
@@ -127,6 +129,12 @@ def guaranteed(number: Bounded) -> Bounded:
     return Bounded(number.value, np.where(failed, np.inf, number.error))
 
 
+def of_library(value: Number) -> Number:
+    """Return the assumed error of a function of a library, and that of its double-double counterpart, below 1."""
+    unit = unit_of(value)
+    return 4 * DOUBLED * unit * unit if hasattr(value, "hi") else 2 * LIBRARY * unit
+
+
 def _value(number: Number) -> Number:
     return number.value if isinstance(number, Bounded) else number
 
@@ -184,7 +192,7 @@ def _rounding_of_product(a: Number, b: Number, product: Number) -> Number:
     if isinstance(product, DoubleDouble):
         return _doubled(product)
     unit = unit_of(product)
-    first, second = (number if isinstance(number, Compensated) else Compensated(number) for number in (a, b))
+    first, second = (number if isinstance(number, Pair) else Pair(number) for number in (a, b))
     if _has_no_tail(first):
         first, second = second, first
     partner = first.partner(second)
@@ -215,7 +223,7 @@ def _has_no_tail(number: Number) -> bool:
 
 def separated(number: Number) -> Number:
     """Return a number whose parts do not overlap much."""
-    return number.separated() if isinstance(number, Compensated) else number
+    return number.separated() if isinstance(number, Pair) else number
 
 
 def unit_of(number: Number) -> Number:

@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from .double_double import DoubleDouble, Unrounded
 from .error_bounds import Bounded, guaranteed
 from .evaluation import Body, Signature, evaluate, parts_of, require_count
+from .pairs import DoubleDouble
 
 __all__ = ["bounds", "dd"]
 
@@ -47,12 +47,7 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
     signature, body = parts_of(function, "dd")
     names = [f"{name} (second part)" for name, _ in signature.arguments]
     rests = tuple((name, core) for name, (_, core) in zip(names, signature.arguments, strict=True))
-    both = Signature(
-        signature.name,
-        (*signature.arguments, *rests),
-        signature.results * 2,
-        recordable=signature.recordable,
-    )
+    both = Signature(signature.name, (*signature.arguments, *rests), signature.results * 2)
 
     def with_twice_the_digits(*arguments: Any) -> Any:
         require_count(signature, arguments)
@@ -112,7 +107,7 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
 def _on_pairs(body: Body) -> Body:
     def on_pairs(*parts: Any) -> tuple[Any, ...]:
         count = len(parts) // 2
-        results = body(*map(Unrounded, parts[:count], parts[count:]))
+        results = body(*map(DoubleDouble, parts[:count], parts[count:]))
         pairs = [result if isinstance(result, DoubleDouble) else DoubleDouble(result) for result in results]
         return (*(pair.hi for pair in pairs), *(0 if pair.lo is None else pair.lo for pair in pairs))
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Kernel, Stage
+from algebroproj_sym.declaring import ELEMENTARY, Kernel, Stage
 from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
@@ -20,11 +20,10 @@ from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.verifying import BOUND, Stratum, Verification
 
-_PRIMITIVES = {
-    "cos_sin": "are cosine and sine of this angle:",
-    "arctan2": "is the angle of the direction (x, y) with these y and x:",
+_MEANINGS = {
     "solve": "solve the linear system with this matrix. Its last column is the right side:",
     "null_vector": "span the null space of this matrix, scaled so that the largest component is 1:",
+    **{name: primitive.meaning for name, primitive in ELEMENTARY.items()},
 }
 
 
@@ -112,7 +111,7 @@ def _stage(stage: Stage) -> list[Markup]:
     if stage.primitive == "let":
         return [equation(latex(s), entry) for s, entry in zip(stage.results, entries(stage.form), strict=True)]
     names = Markup(", ").join(inline(symbol) or Markup() for symbol in stage.results)
-    return [Markup("<p>{} {}</p>{}").format(names, _PRIMITIVES[stage.primitive], block(stage.form))]
+    return [Markup("<p>{} {}</p>{}").format(names, _MEANINGS[stage.primitive], block(stage.form))]
 
 
 def _accuracy(figures: Verification) -> Table:

@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj import correlation
-from algebroproj._runtime.double_double import DoubleDouble
 from algebroproj._runtime.error_bounds import Bounded, magnitude
+from algebroproj._runtime.pairs import DoubleDouble
 from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
 from algebroproj_sym.study.arithmetics import double_double_balls, float64_balls
 from algebroproj_sym.study.precision import Numbers, apply, lift, radius

@@ -1185,40 +1185,41 @@ static const char type_numbers[TYPES] = {NPY_FLOAT, NPY_DOUBLE, NPY_LONGDOUBLE};
 static char types[KERNELS][TYPES * MOST_OPERANDS], plain_types[PLAIN_KERNELS][TYPES * MOST_OPERANDS];
 static void *data[KERNELS][TYPES], *plain_data[PLAIN_KERNELS][TYPES];
 
+#include "calls.h"
+
 /* What the ufunc of a kernel keeps is the kernel itself, once for each type. */
-static int add_ufunc(PyObject *module, const char *name, const char *signature, const int arguments, const int results,
-                     PyUFuncGenericFunction *loops_of_types, char *types_of_loops, void **kept, void *kernel)
+static int add_ufunc(PyObject *module, PyObject *dictionary, struct call *call, const char *signature,
+                     char *types_of_loops, void *kernel)
 {
-    const int operands = arguments + results;
+    const int operands = call->arguments + call->results;
     for (int type = 0; type < TYPES; type++) {
         memset(types_of_loops + type * operands, type_numbers[type], operands);
-        kept[type] = kernel;
+        call->data[type] = kernel;
     }
-    PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(loops_of_types, kept, types_of_loops, TYPES, arguments, results,
-                                                          PyUFunc_None, name, NULL, 0, signature);
+    PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(call->loops, call->data, types_of_loops, TYPES, call->arguments,
+                                                          call->results, PyUFunc_None, call->name, NULL, 0, signature);
     if (ufunc == NULL) {
         return -1;
     }
-    const int failed = PyModule_AddObjectRef(module, name, ufunc);
+    const int failed = add_call(dictionary, ufunc, call) < 0 ? -1 : PyModule_AddObjectRef(module, call->name, ufunc);
     Py_DECREF(ufunc);
     return failed;
 }
 
-static int add_kernel(PyObject *module, const int place)
+static int add_kernel(PyObject *module, PyObject *dictionary, const int place)
 {
     struct kernel *kernel = &kernels[place];
-    return add_ufunc(module, kernel->name, kernel->signature, kernel->arguments, kernel->results, loops, types[place],
-                     data[place], kernel);
+    calls[place] = (struct call){kernel->name, kernel->arguments, kernel->results, kernel->shapes, loops, data[place]};
+    return add_ufunc(module, dictionary, &calls[place], kernel->signature, types[place], kernel);
 }
 
-static int add_plain_kernel(PyObject *module, const int place)
+static int add_plain_kernel(PyObject *module, PyObject *dictionary, const int place)
 {
     struct plain_kernel *kernel = &plain_kernels[place];
-    return add_ufunc(module, kernel->name, kernel->signature, kernel->arguments, kernel->results, plain_loops,
-                     plain_types[place], plain_data[place], kernel);
+    struct call *call = &calls[KERNELS + place];
+    *call = (struct call){kernel->name, kernel->arguments, kernel->results, kernel->shapes, plain_loops, plain_data[place]};
+    return add_ufunc(module, dictionary, call, kernel->signature, plain_types[place], kernel);
 }
-
-#include "calls.h"
 
 static int execute(PyObject *module)
 {
@@ -1228,17 +1229,17 @@ static int execute(PyObject *module)
 #ifdef FUSED
     fused_is_available = FUSED_IS_AVAILABLE;
 #endif
-    for (int place = 0; place < KERNELS; place++) {
-        if (add_kernel(module, place) < 0) {
-            return -1;
-        }
+    PyObject *dictionary = PyDict_New();
+    int failed = dictionary == NULL ? -1 : 0;
+    for (int place = 0; place < KERNELS && failed == 0; place++) {
+        failed = add_kernel(module, dictionary, place);
     }
-    for (int place = 0; place < PLAIN_KERNELS; place++) {
-        if (add_plain_kernel(module, place) < 0) {
-            return -1;
-        }
+    for (int place = 0; place < PLAIN_KERNELS && failed == 0; place++) {
+        failed = add_plain_kernel(module, dictionary, place);
     }
-    return PyModule_AddStringConstant(module, "DIGEST", "45e02a93b5471cea");
+    failed = failed < 0 ? -1 : PyModule_AddObjectRef(module, "calls", dictionary);
+    Py_XDECREF(dictionary);
+    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "5b28e8372d3e991f");
 }
 
 static PyModuleDef_Slot slots[] = {
@@ -1251,7 +1252,6 @@ static struct PyModuleDef definition = {
     .m_name = "_compiled",
     .m_doc = "The kernels as generalized ufuncs.",
     .m_size = 0,
-    .m_methods = methods,
     .m_slots = slots,
 };
 

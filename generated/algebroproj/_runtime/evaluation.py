@@ -21,9 +21,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .backend import evaluated
+from .backend import calls
 from .namespace import is_foreign, namespace
-from .tape import tape_of
 
 __all__ = ["Signature", "evaluate"]
 
@@ -50,11 +49,9 @@ class Signature:
     results : tuple of shape
         The core shapes of the results.
     block : int
-        How many points of a batch are computed at once if they are not recorded.
+        How many points of a batch are computed at once.
     twin, plain_twin : ufunc, optional
         The compiled versions of the body, with compensation and without.
-    recordable : bool
-        Whether the body consists of + - * / alone, so that it may be run in buffers.
     """
 
     name: str
@@ -63,7 +60,6 @@ class Signature:
     block: int = BLOCK
     twin: Any = None
     plain_twin: Any = None
-    recordable: bool = False
 
 
 def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = None) -> Any:
@@ -98,7 +94,7 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     0.5
     """
     if signature.twin is not None and out is None:
-        results = evaluated(signature.twin, tuple(given))
+        results = calls[signature.twin](*given)
         if results is not None:
             return results
     if signature.twin is not None and _are_alike(given) and (out is None or _is_fitting(signature, given, out)):
@@ -268,12 +264,6 @@ def _fill(
     cores = [core for _, core in signature.arguments]
     entries = [entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)]
     targets = [to for array, core in zip(results, signature.results, strict=True) for to in _entries(array, core)]
-    if signature.recordable and dtype.kind in "fc" and all(entry.shape == batch for entry in entries):
-        tape = tape_of(body, len(entries))
-        for block in _blocks(batch, tape.block):
-            whole = [entry[block].astype(dtype, order="C", copy=False) for entry in entries]
-            tape.run(whole, [target[block] for target in targets])
-        return
     if prod(batch) <= signature.block:
         values = body(*(entry.astype(dtype, copy=False) for entry in entries))
         for target, value in zip(targets, values, strict=True):

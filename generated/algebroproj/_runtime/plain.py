@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from importlib import import_module
 from types import FunctionType
 from typing import Any
 
-from .compensated import DIGITS
 from .evaluation import BLOCK, parts_of
-from .primitives import null_vector_once, solve_once
+from .pairs import DIGITS
 
 __all__ = ["plain"]
 
@@ -49,7 +49,8 @@ def plain(function: Callable[..., Any]) -> Callable[..., Any]:
     signature, body = parts_of(function, "plain")
     assert isinstance(function, FunctionType)
     assert isinstance(body, FunctionType)
-    names = function.__globals__ | _WITHOUT_COMPENSATION
+    names = function.__globals__ | dict.fromkeys(DIGITS, _unchanged)
+    names |= {name: _once(names[name]) for name in ("solve", "null_vector") if name in names}
     names[body.__name__] = _with_names(body, names)
     names[f"_{function.__name__.upper()}_SIGNATURE"] = replace(signature, block=BLOCK, twin=signature.plain_twin)
     return _with_names(function, names)
@@ -59,12 +60,9 @@ def _unchanged(number: Any) -> Any:
     return number
 
 
-_WITHOUT_COMPENSATION = {
-    **dict.fromkeys(DIGITS, _unchanged),
-    "solve": solve_once,
-    "null_vector": null_vector_once,
-}
-"""What the names mean that a body uses for more digits."""
+def _once(solve: Callable[..., Any]) -> Any:
+    """Return the function that does the same without refinement."""
+    return getattr(import_module(solve.__module__), f"{solve.__name__}_once")
 
 
 def _with_names(function: FunctionType, names: dict[str, Any]) -> FunctionType:

@@ -24,7 +24,7 @@ from algebroproj_sym.generating.backends.c.printer import (
     statements,
 )
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.runtime.program import Call, Operand
+from algebroproj_sym.generating.program import Call, Operand
 
 INTERLEAVED = (1, 2, 3, 4, 8)
 """Of how many entries compilers read or write several points at a time."""

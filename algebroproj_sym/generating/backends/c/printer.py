@@ -25,7 +25,7 @@ from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating.backends.c.fours import reads, writes
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.runtime.program import Call, Operand, Program, Step
+from algebroproj_sym.generating.program import Call, Operand, Program, Step
 from algebroproj_sym.generating.systems import system_program
 
 COMPILED = ("let", *LINEAR)

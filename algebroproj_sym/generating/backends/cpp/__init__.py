@@ -18,7 +18,7 @@ from algebroproj_sym.generating.backends.c.printer import c_operand, computation
 from algebroproj_sym.generating.description import formula, singularities
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.runtime.program import Call, Operand
+from algebroproj_sym.generating.program import Call, Operand
 from algebroproj_sym.generating.writing import NOTICE
 
 __all__ = ["declaration", "render"]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
+from importlib import import_module
 from itertools import groupby
 from pathlib import Path
 from textwrap import fill
@@ -12,7 +14,7 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym import __version__
-from algebroproj_sym.declaring import LINEAR, PRIMITIVES, Driver, Kernel
+from algebroproj_sym.declaring import ELEMENTARY, LINEAR, PRIMITIVES, Driver, Kernel
 from algebroproj_sym.expressions import entries
 from algebroproj_sym.generating import runtime
 from algebroproj_sym.generating.backends.c.plain import plain_files
@@ -22,13 +24,14 @@ from algebroproj_sym.generating.description import factor_name, formula, singula
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.operation_counts import operation_counts
-from algebroproj_sym.generating.runtime import primitives as primitives
-from algebroproj_sym.generating.runtime.compensated import DIGITS
-from algebroproj_sym.generating.runtime.program import Call, Step, run
+from algebroproj_sym.generating.program import Call, Step, run
+from algebroproj_sym.generating.runtime.pairs import DIGITS
 from algebroproj_sym.generating.writing import NOTICE, PACKAGE
 
 OPERATIONS = {"+": "addition", "-": "subtraction", "*": "multiplication", "/": "division", "neg": "negation"}
 LINEAR_BLOCK = 4096
+EVERYWHERE = ("__init__", "accuracy", "hypotheses", "plain", "precision")
+"""The modules of the runtime that every package imports."""
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.generating.backends.numpy"),
@@ -68,16 +71,41 @@ def render(lowered: Iterable[Lowered], drivers: Sequence[Driver] = (), package: 
     files["__init__.py"] = _TEMPLATES.get_template("init.py.j2").render(
         notice=NOTICE, version=__version__, modules=sorted(modules)
     )
-    files |= {f"_runtime/{path.name}": _with_notice(path.read_text(encoding="utf-8")) for path in runtime_modules()}
-    files["py.typed"] = ""
     every = [low for group in modules.values() for low in group]
+    needed = runtime_modules({*map(_home, _called(every))})
+    files |= {f"_runtime/{name}.py": _with_notice(source) for name, source in needed.items()}
+    files["py.typed"] = ""
     files |= {f"_c/{name}": text for name, text in (c_files(every, NOTICE) | plain_files(every, NOTICE)).items()}
     return stamped(dict(sorted(files.items())))
 
 
-def runtime_modules() -> list[Path]:
-    """Return the modules that every generated package gets as they are."""
-    return sorted(path for path in Path(str(runtime.__file__)).parent.glob("*.py"))
+def runtime_modules(called: Iterable[str]) -> dict[str, str]:
+    """Return the source of the modules that a generated package gets as they are: some, and what every package needs.
+
+    Examples
+    --------
+    >>> sorted(runtime_modules(["cos_sin"]).keys() - runtime_modules([]).keys())
+    ['cos_sin']
+    """
+    folder, found = Path(str(runtime.__file__)).parent, dict[str, str]()
+    waiting = [*EVERYWHERE, *called]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found[name] = (folder / f"{name}.py").read_text(encoding="utf-8")
+            waiting += re.findall(r"^from \.(\w+) import", found[name], re.MULTILINE)
+    return found
+
+
+def _called(lowered: Iterable[Lowered]) -> set[str]:
+    """Return the primitive functions that the functions of some kernels call."""
+    calls = [step for low in lowered for step in low.program.steps if isinstance(step, Call)]
+    return {call.primitive for call in calls} - {"let"}
+
+
+def _home(primitive: str) -> str:
+    """Return the module of the runtime that has a primitive function."""
+    return "systems" if primitive in LINEAR else primitive
 
 
 def _with_notice(source: str) -> str:
@@ -89,13 +117,13 @@ def _with_notice(source: str) -> str:
 def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:
     sources = sorted({f"{low.kernel.paper} {low.kernel.section}" for low in group})
     title = f"Functions of {', '.join(sources)}."
-    called: set[str] = {step.primitive for low in group for step in low.program.steps if isinstance(step, Call)}
+    called = _called(group)
     programs = [program for low in group for program in (low.program, factors_of(low))]
     operators = {step.operator for program in programs for step in program.steps if isinstance(step, Step)}
     return _TEMPLATES.get_template("module.py.j2").render(
         title=title,
         notice=NOTICE,
-        primitives=sorted(called - {"let"}),
+        primitives=[(name, sorted(names)) for name, names in groupby(sorted(called, key=_home), key=_home)],
         compiled=any(is_compiled(low) or is_compiled_plain(low) for low in group),
         digits=sorted(operators.intersection(DIGITS)),
         functions=[_function(low) for low in group],
@@ -143,10 +171,10 @@ def _batched(shape: tuple[int, ...]) -> str:
 
 def _dtypes(kernel: Kernel) -> str:
     """Return the dtypes that a function takes: those for which its primitive functions are defined."""
-    called = {stage.primitive for stage in kernel.stages}
-    if "arctan2" in called:
+    called = [ELEMENTARY[stage.primitive] for stage in kernel.stages if stage.primitive in ELEMENTARY]
+    if not all(primitive.is_complex for primitive in called):
         return "float32, float64 or longdouble"
-    return "float32, float64, longdouble or complex" + ("" if "cos_sin" in called else ", or object")
+    return "float32, float64, longdouble or complex" + ("" if called else ", or object")
 
 
 def _singularities(low: Lowered) -> str:
@@ -208,7 +236,7 @@ def _numeric(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
     """Call a primitive function as the generated functions do."""
     if call.primitive == "let":
         return rows[0]
-    function = getattr(primitives, call.primitive)
+    function = getattr(import_module(f"{runtime.__name__}.{_home(call.primitive)}"), call.primitive)
     results = function(*rows) if call.primitive in LINEAR else function(*rows[0])
     return results if isinstance(results, tuple) else (results,)
 
@@ -233,5 +261,4 @@ def _signature(low: Lowered) -> str:
     block = f", block={LINEAR_BLOCK}" if kernel.solves_systems else ""
     twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(low) else ""
     twin += f', plain_twin=ufunc("plain_{c_name(kernel)}")' if is_compiled_plain(low) else ""
-    recordable = ", recordable=True" if all(stage.primitive == "let" for stage in kernel.stages) else ""
-    return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin}{recordable})".replace("'", '"')
+    return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin})".replace("'", '"')

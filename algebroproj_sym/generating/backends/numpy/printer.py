@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from algebroproj_sym.declaring import LINEAR
-from algebroproj_sym.generating.runtime.compensated import DIGITS
-from algebroproj_sym.generating.runtime.program import Call, Operand, Program, Step
+from algebroproj_sym.generating.program import Call, Operand, Program, Step
+from algebroproj_sym.generating.runtime.pairs import DIGITS
 
 LINE = 100
 

@@ -1,7 +1,7 @@
-"""Cosine, sine and arctangent of double-double numbers, from + - * / and roundings to integers.
+"""Cosine and sine of numbers of every kind.
 
-An angle is reduced to at most a quarter of pi by three parts of pi / 2, and the series of sine and cosine do the rest;
-the arctangent of one number is corrected by one step of Newton's method.
+Those of pairs are made from + - * / and roundings to integers: an angle is reduced to at most a quarter of pi by three
+parts of pi / 2, and the series do the rest.
 """
 
 from __future__ import annotations
@@ -13,16 +13,40 @@ from typing import Any
 
 import numpy as np
 
-from .double_double import DoubleDouble, chosen, two_sum
+from .error_bounds import Bounded, bounded, magnitude, of_library
+from .error_free import two_sum
 from .namespace import is_foreign, namespace
+from .pairs import DoubleDouble, Pair, chosen, double_double
 
-__all__ = ["arctan2_of_pair", "cos_sin_of_pair"]
+__all__ = ["cos_sin", "cos_sin_of_pair"]
 
 HALF_PI = Fraction(
     157079632679489661923132169163975144209858469968755291048747229615390820314310449931401741267105853399107404326,
     10**110,
 )
 TERMS = 18
+
+FARTHEST = 1e8
+"""Of larger angles nothing is said."""
+
+
+def cos_sin(angle: Any) -> tuple[Any, Any]:
+    """Return cosine and sine of an angle in radians, with as many digits as the angle has."""
+    if isinstance(angle, Bounded):
+        return _with_bounds(angle)
+    if isinstance(angle, Pair):
+        cosine, sine = cos_sin_of_pair(double_double(angle))
+        return type(angle)(cosine.hi, cosine.lo), type(angle)(sine.hi, sine.lo)
+    xp = namespace([angle])
+    return xp.cos(angle), xp.sin(angle)
+
+
+def _with_bounds(angle: Bounded) -> tuple[Bounded, Bounded]:
+    """Return cosine and sine, whose slopes are at most 1."""
+    cosine, sine = cos_sin(angle.value)
+    error = angle.error + of_library(cosine)
+    error = np.where(magnitude(angle.value) < FARTHEST, error, np.inf)
+    return bounded(cosine, error), bounded(sine, error)
 
 
 def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
@@ -51,20 +75,6 @@ def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
         _signed(chosen(swapped, sine, cosine), (turn == 1) | (turn == 2)),
         _signed(chosen(swapped, cosine, sine), turn >= 2),
     )
-
-
-def arctan2_of_pair(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble:
-    """Return the angle, in radians between -pi and pi, of the direction (x, y), to about twice the digits.
-
-    Examples
-    --------
-    >>> angle = arctan2_of_pair(DoubleDouble(1.0), DoubleDouble(1.0))
-    >>> float(angle.hi), float(angle.lo)
-    (0.7853981633974483, 3.061616997868383e-17)
-    """
-    angle = DoubleDouble(namespace([y.hi, x.hi]).atan2(y.hi, x.hi))
-    cosine, sine = cos_sin_of_pair(angle)
-    return angle + (y * cosine - x * sine) / (x * cosine + y * sine)
 
 
 def _series(square: DoubleDouble, odd: int) -> DoubleDouble:

@@ -15,11 +15,9 @@ from itertools import count
 from operator import add, mul, neg, sub, truediv
 from typing import Any, TypeAlias
 
-from .compensated import Compensated, rounded, rounded_twice, wide
-from .double_double import product_error
-from .elimination import is_finite, is_larger, selected
-
-__all__ = ["Call", "Operand", "Program", "Recorder", "Step", "named", "recorded", "run", "without_unused"]
+from algebroproj_sym.generating.runtime.elimination import is_finite, is_larger, selected
+from algebroproj_sym.generating.runtime.error_free import product_error
+from algebroproj_sym.generating.runtime.pairs import Pair, rounded, rounded_twice, wide
 
 Operand: TypeAlias = "str | int"
 
@@ -238,7 +236,7 @@ def _operand(value: Any) -> Operand:
 
 def _operation(operator: str, reflected: bool = False) -> Callable[[_Recorded, Any], Any]:
     def method(number: _Recorded, other: Any) -> Any:
-        if isinstance(other, Compensated):
+        if isinstance(other, Pair):
             return NotImplemented
         return number.recorder.step(operator, *((other, number) if reflected else (number, other)))
 

@@ -23,31 +23,13 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.auditing.latex import FUNCTIONS, split_symbol, written
 from algebroproj_sym.declaring import Claim, DeclarationError
 from algebroproj_sym.expressions import Expression, ParseError, parse
+from algebroproj_sym.reading.lexing import GREEK, split_symbol, written
 
 FILE = "symbols.toml"
-_GREEK = (
-    *(
-        "alpha",
-        "beta",
-        "gamma",
-        "delta",
-        "epsilon",
-        "zeta",
-        "eta",
-        "theta",
-        "iota",
-        "kappa",
-        "lambda",
-        "mu",
-        "nu",
-        "xi",
-    ),
-    *("pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega", "varphi", "varrho", "vartheta", "varkappa"),
-)
-_LETTER = re.compile(rf"[A-Za-z]|\\(?i:{'|'.join(_GREEK)})")
+OF_ANGLES = (r"\sin", r"\cos", r"\tan")
+"""Functions that a table may name together with their argument."""
 
 
 @dataclass(frozen=True)
@@ -90,18 +72,19 @@ class Symbols:
 
     def __call__(self, symbol: str) -> Any:
         """Return what a symbol stands for; None if no table and no rule says so."""
-        letter, primes, subscript, superscript = split_symbol(symbol)
+        function = next((name for name in OF_ANGLES if symbol.startswith(name)), "")
+        letter, primes, subscript, superscript = split_symbol(symbol.removeprefix(function))
         for index, value in self.indices:
             subscript, superscript = subscript.replace(index, value), superscript.replace(index, value)
-        whole = written(letter, primes, subscript, superscript)
+        whole = function + written(letter, primes, subscript, superscript)
         for table in self.tables:
             if whole in table.symbols:
                 return table.symbols[whole]
-        return None if superscript else self._by_rule(letter, primes, subscript)
+        return None if function or superscript else self._by_rule(letter, primes, subscript)
 
     def _by_rule(self, letter: str, primes: int, subscript: str) -> sympy.Symbol | None:
         begin = next((table.letters[letter] for table in self.tables if letter in table.letters), None)
-        if begin is None and not _LETTER.fullmatch(letter):
+        if begin is None and letter not in GREEK and not re.fullmatch("[A-Za-z]", letter):
             return None
         marks = "p" * primes if all(table.primes for table in self.tables) else ""
         name = f"{begin if begin is not None else letter.lstrip(chr(92))}{marks}{subscript}"
@@ -140,5 +123,5 @@ def _table(entry: Mapping[str, Any]) -> Table:
 
 
 def _canonical(symbol: str) -> str:
-    function = next((name for name in FUNCTIONS if symbol.startswith(name)), "")
+    function = next((name for name in OF_ANGLES if symbol.startswith(name)), "")
     return function + written(*split_symbol(symbol.removeprefix(function).strip()))

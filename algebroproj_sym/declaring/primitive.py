@@ -1,0 +1,46 @@
+"""An elementary function that kernels may call, such as the cosine.  Each is a module of the folder ``elementary``.
+
+What the generated functions call is a module of the same name in `algebroproj_sym.generating.runtime`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+Numbers: TypeAlias = Sequence[Any]
+Divide: TypeAlias = Callable[[Any, Any], Any]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Primitive:
+    """An elementary function: what is known of it besides how floating-point numbers are computed.
+
+    Attributes
+    ----------
+    name : str
+        What it is called in formulas and in generated source.
+    operands, results : int
+        How many numbers it takes and gives.
+    meaning : str
+        What its results are, as the end of a sentence that begins with their names.
+    tangent : callable
+        How the results change: from operands, results, the changes of the operands, and what divides.  It consists of
+        + - * and powers, on numbers of any kind.
+    exact : callable
+        The results in mpmath.
+    ball : callable
+        The results in Arb.
+    is_complex : bool
+        Whether it takes complex numbers.
+    """
+
+    name: str
+    operands: int
+    results: int
+    meaning: str
+    tangent: Callable[[Numbers, Numbers, Numbers, Divide], list[Any]]
+    exact: Callable[..., tuple[Any, ...]]
+    ball: Callable[..., tuple[Any, ...]]
+    is_complex: bool = True

@@ -1,0 +1,37 @@
+"""Reading: the LaTeX of quotes as expressions, and the equations of a document, each with a verdict.
+
+A text becomes displays (`documents`), with its macros expanded (`macros`); a display becomes statements (`statements`);
+a statement becomes tokens (`lexing`) and a tree of the grammar (`grammar`).  A letter stands for what a table, or a
+definition above it, says (`symbols`, `vocabulary`).  Then each relation is judged (`judging`), and where one fails, the
+smallest change is sought by which it would hold (`repairs`).
+"""
+
+from algebroproj_sym.reading.documents import Document, UnreadableDocumentError, document_at, document_of
+from algebroproj_sym.reading.folder import write_folder
+from algebroproj_sym.reading.grammar import Side, read_formula
+from algebroproj_sym.reading.judging import VERDICTS, Link, Reading, Verdict, read_document
+from algebroproj_sym.reading.lexing import UnreadableError
+from algebroproj_sym.reading.symbols import Symbols, Table, symbols_for, tables_in
+from algebroproj_sym.reading.vocabulary import SymbolsFile, symbols_file
+
+__all__ = [
+    "VERDICTS",
+    "Document",
+    "Link",
+    "Reading",
+    "Side",
+    "Symbols",
+    "SymbolsFile",
+    "Table",
+    "UnreadableDocumentError",
+    "UnreadableError",
+    "Verdict",
+    "document_at",
+    "document_of",
+    "read_document",
+    "read_formula",
+    "symbols_file",
+    "symbols_for",
+    "tables_in",
+    "write_folder",
+]

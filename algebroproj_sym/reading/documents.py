@@ -1,0 +1,273 @@
+"""Documents: LaTeX, Markdown and Jupyter notebooks as displayed and inline formulas, with the words between them."""
+
+from __future__ import annotations
+
+import json
+import re
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+
+from algebroproj_sym.reading.lexing import Piece, UnreadableError, pieces_of
+from algebroproj_sym.reading.macros import Macro, expanded, macros_in
+
+MAX_CHARACTERS = 5_000_000
+MAX_FORMULAS = 20_000
+MAX_DISPLAY = 50_000
+MAX_WORDS = 2_000
+
+_ENVIRONMENTS = (
+    *("equation", "align", "gather", "multline", "alignat", "flalign", "eqnarray", "displaymath", "dmath", "math"),
+    "IEEEeqnarray",
+)
+_BEGIN = re.compile(
+    rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
+    r"|\\(?:chapter|(?:sub)*section|paragraph)\b|(?m:^#+ )"
+)
+_COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
+_CODE = re.compile(r"\\begin\{(verbatim|lstlisting|minted|comment)\}")
+_FENCE = re.compile(r"^(```|~~~).*?^\1|`[^`\n]*`", re.DOTALL | re.MULTILINE)
+_TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
+_LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
+_FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
+
+
+class UnreadableDocumentError(ValueError):
+    """A file is no document that can be read."""
+
+
+@dataclass(frozen=True)
+class Display:
+    """A formula of a document.
+
+    Attributes
+    ----------
+    line : int
+        The line of the file on which it begins, from 1.
+    environment : str
+        ``equation``, ``align`` and so on; ``display`` for one in brackets or dollars; ``inline``.
+    latex : str
+        As it stands in the file.
+    pieces : tuple of Piece
+        With macros expanded; empty if they cannot be.
+    reason : str
+        Why the pieces are missing.
+    before, after : str
+        The words before it, since the last display, and behind it, up to the next formula.
+    part : int
+        How many headings come before it.
+    numbered : bool
+        Whether its rows have automatic numbers.
+    within : int
+        The place of its group of numbers (1a), (1b) among such groups; 0 for none.
+    """
+
+    line: int
+    environment: str
+    latex: str
+    pieces: tuple[Piece, ...]
+    reason: str
+    before: str
+    after: str
+    part: int
+    numbered: bool
+    within: int
+
+
+@dataclass(frozen=True)
+class Document:
+    """A document: its formulas in order, and the line of each of its characters."""
+
+    formulas: tuple[Display, ...]
+    starts: tuple[int, ...]
+    lines: tuple[int, ...]
+
+    def line_of(self, place: int) -> int:
+        """Return the line of the file on which a character stands."""
+        return self.lines[bisect_right(self.starts, place) - 1]
+
+
+def document_at(path: Path) -> Document:
+    """Read a file of LaTeX, Markdown or a Jupyter notebook.
+
+    Raises
+    ------
+    UnreadableDocumentError
+        If it is no text, no notebook, or larger than `MAX_CHARACTERS`.
+    """
+    try:
+        if path.stat().st_size > 4 * MAX_CHARACTERS:
+            raise UnreadableDocumentError(f"{path}: expected at most {MAX_CHARACTERS} characters, got more")
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        raise UnreadableDocumentError(f"{path}: expected text in UTF-8, got {error.reason}") from error
+    except OSError as error:
+        raise UnreadableDocumentError(f"{path}: expected a file that can be read, got {error.strerror}") from error
+    if len(text) > MAX_CHARACTERS:
+        raise UnreadableDocumentError(f"{path}: expected at most {MAX_CHARACTERS} characters, got {len(text)}")
+    if path.suffix == ".ipynb":
+        return _notebook(path, text)
+    return document_of(text, latex=path.suffix == ".tex")
+
+
+def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None = None) -> Document:
+    r"""Return the formulas of a text.
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    latex : bool
+        Whether it is LaTeX, with comments, or Markdown, with code.
+    lines : tuple of int, optional
+        The number of each of its lines in a file; by default from 1.
+
+    Examples
+    --------
+    >>> [(each.line, each.latex) for each in document_of("Let\n\\[ a = b \\]\nand $c$.").formulas]
+    [(2, ' a = b '), (3, 'c')]
+    """
+    starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
+    numbers = lines or tuple(range(1, len(starts) + 1))
+    plain = _without_code(_COMMENT.sub(_blank, text)) if latex else _FENCE.sub(_blank, text)
+    macros, spans = macros_in(plain)
+    for begin, end in spans:
+        plain = plain[:begin] + " " * (end - begin) + plain[end:]
+    document = Document((), starts, numbers[: len(starts)])
+    formulas = tuple(islice(_formulas(plain, macros, document), MAX_FORMULAS + 1))
+    if len(formulas) > MAX_FORMULAS:
+        raise UnreadableDocumentError(f"expected at most {MAX_FORMULAS} formulas, got more")
+    return Document(formulas, starts, document.lines)
+
+
+def _without_code(text: str) -> str:
+    kept, place, following = list[str](), 0, _Following(text)
+    while match := _CODE.search(text, place):
+        end = following(rf"\end{{{match[1]}}}", match.end())
+        kept += [text[place : match.start()], re.sub(r"[^\n]", " ", text[match.start() : end])]
+        place = end
+    return "".join([*kept, text[place:]])
+
+
+class _Following:
+    """Finds where a mark stands next; each part of the text is searched for it once."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._known: dict[str, int] = {}
+
+    def __call__(self, mark: str, place: int) -> int:
+        """Return the place, or the end of the text."""
+        if self._known.get(mark, -1) < place:
+            found = self._text.find(mark, place)
+            self._known[mark] = len(self._text) if found < 0 else found
+        return self._known[mark]
+
+
+def _blank(found: re.Match[str]) -> str:
+    return re.sub(r"[^\n]", " ", found.group())
+
+
+def _formulas(text: str, macros: Mapping[str, Macro], document: Document) -> Iterator[Display]:
+    openers, closers = _own_environments(macros)
+    begin = re.compile("|".join([_BEGIN.pattern, *(rf"({re.escape(name)})(?![a-zA-Z])" for name in openers)]))
+    place, words, part, group, groups = 0, "", 0, 0, 0
+    following = _Following(text)
+    while match := begin.search(text, place):
+        words = (words + text[place : match.start()])[-MAX_WORDS:]
+        mark = match.group()
+        place = match.end()
+        if mark.endswith("{subequations}"):
+            groups += mark.startswith(r"\begin")
+            group = groups if mark.startswith(r"\begin") else 0
+            continue
+        if mark.startswith(("#", r"\chapter", r"\paragraph")) or "section" in mark:
+            part += 1
+            words += "\n"
+            continue
+        name, star = openers.get(mark, match[1] or ""), match[2] or ""
+        endings = [rf"\end{{{name}{star}}}", *closers.get(name, ())] if name else [_PARTNERS[mark]]
+        end, ending = min((following(ending, place), ending) for ending in endings)
+        inline = mark in ("$", r"\(")
+        environment = "inline" if inline else name or "display"
+        if end - place > MAX_DISPLAY or end == len(text):
+            if not inline:
+                why = f"the formula is not closed within {MAX_DISPLAY} characters"
+                yield Display(document.line_of(match.start()), environment, "", (), why, words, "", part, False, group)
+            continue
+        inside = text[place:end]
+        after = text[end + len(ending) : end + len(ending) + 300]
+        pieces, reason = _expanded(inside, place, macros)
+        numbered = bool(name) and not star and name not in ("displaymath", "math")
+        line = document.line_of(match.start())
+        yield Display(line, environment, inside, pieces, reason, words, _up_to_formula(after), part, numbered, group)
+        words = words + f"${inside}$" if inline else ""
+        place = end + len(ending)
+
+
+_PARTNERS = {r"\[": r"\]", "$$": "$$", r"\(": r"\)", "$": "$"}
+
+
+def _up_to_formula(after: str) -> str:
+    match = re.search(r"\$\$|\\\[|\\begin\{(?:equation|align|gather|multline|eqnarray)|\n\s*\n", after)
+    return after[: match.start()] if match else after
+
+
+def _expanded(latex: str, place: int, macros: Mapping[str, Macro]) -> tuple[tuple[Piece, ...], str]:
+    try:
+        return tuple(expanded(pieces_of(latex, place), macros)), ""
+    except UnreadableError as error:
+        return (), str(error)
+
+
+def _own_environments(macros: Mapping[str, Macro]) -> tuple[dict[str, str], dict[str, list[str]]]:
+    """Return the macros that begin an environment, with its name, and those that end one."""
+    openers: dict[str, str] = {}
+    closers: dict[str, list[str]] = {}
+    for name, macro in macros.items():
+        if match := re.fullmatch(r"\s*\\(begin|end)\{(\w+)\*?\}\s*", macro.body):
+            if match[2] in _ENVIRONMENTS and match[1] == "begin":
+                openers[name] = match[2]
+            elif match[2] in _ENVIRONMENTS:
+                closers.setdefault(match[2], []).append(name)
+    return openers, closers
+
+
+def tag_of(latex: str, after: str) -> str:
+    """Return the number that an author gives a formula, by a tag or in brackets behind it; empty for none."""
+    if tag := _TAG.search(latex):
+        return tag[1].strip()
+    following = _FOLLOWING.match(after)
+    return following[1] if following else ""
+
+
+def label_of(latex: str) -> str:
+    """Return the label of a formula; empty for none."""
+    label = _LABEL.search(latex)
+    return label[1].strip() if label else ""
+
+
+def _notebook(path: Path, text: str) -> Document:
+    try:
+        cells = json.loads(text)["cells"]
+        sources = [cell["source"] for cell in cells if cell["cell_type"] == "markdown"]
+        parts = [part if isinstance(part, list) else part.splitlines(keepends=True) for part in sources]
+        written = [line for part in parts for line in [*(str(each).rstrip("\n") for each in part), ""]]
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise UnreadableDocumentError(f"{path}: expected a Jupyter notebook, got {type(error).__name__}") from error
+    return document_of("\n".join(written), latex=False, lines=tuple(_lines_of(written, text)))
+
+
+def _lines_of(written: list[str], text: str) -> Iterator[int]:
+    """Yield the line of the file for each line of the cells, where each line has one of its own."""
+    raw = [re.sub(r"\s+", "", line).rstrip(",") for line in text.split("\n")]
+    place = 0
+    for line in written:
+        wanted = {
+            re.sub(r"\s+", "", json.dumps(line + end, ensure_ascii=a)) for end in ("", "\n") for a in (True, False)
+        }
+        match = next((i for i in range(place, min(len(raw), place + 5_000)) if line and raw[i] in wanted), None)
+        place = place if match is None else match
+        yield place + 1

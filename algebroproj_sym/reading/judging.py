@@ -1,0 +1,623 @@
+"""Verdicts: what each equation of a document is, and what it rests on.
+
+An equation *follows* if it is proved from the definitions above it.  It *contradicts* only if it is asserted of letters
+that are all given: see `_is_asserted`.  An equation that holds for some values and fails for others is *independent*:
+it may be a new statement, a condition or another case.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from itertools import islice
+from typing import Any, Literal, get_args
+
+from lark import Token, Tree
+
+from algebroproj_sym.expressions import TooLargeError, evaluate, free_symbols, require_bounded, shape, text
+from algebroproj_sym.proving import Outcome, Question, outcomes
+from algebroproj_sym.reading.documents import Document
+from algebroproj_sym.reading.grammar import Formula, Parsed, parsed, regrouped, symbols_in
+from algebroproj_sym.reading.lexing import UnreadableError, tokens_of
+from algebroproj_sym.reading.repairs import STRONG, Repair, repairs
+from algebroproj_sym.reading.statements import Statement, inline_statements, statements
+from algebroproj_sym.reading.vocabulary import Definition, SymbolsFile, Vocabulary
+
+Verdict = Literal["definition", "follows", "contradicts", "independent", "not decided", "not read"]
+VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
+
+CASES = re.compile(
+    r"\b(?:if|when|whenever|case|cases|assum\w+|suppose|approximat\w*|small|large|neglect\w*|limit\w*|either|roots?|"
+    r"solutions?|otherwise|instead|special\w*|let|mod|modulo|convention|sign|opposite|alternative\w*|except|unless|"
+    r"setting|choos\w+|solv\w+|equilibrium|condition\w*|requir\w+|impos\w+|vanish\w*|equation of)\b"
+    r"|(?:for|with|at)\s+\$[^$]*=",
+    re.IGNORECASE,
+)
+"""Words by which an equation may be about a case, so that it contradicts nothing."""
+HENCE = re.compile(
+    r"\b(?:hence|thus|therefore|so that|follows|consequently|we (?:get|obtain|find|have)|gives|yields|becomes|equals|"
+    r"substituting|that is|in other words|equivalently)\b",
+    re.IGNORECASE,
+)
+"""Words by which an equation is said to follow from what is above it."""
+DEFINES = re.compile(r"(?:\bwhere|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$", re.IGNORECASE)
+"""Words before an inline formula by which it is a definition."""
+NOT_COMPUTED = "stands for is not computed"
+MOST_REPAIRS = 8
+POINTS = (Fraction(3, 2), Fraction(-5, 3), Fraction(7, 5), Fraction(11, 4), Fraction(-13, 7))
+NEAR = 250
+"""How many characters beside a formula are searched for words about it."""
+_SPACE_OF = re.compile(
+    r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
+)
+_LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
+_IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf{j}"))
+_EQUALITIES = ("=", ":=", "=:", "≡")
+
+
+Sides = tuple[Formula, Formula]
+
+
+@dataclass(frozen=True)
+class Link:
+    """One relation of a chain.
+
+    Attributes
+    ----------
+    verdict : str
+        One of `VERDICTS`.
+    reason : str
+        Why it is not decided, or what else there is to say.
+    rests_on : tuple of str
+        The equations that define its letters.
+    hypotheses : tuple of str
+        What is not zero where it holds.
+    counterexample : mapping of str to str, or None
+        A point at which the sides differ.
+    suggestion : str
+        The smallest change by which it would follow; empty for none.
+    certificate : mapping or None
+        The evidence.
+    sides : tuple of str, or None
+        Both sides as the prover had them, with all definitions put in.
+    corrected : str
+        The right side with the suggested change, if it is one of the right side.
+    """
+
+    verdict: Verdict
+    reason: str = ""
+    rests_on: tuple[str, ...] = ()
+    hypotheses: tuple[str, ...] = ()
+    counterexample: Mapping[str, str] | None = None
+    suggestion: str = ""
+    certificate: Mapping[str, Any] | None = field(default=None, repr=False)
+    sides: tuple[str, str] | None = field(default=None, repr=False)
+    corrected: str = field(default="", repr=False)
+
+
+@dataclass(frozen=True)
+class Reading:
+    """An equation of a document, what was understood, and its verdict.
+
+    Attributes
+    ----------
+    line : int
+        Where its display begins.
+    number : str
+        Its number, else its label, else empty.
+    latex : str
+        Its LaTeX.
+    read : str or None
+        What was understood.
+    reason : str
+        Where and why reading stopped, or why there is no decision.
+    links : tuple of Link
+        The relations, one after the other.
+    statement : Statement
+        Where it comes from.
+    formula : Parsed or None
+        What was parsed.
+    """
+
+    line: int
+    number: str
+    latex: str
+    read: str | None
+    reason: str
+    links: tuple[Link, ...]
+    statement: Statement
+    formula: Parsed | None = None
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict: of several links, the one that matters most."""
+        if self.read is None:
+            return "not read"
+        found = {link.verdict for link in self.links}
+        order: tuple[Verdict, ...] = ("contradicts", "not decided", "independent", "definition", "follows")
+        return next((verdict for verdict in order if verdict in found), "not decided")
+
+
+@dataclass
+class _Asked:
+    """A link that is yet to be decided."""
+
+    reading: int
+    place: int
+    left: Formula
+    right: Formula
+    others: list[tuple[Formula, Formula]]
+    vocabulary: Vocabulary
+    link: Link
+    doubt: str
+    identity: bool
+    certain: bool
+
+
+def read_document(
+    document: Document, given: SymbolsFile | None = None, *, seconds: float = 10.0, jobs: int = 1
+) -> list[Reading]:
+    r"""Return the equations of a document, each with its verdict.
+
+    Parameters
+    ----------
+    document : Document
+        What was read from a file.
+    given : SymbolsFile, optional
+        What the user says of its letters.
+    seconds : float
+        How long the proof of one relation may take.
+    jobs : int
+        How many worker processes.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading import document_of
+    >>> found = read_document(document_of(r"\[ s = a + b \] \[ s^2 = a^2 + 2ab + b^2 \]"))
+    >>> [(each.read, each.verdict) for each in found]
+    [('s = a + b', 'definition'), ('s**2 = a**2 + 2*a*b + b**2', 'follows')]
+    """
+    reader = _Reader(document, given or SymbolsFile())
+    readings, asked = reader.first_pass()
+    _decide(asked, seconds, jobs)
+    for each in asked:
+        links = list(readings[each.reading].links)
+        links[each.place] = each.link
+        readings[each.reading] = replace(readings[each.reading], links=tuple(links))
+    return readings
+
+
+class _Reader:
+    """Goes through a document once, and collects definitions and questions."""
+
+    def __init__(self, document: Document, given: SymbolsFile) -> None:
+        self.document = document
+        self.given = given
+        displayed = statements(document)
+        inline = inline_statements(document)
+        order = {id(each): place for place, each in enumerate(document.formulas)}
+        self.all = sorted([*displayed, *inline], key=lambda each: order[id(each.display)])
+        self.functions = self._functions()
+        self.trees = {id(each): self._parsed(each) for each in self.all}
+        sizes = dict(self._sizes())
+        self.vocabulary = Vocabulary(given, sizes, self._matrices())
+        self.seen: dict[str, int] = {}
+
+    # -- what is known of the whole document
+
+    def _functions(self) -> frozenset[str]:
+        """Return the letters that stand before a bracket with one letter, or with several values."""
+        found = set[str]()
+        for each in self.all:
+            try:
+                tokens, _ = tokens_of(each.pieces, lambda name: False, frozenset()) if each.pieces else ([], False)
+            except UnreadableError:
+                continue
+            found |= {str(token) for token in tokens if token.type == "CALLEE"}
+        return frozenset(found)
+
+    def _parsed(self, statement: Statement) -> Parsed | UnreadableError:
+        if not statement.pieces:
+            return UnreadableError(statement.reason or "there is no formula")
+        try:
+            return parsed(statement.pieces, lambda name: name in self.given.symbols, self.functions)
+        except UnreadableError as error:
+            return error
+
+    def _sizes(self) -> Iterator[tuple[str, tuple[int, int]]]:
+        for each in self.all:
+            if match := _SPACE_OF.match(each.latex):
+                for symbol in match[1].split(","):
+                    try:
+                        tree = parsed(symbol).sides[0]
+                    except UnreadableError:
+                        continue
+                    if isinstance(tree, Tree) and tree.data == "symbol":
+                        yield str(tree.children[0]), (int(match[2]), int(match[3] or 1))
+
+    def _matrices(self) -> frozenset[str]:
+        """Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace."""
+        found = set[str]()
+        for formula in self.trees.values():
+            for side in formula.sides if isinstance(formula, Parsed) else ():
+                for tree in side.iter_subtrees() if isinstance(side, Tree) else ():
+                    head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
+                    if tree.data == "marked" and not head.startswith("_"):
+                        found |= {*_factors(tree.children[0])}
+                    elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
+                        found |= {*_factors(tree.children[1])}
+        return frozenset(found)
+
+    # -- one statement after the other
+
+    def first_pass(self) -> tuple[list[Reading], list[_Asked]]:
+        readings: list[Reading] = []
+        asked: list[_Asked] = []
+        for statement in self.all:
+            found = self.trees[id(statement)]
+            if statement.display.environment == "inline":
+                if isinstance(found, Parsed):
+                    self._inline(statement, found)
+                continue
+            place = len(readings)
+            reading, questions = self._displayed(statement, found, place)
+            readings.append(reading)
+            asked += questions
+        return readings, asked
+
+    def _where(self, statement: Statement) -> str:
+        number = statement.number or statement.label
+        line = f"line {statement.display.line}"
+        return f"({number}), {line}" if number else line
+
+    def _named(self, statement: Statement, names: frozenset[str]) -> bool:
+        return bool(names & {statement.number, statement.label, f"line {statement.display.line}", "all"} - {""})
+
+    def _inline(self, statement: Statement, formula: Parsed) -> None:
+        symbols = [symbol for side in formula.sides for symbol in symbols_in(side)]
+        if len(formula.sides) == 2 and formula.relations[0] in _EQUALITIES and DEFINES.search(statement.display.before):
+            definition = self._definition(statement, formula, explicit=True, late=True)
+            if definition is not None and definition.symbol not in self.vocabulary.definitions:
+                self.vocabulary.define(definition)
+        if len(formula.sides) > 1:
+            for symbol in symbols:
+                self.seen.setdefault(symbol, statement.display.line)
+
+    def _displayed(
+        self, statement: Statement, found: Parsed | UnreadableError, place: int
+    ) -> tuple[Reading, list[_Asked]]:
+        display = statement.display
+        number = statement.number or statement.label
+        if isinstance(found, UnreadableError):
+            line = self.document.line_of(found.place) if found.place is not None else display.line
+            reason = f"line {line}: {found}"
+            return Reading(display.line, number, statement.latex, None, reason, (), statement), []
+        sides = [self.vocabulary.text(side) for side in found.sides]
+        read = sides[0] + "".join(
+            f" {relation} {side}" for relation, side in zip(found.relations, sides[1:], strict=True)
+        )
+        links: list[Link] = []
+        asked: list[_Asked] = []
+        definition = self._definition(statement, found, explicit=False)
+        for index, relation in enumerate(found.relations):
+            if index == 0 and definition is not None:
+                asked_of = _asked_of(self.vocabulary, definition.tree, definition.tree)
+                both = (asked_of.lhs, asked_of.rhs) if isinstance(asked_of, Question) else None
+                links.append(Link("definition", rests_on=self._rests(definition.tree), sides=both))
+                continue
+            link, question = self._link(statement, found, index, relation, place)
+            links.append(link)
+            if question is not None:
+                asked.append(question)
+        if not found.relations:
+            links.append(Link("not decided", "it has no relation, so it states nothing"))
+        if definition is not None:
+            self.vocabulary.define(definition)
+        for side in found.sides:
+            for symbol in symbols_in(side):
+                self.seen.setdefault(symbol, display.line)
+        return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), asked
+
+    def _rests(self, *trees: Formula) -> tuple[str, ...]:
+        return tuple(dict.fromkeys(each.where for tree in trees for each in self.vocabulary.used_in(tree)))
+
+    # -- definitions
+
+    def _definition(
+        self, statement: Statement, formula: Parsed, *, explicit: bool, late: bool = False
+    ) -> Definition | None:
+        """Return what a statement defines: a letter, or a function of letters, that was not used before."""
+        if not formula.relations or formula.relations[0] not in _EQUALITIES:
+            return None
+        relation = formula.relations[0]
+        left, right = formula.sides[:2] if relation != "=:" else (formula.sides[1], formula.sides[0])
+        symbol, parameters = _defined(left)
+        if not symbol or self._named(statement, self.given.statements) or symbol in self.given.symbols:
+            return None
+        named = self._named(statement, self.given.definitions)
+        explicit = explicit or relation in (":=", "=:") or named
+        definition = self.vocabulary.definitions.get(symbol)
+        used = symbol in self.seen and not late and not explicit
+        if used or definition is not None or symbol in symbols_in(right):
+            return None
+        if any(each.symbol == symbol for each in self.vocabulary.used_in(right)):
+            return None
+        if symbol in self.vocabulary.letters_of(right):
+            return None
+        usable = not statement.condition and formula.relations[0] in _EQUALITIES
+        where, part = self._where(statement), statement.display.part
+        made = Definition(symbol, parameters, right, where, part, explicit, usable)
+        return replace(made, usable=usable and self._computes(made))
+
+    def _computes(self, definition: Definition) -> bool:
+        if definition.parameters:
+            return True
+        try:
+            require_bounded(self.vocabulary.value(definition.tree), definition.symbol)
+        except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+            return False
+        return True
+
+    # -- relations
+
+    def _link(
+        self, statement: Statement, formula: Parsed, index: int, relation: str, place: int
+    ) -> tuple[Link, _Asked | None]:
+        left, right = formula.sides[index], formula.sides[index + 1]
+        rests = self._rests(left, right)
+        if relation not in _EQUALITIES:
+            return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
+        doubt = self._doubt(statement, formula, index)
+        identity = self._named(statement, self.given.identities) or relation == "≡"
+        letters = self.vocabulary.letters_of(left) | self.vocabulary.letters_of(right)
+        certain = not letters and all(each.explicit for tree in (left, right) for each in self.vocabulary.used_in(tree))
+        asked = _Asked(
+            place,
+            index,
+            left,
+            right,
+            [*_other_readings(left, right), *self._narrow(statement, formula, index)],
+            self.vocabulary.copied(),
+            Link("not decided", rests_on=rests),
+            doubt,
+            identity,
+            certain,
+        )
+        return asked.link, asked
+
+    def _narrow(self, statement: Statement, formula: Parsed, index: int) -> Iterator[tuple[Formula, Formula]]:
+        """Yield a relation with the arguments of functions as short as possible, where LaTeX leaves that open."""
+        if formula.chose:
+            known = lambda name: name in self.given.symbols  # noqa: E731
+            narrow = parsed(statement.pieces, known, self.functions, wide_arguments=False)
+            yield narrow.sides[index], narrow.sides[index + 1]
+
+    def _doubt(self, statement: Statement, formula: Parsed, index: int) -> str:
+        """Return why a relation that fails for some values need not be a contradiction; empty if it must be one.
+
+        It must be one if its letters are all given: by definitions above it or, in a chain, by the side before.  It may
+        not stand beside words that speak of a case, and it may not be a new definition of a letter, or a condition.
+        """
+        left, right = formula.sides[index], formula.sides[index + 1]
+        before = statement.display.before[-NEAR:]
+        ended = _LABELS.sub("", statement.display.latex).rstrip().endswith(".")
+        behind = "" if ended else re.split(r"[.]\s", statement.display.after)[0][:NEAR]
+        words = f"{before} {statement.condition} {behind}"
+        symbols = {*symbols_in(left), *symbols_in(right)}
+        used = [each for tree in (left, right) for each in self.vocabulary.used_in(tree)]
+        if statement.condition:
+            return "it stands beside a condition"
+        if found := CASES.search(words):
+            return f"the word {' '.join(found.group().split())[:20]!r} beside it may limit it to a case"
+        if any("." in token for tree in (left, right) for token in _numbers(tree)):
+            return "its decimals may be rounded"
+        if imaginary := sorted(symbols & _IMAGINARY):
+            return f"{imaginary[0]} may be the imaginary unit"
+        if formula.chose:
+            return "LaTeX leaves open how far the argument of a function goes"
+        unusable = sorted(
+            s for s in symbols if s in self.vocabulary.definitions and not self.vocabulary.definitions[s].usable
+        )
+        if unusable:
+            return f"what {self.vocabulary.name(unusable[0])} {NOT_COMPUTED}"
+        lone = [tree for tree in (left, right) if _defined(tree)[0]]
+        for tree in lone:
+            definition = self.vocabulary.definitions.get(_defined(tree)[0])
+            if definition is not None and not self._is_meant(definition, statement, before):
+                name = self.vocabulary.name(definition.symbol)
+                return f"{name} is defined in {definition.where}; here it may mean something else"
+        ours, theirs = self.vocabulary.letters_of(left), self.vocabulary.letters_of(right)
+        if bool(ours) != bool(theirs):
+            return "it may be a condition"
+        chained = len(formula.sides) > 2 and not lone
+        if chained and theirs <= ours and (index > 0 or ours <= theirs):
+            return ""
+        base = frozenset(letter for each in used for letter in self.vocabulary.letters_of(each.tree))
+        if not used and (ours or theirs):
+            return "its letters are defined nowhere above it"
+        if new := sorted((ours | theirs) - base):
+            return f"{self.vocabulary.name(new[0])} is not given by the definitions above it"
+        return ""
+
+    def _is_meant(self, definition: Definition, statement: Statement, before: str) -> bool:
+        """Whether a letter still has the meaning that it was given."""
+        return definition.part == statement.display.part and (definition.explicit or HENCE.search(before) is not None)
+
+
+def _factors(tree: Any) -> Iterator[str]:
+    """Yield the letters of a sum or product of letters alone."""
+    if tree.data == "symbol":
+        yield str(tree.children[0])
+    elif tree.data in ("run", "product", "sum", "group") or (
+        tree.data in ("bracket", "items") and len(tree.children) == 1
+    ):
+        for part in tree.children:
+            if isinstance(part, Tree):
+                yield from _factors(part)
+
+
+def _numbers(tree: Formula) -> list[str]:
+    return [str(each) for each in tree.scan_values(lambda each: isinstance(each, Token) and each.type == "NUMBER")]
+
+
+def _defined(tree: Formula) -> tuple[str, tuple[str, ...]]:
+    """Return the letter that is a side of its own, and its parameters if it is a function of letters."""
+    if tree.data == "symbol":
+        return str(tree.children[0]), ()
+    if tree.data == "call":
+        name, arguments = tree.children
+        inside = arguments.children if isinstance(arguments, Tree) else []
+        parameters = [_defined(each)[0] if isinstance(each, Tree) else "" for each in inside]
+        if all(parameters) and len({*parameters}) == len(parameters):
+            return str(name), tuple(parameters)
+    return "", ()
+
+
+def _other_readings(left: Formula, right: Formula) -> Iterator[tuple[Formula, Formula]]:
+    """Yield a relation with the slash before a product as a factor of it, where it has one."""
+    others = regrouped(left), regrouped(right)
+    if others != (left, right):
+        yield others
+
+
+def question_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question:
+    """Return the question whether two sides are equal.
+
+    Raises
+    ------
+    UnreadableError
+        If a side is no expression, or their shapes differ.
+    """
+    values = [vocabulary.value(tree) for tree in (left, right)]
+    shapes = [shape(value) for value in values]
+    if shapes[0] != shapes[1]:
+        for place, other in ((0, 1), (1, 0)):
+            if values[place] == 0 and shapes[other]:
+                values[place] = values[other].zeros(*values[other].shape)
+            elif (
+                shapes[place]
+                and shapes[other]
+                and values[place].shape == values[other].shape[::-1]
+                and values[place].rows == 1
+            ):
+                values[place] = values[place].T
+    if shape(values[0]) != shape(values[1]):
+        raise UnreadableError(f"the sides have shapes {shapes[0] or 'of numbers'} and {shapes[1] or 'of numbers'}")
+    for value in values:
+        require_bounded(value, "the equation")
+    return Question(text(values[0]), text(values[1]))
+
+
+def _asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question | str:
+    """Return the question, or why there is none."""
+    try:
+        return question_of(vocabulary, left, right)
+    except (UnreadableError, TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError) as error:
+        return str(error).partition("\n")[0][:200] or type(error).__name__
+
+
+def _decide(asked: Sequence[_Asked], seconds: float, jobs: int) -> None:
+    """Decide every link, first as it stands, then as else it can be read, then with single changes."""
+    found = [[(each, sides) for sides in ((each.left, each.right), *each.others)] for each in asked]
+    answers = _answers([pair for group in found for pair in group], seconds, jobs)
+    refuted: list[tuple[_Asked, Outcome]] = []
+    for group in found:
+        answered = [answers.pop(0) for _ in group]
+        place = next((i for i, (_, answer) in enumerate(answered) if answer.verdict == "proved"), 0)
+        each, sides = group[place]
+        question, outcome = answered[place]
+        each.link = replace(_link_of(each, outcome, sides if place else None), sides=question)
+        if outcome.verdict == "refuted":
+            refuted.append((each, outcome))
+    candidates = [_likely_repairs(each) for each, _ in refuted]
+    answers = _answers(
+        [(each, sides) for (each, _), found in zip(refuted, candidates, strict=True) for _, sides in found],
+        seconds,
+        jobs,
+    )
+    for (each, refutation), changes in zip(refuted, candidates, strict=True):
+        tried = [(repair, sides, *answers.pop(0)) for repair, sides in changes]
+        best = next(
+            ((repair, sides, asked) for repair, sides, asked, answer in tried if answer.verdict == "proved"), None
+        )
+        each.link = _refuted(each, refutation, best[0] if best else None)
+        if best and best[2] and best[1][0] is each.left:
+            each.link = replace(each.link, corrected=best[2][1])
+
+
+def _answers(
+    pairs: Sequence[tuple[_Asked, Sides]], seconds: float, jobs: int
+) -> list[tuple[tuple[str, str] | None, Outcome]]:
+    """Return each pair of sides as text with its outcome; one that cannot be asked is open."""
+    asked = [_asked_of(each.vocabulary, *sides) for each, sides in pairs]
+    questions = [question for question in asked if isinstance(question, Question)]
+    decided = outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions))) if questions else iter(())
+    return [
+        ((each.lhs, each.rhs), next(decided))
+        if isinstance(each, Question)
+        else (None, Outcome("open", "none", 0.0, each))
+        for each in asked
+    ]
+
+
+def _likely_repairs(asked: _Asked) -> list[tuple[Repair, Sides]]:
+    """Return the changes after which the sides agree at some points."""
+    vocabulary = asked.vocabulary
+    used = vocabulary.used_in(Tree("run", [asked.left, asked.right]))
+    symbols = {
+        symbol for tree in (asked.left, asked.right, *(each.tree for each in used)) for symbol in symbols_in(tree)
+    }
+    right = [(repair, (asked.left, repair.formula)) for repair in repairs(asked.right, symbols)]
+    left = [(repair, (repair.formula, asked.right)) for repair in repairs(asked.left, symbols)]
+    found = sorted([*right, *left], key=lambda pair: pair[0].kind not in STRONG)
+    likely = (pair for pair in found if pair[1][0] != pair[1][1] and _agree(vocabulary, pair[1]))
+    return [*islice(likely, MOST_REPAIRS)]
+
+
+def _agree(vocabulary: Vocabulary, sides: Sides) -> bool:
+    """Whether two sides agree at some points at which they are defined."""
+    try:
+        values = [vocabulary.value(side) for side in sides]
+        names = sorted({symbol for value in values for symbol in free_symbols(value)}, key=str)
+        for seed in range(len(POINTS)):
+            point = {name: POINTS[(seed + place) % len(POINTS)] + place for place, name in enumerate(names)}
+            left, right = (evaluate(value, point) for value in values)
+            if len(left) != len(right) or any(a != b for a, b in zip(left, right, strict=True)):
+                return False
+    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, AttributeError, OverflowError):
+        return False
+    return True
+
+
+def _link_of(asked: _Asked, outcome: Outcome, other: Sides | None) -> Link:
+    """Return the verdict of a link, as far as it is decided without changes."""
+    link = asked.link
+    if outcome.verdict == "proved":
+        reason = ""
+        if other is not None:
+            reason = f"read as {asked.vocabulary.text(other[0])} = {asked.vocabulary.text(other[1])}"
+        return replace(
+            link, verdict="follows", reason=reason, hypotheses=outcome.hypotheses, certificate=outcome.certificate
+        )
+    return replace(link, reason=("the prover does not take it: " if outcome.unreadable else "") + outcome.reason)
+
+
+def _refuted(asked: _Asked, refutation: Outcome, repair: Repair | None) -> Link:
+    """Return the verdict of a link that fails at a point."""
+    suggestion = ""
+    if repair is not None:
+        now, before = (asked.vocabulary.text(tree) for tree in (repair.now, repair.before))
+        suggestion = f"{now} instead of {before}"
+    asserted = asked.identity or (not asked.doubt and (asked.certain or (repair is not None and repair.kind in STRONG)))
+    reason = "" if asserted else asked.doubt or "it holds for some values of its letters, and not for all"
+    undecided = asked.doubt.endswith(NOT_COMPUTED)
+    return replace(
+        asked.link,
+        verdict="contradicts" if asserted else "not decided" if undecided else "independent",
+        reason=reason,
+        counterexample=refutation.counterexample,
+        suggestion=suggestion,
+        certificate=refutation.certificate,
+    )

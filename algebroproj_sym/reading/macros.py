@@ -1,0 +1,141 @@
+r"""Macros of a document: ``\newcommand``, ``\def`` and ``\DeclareMathOperator``, expanded within bounds."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from algebroproj_sym.reading.lexing import MAX_PIECES, Piece, UnreadableError, pieces_of
+
+MAX_EXPANSIONS = 10_000
+
+_COMMAND = re.compile(
+    r"\\(?:(?:re)?newcommand|providecommand|DeclareRobustCommand)\*?\s*(?:\{\s*(\\[a-zA-Z]+)\s*\}|(\\[a-zA-Z]+))"
+)
+_COUNT = re.compile(r"\s*\[(\d)\]")
+_DEFAULT = re.compile(r"\s*\[([^\[\]]*)\]")
+_DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)((?:#\d)*)")
+_OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
+_PARAMETER = re.compile(r"#([1-9])")
+
+
+@dataclass(frozen=True)
+class Macro:
+    """A macro: how many arguments it takes, the default of the first one if it is optional, and what it stands for."""
+
+    count: int
+    default: str | None
+    body: str
+
+
+def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
+    r"""Return the macros that a text defines, and where their definitions begin and end.
+
+    Examples
+    --------
+    >>> macros_in(r"\newcommand{\half}[1]{\frac{#1}{2}}")[0]
+    {'\\half': Macro(count=1, default=None, body='\\frac{#1}{2}')}
+    """
+    found: dict[str, Macro] = {}
+    spans: list[tuple[int, int]] = []
+    for name, count, default, begin, start in _begun(text):
+        end = _closing(text, start)
+        if end is not None:
+            body = text[start:end] if begin >= 0 else rf"\mathrm{{{text[start:end]}}}"
+            found[name] = Macro(count, default, body)
+            spans.append((abs(begin), end + 1))
+    return found, spans
+
+
+def _begun(text: str) -> Iterator[tuple[str, int, str | None, int, int]]:
+    """Yield name, count, default, the place of the definition, negative for an operator, and that of the body."""
+    for match in _COMMAND.finditer(text):
+        place, count, default = match.end(), 0, None
+        if counted := _COUNT.match(text, place):
+            place, count = counted.end(), int(counted[1])
+            if given := _DEFAULT.match(text, place):
+                place, default = given.end(), given[1]
+        if body := re.compile(r"\s*\{").match(text, place):
+            yield match[1] or match[2], count, default, match.start(), body.end()
+    for match in _DEFINITION.finditer(text):
+        if text[match.end() : match.end() + 1] == "{":
+            yield match[1], match[2].count("#"), None, match.start(), match.end() + 1
+    for match in _OPERATOR.finditer(text):
+        if body := re.compile(r"\s*\{").match(text, match.end()):
+            yield match[1], 0, None, -match.start() or -1, body.end()
+
+
+def _closing(text: str, start: int) -> int | None:
+    depth = 1
+    for place in range(start, min(len(text), start + MAX_PIECES)):
+        if text[place - 1] != "\\":
+            depth += (text[place] == "{") - (text[place] == "}")
+        if depth == 0:
+            return place
+    return None
+
+
+def expanded(pieces: Sequence[Piece], macros: Mapping[str, Macro]) -> list[Piece]:
+    """Return the pieces with every macro expanded; what a macro stands for has the place where it is used.
+
+    Raises
+    ------
+    UnreadableError
+        If there are more expansions, or pieces, than there may be: a macro that expands itself has no end.
+    """
+    out: list[Piece] = []
+    waiting = list(reversed(pieces))
+    expansions = 0
+    while waiting:
+        piece = waiting.pop()
+        macro = macros.get(piece.text)
+        if macro is None:
+            out.append(piece)
+            continue
+        expansions += 1
+        body = _filled(macro, piece, waiting)
+        waiting += [Piece(each.text, piece.place) for each in reversed(pieces_of(body))]
+        if expansions > MAX_EXPANSIONS or len(waiting) + len(out) > MAX_PIECES:
+            raise UnreadableError(f"the macro {piece.text} expands without end", piece.place)
+    return out
+
+
+def _filled(macro: Macro, call: Piece, waiting: list[Piece]) -> str:
+    arguments = []
+    for number in range(macro.count):
+        while waiting and waiting[-1].text.isspace():
+            waiting.pop()
+        if number == 0 and macro.default is not None:
+            arguments.append(_optional(waiting, macro.default))
+        else:
+            arguments.append(_argument(call, waiting))
+    return _PARAMETER.sub(
+        lambda found: arguments[int(found[1]) - 1] if int(found[1]) <= macro.count else "", macro.body
+    )
+
+
+def _optional(waiting: list[Piece], default: str) -> str:
+    if not waiting or waiting[-1].text != "[":
+        return default
+    taken = ""
+    waiting.pop()
+    while waiting and (piece := waiting.pop()).text != "]":
+        taken += piece.text
+    return taken
+
+
+def _argument(call: Piece, waiting: list[Piece]) -> str:
+    if not waiting:
+        raise UnreadableError(f"the macro {call.text} expects an argument, got the end", call.place)
+    first = waiting.pop()
+    if first.text != "{":
+        return f"{first.text} "
+    taken, depth = "", 1
+    while waiting:
+        piece = waiting.pop()
+        depth += (piece.text == "{") - (piece.text == "}")
+        if depth == 0:
+            return taken
+        taken += piece.text
+    raise UnreadableError("a brace is not closed", first.place)

@@ -1,0 +1,244 @@
+"""Displays as statements: rows and columns that align become equations, each with its number and its conditions."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from algebroproj_sym.reading.documents import Display, Document, label_of, tag_of
+from algebroproj_sym.reading.lexing import RELATIONS, Piece, split_pieces
+
+_INNER = re.compile(r"\\(begin|end)\{(?:split|aligned|gathered|alignedat|multlined|subarray)\}")
+_TAGGED = re.compile(r"\\(?:nonumber|notag|tag)(?![a-z])")
+_WORDS = (r"\text", r"\mbox", r"\textrm", r"\textnormal", r"\intertext", r"\shortintertext")
+_WIDE = (r"\quad", r"\qquad")
+_OPENS = re.compile(r"\b(?:for|if|when|where|with|at|and|or|as|all|every|any)\s*$")
+_ELLIPSES = (r"\ldots", r"\dots", r"\cdots", "…")
+_IDLE = (r"\nonumber", r"\notag", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One equation, or chain of equations, of a display.
+
+    Attributes
+    ----------
+    display : Display
+        Where it stands.
+    number : str
+        Its number, or its label; empty for none.
+    label : str
+        Its label.
+    pieces : tuple of Piece
+        Its LaTeX; empty if it cannot be read.
+    latex : str
+        As it stands in the file, or as macros leave it.
+    condition : str
+        The words that stand beside it, such as "for x > 0".
+    reason : str
+        Why it cannot be read.
+    """
+
+    display: Display
+    number: str
+    label: str
+    pieces: tuple[Piece, ...]
+    latex: str
+    condition: str = ""
+    reason: str = ""
+
+
+def statements(document: Document) -> list[Statement]:
+    """Return the statements of the displays of a document, in order, with the numbers that LaTeX gives them."""
+    found: list[Statement] = []
+    counter, last_group, letter = 0, 0, 0
+    for display in document.formulas:
+        if display.environment == "inline":
+            continue
+        for rows, parts in _equations(display):
+            number = tag_of("".join(rows), "" if display.numbered else display.after)
+            for row in rows if display.numbered else ():
+                if _TAGGED.search(row) is None:
+                    if display.within != last_group or not display.within:
+                        counter, letter = counter + 1, 0
+                    last_group = display.within
+                    letter += 1
+                    own = f"{counter}{chr(96 + letter)}" if display.within and letter <= 26 else str(counter)
+                    number = number or own
+            label = label_of("".join(rows)) or label_of(display.latex)
+            for pieces, condition in parts:
+                text = "".join(piece.text for piece in pieces).strip()
+                found.append(Statement(display, number, label, tuple(pieces), text, condition, display.reason))
+    return found
+
+
+def inline_statements(document: Document) -> list[Statement]:
+    """Return the inline formulas as statements."""
+    return [
+        Statement(each, "", "", each.pieces, each.latex.strip(), "", each.reason)
+        for each in document.formulas
+        if each.environment == "inline"
+    ]
+
+
+Part = tuple[list[Piece], str]
+
+
+def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
+    """Yield the LaTeX of the rows, and the statements, of each equation that has numbers of its own."""
+    if not display.pieces:
+        yield [display.latex], [([], "")]
+        return
+    rows = split_pieces(_flat(display.pieces), (r"\\",), brackets=False)
+    latex = [*_rows_of(display)]
+    if display.environment in ("multline", "dmath"):
+        rows = [[piece for row in rows for piece in row]]
+    found: list[tuple[list[str], list[Part]]] = []
+    for place, row in enumerate(rows):
+        text = latex[place] if len(latex) == len(rows) else ""
+        bare = _without_idle([piece for piece in row if piece.text != "&"])
+        if not bare:
+            continue
+        if found and found[-1][1] and (_is_relation(bare[0].text) or not _has_relation(row) or _begins_with_sign(row)):
+            texts, (*before, (pieces, condition)) = found[-1]
+            (more, words), *rest = [*_parts(_columns(row), continuing=True)] or [([], "")]
+            found[-1] = ([*texts, text], [*before, ([*pieces, *more], condition or words), *rest])
+        else:
+            found.append(([text], [*_parts(_columns(row))]))
+    if display.environment in ("equation", "display", "displaymath", "multline", "dmath", "math") and found:
+        yield [display.latex], [part for _, parts in found for part in parts]
+    else:
+        yield from found
+
+
+def _rows_of(display: Display) -> Iterator[str]:
+    """Yield the rows with their numbers and labels, which the statements leave out."""
+    outer = [piece for piece in display.pieces if not _INNER.match(piece.text)]
+    for row in split_pieces(outer, (r"\\",), brackets=False):
+        yield "".join(piece.text for piece in row)
+
+
+def _flat(pieces: Sequence[Piece]) -> list[Piece]:
+    """Return the pieces without the environments that only align, and without those of the numbers."""
+    kept: list[Piece] = []
+    skipping = 0
+    for place, piece in enumerate(pieces):
+        if skipping:
+            skipping += (piece.text == "{") - (piece.text == "}")
+            if skipping == 1:
+                skipping = 0
+        elif _INNER.match(piece.text):
+            skipping = int("alignedat" in piece.text and piece.text.startswith(r"\begin"))
+        elif piece.text in (r"\tag", r"\tag*", r"\label"):
+            skipping = int(place + 1 < len(pieces))
+        else:
+            kept.append(piece)
+    return kept
+
+
+def _is_relation(text: str) -> bool:
+    return text in RELATIONS
+
+
+def _has_relation(row: Sequence[Piece]) -> bool:
+    return any(_is_relation(piece.text) for part in split_pieces(row, ()) for piece in _top(part))
+
+
+def _top(pieces: Sequence[Piece]) -> Iterator[Piece]:
+    """Yield the pieces that stand in no brace or environment."""
+    depth = 0
+    for piece in pieces:
+        depth += (piece.text == "{" or piece.text.startswith(r"\begin{")) - (
+            piece.text == "}" or piece.text.startswith(r"\end{")
+        )
+        if depth == 0:
+            yield piece
+
+
+def _begins_with_sign(row: Sequence[Piece]) -> bool:
+    """Whether a row begins, behind a mark of alignment, with a sign and so goes on with a sum."""
+    return len(row) > 1 and row[0].text == "&" and _without_idle(row[1:])[:1] != [] and row[1].text in ("+", "-")
+
+
+def _columns(row: Sequence[Piece]) -> list[list[Piece]]:
+    """Return the equations that stand side by side, between marks of alignment."""
+    cells = split_pieces(row, ("&",), brackets=False)
+    found: list[list[Piece]] = [[]]
+    for place, cell in enumerate(cells):
+        rest = [piece for each in cells[place : place + 2] for piece in each]
+        begins = place >= 2 and place % 2 == 0 and _has_relation(found[-1]) and _has_relation(rest)
+        if begins and not (_without_idle(cell) and _is_relation(_without_idle(cell)[0].text)):
+            found.append([])
+        found[-1] += cell
+    return found
+
+
+def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iterator[Part]:
+    """Yield the statements of a row, each with the words beside it."""
+    statements: list[tuple[list[Piece], list[str]]] = []
+    for column in columns:
+        ranges = False
+        for part, words in _separated(column):
+            part = _without_idle(part)
+            if part and statements and _OPENS.search(statements[-1][1][-1] if statements[-1][1] else ""):
+                statements[-1][1].append("".join(piece.text for piece in part))
+                part = []
+            if part and all(piece.text in _ELLIPSES or piece.text.isspace() for piece in part):
+                if len(statements) > 1:
+                    statements[-2][1].append("".join(piece.text for piece in statements.pop()[0]))
+                ranges = True
+                continue
+            if (part and (_has_relation(part) or (continuing and not statements)) and not ranges) or (
+                part and not statements
+            ):
+                statements.append((list(part), []))
+            elif part:
+                statements[-1][1].append("".join(piece.text for piece in part).strip())
+            if words and statements:
+                statements[-1][1].append(words)
+    for pieces, conditions in statements:
+        yield pieces, " ".join(conditions).strip()
+
+
+def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
+    """Yield what stands between commas and wide spaces, with the words that follow it."""
+    part: list[Piece] = []
+    depth, place = 0, 0
+    while place < len(column):
+        text = column[place].text
+        depth += (text in ("{", "(", "[", r"\{") or text.startswith(r"\begin{")) - (
+            text in ("}", ")", "]", r"\}") or text.startswith(r"\end{")
+        )
+        if depth <= 0 and text in _WORDS:
+            end = _group_end(column, place + 1)
+            yield part, "".join(piece.text for piece in column[place + 1 : end]).strip(" {}")
+            part, place = [], end
+            continue
+        if depth <= 0 and (text in (",", ";") or text in _WIDE):
+            yield part, ""
+            part = []
+        else:
+            part.append(column[place])
+        place += 1
+    yield part, ""
+
+
+def _group_end(pieces: Sequence[Piece], start: int) -> int:
+    depth = 0
+    for place in range(start, len(pieces)):
+        depth += (pieces[place].text == "{") - (pieces[place].text == "}")
+        if depth == 0 and pieces[place].text == "}":
+            return place + 1
+    return len(pieces)
+
+
+def _without_idle(pieces: Sequence[Piece]) -> list[Piece]:
+    """Return the pieces without what says nothing at both ends."""
+    begin, end = 0, len(pieces)
+    idle = _IDLE[:-2]
+    while begin < end and (pieces[begin].text.isspace() or pieces[begin].text in (*idle, *_WIDE)):
+        begin += 1
+    while end > begin and (pieces[end - 1].text.isspace() or pieces[end - 1].text in (*idle, *_WIDE)):
+        end -= 1
+    return list(pieces[begin:end])

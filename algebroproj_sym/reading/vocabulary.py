@@ -1,0 +1,281 @@
+r"""What the letters of a document stand for: the symbols file, the definitions above, and names for the rest.
+
+::
+
+    definitions = ["3", "eq:area"]         equations that define the letter on their left
+    statements = ["line 12"]               equations that define nothing
+    identities = ["7", "all"]              equations that hold for all values of their letters
+
+    [[table]]
+    letters = { '\lambda' = "lam" }        how the names of symbols with a letter begin
+    symbols = { '\mathbf{u}' = "[[1], [u1], [u2]]" }   a symbol, and the expression it stands for
+    sizes = { '\mathbf{R}' = [3, 3] }      a vector or matrix, and its size
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions import Matrix, ParseError, parse
+from algebroproj_sym.reading.documents import UnreadableDocumentError
+from algebroproj_sym.reading.grammar import Formula, evaluated, symbols_in, text_of
+from algebroproj_sym.reading.lexing import UnreadableError, split_symbol, written
+
+MOST_ENTRIES = 6
+MOST_DEFINITIONS = 20_000
+
+_BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z])")
+_KEYS = frozenset(("definitions", "statements", "identities", "table"))
+_TABLE_KEYS = frozenset(("letters", "symbols", "sizes"))
+
+
+@dataclass(frozen=True)
+class SymbolsFile:
+    """What the user says of a document; see the docstring of the module."""
+
+    definitions: frozenset[str] = frozenset()
+    statements: frozenset[str] = frozenset()
+    identities: frozenset[str] = frozenset()
+    letters: Mapping[str, str] = field(default_factory=dict)
+    symbols: Mapping[str, Any] = field(default_factory=dict)
+    sizes: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+
+
+def symbols_file(path: Path) -> SymbolsFile:
+    """Read a symbols file.
+
+    Raises
+    ------
+    UnreadableDocumentError
+        Naming the key, what was expected and what came.
+    """
+    try:
+        content = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise UnreadableDocumentError(f"{path}: expected TOML, got {error}") from error
+    tables = content.get("table", [])
+    for mapping, known in ((content, _KEYS), *((table, _TABLE_KEYS) for table in tables)):
+        if unknown := sorted(set(mapping) - known):
+            raise UnreadableDocumentError(f"{path}: expected keys of {sorted(known)}, got {unknown}")
+    try:
+        symbols = {
+            _canonical(name): parse(text, name) for table in tables for name, text in table.get("symbols", {}).items()
+        }
+        sizes = {
+            _canonical(name): _size(size, name) for table in tables for name, size in table.get("sizes", {}).items()
+        }
+        letters = {_canonical(name): str(text) for table in tables for name, text in table.get("letters", {}).items()}
+        lists = {key: frozenset(map(str, content.get(key, ()))) for key in ("definitions", "statements", "identities")}
+    except (ParseError, UnreadableError, ValueError, TypeError) as error:
+        raise UnreadableDocumentError(f"{path}: {error}") from error
+    return SymbolsFile(**lists, letters=letters, symbols=symbols, sizes=sizes)
+
+
+def _canonical(symbol: str) -> str:
+    return written(*split_symbol(symbol))
+
+
+def _size(size: Any, name: str) -> tuple[int, int]:
+    rows, columns = (size, 1) if isinstance(size, int) else size
+    if not (isinstance(rows, int) and isinstance(columns, int) and 1 <= rows <= MOST_ENTRIES >= columns >= 1):
+        raise ValueError(f"sizes, {name}: expected one or two numbers from 1 to {MOST_ENTRIES}, got {size}")
+    return rows, columns
+
+
+@dataclass(frozen=True)
+class Definition:
+    """A symbol, or a function of some letters, that an equation defines.
+
+    Attributes
+    ----------
+    symbol : str
+        As tables write it.
+    parameters : tuple of str
+        The letters that it is a function of.
+    tree : Tree
+        What it stands for.
+    where : str
+        Which equation says so.
+    part : int
+        How many headings come before it.
+    explicit : bool
+        Whether the document says in words or signs that this is a definition.
+    usable : bool
+        Whether it holds without a condition.
+    """
+
+    symbol: str
+    parameters: tuple[str, ...]
+    tree: Formula
+    where: str
+    part: int
+    explicit: bool
+    usable: bool = True
+
+    @cached_property
+    def symbols(self) -> tuple[str, ...]:
+        """The symbols of what it stands for."""
+        return tuple(symbols_in(self.tree))
+
+
+class Vocabulary:
+    """The letters of a document, as they are known so far."""
+
+    def __init__(self, given: SymbolsFile, sizes: Mapping[str, tuple[int, int]], matrices: frozenset[str]) -> None:
+        self.given = given
+        self.definitions: dict[str, Definition] = {}
+        self._sizes = {**sizes, **given.sizes}
+        self._matrices = matrices
+        self._names: dict[str, str] = {}
+        self._taken: dict[str, str] = {}
+        self._values: dict[str, Any] = {}
+        self._mentioned: set[str] = set()
+
+    def copied(self) -> Vocabulary:
+        """Return the vocabulary with the definitions that there are now."""
+        copied = Vocabulary(self.given, self._sizes, self._matrices)
+        copied.definitions, copied._values = dict(self.definitions), dict(self._values)
+        copied._names, copied._taken = self._names, self._taken
+        return copied
+
+    def define(self, definition: Definition) -> None:
+        """Add a definition."""
+        self.definitions[definition.symbol] = definition
+        if definition.symbol in self._mentioned:
+            self._values.clear()
+        self._mentioned |= {*definition.symbols}
+
+    def known(self, symbol: str) -> bool:
+        """Whether a symbol with a superscript is a name of its own."""
+        return symbol in self.given.symbols or symbol in self.given.sizes
+
+    def name(self, symbol: str) -> str:
+        """Return the name of a symbol: one of its own for each, that a Python program could use."""
+        if symbol not in self._names:
+            wanted = _identifier(symbol, self.given.letters)
+            if wanted in self._taken and _BOLD.search(symbol):
+                wanted += "_bold"
+            name, count = wanted, 1
+            while self._taken.setdefault(name, symbol) != symbol:
+                count += 1
+                name = f"{wanted}_v{count}"
+            self._names[symbol] = name
+        return self._names[symbol]
+
+    def text(self, tree: Formula) -> str:
+        """Return a formula as text."""
+        return text_of(tree, self.name)
+
+    def plain(self, symbol: str) -> Any:
+        """Return what a symbol stands for without any definition: letters, or a matrix of them.
+
+        Raises
+        ------
+        UnreadableError
+            If it is a vector or matrix of unknown size.
+        """
+        if symbol in self.given.symbols:
+            return self.given.symbols[symbol]
+        if symbol == r"\pi" and r"\pi" not in self.definitions:
+            return sympy.pi
+        if symbol == r"\infty":
+            raise UnreadableError("infinity is no number")
+        size = self._sizes.get(symbol) or self._sizes.get(split_symbol(symbol)[0] if " " not in symbol else symbol)
+        if size is not None:
+            name = self.name(symbol)
+            if size == (1, 1):
+                return sympy.Symbol(name)
+            places = [str(i + 1) + ("" if size[1] == 1 else str(j + 1)) for i in range(size[0]) for j in range(size[1])]
+            return Matrix(*size, [sympy.Symbol(f"{name}_{place}") for place in places])
+        if self.is_matrix(symbol):
+            raise UnreadableError(f"the size of {self.name(symbol)} is not known; a symbols file can give it")
+        return sympy.Symbol(self.name(symbol))
+
+    def is_matrix(self, symbol: str) -> bool:
+        """Whether a symbol is written as a vector or a matrix."""
+        return symbol in self._matrices or _BOLD.search(symbol) is not None
+
+    def used_in(self, tree: Formula) -> list[Definition]:
+        """Return the definitions on which a formula rests, each before those that use it."""
+        found: dict[str, Definition] = {}
+        waiting = symbols_in(tree)[::-1]
+        while waiting:
+            definition = self.definitions.get(waiting[-1])
+            if definition is None or not definition.usable or definition.symbol in found:
+                waiting.pop()
+                continue
+            inner = [self.definitions.get(s) for s in definition.symbols if s not in definition.parameters]
+            missing = [each.symbol for each in inner if each and each.usable and each.symbol not in found]
+            if missing and len(waiting) < MOST_DEFINITIONS:
+                waiting += missing
+            else:
+                found[waiting.pop()] = definition
+        return list(found.values())
+
+    def letters_of(self, tree: Formula) -> frozenset[str]:
+        """Return the symbols that remain when all definitions are put in."""
+        found = set[str]()
+        for symbols, hidden in (
+            (symbols_in(tree), ()),
+            *((list(each.symbols), each.parameters) for each in self.used_in(tree)),
+        ):
+            found |= {s for s in symbols if s not in hidden and s not in self.given.symbols}
+        return frozenset(s for s in found if s not in self.definitions or not self.definitions[s].usable)
+
+    def value(self, tree: Formula) -> Any:
+        """Return the expression that a formula stands for, with all definitions put in.
+
+        Raises
+        ------
+        UnreadableError
+            If shapes do not fit, a size is not known, or something is read and not computed.
+        """
+        values = self._values
+        for definition in self.used_in(tree):
+            if definition.symbol not in values:
+                values[definition.symbol] = (
+                    self._function(definition, values)
+                    if definition.parameters
+                    else evaluated(definition.tree, self._names_with(values))
+                )
+        return evaluated(tree, self._names_with(values))
+
+    def _names_with(self, values: Mapping[str, Any]) -> Callable[[str], Any]:
+        def names(symbol: str) -> Any:
+            found = values.get(symbol)
+            return self.plain(symbol) if found is None else found
+
+        return names
+
+    def _function(self, definition: Definition, values: Mapping[str, Any]) -> Callable[..., Any]:
+        def function(*arguments: Any) -> Any:
+            if len(arguments) != len(definition.parameters):
+                raise UnreadableError(f"{definition.symbol} is a function of {len(definition.parameters)} arguments")
+            own = {**values, **dict(zip(definition.parameters, arguments, strict=True))}
+            return evaluated(definition.tree, self._names_with(own))
+
+        return function
+
+
+_ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")
+
+
+def _identifier(symbol: str, letters: Mapping[str, str]) -> str:
+    if " " in symbol or "/" in symbol:
+        text = symbol
+    else:
+        letter, primes, below, above = split_symbol(symbol)
+        accents = "".join(f"_{each}" for each in _ACCENTS.findall(letter))
+        plain = letters.get(letter) or re.sub(r"\\(?:math[a-z]+|mathbb)", "", _ACCENTS.sub("", letter)) + accents
+        text = plain + (f"_{below}" if below else "") + "p" * primes + (f"_{above}" if above else "")
+    text = text.replace(r"\lambda", "lam").replace("*", "star").replace("+", "plus").replace("-", "minus")
+    name = re.sub(r"\W+", "_", re.sub(r"[\\{}]", "", text), flags=re.ASCII).strip("_") or "symbol"
+    return name if name[0].isalpha() else f"s_{name}"

@@ -1,0 +1,138 @@
+"""The equations of a document, with their verdicts: folded for a screen, one after the other, or for programs."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from algebroproj_sym.showing import folded
+
+if TYPE_CHECKING:
+    from algebroproj_sym.reading import Link, Reading
+
+MOST_REASONS = 8
+MOST_LINES = 12
+
+
+def reading_record(readings: Sequence[Reading]) -> dict[str, Any]:
+    """Return the equations for JSON."""
+    return {"schema": 1, "equations": [_equation(each) for each in readings], "summary": dict(summary_of(readings))}
+
+
+def summary_of(readings: Iterable[Reading]) -> Counter[str]:
+    """Return how many equations have which verdict."""
+    counts = Counter(each.verdict for each in readings)
+    return Counter({verdict: counts[verdict] for verdict in sorted(counts, key=_place)})
+
+
+def _place(verdict: str) -> int:
+    return ("contradicts", "definition", "follows", "independent", "not decided", "not read").index(verdict)
+
+
+def decisive(reading: Reading) -> Link | None:
+    """Return the link that has the verdict of its equation; None for one that is not read."""
+    return next((link for link in reading.links if link.verdict == reading.verdict), None)
+
+
+def _equation(reading: Reading) -> dict[str, Any]:
+    link = decisive(reading)
+    rests_on = dict.fromkeys(name for each in reading.links for name in each.rests_on)
+    hypotheses = dict.fromkeys(name for each in reading.links for name in each.hypotheses)
+    return {
+        "line": reading.line,
+        "number": reading.number,
+        "latex": reading.latex,
+        "read": reading.read,
+        "reason": reason_of(reading),
+        "verdict": reading.verdict,
+        "rests_on": list(rests_on),
+        "hypotheses": list(hypotheses),
+        "counterexample": dict(link.counterexample) if link and link.counterexample is not None else None,
+        "suggestion": (link.suggestion or None) if link else None,
+        "certificate": dict(link.certificate) if link and link.certificate is not None else None,
+        "links": [{"verdict": each.verdict, "reason": each.reason} for each in reading.links],
+    }
+
+
+def reason_of(reading: Reading) -> str:
+    """Return why an equation has its verdict, where there is more to say than the verdict."""
+    link = decisive(reading)
+    return reading.reason or (link.reason if link else "")
+
+
+def reading_lines(name: str, readings: Sequence[Reading], *, full: bool) -> Iterator[str]:
+    """Yield what a reader wants to see first: contradictions whole, and the others folded by verdict and reason.
+
+    Parameters
+    ----------
+    name : str
+        The document.
+    readings : sequence of Reading
+        Its equations.
+    full : bool
+        Whether to show every equation.
+    """
+    if full:
+        for each in readings:
+            yield from _whole(each)
+    else:
+        for each in readings:
+            if each.verdict == "contradicts":
+                yield from _whole(each)
+        for each in readings:
+            link = decisive(each)
+            if each.verdict == "independent" and link is not None and link.suggestion:
+                yield f"{_heading(each)} would follow with {link.suggestion}: {link.reason}"
+        for verdict in ("definition", "follows", "independent"):
+            lines = [str(each.line) for each in readings if each.verdict == verdict]
+            if lines:
+                yield f"{verdict}: lines {_some(lines)}"
+        for verdict in ("not decided", "not read"):
+            yield from _by_reason(verdict, [each for each in readings if each.verdict == verdict])
+    counts = summary_of(readings)
+    yield f"{name}: {len(readings)} equations: " + ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
+
+
+def _by_reason(verdict: str, readings: Sequence[Reading]) -> Iterator[str]:
+    lines: dict[str, list[str]] = {}
+    for each in readings:
+        reason = reason_of(each)
+        begin, _, rest = reason.partition(": ")
+        lines.setdefault(rest if begin.startswith("line ") else reason, []).append(str(each.line))
+    ordered = sorted(lines.items(), key=lambda item: (-len(item[1]), item[0]))
+    for reason, found in ordered[:MOST_REASONS]:
+        yield f"{verdict}: {reason} (line{'s' * (len(found) > 1)} {_some(found)})"
+    if len(ordered) > MOST_REASONS:
+        others = sum(len(found) for _, found in ordered[MOST_REASONS:])
+        yield f"{verdict}: {others} more for {len(ordered) - MOST_REASONS} other reasons; see them with --full"
+
+
+def _some(lines: Sequence[str]) -> str:
+    different = list(dict.fromkeys(lines))
+    shown = ", ".join(different[:MOST_LINES])
+    return shown if len(different) <= MOST_LINES else f"{shown}, ... ({len(different)})"
+
+
+def _heading(reading: Reading) -> str:
+    number = f" ({reading.number})" if reading.number else ""
+    return f"line {reading.line}{number}  {reading.verdict}"
+
+
+def _whole(reading: Reading) -> Iterator[str]:
+    yield f"{_heading(reading)}  {reading.read or ' '.join(reading.latex.split())[:100]}"
+    link = decisive(reading)
+    if reason := reason_of(reading):
+        yield f"    {reason}"
+    if link is None:
+        return
+    if link.rests_on:
+        yield f"    rests on {'; '.join(link.rests_on)}"
+    if link.hypotheses:
+        yield folded(f"    holds where these are not zero: {', '.join(link.hypotheses)}", 400)
+    if link.counterexample:
+        yield f"    fails at {', '.join(f'{name} = {value}' for name, value in link.counterexample.items())}"
+    elif link.verdict == "contradicts":
+        yield "    the two sides are different numbers"
+    if link.suggestion:
+        yield f"    would follow with {link.suggestion}"

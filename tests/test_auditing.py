@@ -22,6 +22,7 @@ from algebroproj_sym.auditing import (
 )
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import DeclarationError, Quotations, Quote, located, quotations, select
+from algebroproj_sym.declaring.quotes import Edit
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving import prove
@@ -477,3 +478,25 @@ def test_the_command_fails_for_a_slip_and_for_a_quote_of_nothing(folder):
 def test_explain_shows_the_quote(folder):
     result = CliRunner().invoke(main, ["explain", f"{folder}:1.1"])
     assert "quoted      line 2: s = x + 2 \\eta" in result.output
+
+
+def test_a_damaged_place_is_read_as_its_edit_says():
+    claim = declared("identity", up1 / mu1)
+    assert status(claim, r"\frac{\xi}{\mu_1}") == "failed"
+    assert status(claim, r"\frac{\xi}{\mu_1}", edits=(Edit(r"\xi", "u'_1", "a lost prime"),)) == "equal"
+    assert status(claim, r"\frac{\xi}{\mu_1}", edits=(Edit(r"\xi", "u_2", "another letter"),)) == "failed"
+
+
+@pytest.mark.parametrize(
+    ("edit", "expected"),
+    [
+        ('{ scan = "z", read = "y", why = "" }', "edits of the quote"),
+        ('{ scan = "", read = "y", why = "" }', "edits of the quote"),
+        ('{ scan = "x", read = "y" }', "scan, read and why"),
+    ],
+)
+def test_an_edit_of_something_else_is_refused(edit, expected, tmp_path):
+    quote = f'[[quote]]\nclaims = ["1.1"]\nline = 1\nlatex = "x + 1"\nedits = [{edit}]\n'
+    (tmp_path / "quotes.toml").write_text(f'source = "demo.txt"\n{quote}', encoding="utf-8")
+    with pytest.raises(DeclarationError, match=expected):
+        quotations(tmp_path)

@@ -105,7 +105,8 @@ def _counted(claim: Claim, quote: Quote) -> Finding:
     assert printed is not None
     if claim.kind == "reference":
         wanted = ".".join(str(part) for part in printed)  # type: ignore[union-attr]
-        found = re.search(rf"(?<![\d.]){re.escape(wanted)}(?![\d]|\.\d)", quote.text) is not None
+        pattern = wanted.replace(".", "[./]")
+        found = re.search(rf"(?<![\d.]){pattern}(?![\d]|\.\d)", quote.text) is not None
     else:
         wanted = str(printed)
         found = re.search(rf"(?<![\d.]){wanted}(?![\d.]*\d)", quote.text) is not None or _in_words(wanted, quote.text)
@@ -119,7 +120,7 @@ def _in_words(number: str, text: str) -> bool:
 
 def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
     try:
-        read = [expression for piece in quote.pieces for expression in _readings(piece, quote, symbols)]
+        read = [expression for piece in quote.read for expression in _readings(piece, quote, symbols)]
     except UnreadableError as error:
         return Finding(claim, "failed", f"cannot be read: {error}", quote)
     printed = claim.printed if isinstance(claim.printed, tuple) else (claim.printed,)

@@ -13,8 +13,9 @@ from algebroproj_sym.cli.steps import lowered_after, require_kernels, require_ro
 from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import derivations_of, drivers, judge_all, kernels, quotes_of, select
 from algebroproj_sym.generating import render, write
+from algebroproj_sym.reporting.findings import findings
 from algebroproj_sym.reporting.ledger import ledger, write_json, write_text
-from algebroproj_sym.reporting.report import findings, report
+from algebroproj_sym.reporting.report import report
 from algebroproj_sym.reporting.tables import summary_text, verification_table
 from algebroproj_sym.verifying import verification_record
 

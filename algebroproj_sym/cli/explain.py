@@ -22,8 +22,9 @@ def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) ->
     """
     from algebroproj_sym.cli.judging import require_as_declared
     from algebroproj_sym.cli.terminal import console, echo
-    from algebroproj_sym.declaring import judge, located, numbered_with, quotations, split
+    from algebroproj_sym.declaring import derivation_at, judge, located, numbered_with, quotations, split
     from algebroproj_sym.reporting.explaining import explanation
+    from algebroproj_sym.reporting.findings import declared_consequence
     from algebroproj_sym.showing import markdown
 
     found = located(selectors)
@@ -37,5 +38,8 @@ def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) ->
             continue
         functions = [k.qualified_name for k in kernels if k.paper == claim.paper and claim.number in k.claims]
         quote = quotations(derivation.path.parent).quotes.get(claim.number)
-        console().print(explanation(judgement, derivation.module, functions, quote, full=full))
+        paper = derivation_at(derivation.path.parent) if claim.follows else ()
+        numbers = {other.number: other for module in paper for other in module.section.claims}
+        follows = declared_consequence(claim, numbers)
+        console().print(explanation(judgement, derivation.module, functions, quote, follows=follows, full=full))
     require_as_declared(judgements)

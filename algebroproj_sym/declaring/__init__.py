@@ -2,11 +2,15 @@
 
 from algebroproj_sym.declaring.bibliography import Publication, bibtex, publication
 from algebroproj_sym.declaring.claim import (
+    GRADES,
+    NUMBER_OF,
     VERDICTS,
     Claim,
     DeclarationError,
+    Grade,
     Statement,
     Verdict,
+    grade_of,
     in_derived_terms,
     statement_text,
 )
@@ -42,8 +46,10 @@ from algebroproj_sym.papers import installed_papers
 
 __all__ = [
     "ELEMENTARY",
+    "GRADES",
     "KINDS",
     "LINEAR",
+    "NUMBER_OF",
     "PRIMITIVES",
     "UNPARSED",
     "UNQUOTED",
@@ -55,6 +61,7 @@ __all__ = [
     "DeclarationError",
     "Derivation",
     "Driver",
+    "Grade",
     "Identity",
     "Judgement",
     "Kernel",
@@ -77,6 +84,7 @@ __all__ = [
     "derivations",
     "derivations_of",
     "drivers",
+    "grade_of",
     "identities",
     "import_root",
     "in_derived_terms",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
@@ -22,6 +23,10 @@ Verdict = Literal["proved", "misprint", "error", "false", "illegible", "definiti
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 CORRECTED: tuple[Verdict, ...] = ("misprint", "error")
 """Verdicts of a printed form that is refuted, and of a corrected one that is proved."""
+
+Grade = Literal["results", "formula", "slip"]
+GRADES: tuple[Grade, ...] = get_args(Grade)
+"""How much a finding matters: results are wrong, a formula or statement changes, or nobody is misled for long."""
 
 Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
 
@@ -70,6 +75,12 @@ class Claim:
         For a false statement: the number of the claim that says what is true.
     note : str
         Which readings were considered, and what else a reader should know.
+    follows : str
+        For a finding: what follows for somebody who used what is printed.
+    same_as : str
+        For a finding: the number of the claim that has the same one, and tells it.
+    grade : {"results", "formula", "slip"} or ""
+        For a finding: how much it matters; empty for what the verdict implies, see `grade_of`.
     assumed : tuple of sympy.Symbol
         The symbols as they were given, of which SymPy assumes more than that they are real; the forms have plain ones.
     source : Source or None
@@ -95,8 +106,28 @@ class Claim:
     rounding: Rounding = "nearest"
     instead: str = ""
     note: str = ""
+    follows: str = ""
+    same_as: str = ""
+    grade: Grade | Literal[""] = ""
     assumed: tuple[sympy.Symbol, ...] = ()
     source: Source | None = field(default=None, compare=False, repr=False)
+
+
+NUMBER_OF = re.compile(r"\{([^{}]+)\}")
+"""In what follows from a finding: the number that another claim of the paper has proved, as ``{4/s0}``."""
+
+
+def grade_of(claim: Claim) -> Grade:
+    """Return how much a finding matters.
+
+    If the claim does not say so, an error of the author makes results wrong.  A wrong reference or digit is a slip.
+    Anything else changes a formula or a statement.
+    """
+    if claim.grade:
+        return claim.grade
+    if claim.expected == "error":
+        return "results"
+    return "slip" if claim.expected == "misprint" and claim.kind in ("reference", "numeric") else "formula"
 
 
 def expressions_of(form: Statement | None) -> tuple[Expression, ...]:

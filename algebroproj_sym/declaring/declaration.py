@@ -10,7 +10,15 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring.claim import CORRECTED, VERDICTS, Claim, DeclarationError, Statement, expressions_of
+from algebroproj_sym.declaring.claim import (
+    CORRECTED,
+    GRADES,
+    VERDICTS,
+    Claim,
+    DeclarationError,
+    Statement,
+    expressions_of,
+)
 from algebroproj_sym.declaring.kind import FIELDS
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import (
@@ -143,6 +151,12 @@ def _require_complete(claim: Claim, where: str) -> None:
         raise DeclarationError(f"{where}, corrected: expected a form for a claim declared {claim.expected}, got none")
     if claim.expected == "false" and not claim.instead:
         raise DeclarationError(f"{where}, instead: expected the number of the true claim for a false one, got none")
+    is_finding = claim.expected in (*CORRECTED, "false", "illegible")
+    for name in ("follows", "same_as", "grade"):
+        if getattr(claim, name) and not is_finding:
+            raise DeclarationError(f"{where}, {name}: expected none for a claim declared {claim.expected}, got one")
+    if claim.grade not in ("", *GRADES):
+        raise DeclarationError(f"{where}, grade: expected one of {', '.join(GRADES)}, got {claim.grade!r}")
     if (claim.printed is None) != (claim.expected == "illegible"):
         wanted = "a form, got None" if claim.printed is None else "None for a claim declared illegible, got a form"
         raise DeclarationError(f"{where}, printed: expected {wanted}")

@@ -16,7 +16,7 @@ from pathlib import Path
 from types import ModuleType
 
 from algebroproj_sym import papers
-from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.claim import NUMBER_OF, Claim, DeclarationError
 from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.importing import import_at
 from algebroproj_sym.declaring.kernel import Kernel
@@ -249,7 +249,9 @@ def _require_different_numbers(paper: str, sections: Sequence[Section]) -> None:
 
 def _require_references(sections: Sequence[Section]) -> None:
     numbers = {claim.number for section in sections for claim in section.claims}
-    referred = {(claim.number, claim.instead) for section in sections for claim in section.claims if claim.instead}
+    claims = [claim for section in sections for claim in section.claims]
+    referred = {(claim.number, other) for claim in claims for other in (claim.instead, claim.same_as) if other}
+    referred |= {(claim.number, number) for claim in claims for number in NUMBER_OF.findall(claim.follows)}
     referred |= {(k.qualified_name, number) for section in sections for k in section.kernels for number in k.claims}
     for source, number in sorted(referred):
         if number not in numbers:

@@ -13,7 +13,7 @@ from typing import Any
 from algebroproj_sym.proving.worker import Outcome, Question
 
 EXPECTED = ("proved", "refuted", "open")
-KEYS = ("name", "lhs", "rhs", "constraints", "nonzero", "variables", "witness", "expected")
+KEYS = ("name", "lhs", "rhs", "constraints", "nonzero", "assumptions", "variables", "witness", "expected")
 MAX_BYTES = 20_000_000
 
 
@@ -68,9 +68,9 @@ def identities(path: Path) -> tuple[Identity, ...]:
     Parameters
     ----------
     path : Path
-        JSON: a list of objects with ``lhs`` and ``rhs`` as text, and optionally ``constraints`` and ``nonzero`` (lists
-        of text), ``name``, ``variables`` (the names that may occur), ``witness`` (name to rational number as text) and
-        ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
+        JSON: a list of objects with ``lhs`` and ``rhs`` as text, and optionally ``constraints``, ``nonzero`` and
+        ``assumptions`` (lists of text), ``name``, ``variables`` (the names that may occur), ``witness`` (name to
+        rational number as text) and ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
 
     Raises
     ------
@@ -122,6 +122,7 @@ def _identity(path: Path, place: int, item: Any) -> Identity:
         _texts(where, "nonzero", item.get("nonzero", [])),
         _witness(where, item["witness"]) if "witness" in item else None,
         variables,
+        _texts(where, "assumptions", item.get("assumptions", [])),
     )
     return Identity(path, where, name, question, expected)
 

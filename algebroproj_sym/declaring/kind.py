@@ -9,7 +9,7 @@ from typing import Any, Literal, Protocol, TypedDict, get_args
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim, Verdict
+from algebroproj_sym.declaring.claim import Claim, Grade, Verdict
 from algebroproj_sym.expressions import Rounding
 from algebroproj_sym.proving import Proof
 
@@ -33,6 +33,9 @@ class Options(TypedDict, total=False):
     rounding: Rounding
     instead: str
     note: str
+    follows: str
+    same_as: str
+    grade: Grade
 
 
 class Declaring(Protocol):

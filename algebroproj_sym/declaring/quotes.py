@@ -8,25 +8,29 @@ r"""Quotes: where a paper prints what a claim is about, word for word, from the 
     claims = ["1.3.5#mu3"]                          several claims may share a quote
     line = 201                                      the line on which it begins
     latex = '\mu_3 = -\frac{y_{00}}{u_{30}y_{03}}'    or a list of pieces that follow one another
+    edits = [{ scan = '\mu_{31}', read = 'u_{31}', why = "the scan takes u for mu" }]     where the scan is damaged
 
     [[unquoted]]
     claims = ["1.3/core"]
     reason = "implied"
 
-A claim with ``/beyond/`` in its number has no quote; where a whole folder goes beyond the papers, ``beyond = true``.
+The references and captions of ``outline.toml`` are quotes as well, but for those that a claim with ``/ref-`` in its
+number quotes.  A claim with ``/beyond/`` in its number has no quote; where a whole folder goes beyond the papers,
+``beyond = true``.
 """
 
 from __future__ import annotations
 
 import tomllib
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal, get_args
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
+from algebroproj_sym.declaring.outline import Mark, captions, outline, references
 
 Unparsed = Literal["words", "damaged", "abbreviated", "implicit"]
 Unquoted = Literal["beyond", "implied", "figure", "lost"]
@@ -44,6 +48,30 @@ UNQUOTED: dict[Unquoted, str] = {
 }
 _BEYOND = "/beyond/"
 FILE = "quotes.toml"
+
+
+@dataclass(frozen=True)
+class Edit:
+    """How a damaged place of a quote is read.
+
+    Attributes
+    ----------
+    scan : str
+        What the scan shows, a part of one of the pieces of the quote.
+    read : str
+        What it is read as, everywhere in the quote.
+    why : str
+        The reason.
+    """
+
+    scan: str
+    read: str
+    why: str
+
+    @property
+    def text(self) -> str:
+        """The edit in a line."""
+        return f"{self.read or 'nothing'} where the scan has {self.scan}: {self.why}"
 
 
 @dataclass(frozen=True)
@@ -68,6 +96,8 @@ class Quote:
         Letters that stand for indices, and the values for which the quote is read.
     unparsed : str
         Why the quote is not read as a formula; empty if it is.
+    edits : tuple of Edit
+        How damaged places are read.
     """
 
     claims: tuple[str, ...]
@@ -78,11 +108,20 @@ class Quote:
     coefficients: tuple[str, ...] = ()
     indices: Mapping[str, tuple[str, ...]] = field(default_factory=dict, hash=False)
     unparsed: Unparsed | Literal[""] = ""
+    edits: tuple[Edit, ...] = ()
 
     @property
     def text(self) -> str:
         """The pieces in one line."""
         return " … ".join(self.pieces)
+
+    @property
+    def read(self) -> tuple[str, ...]:
+        """The pieces as they are read."""
+        pieces = self.pieces
+        for edit in self.edits:
+            pieces = tuple(piece.replace(edit.scan, edit.read) for piece in pieces)
+        return pieces
 
 
 @dataclass(frozen=True)
@@ -133,14 +172,28 @@ def _read(path: Path, stamp: int) -> Quotations:
     reasons = [(number, reason) for entry in content.get("unquoted", ()) for number, reason in _reasons(entry, path)]
     _require_once([*(number for quote in quotes for number in quote.claims), *(number for number, _ in reasons)], path)
     by_number = {number: quote for quote in quotes for number in quote.claims}
+    by_number |= {
+        mark.claim: Quote((mark.claim,), mark.line, (mark.words,)) for mark, _ in counted(path.parent, quotes)
+    }
     return Quotations(str(content.get("source", "")), by_number, dict(reasons), bool(content.get("beyond", False)))
+
+
+def counted(folder: Path, quotes: Iterable[Quote]) -> list[tuple[Mark, str]]:
+    """Return the references and captions that no quote for a reference contains, with their right numbers."""
+    marks = outline(folder)
+    referring = [quote for quote in quotes if any("/ref-" in claim for claim in quote.claims)]
+    return [
+        (mark, place)
+        for mark, place in (*references(marks), *captions(marks))
+        if not any(quote.line == mark.line and mark.number in quote.text for quote in referring)
+    ]
 
 
 def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
     latex = entry.get("latex")
     pieces = (latex,) if isinstance(latex, str) else tuple(latex or ())
     unparsed = entry.get("unparsed", "")
-    known = {"claims", "line", "latex", "sides", "equation", "coefficients", "indices", "unparsed"}
+    known = {"claims", "line", "latex", "sides", "equation", "coefficients", "indices", "unparsed", "edits"}
     where = f"{path}, quote of {', '.join(entry.get('claims', ['?']))}"
     if not pieces or not all(isinstance(piece, str) and piece.strip() for piece in pieces):
         raise DeclarationError(f"{where}: expected latex, a text or a list of texts, got {latex!r}")
@@ -159,7 +212,17 @@ def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
         coefficients=tuple(entry.get("coefficients", ())),
         indices={letter: tuple(map(str, values)) for letter, values in entry.get("indices", {}).items()},
         unparsed=unparsed,
+        edits=tuple(_edits(entry.get("edits", ()), pieces, where)),
     )
+
+
+def _edits(entries: Iterable[Mapping[str, str]], pieces: Sequence[str], where: str) -> Iterator[Edit]:
+    for entry in entries:
+        if entry.keys() != {"scan", "read", "why"} or not all(isinstance(text, str) for text in entry.values()):
+            raise DeclarationError(f"{where}: expected edits with scan, read and why, got {entry!r}")
+        if not entry["scan"] or not any(entry["scan"] in piece for piece in pieces):
+            raise DeclarationError(f"{where}: expected edits of the quote, got one of {entry['scan']!r}")
+        yield Edit(**entry)
 
 
 def _reasons(entry: Mapping[str, Any], path: Path) -> Iterator[tuple[str, Unquoted]]:

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
-from algebroproj_sym.proving.buchberger import GroebnerBasis
+from algebroproj_sym.proving.buchberger import MAX_STEPS, GroebnerBasis
 from algebroproj_sym.proving.consequences import End
 from algebroproj_sym.proving.elimination import MAX_LENGTH, Elimination, cleared_of_spare
 from algebroproj_sym.proving.polynomials import EffortExceededError
@@ -27,10 +27,13 @@ class System:
     ----------
     elimination : Elimination
         What is zero and what is not.
+    steps : int
+        How many reductions each basis may take.
     """
 
-    def __init__(self, elimination: Elimination) -> None:
+    def __init__(self, elimination: Elimination, steps: int = MAX_STEPS) -> None:
         self.elimination = elimination
+        self._steps = steps
         self._places = [place for place in elimination.live if elimination.zeros[place] != 0]
         self.members = [elimination.zeros[place] for place in self._places]
         self._one = elimination.one
@@ -38,7 +41,9 @@ class System:
     @cached_property
     def basis(self) -> GroebnerBasis | None:
         """The Groebner basis of what is left; None if there is nothing, or it takes too long."""
-        found: GroebnerBasis | None = _attempted(lambda: GroebnerBasis(self.members)) if self.members else None
+        found: GroebnerBasis | None = (
+            _attempted(lambda: GroebnerBasis(self.members, self._steps)) if self.members else None
+        )
         return found
 
     @cached_property
@@ -46,7 +51,7 @@ class System:
         """The same, where what is not zero does not vanish; None if nothing of that occurs."""
         if self._unit.is_constant():
             return None
-        found: GroebnerBasis | None = _attempted(lambda: GroebnerBasis(self._without(self._unit)))
+        found: GroebnerBasis | None = _attempted(lambda: GroebnerBasis(self._without(self._unit), self._steps))
         return found
 
     @property
@@ -95,7 +100,7 @@ class System:
 
     def _in_radical(self, goal: Any) -> End | None:
         unit = self._unit * goal
-        parts = GroebnerBasis(self._without(unit)).cofactors(self._one)
+        parts = GroebnerBasis(self._without(unit), self._steps).cofactors(self._one)
         if parts is None:
             return None
         power, cleared = cleared_of_spare(parts[:-1], unit)

@@ -58,24 +58,26 @@ class Proof:
     ----------
     verdict : {"proved", "refuted", "open"}
         The decision.
-    hypotheses : tuple of sympy.Expr
+    hypotheses : tuple of sympy.Expr, or of str
         The irreducible factors of every denominator met: the statement holds where none of them vanishes.
+        With real functions the conditions under which both sides are real, as text such as ``"x >= 0"``.
     certificate : mapping or None
         The evidence of a proof, or why the statement stays open.
     counterexample : mapping of Symbol to Fraction, or None
         A point at which both sides are defined and differ; with constraints it may have SymPy's real algebraic numbers.
     engine : str
         The polynomial arithmetic that was used.
-    assumptions : tuple of sympy.Symbol
+    assumptions : tuple of sympy.Symbol, or of str
         Symbols of which SymPy assumes more than that they are real: the statement is made for such numbers alone.
+        With real functions all that is assumed, as text.
     """
 
     verdict: Decision
-    hypotheses: tuple[sympy.Expr, ...]
+    hypotheses: tuple[Any, ...]
     certificate: Mapping[str, Any] | None
     counterexample: Mapping[sympy.Symbol, Fraction] | None
     engine: str
-    assumptions: tuple[sympy.Symbol, ...] = ()
+    assumptions: tuple[Any, ...] = ()
 
 
 def prove(

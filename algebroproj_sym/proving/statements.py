@@ -7,17 +7,33 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import free_symbols, parse, parse_zero, require_bounded
+from algebroproj_sym.expressions import (
+    NotRationalError,
+    ParseError,
+    free_symbols,
+    names_in,
+    parse,
+    parse_zero,
+    require_bounded,
+)
 from algebroproj_sym.proving.prove import Proof, Witness
 from algebroproj_sym.proving.prove import prove as decided
+
+RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
+
+
+class UnsupportedError(NotImplementedError):
+    """A kind of statement that is not decided yet."""
 
 
 def prove(
     lhs: Any,
     rhs: Any,
     *,
+    relation: str = "=",
     constraints: Sequence[Any] = (),
     nonzero: Sequence[Any] = (),
+    assumptions: Sequence[Any] = (),
     witness: Witness | None = None,
     engine: str = "flint",
 ) -> Proof:
@@ -27,11 +43,16 @@ def prove(
     ----------
     lhs, rhs : str, sympy.Expr, sympy matrix, int or Fraction
         Rational expressions over Q of equal shape, or text in the grammar of `algebroproj_sym.expressions.parsing`;
-        matrices are compared entry by entry.
+        matrices are compared entry by entry.  Scalars may also have roots, rational powers, pi, and elementary
+        functions of real variables, with principal values; see `algebroproj_sym.replaying.reals.terms`.
+    relation : {"="}
+        Other relations are not decided yet.
     constraints : sequence of str or sympy.Expr
         Expressions that are zero; text may also be an equation ``left = right``.
     nonzero : sequence of str or sympy.Expr
         Expressions that are not zero.
+    assumptions : sequence of str or SymPy relation
+        What holds beside them, such as ``x > 0`` or ``0 < x < pi``; then the symbols are real numbers.
     witness : mapping of Symbol, or name, to rational number, optional
         A point that satisfies constraints and hypotheses, where no search would find one; numbers may also be text.
     engine : {"flint", "sympy"}
@@ -43,6 +64,7 @@ def prove(
         Verdict ``"proved"`` (over the real numbers, and over every field of characteristic 0 if no squares are in the
         certificate), ``"refuted"`` (at a real point) or ``"open"``.
         What SymPy assumes of symbols is in `Proof.assumptions`: every point satisfies it.
+        The hypotheses of a statement with functions are text: what must hold for both sides to be real.
 
     Raises
     ------
@@ -58,6 +80,8 @@ def prove(
         If an argument is not a rational expression over Q (floats are not).
     UndefinedError
         If a denominator is identically zero.
+    UnsupportedError
+        If the relation is no equality.
     ValueError
         If the shapes differ, the engine is unknown, a constraint is a matrix, or the witness violates a constraint or
         has a value for a symbol that does not occur.
@@ -73,10 +97,58 @@ def prove(
     'radical membership'
     >>> prove("x", "1", constraints=["x^2 = 2"]).counterexample
     {x: -sqrt(2)}
+    >>> prove("sqrt(x^2)", "x", assumptions=["x >= 0"]).verdict, prove("sqrt(x^2)", "x").counterexample
+    ('proved', {x: Fraction(-2, 1)})
+    >>> prove("tan(x)*cos(x)", "sin(x)").hypotheses
+    ('cos(x) != 0',)
     """
-    for argument, given in {"constraints": constraints, "nonzero": nonzero}.items():
+    if relation not in RELATIONS:
+        raise ValueError(f"relation: expected one of {', '.join(RELATIONS)}, got {relation!r}")
+    if relation != "=":
+        raise UnsupportedError(f"relation: expected '=', because other relations are not decided yet, got {relation!r}")
+    for argument, given in {"constraints": constraints, "nonzero": nonzero, "assumptions": assumptions}.items():
         if isinstance(given, str) or not isinstance(given, Sequence):
             raise TypeError(f"{argument}: expected a sequence of expressions, got {_kind(given)}")
+    forms = (lhs, rhs, *constraints, *nonzero)
+    if assumptions or any(isinstance(form, str) and "pi" in form and "pi" in names_in(form) for form in forms):
+        return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
+    try:
+        return _rational(lhs, rhs, constraints, nonzero, witness, engine)
+    except (ParseError, NotRationalError):
+        if not any(map(_has_functions, forms)):
+            raise
+    return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
+
+
+def _has_functions(form: Any) -> bool:
+    """Whether a form is rational in nothing but functions, roots and powers."""
+    from algebroproj_sym.replaying.reals.terms import has_functions
+
+    if isinstance(form, str):
+        return has_functions(form)
+    return isinstance(form, sympy.Expr) and bool(form.has(sympy.Function, sympy.pi, sympy.E) or _has_roots(form))
+
+
+def _has_roots(form: sympy.Expr) -> bool:
+    return any(not isinstance(part.exp, sympy.Integer) for part in form.atoms(sympy.Pow))
+
+
+def _real(
+    lhs: Any,
+    rhs: Any,
+    constraints: Sequence[Any],
+    nonzero: Sequence[Any],
+    assumptions: Sequence[Any],
+    witness: Witness | None,
+) -> Proof:
+    from algebroproj_sym.proving.reals.prove import proof_of
+
+    return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness)
+
+
+def _rational(
+    lhs: Any, rhs: Any, constraints: Sequence[Any], nonzero: Sequence[Any], witness: Witness | None, engine: str
+) -> Proof:
     left, right = _read(lhs, "lhs"), _read(rhs, "rhs")
     zeros = [_zero(constraint, f"constraints[{i}]") for i, constraint in enumerate(constraints)]
     units = [_read(unit, f"nonzero[{i}]") for i, unit in enumerate(nonzero)]

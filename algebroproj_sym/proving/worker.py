@@ -32,6 +32,8 @@ class Question:
         A point at which they hold.
     variables : tuple of str, or None
         The names that may occur; None for any.
+    assumptions : tuple of str
+        Comparisons that hold.
     """
 
     lhs: str
@@ -40,6 +42,12 @@ class Question:
     nonzero: tuple[str, ...] = ()
     witness: Mapping[str, str] | None = None
     variables: tuple[str, ...] | None = None
+    assumptions: tuple[str, ...] = ()
+
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """All that is stated."""
+        return (self.lhs, self.rhs, *self.constraints, *self.nonzero, *self.assumptions)
 
 
 @dataclass(frozen=True)
@@ -190,7 +198,16 @@ def _decided(question: Question, engine: str) -> Outcome:
 
     start = monotonic()
     try:
-        statement = _read(question)
+        if _has_pi(question) or question.assumptions:
+            return _real(question, start)
+        try:
+            statement = _read(question)
+        except ParseError:
+            from algebroproj_sym.replaying.reals.terms import has_functions
+
+            if not any(map(has_functions, question.texts)):
+                raise
+            return _real(question, start)
     except (ParseError, _UnreadableError) as error:
         return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
     proof = prove(**statement, engine=engine)
@@ -205,6 +222,40 @@ def _decided(question: Question, engine: str) -> Outcome:
         str(certificate.get("reason", "")),
         tuple(map(str, proof.hypotheses)),
         None if point is None else _whole(point, question),
+        certificate,
+    )
+
+
+def _has_pi(question: Question) -> bool:
+    from algebroproj_sym.expressions import names_in
+
+    return any("pi" in text and "pi" in names_in(text) for text in question.texts)
+
+
+def _real(question: Question, start: float) -> Outcome:
+    from algebroproj_sym.expressions import ParseError, names_in
+    from algebroproj_sym.proving.reals.prove import proof_of
+    from algebroproj_sym.replaying.reals.terms import FUNCTIONS
+
+    names = {name for text in question.texts for name in names_in(text)} - FUNCTIONS - {"pi"}
+    variables = names if question.variables is None else {*question.variables}
+    for name in sorted(names - variables):
+        raise _UnreadableError(f"expected one of the variables {', '.join(sorted(variables))}, got {name!r}")
+    try:
+        proof = proof_of(
+            question.lhs, question.rhs, question.constraints, question.nonzero, question.assumptions, question.witness
+        )
+    except ParseError as error:
+        raise _UnreadableError(f"key {error}") from None
+    certificate = dict(proof.certificate or {})
+    point = proof.counterexample
+    return Outcome(
+        proof.verdict,
+        str(certificate.get("method", "none")),
+        monotonic() - start,
+        str(certificate.get("reason", "")),
+        proof.hypotheses,
+        None if point is None else {str(symbol): str(value) for symbol, value in point.items()},
         certificate,
     )
 

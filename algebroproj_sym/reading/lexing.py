@@ -524,7 +524,7 @@ class _Lexer:
             inside = _bare(raised)
             if mark == "^":
                 self.power(inside, raised)
-            elif inside in (r"\times", "x", r"\wedge"):
+            elif inside in (r"\times", r"\wedge"):
                 self.emit("MARK", "hat")
             elif not (self.out[-1].type == "NORM_CLOSE" and inside in ("2", "F")):
                 self.emit("MARK", f"_{inside}")

@@ -70,9 +70,12 @@ def require_entry(record: Mapping[str, Any]) -> None:
         isinstance(where, Mapping) and all(isinstance(text, str) for text in where.values()), "where: expected texts"
     )
     quoted = quote is None or (
-        quote.keys() == {"line", "latex"} and type(quote["line"]) is int and isinstance(quote["latex"], str)
+        quote.keys() - {"read_as"} == {"line", "latex"}
+        and type(quote["line"]) is int
+        and isinstance(quote["latex"], str)
+        and all(edit.keys() == {"scan", "read", "why"} for edit in quote.get("read_as", ()))
     )
-    require(quoted, "quote: expected line and latex")
+    require(quoted, "quote: expected line, latex and how damaged places are read")
     require(setting.keys() <= SETTINGS[record["kind"]], f"setting: unknown entries in {sorted(setting)}")
     require(record["engine"] in ("flint", "sympy"), f"unknown engine {record['engine']!r}")
     require_seconds(record)

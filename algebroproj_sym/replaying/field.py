@@ -67,6 +67,12 @@ class Field:
             raise Rejected(f"the symbol {name} does not occur in the statement")
         return self._variables[name]
 
+    def adjoin(self, name: str) -> Element:
+        """Return a further symbol, after those there are."""
+        self.places[name] = len(self.places)
+        self._variables[name] = variables(len(self.places))[-1]
+        return self.symbol(name)
+
     def polynomials(self, text: Any) -> list[Polynomial]:
         """Return the text of a polynomial, or the entries of a matrix of them."""
         return evaluate(parse_polynomial(text), self._polynomials)

@@ -16,6 +16,7 @@ from algebroproj_sym.replaying.consequences import (
 from algebroproj_sym.replaying.entry import require_seconds
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.field import Field
+from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.rejection import NotReplayable, require, require_keys
 from algebroproj_sym.replaying.text import parse_statement, texts
 
@@ -40,7 +41,9 @@ def require_identity(record: Mapping[str, Any]) -> None:
     NotReplayable
         If there is no evidence.
     """
-    require(record.keys() - {"seconds"} == KEYS, f"expected the entries {sorted(KEYS)}, got {sorted(record)}")
+    require(
+        record.keys() - {"seconds", "assumptions"} == KEYS, f"expected the entries {sorted(KEYS)}, got {sorted(record)}"
+    )
     verdict, certificate = record["verdict"], record["certificate"]
     require(verdict in ("proved", "refuted", "open", "error"), f"there is no verdict {verdict!r}")
     require(record["expected"] in (None, verdict), "the verdict is not the expected one")
@@ -51,6 +54,10 @@ def require_identity(record: Mapping[str, Any]) -> None:
         raise NotReplayable("an identity that is not decided has no evidence")
     require(record["method"] == certificate["method"], "the method differs from that of the certificate")
     require(record["reason"] is None, "a decided identity must not give a reason")
+    if certificate["method"] in ("real laws", "enclosures"):
+        require_real({"relation": "=", "assumptions": [], **record})
+        return
+    require("assumptions" not in record, "assumptions are used by real laws alone")
     question = _question(record)
     if verdict == "refuted":
         _require_difference(record, question, certificate)

@@ -57,6 +57,7 @@ def _record(answer: Answer) -> dict[str, Any]:
         "rhs": identity.question.rhs,
         "constraints": list(identity.question.constraints),
         "nonzero": list(identity.question.nonzero),
+        **({"assumptions": list(identity.question.assumptions)} if identity.question.assumptions else {}),
         "verdict": outcome.verdict,
         "expected": identity.expected,
         "method": outcome.method,

@@ -45,7 +45,13 @@ Line = tuple[str, str]
 
 
 def explanation(
-    judgement: Judgement, module: str, functions: Sequence[str], quote: Quote | None = None, *, full: bool = False
+    judgement: Judgement,
+    module: str,
+    functions: Sequence[str],
+    quote: Quote | None = None,
+    *,
+    follows: str = "",
+    full: bool = False,
 ) -> Text:
     """Return everything about one claim: at most 60 lines on a terminal of 80 columns, unless it is to be in `full`."""
     claim = judgement.claim
@@ -56,8 +62,11 @@ def explanation(
     about = list(_about(judgement, full=full))
     lines = [
         *([("quoted", f"line {quote.line}: {_cut(quote.text, full, LONGEST_QUOTE)}")] if quote else []),
+        *([("read as", edit.text) for edit in quote.edits] if quote else []),
         *about,
         *([("note", claim.note)] if claim.note else []),
+        *([("follows", follows)] if follows else []),
+        *([("same as", f"({claim.same_as})")] if claim.same_as else []),
         ("derived in", module),
         *([("functions", ", ".join(functions))] if functions else []),
         *([("", FULL)] if any("…" in line for _, line in about) else []),
@@ -129,6 +138,8 @@ def apart(left: str, right: str, most: int) -> tuple[str, str]:
     """
     if max(len(left), len(right)) <= most:
         return left, right
+    if min(len(left), len(right)) <= most // 3:
+        return folded(left, most), folded(right, most)
     common = next((place for place, pair in enumerate(zip(left, right, strict=False)) if pair[0] != pair[1]), 0)
     start = max(0, common - most // 3)
     cut = [f"{'…' if start else ''}{text[start:][: most - 1]}" for text in (left, right)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -87,9 +88,15 @@ def declaration(claim: Claim, quote: Quote | None) -> dict[str, Any]:
         "setting": _setting(claim),
         "instead": claim.instead or None,
         "note": claim.note,
-        "quote": None if quote is None else {"line": quote.line, "latex": quote.text},
+        "quote": None if quote is None else _quoted(quote),
     }
     return declared | {"declaration": declaration_digest(declared)}
+
+
+def _quoted(quote: Quote) -> dict[str, Any]:
+    """Return a quote, with how its damaged places are read."""
+    quoted = {"line": quote.line, "latex": quote.text}
+    return quoted | {"read_as": [asdict(edit) for edit in quote.edits]} if quote.edits else quoted
 
 
 def _setting(claim: Claim) -> dict[str, Any]:

@@ -6,24 +6,16 @@ from collections.abc import Iterable, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-
 from algebroproj_sym.declaring import VERDICTS, Judgement
 from algebroproj_sym.reporting.explaining import failure_text, finding_line
+from algebroproj_sym.reporting.findings import is_finding
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.tables import failed_function
+from algebroproj_sym.reporting.templating import TEMPLATES
 
 if TYPE_CHECKING:
     from algebroproj_sym.generating import Lowered
     from algebroproj_sym.verifying import Verification
-
-_TEMPLATES = Environment(
-    loader=PackageLoader("algebroproj_sym.reporting"),
-    undefined=StrictUndefined,
-    keep_trailing_newline=True,
-    trim_blocks=True,
-    lstrip_blocks=True,
-)
 
 
 def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified: Sequence[Verification]) -> str:
@@ -46,29 +38,17 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
     """
     from algebroproj_sym.verifying import BOUND
 
-    return _TEMPLATES.get_template("report.md.j2").render(
+    return TEMPLATES.get_template("report.md.j2").render(
         wrong=[failure_text(judgement) for judgement in judgements if not judgement.as_declared],
         failed=[failed_function(verification) for verification in verified if not verification.passed],
         verdicts=VERDICTS,
         papers=[
-            (paper, summary(group), [(j, finding_line(j)) for j in group if _is_finding(j)])
+            (paper, summary(group), [(j, finding_line(j)) for j in group if is_finding(j)])
             for paper, group in _by_paper(judgements)
         ],
         functions=[_function(low, v) for low, v in zip(lowered, verified, strict=True)],
         bound=BOUND,
     )
-
-
-def findings(judgements: Sequence[Judgement]) -> str:
-    """Return a line for each claim that does not hold as printed or cannot be read, as Markdown, paper by paper."""
-    papers = [(paper, [j for j in group if _is_finding(j)]) for paper, group in _by_paper(judgements)]
-    return _TEMPLATES.get_template("findings.md.j2").render(
-        papers=papers, total=sum(len(found) for _, found in papers), claims=len(judgements)
-    )
-
-
-def _is_finding(judgement: Judgement) -> bool:
-    return judgement.verdict not in ("proved", "definition")
 
 
 def _by_paper(judgements: Iterable[Judgement]) -> list[tuple[str, list[Judgement]]]:

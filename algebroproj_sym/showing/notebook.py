@@ -1,4 +1,7 @@
-"""In a notebook each cell shows the claims that it declares, in their order, wherever in the cell they are declared."""
+"""In a notebook each cell shows the claims that it declares, in their order, wherever in the cell they are declared.
+
+A form at the end of a cell is shown as the claims show theirs.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +10,13 @@ from collections.abc import Sequence
 from typing import Any
 from weakref import WeakKeyDictionary
 
+import sympy
+
 from algebroproj_sym.declaring import Claim, Section, judge
+from algebroproj_sym.proving import reduced
+from algebroproj_sym.showing.arranging import arranged
 from algebroproj_sym.showing.display import markdown
+from algebroproj_sym.showing.latex import latex
 
 METADATA = "algebroproj"
 """Under this key the output of a claim names the claim."""
@@ -40,6 +48,13 @@ def show_claims_of_cells() -> None:
 
     shell.events.register("post_run_cell", show_claims)
     shell.display_formatter.ipython_display_formatter.for_type(Claim, show_value)
+    for form in (sympy.Expr, sympy.MatrixBase):
+        shell.display_formatter.formatters["text/latex"].for_type(form, _latex)
+
+
+def _latex(form: sympy.Expr | sympy.MatrixBase) -> str:
+    """Return a derived form, which a cell ends with, as the claims show it."""
+    return f"$$ {latex(arranged(reduced(form)))} $$"
 
 
 def _publish(claim: Claim) -> None:

@@ -83,6 +83,10 @@ section.count(
     note="Eight independent parameters, the usual set of five and three others, as the sentence goes on: the usual "
     "five are those of calibrated images, 0/introduction-usual-set, and here they are four, 0/beyond/four-and-three.  "
     "Favourable reading, of the components that the linear system determines: 0/introduction-eight-components.",
+    grade="results",
+    follows="The eight quotients satisfy det(C) = 0, so that {0/beyond/seven-parameters} of them are independent. "
+    "Seven pairs of points are enough, at the price of a cubic equation. See "
+    "docs/findings/seven-parameters.md.",
 )
 section.count(
     "0/beyond/seven-parameters",

@@ -107,6 +107,8 @@ section.identity(
     "it gives - + -; the signs proved are + + +.  The order of k and i and the handedness of the base are no way out, "
     "they change all three signs or none.  The two forms of (1.1.3) contradict each other, too: the sign is wrong "
     "in both, which no single slip of the press explains.",
+    follows="The factor of the sign makes three of the nine elements of the inverse wrong, in either form. For "
+    "cyclic indices there is no sign at all.",
 )
 section.identity(
     "1.1.3#cross",
@@ -120,6 +122,7 @@ section.identity(
     "indices in ascending order, k < i, but the text says cyclic, i = j - 1 and k = j + 1; an interchange of k and i, "
     "or of rows and columns of B, changes all three signs or none.  The factor stands in both forms, which "
     "no single slip of the press explains.",
+    same_as="1.1.3#components",
 )
 
 # %% [markdown]
@@ -284,7 +287,6 @@ section.identity(
     "singular projective matrix",
     printed=columns(-elements * center, elements).col_join(Matrix([[0, 0, 0, 0]])),
     derived=M_star,
-    note="The zero row is scanned as 0 and a bold zero with a Gamma, read as transposition.",
 )
 section.identity(
     "1.1.6#equation",

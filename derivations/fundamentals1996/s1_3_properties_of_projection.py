@@ -1,13 +1,14 @@
 # %% [markdown]
 # # 1.3 Properties of P*
 #
-# With $\mu_0 = 1$ the matrix of projection depends on $\mu_1, \mu_2, \mu_3$ and $\mathbf u_3$, or as well on the center
-# $\mathbf y_0$ and $\mathbf u_3$.  This section goes from one description to the other, inverts the matrix, and asks
-# when it is regular.
+# A camera sees four basic points.  Their images leave five numbers of it open: three parameters $\mu_1, \mu_2, \mu_3$
+# and the image $\mathbf u_3$ of the fourth point.  Or is it the center $\mathbf y_0$ and $\mathbf u_3$?  This section
+# goes from one description to the other.  It ends with the question when they fail.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import B, M_star, P_star
 from algebroproj_sym import Section
@@ -24,19 +25,25 @@ from algebroproj_sym.expressions import (
 )
 
 section = Section("fundamentals1996", "1.3", "Properties of the matrix of projection")
+DELTA = sympy.Symbol("Delta")
 
 # %% [markdown]
-# ## Image coordinates
+# ## Where is the image of a point?
 #
-# The quasihomogeneous image of $\mathbf y$ is $\mathbf M^* (1, \mathbf y)$ divided by its first component.  Here, and
-# only here, $y_0$ is short for $1 - y_1 - y_2 - y_3$.
+# **Definition.**  The quasihomogeneous image of $\mathbf y$ is $\mathbf M^* (1, \mathbf y)$ divided by its first
+# component.
 
 # %%
 point = vector(y1, y2, y3)
-y0 = sympy.Symbol("y0")
 image = M_star[:3, :] * homogeneous(point)
 u_of_y = vector(over(image[1], image[0]), over(image[2], image[0]))
+u_of_y
 
+# %% [markdown]
+# **Print.**  The paper has the same, with $y_0$ short for $1 - y_1 - y_2 - y_3$.
+
+# %%
+y0 = sympy.Symbol("y0")
 printed_denominator = y0 * mu0 + y1 * mu1 + y2 * mu2 + y3 * mu3
 section.identity(
     "1.3.1",
@@ -49,14 +56,24 @@ section.identity(
     derived=u_of_y,
 )
 
+# %% [markdown]
+# **Meaning.**  The coordinates are weighted means of the images of the basic points: $\mu_j$ is the weight that
+# the camera gives to $G_j$.  A common factor of all weights cancels, so one of them may be made 1.
+
+# %%
 factor = sympy.Symbol("k")
 section.identity(
     "1.3/factor",
     "a common factor of the matrix cancels out",
     printed=u_of_y,
     derived=u_of_y.subs({m: factor * m for m in (mu0, mu1, mu2, mu3)}, simultaneous=True),
-    note="The derived side has every mu_j multiplied by k: division by one component of P* changes mu alone.",
 )
+
+# %% [markdown]
+# The paper makes $p_{00} = \mu_0$ equal to 1.  But $p$ with two zeros is an element of $\mathbf P^*$, and it is
+# $\mu_1 - \mu_0$.  What is made 1 is the factor of the image of the origin, the element $m_{00}$ of $\mathbf M^*$.
+
+# %%
 section.identity(
     "1.3/p00",
     "the component that is made 1",
@@ -64,10 +81,14 @@ section.identity(
     derived=(M_star * homogeneous(e0))[0],
     expect="misprint",
     corrected=M_star[0, 0],
-    note="The print has p00 = mu0, but p with two zeros is an element of P*, mu1 - mu0.  Derived is the factor of the "
-    "image of the origin, which is made 1; it is the element m00 of M*.  The scan alone cannot tell a slip of the scan "
-    "from one of the print.",
+    note="The scan alone cannot tell a slip of the scan from one of the print.",
 )
+
+# %% [markdown]
+# Five numbers remain.  With the six coordinates of the images of $G_0, G_1, G_2$ they are the eleven parameters of a
+# general projection (1.1/general).
+
+# %%
 section.count(
     "1.3/parameters",
     "of the parameters of the projection five are independent",
@@ -75,26 +96,26 @@ section.count(
     derived=vector(*(over(element, mu0) for element in M_star[:3, :])),
     variables=(mu0, mu1, mu2, mu3, u31, u32),
     kernel=[vector(mu0, mu1, mu2, mu3, 0, 0)],
-    note="That mu0 may be made 1, as a count: mu1, mu2, mu3, u31 and u32 remain.  With the six coordinates of the "
-    "images of G0, G1, G2 they are the eleven of 1.1/general.",
 )
 
 # %% [markdown]
-# ## The matrix, its determinant and its inverse
+# ## The matrix and its inverse
+#
+# **Definition.**  From here on $\mu_0 = 1$.
 
 # %%
-P_star = P_star.subs(mu0, 1)
-M_star = M_star.subs(mu0, 1)
-Delta = determinant(P_star)
-P = inverse(P_star)
-DELTA = sympy.Symbol("Delta")
+P_star, M_star = P_star.subs(mu0, 1), M_star.subs(mu0, 1)
+P_star
 
+# %% [markdown]
+# **Print.**
+
+# %%
 section.identity(
     "1.3.2",
     "matrix of projection for mu0 = 1",
     printed=Matrix([[mu1 - 1, mu2 - 1, mu3 - 1], [mu1, 0, u31 * mu3], [0, mu2, u32 * mu3]]),
     derived=P_star,
-    note="Read as u_31 in the last column, where the scan shows mu_31: it takes u for mu.",
 )
 section.structure(
     "1.3.2#structure",
@@ -102,12 +123,25 @@ section.structure(
     printed=Matrix(3, 3, sympy.symbols("p00 p01 p02 p10 zero p12 zero p21 p22")).subs(sympy.Symbol("zero"), 0),
     derived=P_star,
 )
+
+# %% [markdown]
+# **When is there an inverse?**  The determinant decides.
+
+# %%
+Delta = determinant(P_star)
 section.identity(
     "1.3.3",
     "determinant of the matrix of projection",
     printed=mu1 * mu2 * (mu3 - 1) - u31 * (mu1 - 1) * mu2 * mu3 - u32 * mu1 * (mu2 - 1) * mu3,
     derived=Delta,
 )
+Delta
+
+# %% [markdown]
+# $\mathbf P \mathbf P^* = \mathbf E$ are nine linear equations for the nine elements of the matrix of reconstruction
+# $\mathbf P$.  Their determinant vanishes with $\Delta$ and nowhere else.
+
+# %%
 unknown = Matrix(3, 3, sympy.symbols("x:3:3"))
 section.vanishing(
     "1.3/PP*",
@@ -115,8 +149,8 @@ section.vanishing(
     printed=(DELTA,),
     where={DELTA: Delta},
     derived=determinant(linear_system(list(unknown * P_star - E3), list(unknown))[0]),
-    note="Derived is the determinant of the nine linear equations for the nine elements of P.",
 )
+P = inverse(P_star)
 section.identity(
     "1.3/P",
     "matrix of reconstruction in mu and u3",
@@ -133,33 +167,34 @@ section.identity(
 )
 
 # %% [markdown]
-# ## The center of projection
+# ## Where is the center?
 #
-# The origin is projected to $G'_0$ with $\mu_0 = 1$: $\mathbf P^* \mathbf y_0 + \mathbf e'_0 = \mathbf 0$, three
-# equations for $\mathbf y_0$.  Each is compared with the printed one as a linear form in $(1, y_{01}, y_{02}, y_{03})$,
-# for an equation means the same after multiplication by $-1$.
+# **Definition.**  The origin is projected to $G'_0$ with $\mu_0 = 1$, so that $\mathbf P^* \mathbf y_0 + \mathbf e'_0 =
+# \mathbf 0$.  These are three linear equations for the center $\mathbf y_0$, and this is their solution.
 
 # %%
 center_equations = P_star * center + image_e0
 system, right_side = linear_system(list(center_equations), list(center))
-forms = columns(-right_side, system)
 y0_of_mu = solve(system, right_side)
+y0_of_mu
 
-printed_forms = (
-    vector(1, mu1 - 1, mu2 - 1, mu3 - 1),
-    vector(0, -mu1, 0, -u31 * mu3),
-    vector(0, 0, -mu2, -u32 * mu3),
-)
-for row, printed_form in enumerate(printed_forms):
+# %% [markdown]
+# **Print.**  First the equations.  Each is compared as a linear form in $(1, y_{01}, y_{02}, y_{03})$, for an equation
+# means the same after multiplication by $-1$.
+
+# %%
+for row, printed_form in enumerate(
+    (vector(1, mu1 - 1, mu2 - 1, mu3 - 1), vector(0, -mu1, 0, -u31 * mu3), vector(0, 0, -mu2, -u32 * mu3))
+):
     section.up_to_scale(
         f"1.3.4#{row + 1}",
         f"equation {row + 1} for the center of projection",
         printed=printed_form,
-        derived=forms[row, :].T,
+        derived=columns(-right_side, system)[row, :].T,
     )
 
 # %% [markdown]
-# The second and third equation give $y_{01}$ and $y_{02}$ in terms of $y_{03}$; the first equation then gives $y_{03}$.
+# The second and third equation give $y_{01}$ and $y_{02}$ in terms of $y_{03}$.
 
 # %%
 y01_of_y03 = solve(*linear_system([center_equations[1]], [y01]))[0]
@@ -171,6 +206,11 @@ section.identity(
     derived=vector(y01_of_y03, y02_of_y03),
 )
 
+# %% [markdown]
+# Insertion into the first equation leaves $y_{03}$ alone.  The last bracket must be the coefficient $\mu_3 - 1$ of
+# $y_{03}$ in (1.3.4).  The print repeats $\mu_2 - 1$, and goes on with the right one.
+
+# %%
 inserted = center_equations[0].subs({y01: y01_of_y03, y02: y02_of_y03}) - 1
 braces = -u31 * (mu1 - 1) * mu3 / mu1 - u32 * (mu2 - 1) * mu3 / mu2
 section.identity(
@@ -180,8 +220,7 @@ section.identity(
     derived=inserted,
     expect="misprint",
     corrected=y03 * (braces + (mu3 - 1)),
-    note="The last bracket is the coefficient of y03 in (1.3.4), mu_3 - 1; the print repeats mu_2 - 1.  No exchange of "
-    "the numbering makes it right, and the next expression of the same line needs mu_3 - 1.",
+    note="No exchange of the numbering makes it right.",
 )
 section.identity(
     "1.3/insertion#Delta",
@@ -190,6 +229,11 @@ section.identity(
     where={DELTA: Delta},
     derived=inserted,
 )
+
+# %% [markdown]
+# The components of the center, as printed:
+
+# %%
 for name, component, printed_component in (
     ("y03", 2, -mu1 * mu2 / DELTA),
     ("y02", 1, u32 * mu3 * mu1 / DELTA),
@@ -202,13 +246,20 @@ for name, component, printed_component in (
         where={DELTA: Delta},
         derived=y0_of_mu[component],
     )
+
+# %% [markdown]
+# **Meaning.**  The center is the point that has no image: $\mathbf M^*$ takes it to zero.  Its four barycentric
+# coordinates are proportional to $u_{30}\, \mu_1 \mu_2 \mu_3$, $u_{31}\, \mu_2 \mu_3$, $u_{32}\, \mu_1 \mu_3$ and
+# $-\mu_1 \mu_2$.
+
+# %%
+at_mu = dict(zip(center, y0_of_mu, strict=True))
 section.identity(
     "1.3/from-1.1.7",
     "the center is annihilated by the singular matrix",
     printed=Matrix.zeros(4, 1),
     derived=M_star * homogeneous(y0_of_mu),
 )
-at_mu = dict(zip(center, y0_of_mu, strict=True))
 section.identity(
     "1.3/y00",
     "fourth barycentric coordinate of the center",
@@ -218,16 +269,39 @@ section.identity(
 )
 
 # %% [markdown]
-# ## The parameters from the center
+# **An example.**  $\mu_1 = \mu_2 = 1/2$, $\mu_3 = 2/3$ and $\mathbf u_3 = (1/4, 1/8)$ put the center here, by the
+# formula:
+
+# %%
+EXAMPLE = {mu1: "1/2", mu2: "1/2", mu3: "2/3", u31: "1/4", u32: "1/8"}
+example_center = y0_of_mu.xreplace({symbol: sympy.Rational(value) for symbol, value in EXAMPLE.items()}).doit()
+example_center
+
+# %%
+SpaceDrawing(
+    "The center C of the example, the rays from it to the basic points, and the plane of G1, G2 and G3, in which the "
+    "center must not lie.",
+    {"C": example_center, "G0": e0, "G1": e1, "G2": e2, "G3": e3},
+    segments=[("C", f"G{j}") for j in range(4)],
+    triangles=[("G1", "G2", "G3")],
+)
+
+# %% [markdown]
+# ## Which parameters belong to a center?
 #
-# The same three equations are linear in $\mu_1, \mu_2, \mu_3$ when $\mathbf y_0$ and $\mathbf u_3$ are given.  The
-# determinant of that system is $y_{01} y_{02} y_{03} u_{30}$: these four factors must not vanish.
+# The same three equations are linear in $\mu_1, \mu_2, \mu_3$ as well, when $\mathbf y_0$ and $\mathbf u_3$ are given.
 
 # %%
 parameter_system = linear_system(list(center_equations), [mu1, mu2, mu3])
 mu_of_y0 = solve(*parameter_system)
 at_center = dict(zip((mu1, mu2, mu3), mu_of_y0, strict=True))
+mu_of_y0
 
+# %% [markdown]
+# **Print.**  The paper adds the equations, which leaves $\mu_3$ alone.  In the sum the second and the third
+# equation have the sign that they have in (1.3.4).
+
+# %%
 first_equation, second_equation, third_equation = center_equations
 section.identity(
     "1.3/sum",
@@ -235,8 +309,9 @@ section.identity(
     printed=y00 + u30 * y03 * mu3,
     where=BARYCENTRIC,
     derived=first_equation - second_equation - third_equation,
-    note="The sum is that of (1.3.4) as printed, where the second and the third equation have the opposite sign.",
 )
+
+# %%
 section.identity("1.3.5#mu3", "third parameter", printed=-y00 / (u30 * y03), where=BARYCENTRIC, derived=mu_of_y0[2])
 section.identity(
     "1.3.5#mu2", "second parameter", printed=u32 * y00 / (u30 * y02), where=BARYCENTRIC, derived=mu_of_y0[1]
@@ -244,23 +319,35 @@ section.identity(
 section.identity(
     "1.3.5#mu1", "first parameter", printed=u31 * y00 / (u30 * y01), where=BARYCENTRIC, derived=mu_of_y0[0]
 )
+
+# %% [markdown]
+# **Meaning.**  The determinant of this system is $y_{01} y_{02} y_{03} u_{30}$.  The center must not lie in a
+# face of the basic tetrahedron through the origin, nor may the images of the other three basic points be
+# collinear.
+
+# %%
 section.vanishing(
     "1.3/beyond/mu-from-center",
     "where the parameters cannot be had from the center",
     printed=(y01, y02, y03, u30),
     where=BARYCENTRIC,
     derived=determinant(parameter_system[0]),
-    note="Not in the paper: the center must not lie in a face of the basic tetrahedron through the origin, nor may the "
-    "images of the other three basic points be collinear.",
 )
 
 # %% [markdown]
 # ## The matrices as functions of center and fourth image
+#
+# Inserted into the matrix, the parameters give the second description.
 
 # %%
 P_star_of_y0 = P_star.subs(at_center)
-P_of_y0 = inverse(P_star_of_y0)
+P_star_of_y0
 
+# %% [markdown]
+# **Print.**  The scan has four entries in the first row of a matrix of three columns: it took differences of
+# fractions for fractions of differences.
+
+# %%
 printed_scale = y00 / u30
 section.identity(
     "1.3.6#row0",
@@ -270,8 +357,7 @@ section.identity(
     derived=P_star_of_y0[0, :].T,
     expect="illegible",
     corrected=printed_scale * vector(u31 / y01 - u30 / y00, u32 / y02 - u30 / y00, -1 / y03 - u30 / y00),
-    note="The scan has four entries in this row of a matrix of three columns: differences of fractions were read as "
-    "fractions of differences, (u31 - u30)/y01 for u31/y01 - u30/y00, and the last entry was split in two.",
+    note="(u31 - u30)/y01 was read for u31/y01 - u30/y00, and the last entry was split in two.",
 )
 section.identity(
     "1.3.6#rows12",
@@ -280,6 +366,11 @@ section.identity(
     where=BARYCENTRIC,
     derived=P_star_of_y0[1:, :],
 )
+
+# %% [markdown]
+# It depends on center and fourth image alone, and on all five of their coordinates.
+
+# %%
 section.count(
     "1.3/exclusively",
     "the matrix of projection depends on center and fourth image, and on all of their coordinates",
@@ -287,6 +378,12 @@ section.count(
     derived=P_star_of_y0,
     variables=(*center, *fourth_image),
 )
+
+# %% [markdown]
+# The inverse takes an image point to the direction of its ray.
+
+# %%
+P_of_y0 = inverse(P_star_of_y0)
 section.identity(
     "1.3.7",
     "matrix of reconstruction in y0 and u3",
@@ -311,7 +408,6 @@ section.identity(
     ),
     where=BARYCENTRIC,
     derived=P_of_y0,
-    note="Read as y where the scan shows a script J, throughout (1.3.6) to (1.3.8).",
 )
 
 # %% [markdown]
@@ -320,6 +416,8 @@ section.identity(
 # %%
 section.identity("1.3/B*", "the contravariant base from P*", printed=U * P_star, derived=inverse(P * inverse(U)))
 section.identity("1.3/B", "the base from P*", printed=inverse(U * P_star), derived=P * inverse(U))
+
+# %%
 section.identity(
     "1.3/B#U*",
     "the base from the matrix of reconstruction",
@@ -334,13 +432,19 @@ section.up_to_scale(
 )
 
 # %% [markdown]
-# ## Regularity
+# ## When is the matrix regular?
 #
-# (1.3.8) takes $\mathbf y_0$ and $\mathbf u_3$ as independent, and in these terms the two restrictions are right: the
-# determinant vanishes exactly where $u_{31} u_{32} y_{00} = 0$.
+# **The paper's answer.**  It takes $\mathbf y_0$ and $\mathbf u_3$ as independent.  In these terms the determinant is
 
 # %%
 Delta_of_y0 = Delta.subs(at_center)
+Delta_of_y0
+
+# %% [markdown]
+# and (1.3.8) is right: it vanishes exactly where $u_{31} u_{32} y_{00} = 0$.  The divisors $u_{30}, y_{01}, y_{02},
+# y_{03}$ are poles, about which the restrictions a) and b) say nothing.
+
+# %%
 section.identity(
     "1.3.8",
     "determinant in y0 and u3",
@@ -354,12 +458,13 @@ section.vanishing(
     printed=(u31, u32, y00),
     where=BARYCENTRIC,
     derived=Delta_of_y0,
-    note="Poles apart: u30, y01, y02 and y03 are divisors of (1.3.8), about which the restrictions say nothing.",
 )
 
 # %% [markdown]
-# The geometry of the restrictions.  A vanishing coordinate means three collinear image points, or four coplanar
-# object points.
+# ### In the image
+#
+# A vanishing coordinate of $\mathbf u_3$ means three collinear image points.  Restriction a) speaks of $G'_1$ and
+# $G'_2$ "respectively".  As two lines through $G'_0$ it is right.
 
 # %%
 section.vanishing(
@@ -376,6 +481,11 @@ section.vanishing(
     derived=determinant(columns(image_e0, image_e1, image_e3)),
     note="Favourable reading of restriction a); the words as they stand are 1.3/a#literal.",
 )
+
+# %% [markdown]
+# As it stands it is false: with $G'_1$ and $G'_2$ the image of $G_3$ is collinear where $u_{30} = 0$.
+
+# %%
 section.vanishing(
     "1.3/a#literal",
     "G'3 is collinear with G'1 and G'2 where u31 u32 = 0",
@@ -392,8 +502,14 @@ section.vanishing(
     printed=(u30,),
     where=BARYCENTRIC,
     derived=determinant(columns(image_e1, image_e2, image_e3)),
-    note="Not in the paper.",
 )
+
+# %% [markdown]
+# ### In space
+#
+# A vanishing coordinate of $\mathbf y_0$ means four coplanar object points.
+
+# %%
 section.vanishing(
     "1.3/a#coplanar-y02",
     "G3 lies in the plane G0, O, G1 where y02 = 0",
@@ -415,10 +531,23 @@ section.vanishing(
 )
 
 # %% [markdown]
-# But center and fourth image are not independent: both follow from $\mu$ and $\mathbf u_3$, by
-# $y_{01} \Delta = u_{31} \mu_2 \mu_3$, and so on.  Where $u_{31} = 0$ the center lies in the plane
-# $y_1 = 0$ *as well*, and (1.3.8) reads $0/0$ while $\mathbf P^*$ stays regular.  As conditions for the regularity of
-# $\mathbf P^*$ the restrictions are false: none of them is necessary.
+# ### But center and fourth image are not independent
+#
+# Both follow from $\mu$ and $\mathbf u_3$.  As polynomials the four coordinates of $\Delta\, \mathbf y_0$ share their
+# factors with $\mathbf u_3$.  Where $u_{31} = 0$ the center lies in the plane $y_1 = 0$ *as well*: (1.3.8) reads
+# $0/0$, and $\mathbf P^*$ stays regular.
+
+# %%
+section.identity(
+    "1.3/beyond/dependence",
+    "center and fourth image vanish together",
+    printed=vector(u31 * mu2 * mu3, u32 * mu1 * mu3, -mu1 * mu2, u30 * mu1 * mu2 * mu3),
+    where=BARYCENTRIC,
+    derived=vector(*(Delta * coordinate for coordinate in (*y0_of_mu, 1 - sum(y0_of_mu)))),
+)
+
+# %% [markdown]
+# So the restrictions, read as conditions for a regular $\mathbf P^*$, are false: none of them is necessary.
 
 # %%
 section.identity(
@@ -431,6 +560,8 @@ section.identity(
     expect="false",
     instead="1.3/beyond/parallel-projection",
     note="The restriction as a condition on P*, on whose regularity all relations of the section depend.",
+    follows="A camera that sees G3 on the line of G0 and G2, or whose center lies in the plane of G1, G2 and G3, need "
+    "not be excluded: its matrix can be inverted. Only the formulas in y0 and u3 fail.",
 )
 section.identity(
     "1.3/a#mu-u32",
@@ -441,8 +572,14 @@ section.identity(
     nonzero=[mu1, mu2, mu3],
     expect="false",
     instead="1.3/beyond/parallel-projection",
-    note="The same finding as 1.3/a#mu-u31, for the other coordinate.",
+    same_as="1.3/a#mu-u31",
 )
+
+# %% [markdown]
+# The plane of $G_1, G_2, G_3$ goes through the center exactly where their images are collinear, $u_{30} = 0$.  There
+# the parameters cannot be had from (1.3.5), but $\mathbf P^*$ is regular.
+
+# %%
 section.identity(
     "1.3/b#mu",
     "P* is singular where the center lies in the plane of G1, G2, G3",
@@ -453,22 +590,13 @@ section.identity(
     witness={u31: 2, u32: -1},
     expect="false",
     instead="1.3/beyond/parallel-projection",
-    note="The plane of G1, G2, G3 goes through the center exactly where their images are collinear, u30 = 0: there the "
-    "parameters cannot be had from (1.3.5), but P* is regular.",
-)
-section.identity(
-    "1.3/beyond/dependence",
-    "center and fourth image vanish together",
-    printed=vector(u31 * mu2 * mu3, u32 * mu1 * mu3, -mu1 * mu2, u30 * mu1 * mu2 * mu3),
-    where=BARYCENTRIC,
-    derived=vector(*(Delta * coordinate for coordinate in (*y0_of_mu, 1 - sum(y0_of_mu)))),
-    note="Not in the paper: Delta y0 as polynomials, which is why (1.3.8) hides regular matrices behind 0/0.",
+    same_as="1.3/a#mu-u31",
 )
 
 # %% [markdown]
-# What is true of $\Delta$ as a function of $\mu$ and $\mathbf u_3$: the homogeneous center, the kernel of
-# $\mathbf M^*$, is $(\Delta, u_{31} \mu_2 \mu_3, u_{32} \mu_1 \mu_3, -\mu_1 \mu_2)$.  $\mathbf P^*$ is singular
-# exactly where the center is at infinity: for parallel projection.
+# ### What is true
+#
+# The homogeneous center spans the kernel of $\mathbf M^*$.  Its components are the signed minors of three rows:
 
 
 # %%
@@ -482,178 +610,17 @@ section.identity(
     "the homogeneous center spans the kernel of M*",
     printed=Matrix.zeros(4, 1),
     derived=M_star * homogeneous_center,
-    note="Not in the paper: the components are the signed minors of the three rows.",
 )
+homogeneous_center
+
+# %% [markdown]
+# $\Delta$ is the first component.  The matrix is singular exactly where the center is at infinity: for parallel
+# projection, and for nothing else.
+
+# %%
 section.vanishing(
     "1.3/beyond/parallel-projection",
     "P* is singular exactly where the center is at infinity",
     printed=(homogeneous_center[0],),
     derived=Delta,
-    note="Not in the paper: this is what regularity means in terms of mu and u3.  Restrictions a) and b) concern the "
-    "description by y0 and u3, which fails where the center lies in a face of the basic tetrahedron.",
-)
-
-# %% [markdown]
-# ## Code
-#
-# Center and image enter through the barycentric abbreviations $y_{00}$ and $u_{30}$.  In differences such as
-# $u_{31} y_{00} - u_{30} y_{01}$ the product $u_{31} y_{01}$ cancels; left in, it costs any number of digits where it
-# is large.  The forms below have it taken out, and keep what remains, $a_j = y_{00} + y_{0j}$ and
-# $b_j = u_{30} + u_{3j}$, common to numerator and denominator, where the rounding of one offsets the other.
-
-# %%
-A1, A2, B1, B2, W1, W2, N1, N2 = sympy.symbols("a1 a2 b1 b2 w1 w2 n1 n2")
-D, D1, D2 = sympy.symbols("delta d1 d2")
-SHARED = {A1: 1 - y02 - y03, A2: 1 - y01 - y03, B1: 1 - u32, B2: 1 - u31}
-DIFFERENCES = SHARED | {W1: u31 * A1 - B1 * y01, W2: u32 * A2 - B2 * y02}
-with_center = {"arguments": {"y0": center, "u3": fourth_image}, "describe": {"y0": ABOUT_Y0, "u3": ABOUT_U3}}
-with_mu = {"arguments": {"mu": mu, "u3": fourth_image}, "describe": {"mu": ABOUT_MU, "u3": ABOUT_U3}}
-EXAMPLE_CENTER = {"y0": ("-1.0679613", "-0.2268166", "4.1115155"), "u3": ("0.2718578", "0.0577379")}
-EXAMPLE_MU = {"mu": ("0.625", "0.75", "0.5"), "u3": ("0.25", "0.125")}
-
-section.kernel(
-    "projection.mu_from_center",
-    "Projective parameters from the center of projection.",
-    **with_center,
-    derived=mu_of_y0,
-    form=vector(u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -y00 / (u30 * y03)),
-    where=BARYCENTRIC,
-    claims=["1.3.5#mu1", "1.3.5#mu2", "1.3.5#mu3"],
-    example=EXAMPLE_CENTER,
-    jacobian=True,
-)
-delta = mu1 * mu2 * (mu3 - 1) - mu3 * (u31 * mu2 * (mu1 - 1) + u32 * mu1 * (mu2 - 1))
-section.kernel(
-    "projection.center_from_mu",
-    "Center of projection from the projective parameters.",
-    **with_mu,
-    derived=y0_of_mu,
-    form=vector(u31 * mu2 * mu3 / D, u32 * mu1 * mu3 / D, -mu1 * mu2 / D),
-    where={D: delta},
-    claims=["1.3/y01", "1.3/y02", "1.3/y03"],
-    example=EXAMPLE_MU,
-)
-section.kernel(
-    "projection.projection_matrix",
-    "Matrix of projection P* from the center of projection.",
-    **with_center,
-    derived=P_star_of_y0,
-    form=Matrix(
-        [
-            [
-                W1 / ((B1 - u31) * y01),
-                W2 / ((B2 - u32) * y02),
-                ((u31 + u32) * y03 - (1 - y01 - y02)) / ((1 - (u31 + u32)) * y03),
-            ],
-            [u31 * y00 / (u30 * y01), 0, -u31 * y00 / (u30 * y03)],
-            [0, u32 * y00 / (u30 * y02), -u32 * y00 / (u30 * y03)],
-        ]
-    ),
-    where=BARYCENTRIC | DIFFERENCES,
-    alternatives=[
-        {
-            "form": Matrix(
-                [
-                    [
-                        (u31 * y00 - u30 * y01) / (u30 * y01),
-                        (u32 * y00 - u30 * y02) / (u30 * y02),
-                        -(y00 + u30 * y03) / (u30 * y03),
-                    ],
-                    [u31 * y00 / (u30 * y01), 0, -u31 * y00 / (u30 * y03)],
-                    [0, u32 * y00 / (u30 * y02), -u32 * y00 / (u30 * y03)],
-                ]
-            ),
-            "where": BARYCENTRIC,
-        },
-    ],
-    claims=["1.3.6#row0", "1.3.6#rows12"],
-    example=EXAMPLE_CENTER,
-    jacobian=True,
-)
-section.kernel(
-    "projection.projection_matrix_from_mu",
-    "Matrix of projection P* from the projective parameters.",
-    **with_mu,
-    derived=P_star,
-    claims=["1.3.2"],
-    example=EXAMPLE_MU,
-)
-section.kernel(
-    "projection.projection_determinant",
-    "Determinant of the matrix of projection from the center of projection.",
-    **with_center,
-    derived=Delta_of_y0,
-    form=-u31 * u32 * y00**2 / (u30**2 * y01 * y02 * y03),
-    where=BARYCENTRIC,
-    claims=["1.3.8"],
-    example=EXAMPLE_CENTER,
-)
-section.kernel(
-    "projection.projection_determinant_from_mu",
-    "Determinant of the matrix of projection from the projective parameters.",
-    **with_mu,
-    derived=Delta,
-    form=delta,
-    claims=["1.3.3"],
-    example=EXAMPLE_MU,
-)
-section.kernel(
-    "projection.reconstruction_matrix",
-    "Matrix of reconstruction P from the center of projection.",
-    **with_center,
-    derived=P_of_y0,
-    form=Matrix(
-        [
-            [-y01, y01 * (B1 * (1 - y01) - u31 * (y02 + y03)) / D1, y01 * W2 / D2],
-            [-y02, y02 * W1 / D1, y02 * (B2 * (1 - y02) - u32 * (y01 + y03)) / D2],
-            [-y03, y03 * W1 / D1, y03 * W2 / D2],
-        ]
-    ),
-    where=DIFFERENCES | {D1: u31 * (A1 - y01), D2: u32 * (A2 - y02)},
-    alternatives=[
-        {
-            "form": Matrix(
-                [
-                    [-y01, y01 * (D1 + u30 * (1 - y01)) / D1, y01 * W2 / D2],
-                    [-y02, y02 * W1 / D1, y02 * (D2 + u30 * (1 - y02)) / D2],
-                    [-y03, y03 * W1 / D1, y03 * W2 / D2],
-                ]
-            ),
-            "where": BARYCENTRIC | {D1: u31 * y00, D2: u32 * y00, W1: D1 - u30 * y01, W2: D2 - u30 * y02},
-        },
-    ],
-    claims=["1.3.7"],
-    example=EXAMPLE_CENTER,
-)
-section.kernel(
-    "projection.reconstruction_matrix_from_mu",
-    "Matrix of reconstruction P from the projective parameters.",
-    **with_mu,
-    derived=P,
-    form=Matrix(
-        [
-            [-mu2 * mu3 * u31 / D1, N1 / D1, (mu2 - 1) * mu3 * u31 / D1],
-            [-mu1 * mu3 * u32 / D1, (mu1 - 1) * mu3 * u32 / D1, N2 / D2],
-            [mu1 * mu2 / D1, -(mu1 - 1) * mu2 / D1, -mu1 * (mu2 - 1) / D1],
-        ]
-    ),
-    where={
-        N1: mu2 * (mu3 - 1) - (mu2 - 1) * mu3 * u32,
-        N2: mu1 * (mu3 - 1) - (mu1 - 1) * mu3 * u31,
-        D1: mu1 * N1 - u31 * (mu1 - 1) * mu2 * mu3,
-        D2: mu2 * N2 - u32 * mu1 * (mu2 - 1) * mu3,
-    },
-    claims=["1.3/P", "1.3/PP*"],
-    example=EXAMPLE_MU,
-)
-section.kernel(
-    "projection.project",
-    "Affine image coordinates of a point.",
-    arguments={"y": point, **with_mu["arguments"]},
-    describe={"y": "Point (y1, y2, y3) in affine coordinates; dimensionless.", **with_mu["describe"]},
-    derived=u_of_y.subs(mu0, 1),
-    form=vector((y1 * mu1 + y3 * u31 * mu3) / D, (y2 * mu2 + y3 * u32 * mu3) / D),
-    where={D: 1 + y1 * (mu1 - 1) + y2 * (mu2 - 1) + y3 * (mu3 - 1)},
-    claims=["1.3.1"],
-    example={"y": ("0.5756072", "0.1487681", "0.1279697"), **EXAMPLE_MU},
 )

@@ -47,7 +47,6 @@ section.definition(
     "1.4/b",
     "base vectors in the system of the image",
     printed=columns(*internal),
-    note="Read as b'_j, with the prime that the vectors have later in the paragraph; the scan has none.",
 )
 section.identity(
     "1.4/b#external",
@@ -315,8 +314,8 @@ section.identity(
     "matrix of projection, rotation and affine transformation",
     printed=inverse(A_v) * rotation.T,
     derived=inverse(rotation * A_v),
-    note="Read as A_v: the scan has A_p, a name that nothing in the paper has.  This matrix acts on the cartesian ray; "
-    "on the affine one of section 1.1, the ray being A_X z, it acts with A_X on its right.",
+    note="This matrix acts on the cartesian ray; on the affine one of section 1.1, the ray being A_X z, it "
+    "acts with A_X on its right.",
 )
 section.structure(
     "1.4/normal-case",
@@ -348,9 +347,9 @@ section.identity(
     "projection between cartesian systems",
     printed=A_v * (M * (inverse(A_X) * homogeneous(X))),
     derived=rotation.T * (X - point_at(center, space_points)),
-    note="Read as M*: (1.2.3), to which the text refers, is M* with a star, and the scan shows none.  Without its row "
-    "of zeros, scaled so that the factor of v is the first component of the right side.  That M* has the form (1.2.3) "
-    "where A_v refers to the images of the basic points is (1.2/core) and (1.4/type).",
+    note="Without its row of zeros, scaled so that the factor of v is the first component of the right side.  "
+    "That M* has the form (1.2.3) where A_v refers to the images of the basic points is (1.2/core) and "
+    "(1.4/type).",
 )
 
 # %% [markdown]

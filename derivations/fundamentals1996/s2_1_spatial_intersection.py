@@ -266,8 +266,7 @@ section.identity(
     printed=(d.T * inverse_left.T * P_left.T * D_printed * P_right).T,
     where=inverses,
     derived=C.T * epipole_left,
-    note="Read as d^T P'*^T P'^T D P'': the scan has d P* P'^T D P'', a column before a matrix, which is no product.  "
-    "u'0^T = d^T P'*^T has the three marks that are lost, and the line above has all of its own.",
+    note="u'0^T = d^T P'*^T has the three marks that are lost, and the line above has all of its own.",
 )
 section.identity(
     "2.1/u0'C#zero",
@@ -283,8 +282,7 @@ section.identity(
         C.T.xreplace(at_centers) * solve(P_left, center_right - center_left),
         C.xreplace(at_centers) * solve(P_right, center_left - center_right),
     ),
-    note="Read as u'_0 in the first equation: the scan has no index 0, the second equation and the text before have "
-    "it.  Put in are the images of the centers.",
+    note="Put in are the images of the centers.",
 )
 section.rank(
     "2.1/rank-C",
@@ -383,6 +381,8 @@ section.identity(
     note="The first factor must be P'^T, and in the second equation P''^T: the same exchange twice, in products that "
     "exist, so that the scan alone did not make it.  The equation is (2.1.7) multiplied from the left by P'^T on both "
     "sides, and its third member, mu'' C u'', needs C = P'^T D P''.  An interchange of the images changes all members.",
+    follows="The second members are those of the other image. Who used them would get the moment of the wrong bundle; "
+    "the first and third members are right.",
 )
 section.identity(
     "2.1.8#right",
@@ -403,6 +403,7 @@ section.identity(
     expect="error",
     corrected=P_right.T * (D_printed * (P_left * (factor_left * u_left))),
     note="The first factor must be P''^T, as in the first equation it must be P'^T: see 2.1.8#left-second.",
+    same_as="2.1.8#left-second",
 )
 section.identity(
     "2.1/D-skew",
@@ -479,6 +480,8 @@ section.identity(
     "the cross products are D times the reciprocal vectors.  1/D is right if D is the determinant of P*, but the text "
     "defines D = det(P); with the adjugate of P for P* the factor would be 1.  The factor as a whole is "
     "inverted, which no single sign or letter explains.",
+    follows="K differs from its definition by the factor det(P)^2. Epipoles, which are homogeneous, do not notice "
+    "it. The relations (2.1.13), which have no free factor, do.",
 )
 section.structure("2.1.9#kappa", "K is skew-symmetric", printed=skew(*kappa), derived=P.T * D * P)
 section.identity(

@@ -1,22 +1,23 @@
 # %% [markdown]
 # # 2.2 Determination and utilization of the matrix of correlation
 #
-# The equation $\mathbf u'^T \mathbf C \mathbf u'' = 0$ is linear in the elements of $\mathbf C$: homologous points give
-# $\mathbf C$ but for a common factor, and $\mathbf C$ gives the epipolar lines and the epipoles.  In the names of
-# symbols a letter `p` stands for one prime and `pp` for two.
+# Two images of one object: which points of them belong together?  The equation $\mathbf u'^T \mathbf C \mathbf
+# u'' = 0$ says it, and it is linear in the elements of $\mathbf C$.  This section asks how many homologous points
+# determine $\mathbf C$, and what $\mathbf C$ says about the geometry: lines, and the points where they meet.  In
+# the names of symbols a letter `p` stands for one prime and `pp` for two.
 
 # %%
 from itertools import product
 
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion, ratios
 from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
-from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import Delta, P, delta, y0_of_mu
+from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import Delta, P, y0_of_mu
 from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C, at_basic_points
 from algebroproj_sym import Section
-from algebroproj_sym.declaring import null_vector, solution
 from algebroproj_sym.expressions import (
     Matrix,
     adjugate,
@@ -24,6 +25,7 @@ from algebroproj_sym.expressions import (
     cross,
     determinant,
     diff,
+    divided,
     dot,
     homogeneous,
     inverse,
@@ -36,10 +38,10 @@ from algebroproj_sym.expressions import (
 section = Section("fundamentals1996", "2.2", "Determination and utilization of the matrix of correlation")
 
 # %% [markdown]
-# ## The homogeneous matrix
+# ## How many numbers is a matrix of correlation?
 #
-# $\mathbf C$ has nine elements and a free factor.  Division by $c_{10}$ leaves the eight unknowns $z_{jk}$ of
-# $\mathbf Z$.
+# **Definition.**  $\mathbf C$ has nine elements and a free factor.  Division by $c_{10}$ leaves the eight quotients
+# $z_{jk}$ of $\mathbf Z$.
 
 # %%
 c = Matrix(3, 3, sympy.symbols("c:3:3"))
@@ -140,9 +142,9 @@ section.identity(
 )
 
 # %% [markdown]
-# ## The system of equations
+# ## Which equations do the points give?
 #
-# Each pair of homologous points gives one equation, linear in the eight unknowns.
+# **Definition.**  Each pair of homologous points gives one equation, linear in the eight unknowns.
 
 # %%
 up1, up2, upp1, upp2 = sympy.symbols("up1 up2 upp1 upp2")
@@ -166,20 +168,30 @@ section.identity(
     printed=equation(Z_general),
     where={z[j, k]: over(c[j, k], c[1, 0]) for j, k in product(range(3), repeat=2)},
     derived=over(dot(u_left, c * u_right), c[1, 0]),
-    note="Read as z, where the scan has xi: (2.1.3) divided by c10.",
+    note="(2.1.3) divided by c10.",
 )
+
+# %% [markdown]
+# Its coefficients, in the order $z_{00}, z_{01}, z_{02}, z_{11}, z_{12}, z_{20}, z_{21}, z_{22}$, and its right side:
+
+# %%
 design = row_of(equation(Z_general), unknowns)
+design
+
+# %% [markdown]
+# **Print.**
+
+# %%
 section.identity(
     "2.2/row",
     "one row of the system of eight unknowns",
     printed=Matrix([[1, upp1, upp2, up1 * upp1, up1 * upp2, up2, up2 * upp1, up2 * upp2, -up1]]),
     derived=design,
-    note="Coefficients and right side, in the order of the print.",
 )
 
 # %% [markdown]
-# Conventional photogrammetry knows the interior orientation: $\mathbf C$ is made of a rotation and a base, in a system
-# of coordinates in which the left image is not rotated.
+# **How many points?**  Conventional photogrammetry knows the interior orientation: $\mathbf C$ is made of a
+# rotation and a base, in a system of coordinates in which the left image is not rotated.
 
 # %%
 base_of_rotation = vector(*sympy.symbols("d1 d2 d3"))
@@ -233,14 +245,16 @@ section.identity(
 )
 
 # %% [markdown]
-# The three numerical rows are solved for three of the unknowns.
+# The three numerical rows are solved for three of the unknowns.  What remains is the matrix of five elements:
 
 # %%
 numbers, values = basic_rows[:, :8], basic_rows[:, 8]
 basic_solution = solve(*linear_system(list(numbers * vector(*unknowns) - values), (z00, z01, z02)))
 eliminated = dict(zip((z00, z01, z02), basic_solution, strict=True))
-Z = Z_general.xreplace(eliminated)
+Z = divided(Z_general.xreplace(eliminated))
+Z
 
+# %%
 section.identity(
     "2.2.2",
     "three unknowns from the basic points",
@@ -335,6 +349,7 @@ section.reference(
     meant="1.4.6",
     note=AFFINE_REFERENCE + "(1.4.5), the core between two affine transformations, would serve as well; (1.3.6) gives "
     "P* in y0 and u3.",
+    same_as="2.2/ref-1.3.5",
 )
 
 # %% [markdown]
@@ -360,11 +375,17 @@ section.identity(
 # %% [markdown]
 # ## The matrix referred to the basic points
 #
-# Five unknowns remain, and five equations.
+# Five unknowns remain.  The equation of a further pair of points has these coefficients, and this right side:
 
 # %%
 remaining = (z11, z12, z20, z21, z22)
 reduced = row_of(equation(Z), remaining)
+reduced
+
+# %% [markdown]
+# **Print.**
+
+# %%
 Z_printed = Matrix([[0, -1 - z11, -z20 - z22], [1, z11, z12], [z20, z21, z22]])
 
 section.identity("2.2.3", "matrix of correlation referred to the basic points", printed=Z_printed, derived=Z)
@@ -373,8 +394,13 @@ section.identity(
     "one equation of the reduced system",
     printed=Matrix([[upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1), upp1 - up1]]),
     derived=reduced,
-    note="Coefficients and right side, in the order of the print.",
 )
+
+# %% [markdown]
+# **Meaning.**  Five further points determine the five unknowns.  That is not the five of conventional
+# photogrammetry: the five pairs come in addition to those of the three basic points.
+
+# %%
 section.rank(
     "2.2/five-equations",
     "five further points determine the five unknowns",
@@ -390,10 +416,17 @@ section.rank(
     derived=Matrix.vstack(*(homologous_row(design, index) for index in range(3, 8))),
     expect="false",
     instead="2.2/five-equations",
-    note="The sentence taken literally: five pairs of rays satisfy relative orientation.  It is true of conventional "
-    "photogrammetry, 2.2/conventional; here the five pairs come in addition to those of the three basic points, which "
-    "are homologous as well, and the five equations prove nothing about conventional orientation.",
+    note="The sentence taken literally.  It is true of conventional photogrammetry, 2.2/conventional.",
+    grade="results",
+    follows="Five pairs of rays leave two parameters open: without knowledge of the cameras there are "
+    "{2.2/beyond/seven-parameters}. See docs/findings/seven-parameters.md.",
 )
+
+# %% [markdown]
+# Are five elements five parameters?  The determinant of $\mathbf Z$ is zero, and $z_{12}$ follows from the
+# others.  Four further points would do, at the cost of a cubic equation.
+
+# %%
 section.count(
     "2.2/five-parameters",
     "five elements are left of the matrix referred to the basic points",
@@ -408,8 +441,6 @@ section.count(
     printed=4,
     derived=Z_singular,
     variables=(z11, z20, z21, z22),
-    note="Not in the paper: z12 follows from det(Z) = 0.  Four further points would do, at the cost of a cubic "
-    "equation.",
 )
 
 # %% [markdown]
@@ -433,13 +464,19 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Epipolar lines
+# ## On which line does the partner of a point lie?
 #
-# By (2.1.5), $\mathbf h' = \mathbf Z \mathbf u''$ and $\mathbf h'' = \mathbf Z^T \mathbf u'$.
+# **Definition.**  By (2.1.5), $\mathbf h' = \mathbf Z \mathbf u''$ and $\mathbf h'' = \mathbf Z^T \mathbf
+# u'$.  The left line of a right point has the coefficients
 
 # %%
 h_left, h_right = Z * u_right, Z.T * u_left
+h_left
 
+# %% [markdown]
+# **Print.**
+
+# %%
 section.identity(
     "2.2.5#left",
     "epipolar line in P', as a product",
@@ -474,30 +511,44 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Epipoles
+# ## Where do the lines meet?
 #
-# The epipole of $P'$ makes $\mathbf h''$ vanish and the epipole of $P''$ makes $\mathbf h'$ vanish: three equations
-# each for two coordinates.  Solve the second and the third.
+# **Definition.**  The epipole of $P'$ makes $\mathbf h''$ vanish and the epipole of $P''$ makes $\mathbf h'$
+# vanish: three equations each for two coordinates.  The second and the third have this solution, first for the
+# left image:
 
 # %%
-D = sympy.Symbol("D")
 system_left = linear_system([h_right[1], h_right[2]], (up1, up2))
 system_right = linear_system([h_left[1], h_left[2]], (upp1, upp2))
 epipole_left, epipole_right = solve(*system_left), solve(*system_right)
-D_printed = z11 * z22 - z12 * z21
+epipole_left
 
+# %%
+epipole_right
+
+# %% [markdown]
+# **Print.**  Both systems have the same determinant, and the print has it right.
+
+# %%
+D = sympy.Symbol("D")
+D_printed = z11 * z22 - z12 * z21
 section.identity(
     "2.2/D",
     "identical determinants",
     printed=vector(D_printed, D_printed),
     derived=vector(determinant(system_left[0]), determinant(system_right[0])),
 )
+
+# %% [markdown]
+# Each of the four numerators has the opposite sign.  With $-D$ all four would be right, but $D$ is printed as it
+# is.  The example of section 4, item c), has the signs of the corrected form: its $\mathbf Z$ gives $u'_{01} =
+# 1.647$.
+
+# %%
 SIGN = (
-    "Each of the four numerators of (2.2.6) and (2.2.7) has the opposite sign.  With the determinant as printed, which "
-    "is right, all four are wrong; with -D, z12 z21 - z11 z22, all four would be right.  Ruled out: an interchange of "
-    "Z and its transpose or of the two images, which would change the letters and not the sign, and a free sign of "
-    "the epipole, whose leading 1 fixes it.  The example of section 4, item c), has the signs of the corrected form: "
-    "its Z gives u'01 = 1.647 and u''01 = 1.617.  No single slip of the press gives four wrong signs."
+    "Ruled out: an interchange of Z and its transpose or of the two images, which would change the letters and not the "
+    "sign, and a free sign of the epipole, whose leading 1 fixes it.  No single slip of the press gives four wrong "
+    "signs."
 )
 printed_left = vector(-z22 * (1 + z11) + z21 * (z20 + z22), -z11 * (z20 + z22) + z12 * (1 + z11))
 printed_right = vector(z22 - z12 * z20, z11 * z20 - z21)
@@ -510,6 +561,10 @@ section.identity(
     expect="error",
     corrected=-printed_left / D,
     note=SIGN,
+    follows="All four numerators of (2.2.6) and (2.2.7) have the wrong sign: each epipole is mirrored in the origin. "
+    "In the example the left one is at ({4/c#left.u01}, {4/c#left.u02}). The printed formula gives "
+    "({4/c/beyond/as-printed#left.u01}, {4/c/beyond/as-printed#left.u02}). See "
+    "docs/findings/signs-of-the-epipoles.md.",
 )
 section.identity(
     "2.2.7",
@@ -520,11 +575,12 @@ section.identity(
     expect="error",
     corrected=-printed_right / D,
     note=SIGN,
+    same_as="2.2.6",
 )
 
 # %% [markdown]
-# The first equation was not used.  At the solution of the other two it has the value $\det \mathbf Z / D$: only
-# where $\det \mathbf Z = 0$ is there an epipole.
+# **Meaning.**  The first equation was not used.  At the solution of the other two it has the value $\det \mathbf
+# Z / D$: only where $\det \mathbf Z = 0$ is there an epipole.  Five measured points do not ensure that.
 
 # %%
 first_left = h_right[0].xreplace(dict(zip((up1, up2), epipole_left, strict=True)))
@@ -535,8 +591,6 @@ section.identity(
     printed=vector(determinant_of_correlation / D, determinant_of_correlation / D),
     where={D: D_printed},
     derived=vector(first_left, first_right),
-    note="Not in the paper: the coordinates solve all three equations exactly where det(Z) = 0.  Five measured points "
-    "do not ensure that.",
 )
 section.identity(
     "2.2/epipoles",
@@ -546,6 +600,27 @@ section.identity(
     constraints=[determinant_of_correlation],
     nonzero=[D_printed],
     note="The equations (2.1.6) with Z for C, whose determinant is zero by section 2.1.",
+)
+
+# %% [markdown]
+# **An example.**  A matrix with small numbers and $\det \mathbf Z = 0$.  Its epipoles are
+
+# %%
+EXAMPLE = {z11: sympy.Rational(1, 2), z20: sympy.Integer(1), z21: sympy.Integer(-1), z22: sympy.Rational(1, 4)}
+Z_example = divided(divided(Z_singular).xreplace(EXAMPLE))
+elements = dict(zip(Z_general, Z_example, strict=True))
+left_pole, right_pole = (divided(divided(pole).xreplace(elements)) for pole in (epipole_left, epipole_right))
+columns(left_pole, right_pole)
+
+# %%
+SEEN = {"P1": vector(0, 1), "P2": vector(1, 1), "P3": vector(1, 2), "P4": vector(-1, 1)}
+ImageDrawing(
+    "Points P1 to P4 of each image, and in each image the lines on which the partners of the other image's points "
+    "lie.  All lines of an image meet in its epipole E.",
+    {
+        "left image": ({"E": left_pole, **SEEN}, [Z_example * homogeneous(point) for point in SEEN.values()]),
+        "right image": ({"E": right_pole, **SEEN}, [Z_example.T * homogeneous(point) for point in SEEN.values()]),
+    },
 )
 
 # %% [markdown]
@@ -571,11 +646,11 @@ for row in range(3):
     )
 
 # %% [markdown]
-# ## Epipolar lines of one image
+# ## The line from one image alone
 #
-# $\mathbf K \mathbf u = \boldsymbol\kappa \times \mathbf u$ by the pattern of (2.1.9), and the vector product changes
-# its sign when the factors are interchanged: the same line is a product with a matrix of the point.  Up to a factor
-# $\boldsymbol\kappa$ is the epipole, (2.1.12).
+# **Definition.**  $\mathbf K \mathbf u = \boldsymbol\kappa \times \mathbf u$ by the pattern of (2.1.9), and the
+# vector product changes its sign when the factors are interchanged: the same line is a product with a matrix of
+# the point.  Up to a factor $\boldsymbol\kappa$ is the epipole, (2.1.12).
 
 # %%
 u = homogeneous(vector(u1, u2))
@@ -620,6 +695,12 @@ section.rank(
 
 # %%
 joining = cross(epipole, u)
+joining
+
+# %% [markdown]
+# **Print.**  In each of the two matrices one sign is wrong; the last member of (2.2.9) has the right ones.
+
+# %%
 section.identity(
     "2.2.9#u",
     "epipolar line from the epipole and the point, with the matrix of the point",
@@ -627,9 +708,8 @@ section.identity(
     derived=joining,
     expect="misprint",
     corrected=Matrix([[0, u2, -u1], [-u2, 0, 1], [u1, -1, 0]]) * epipole,
-    note="The last row reads u1, 1, 0; the same matrix in (2.2.8) has u1, -1, 0, and the last member of (2.2.9), "
-    "u1 - u01, needs it.  A free factor of the line changes all three rows.  The scan alone cannot tell a slip of the "
-    "scan from one of the print.",
+    note="The same matrix in (2.2.8) has the right sign.  A free factor of the line changes all three rows.  The scan "
+    "alone cannot tell a slip of the scan from one of the print.",
 )
 section.identity(
     "2.2.9#u0",
@@ -638,9 +718,8 @@ section.identity(
     derived=joining,
     expect="misprint",
     corrected=Matrix([[0, -u02, u01], [u02, 0, -1], [-u01, 1, 0]]) * u,
-    note="The matrix is K with (1, u01, u02) for kappa and must be skew-symmetric: the last element of the first row "
-    "is +u01, as the last member of (2.2.9) needs it.  A free factor changes all elements.  The scan alone cannot tell "
-    "a slip of the scan from one of the print.",
+    note="The matrix is K with (1, u01, u02) for kappa and must be skew-symmetric.  A free factor changes all "
+    "elements.  The scan alone cannot tell a slip of the scan from one of the print.",
 )
 section.identity(
     "2.2.9",
@@ -708,181 +787,4 @@ section.identity(
     where=differences | {delta_left: primed(Delta, "p"), delta_right: primed(Delta, "pp")},
     derived=C_of_cameras,
     note="Not in the paper: c00 = 0, c11 = -c01 - c10 and c22 = -c02 - c20 are (2.2.2).",
-)
-
-# %% [markdown]
-# ## Code
-#
-# $\mathbf Z$ may be any matrix of correlation, $\mathbf C$ or a multiple of it.
-
-# %%
-image_left, image_right = vector(up1, up2), vector(upp1, upp2)
-ABOUT_IMAGE = "affine coordinates, referred to the images of the basic points G0, G1, G2; dimensionless."
-ABOUT_Z = "Matrix of correlation, up to a common factor; dimensionless."
-with_points = {
-    "arguments": {"u_left": image_left, "u_right": image_right},
-    "describe": {
-        "u_left": f"Image point (u1', u2') of the left image in {ABOUT_IMAGE}",
-        "u_right": f"Homologous point (u1'', u2'') of the right image in {ABOUT_IMAGE}",
-    },
-    "example": {"u_left": ("0.625", "0.125"), "u_right": ("0.65", "0.1")},
-}
-EXAMPLE_Z = (("0", "-0.975", "-0.125"), ("1", "-0.025", "0.075"), ("0.125", "-0.08", "0"))
-
-section.kernel(
-    "correlation.design_row",
-    "Coefficients of one equation for the elements (z11, z12, z20, z21, z22) of the matrix of correlation.",
-    **with_points,
-    derived=reduced[0, :5].T,
-    form=vector(upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1)),
-    claims=["2.2.4"],
-)
-section.kernel(
-    "correlation.rhs",
-    "Right side of one equation for the elements of the matrix of correlation.",
-    **with_points,
-    derived=reduced[0, 5],
-    form=upp1 - up1,
-    claims=["2.2.4"],
-)
-section.kernel(
-    "correlation.epipolar_line_left",
-    "Epipolar line h' in the left image of a point of the right image.",
-    arguments={"Z": z, "u_right": image_right},
-    describe={"Z": ABOUT_Z, "u_right": f"Image point (u1'', u2'') of the right image in {ABOUT_IMAGE}"},
-    derived=z * u_right,
-    claims=["2.1/lines", "2.2.5#left"],
-    example={"Z": EXAMPLE_Z, "u_right": ("0.65", "0.1")},
-)
-section.kernel(
-    "correlation.epipolar_line_right",
-    "Epipolar line h'' in the right image of a point of the left image.",
-    arguments={"Z": z, "u_left": image_left},
-    describe={"Z": ABOUT_Z, "u_left": f"Image point (u1', u2') of the left image in {ABOUT_IMAGE}"},
-    derived=z.T * u_left,
-    claims=["2.1/lines", "2.2.5#right"],
-    example={"Z": EXAMPLE_Z, "u_left": ("0.625", "0.125")},
-)
-section.kernel(
-    "correlation.correlation_from_cameras",
-    "Matrix of correlation C from the projective parameters of both images.",
-    arguments={
-        "mu_left": primed(mu, "p"),
-        "u3_left": primed(fourth_image, "p"),
-        "mu_right": primed(mu, "pp"),
-        "u3_right": primed(fourth_image, "pp"),
-    },
-    describe={
-        "mu_left": f"Left image: {ABOUT_MU}",
-        "u3_left": f"Left image: {ABOUT_U3}",
-        "mu_right": f"Right image: {ABOUT_MU}",
-        "u3_right": f"Right image: {ABOUT_U3}",
-    },
-    derived=Matrix(3, 3, [0, *C_of_cameras[1:]]),
-    form=polynomials / (delta_left * delta_right),
-    where=differences | {delta_left: primed(delta, "p"), delta_right: primed(delta, "pp")},
-    claims=["2.1.4", "2.1.4#components", "2.2.3#cameras", "2.2/beyond/cameras"],
-    example={
-        "mu_left": ("0.625", "0.75", "0.5"),
-        "u3_left": ("0.25", "0.125"),
-        "mu_right": ("0.75", "0.625", "0.875"),
-        "u3_right": ("0.3125", "-0.25"),
-    },
-)
-
-# %% [markdown]
-# Five homologous points give five equations; eight in any image coordinates, the nine elements but for a factor, which
-# makes the largest one 1.  The epipoles are those of (2.2.6) and (2.2.7), of any multiple of $\mathbf Z$.
-
-# %%
-EXAMPLE_LEFT = (
-    ("0.2718578", "0.0577379"),
-    ("0.6355182", "0.1372296"),
-    ("0.3708332", "0.6469605"),
-    ("0.6721215", "0.8655064"),
-    ("0.9987487", "0.8349783"),
-)
-EXAMPLE_RIGHT = (
-    ("0.3094497", "-0.2327183"),
-    ("0.6442013", "0.1043779"),
-    ("0.3638478", "0.7763496"),
-    ("0.6670692", "1.0009998"),
-    ("1.0056120", "0.6733497"),
-)
-five_left, five_right = (Matrix(5, 2, sympy.symbols(f"{name}(3:8)(1:3)")) for name in ("up", "upp"))
-factored_row = Matrix([[upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1), upp1 - up1]])
-
-
-def of_points(row: Matrix, left: Matrix, right: Matrix) -> Matrix:
-    """Return the equations of homologous points, one below the other."""
-    one_pair = (*image_left, *image_right)
-    pairs = zip(left.tolist(), right.tolist(), strict=True)
-    return Matrix.vstack(*(row.xreplace(dict(zip(one_pair, (*a, *b), strict=True))) for a, b in pairs))
-
-
-five_equations = of_points(reduced, five_left, five_right)
-factored_equations = of_points(factored_row, five_left, five_right)
-with_five_points = {
-    "arguments": {"u_left": five_left, "u_right": five_right},
-    "describe": {
-        "u_left": f"Five image points (u1', u2') of the left image in {ABOUT_IMAGE}",
-        "u_right": f"Homologous points (u1'', u2'') of the right image in {ABOUT_IMAGE}",
-    },
-    "example": {"u_left": EXAMPLE_LEFT, "u_right": EXAMPLE_RIGHT},
-}
-section.kernel(
-    "correlation.system",
-    "Matrix and right side of the five equations for the elements (z11, z12, z20, z21, z22).",
-    **with_five_points,
-    derived={"matrix": five_equations[:, :5], "right_side": five_equations[:, 5]},
-    form={"matrix": factored_equations[:, :5], "right_side": factored_equations[:, 5]},
-    claims=["2.2.4"],
-)
-section.kernel(
-    "correlation.correlation_matrix",
-    "Matrix of correlation Z, with z10 = 1, from five points beside the three basic points.",
-    **with_five_points,
-    through=[solution(remaining, five_equations[:, :5], five_equations[:, 5], form=factored_equations)],
-    derived=Z,
-    claims=["2.2.2", "2.2.3", "2.2.4"],
-    normwise=True,
-)
-eight_left, eight_right = (Matrix(8, 2, sympy.symbols(f"{name}(:8)(1:3)")) for name in ("vp", "vpp"))
-any_row = Matrix([[diff(equation(c), element) for element in c]])
-section.kernel(
-    "correlation.general_correlation_matrix",
-    "Matrix of correlation, from eight homologous points in any image coordinates, scaled to its largest element.",
-    arguments={"v_left": eight_left, "v_right": eight_right},
-    describe={
-        "v_left": "Eight image points (v1', v2') of the left image, in any affine coordinates of it, in any unit; "
-        "coordinates of the order of 1 keep the system well conditioned.",
-        "v_right": "Homologous points (v1'', v2'') of the right image, in any affine coordinates of it.",
-    },
-    through=[null_vector(list(c), of_points(any_row, eight_left, eight_right))],
-    derived=c,
-    claims=["2.2.1", "2.2/row", "2.2/C-bar", "2.2/eight-points"],
-    example={
-        "v_left": (("0", "0"), ("1", "0"), ("0", "1"), *EXAMPLE_LEFT),
-        "v_right": (("0", "0"), ("1", "0"), ("0", "1"), *EXAMPLE_RIGHT),
-    },
-    normwise=True,
-)
-any_line_left, any_line_right = z * u_right, z.T * u_left
-any_epipoles = {
-    "left": solve(*linear_system([any_line_right[1], any_line_right[2]], (up1, up2))),
-    "right": solve(*linear_system([any_line_left[1], any_line_left[2]], (upp1, upp2))),
-}
-section.kernel(
-    "correlation.epipoles",
-    "Epipoles (u01', u02') and (u01'', u02'') of the left and of the right image.",
-    arguments={"Z": z},
-    describe={"Z": ABOUT_Z},
-    derived=any_epipoles,
-    form={
-        "left": vector((z02 * z21 - z01 * z22) / D, (z01 * z12 - z02 * z11) / D),
-        "right": vector((z12 * z20 - z10 * z22) / D, (z10 * z21 - z11 * z20) / D),
-    },
-    where={D: D_printed},
-    claims=["2.2.6", "2.2.7", "2.2/D"],
-    example={"Z": EXAMPLE_Z},
 )

@@ -166,6 +166,13 @@ def expanded(row: int, kept: tuple[int, ...]) -> list[tuple[int, tuple[int, ...]
 
 
 minors = [(sign * second, five) for sign, six in expanded(0, tuple(range(7))) for second, five in expanded(1, six)]
+section.identity(
+    "2.3/A7#six",
+    "two expansions leave six determinants of five points",
+    printed=vector(2, 6),
+    derived=vector(sum(A7.row(0)), len(minors)),
+    note="Two by the ones of the first row, and each of them three by the ones of the second row.",
+)
 subdeterminants = vector(*(sign * determinant(A7[2:, list(five)]) for sign, five in minors))
 
 entry = {
@@ -223,6 +230,7 @@ section.identity(
     expect="misprint",
     corrected=sympy.Add(*(SLIPS[place][0] if place in SLIPS else term for place, term in enumerate(printed_terms))),
     note="With the third and the sixth determinant corrected; the six signs are right.",
+    same_as="2.3/A7#3",
 )
 
 # %% [markdown]
@@ -383,6 +391,7 @@ for place, name in enumerate(COLUMNS):
         expect="illegible",
         corrected=outer[name] / both_denominators,
         note=f"The column of z{name}.  {PRIMES}",
+        same_as="2.3/A5#1" if place else "",
     )
 
 # %% [markdown]
@@ -579,6 +588,10 @@ section.rank(
     note="Both centers and the points 3 to 7 lie on the hyperbolic paraboloid y3 = y1 y2 + 1, the basic points do not: "
     "A5 is regular.  The sentence is right if its quadric is the one of (2.3.3), on which the basic points lie.  "
     "Nor is a quadric necessary: 2.3/beyond/normalisation#A5.",
+    grade="results",
+    follows="A test of these seven points for a ruled quadric rejects good configurations: in the example they lie "
+    "on one, and the five equations are independent. The quadric has to contain the three basic points as "
+    "well, and it may be any quadric. See docs/findings/determinant-of-a5.md.",
 )
 
 

@@ -1,27 +1,29 @@
 # %% [markdown]
 # # 2.4 Relative orientation
 #
-# Both bundles already see the basic points.  What ties them together is the epipolar axis, the line of the two centers:
-# its images are the epipoles, known from correlation.  A point $\mathbf y_A$ chosen on the axis gives the parameters
-# of the left bundle, $\mathbf y_A$ and the left center those of the right one.
+# How are the two bundles of rays tied together, so that they make a model?  Both already see the basic
+# points.  What ties them together is the epipolar axis, the line of the two centers: its images are the epipoles,
+# known from correlation.  A point $\mathbf y_A$ chosen on the axis gives the parameters of the left bundle,
+# $\mathbf y_A$ and the left center those of the right one.
 
 # %%
-from itertools import combinations, product
 
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star as M_star_any
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star, P, y0_of_mu
 from algebroproj_derivations.fundamentals1996.s1_5_space_to_space import M_star as core
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import Z, correlation_matrix, remaining
 from algebroproj_sym import Section
-from algebroproj_sym.declaring import let
 from algebroproj_sym.expressions import (
     Matrix,
     columns,
     cross,
     determinant,
     diff,
+    divided,
     dot,
     homogeneous,
     inverse,
@@ -58,6 +60,21 @@ COMPLETED = BARYCENTRIC | {ya0: 1 - ya1 - ya2 - ya3, u00: 1 - u01 - u02}
 M = M_star[:3, :]
 
 # %% [markdown]
+# **An example.**  The centers and basic points of two cameras, the axis through the centers, and a point A on it.
+
+# %%
+LEFT, RIGHT = (
+    divided(y0_of_mu.xreplace(dict(zip((mu1, mu2, mu3, u31, u32), map(sympy.Rational, values), strict=True))))
+    for values in (("1/2", "1/2", "2/3", "1/4", "1/8"), ("2/3", "1/2", "2/3", "1/3", "-1/8"))
+)
+SpaceDrawing(
+    "The left center C', the right center C'', the axis through them with a point A, and the basic points.  The rays "
+    "to the basic points meet whatever the parameters are; the axis ties the bundles together.",
+    {"C'": LEFT, "C''": RIGHT, "A": 2 * RIGHT - LEFT, "G0": e0, "G1": e1, "G2": e2, "G3": e3},
+    segments=[("C'", "A"), *((name, f"G{j}") for name in ("C'", "C''") for j in range(4))],
+)
+
+# %% [markdown]
 # ## The epipoles
 #
 # Two rays are coplanar where $(\mathbf p' \times \mathbf d) \cdot \mathbf p'' = 0$; in image coordinates this is
@@ -66,7 +83,7 @@ M = M_star[:3, :]
 # %%
 p_left, p_right = Matrix(3, 3, sympy.symbols("p:3:3")), Matrix(3, 3, sympy.symbols("q:3:3"))
 base = vector(*sympy.symbols("d1 d2 d3"))
-C = Matrix(3, 3, lambda i, j: dot(cross(p_left.col(i), base), p_right.col(j)))
+C = correlation_matrix(p_left, p_right, base)
 section.identity(
     "2.4/epipoles",
     "the epipole of the left image",
@@ -126,6 +143,7 @@ section.identity(
     expect="misprint",
     corrected=ya2 * mu2 + ya3 * u32 * mu3,
     note="The factor u32 of row 3, (0, 0, mu2, u32 mu3), is missing; otherwise as 2.4/2.3.0#2.",
+    same_as="2.4/2.3.0#2",
 )
 
 # %% [markdown]
@@ -135,8 +153,13 @@ section.identity(
 mu_a = image_of_axis[0]
 image_of_axis_point = vector(*(over(component, mu_a) for component in image_of_axis[1:, 0]))
 axis_equations = [mu_a * u01 - image_of_axis[1], mu_a * u02 - image_of_axis[2]]
+vector(*axis_equations)
+
+# %% [markdown]
+# **Print.**  The equations are compared by their coefficients.
 
 
+# %%
 def as_form(equation: sympy.Expr, *unknowns: sympy.Symbol) -> Matrix:
     """Return the coefficients of a linear equation, then its right side."""
     left_side, right_side = linear_system([equation], unknowns)
@@ -166,10 +189,10 @@ section.rank(
 )
 
 # %% [markdown]
-# ## a) The left bundle
+# ## a) Which left bundle?
 #
-# Unit points and $\mathbf y_A$ leave one degree of freedom, which $\mu'_1 = \mu'_2$ takes up: two equations, two
-# unknowns.
+# **Definition.**  Unit points and $\mathbf y_A$ leave one degree of freedom, which $\mu'_1 = \mu'_2$ takes up: two
+# equations, two unknowns.  The parameters are
 
 # %%
 left_equations = [equation.subs(mu1, mu2) for equation in axis_equations]
@@ -177,8 +200,13 @@ left_matrix, left_right_side = linear_system(left_equations, [mu2, mu3])
 left_solution = solve(left_matrix, left_right_side)
 mu_left = vector(left_solution[0], *left_solution)
 D_left = determinant(left_matrix)
-D = sympy.Symbol("D")
+mu_left
 
+# %% [markdown]
+# **Print.**
+
+# %%
+D = sympy.Symbol("D")
 section.up_to_scale(
     "2.4/left#1",
     "first equation of the left bundle",
@@ -211,8 +239,8 @@ section.identity(
 )
 
 # %% [markdown]
-# Where on the axis $\mathbf y_A$ is assumed does not matter: take any bundle with $\mu_1 = \mu_2$, any axis through its
-# center, and another point of the axis with the same epipole.
+# **Meaning.**  Where on the axis $\mathbf y_A$ is assumed does not matter: take any bundle with $\mu_1 = \mu_2$,
+# any axis through its center, and another point of the axis with the same epipole.
 
 # %%
 EQUAL = {mu1: mu2}
@@ -229,9 +257,9 @@ section.identity(
 )
 
 # %% [markdown]
-# ### When $D'$ vanishes
+# ### When does $D'$ vanish?
 #
-# It does in each of the three cases of the paper.
+# In each of the three cases of the paper:
 
 # %%
 for number, title, conditions in (
@@ -330,7 +358,6 @@ for number, equation, printed_form in (
         printed=printed_form,
         where=COMPLETED,
         derived=as_form(equation, mu1, mu2),
-        note="The scan shows mu_01, mu_02 for u_01, u_02 and mu mu_31 for u_31, the known confusion of u and mu.",
     )
 
 section.up_to_scale(
@@ -620,12 +647,10 @@ section.identity(
 # $\mathbf Z$, (2.2.3), and the images of $G_3$ are homologous exactly if the cross ratios agree.
 
 # %%
-z11, z12, z20, z21, z22 = correlation = sympy.symbols("z11 z12 z20 z21 z22")
-Z = Matrix([[0, -1 - z11, -z20 - z22], [1, z11, z12], [z20, z21, z22]])
 up01, up02, up31, up32 = sympy.symbols("up01 up02 up31 up32")
 left_image = {u01: up01, u02: up02, u31: up31, u32: up32}
 epipole_equations = [*(Z.T * homogeneous(vector(up01, up02))), *(Z[1:, :] * image_epipole)]
-Z_of_epipoles = Z.subs(dict(zip(correlation, solve(*linear_system(epipole_equations, correlation)), strict=True)))
+Z_of_epipoles = Z.subs(dict(zip(remaining, solve(*linear_system(epipole_equations, remaining)), strict=True)))
 in_left_image = (second_braces * u01).subs(left_image), (first_braces * u02).subs(left_image)
 
 section.identity(
@@ -712,7 +737,6 @@ section.identity(
         ]
     ),
     derived=linear_system(forms_of_point, point)[0],
-    note="The scan shows mu'_31 for u'_31 and so on in the last column, the known confusion of u and mu.",
 )
 section.identity(
     "2.4/beyond/right-sides",
@@ -786,6 +810,7 @@ section.count(
     note="Read as the number of parameters that the intersection of rays determines: it is three of the six mu, for "
     "given images of G3.  Five is the number of conventional orientation, 2.2/conventional, and the number of mu that "
     "remain when one is assumed.",
+    same_as="2.2/five-rays",
 )
 
 # %% [markdown]
@@ -829,6 +854,7 @@ section.rank(
     "parameters are undetermined, 2.4/beyond/parameters, and one ray gives one condition.  It is true of conventional "
     "orientation, 2.2/conventional, and of the epipolar axis as fifth ray, whose two known images are four data: "
     "2.4/beyond/epipoles.",
+    same_as="2.2/five-rays",
 )
 section.rank(
     "2.4/beyond/seven-rays",
@@ -836,215 +862,4 @@ section.rank(
     printed=3,
     derived=Matrix.vstack(*further_rows) * changes,
     note="Not in the paper: the conditions of three further rays are independent.",
-)
-
-# %% [markdown]
-# ## Code
-#
-# In $y_{00} y_{Aj} - y_{0j} y_{A0}$ the product $y_{0j} y_{Aj}$ cancels and is left out.  The right bundle takes
-# $\mu''_3$ from the second of its two equations.
-
-# %%
-N1, N2, P02, P03, P13, P23 = sympy.symbols("n1 n2 p02 p03 p13 p23")
-ABOUT_AXIS = "Point (yA1, yA2, yA3) assumed on the epipolar axis, in affine coordinates; dimensionless."
-of_image = {"epipole": epipole, "u3": fourth_image}
-ABOUT_EPIPOLE = "Epipole (u01, u02) of the image, in affine coordinates; dimensionless."
-
-section.kernel(
-    "orientation.left_bundle",
-    "Projective parameters of the left bundle, with mu1 = mu2.",
-    arguments={"y_a": axis_point, **of_image},
-    describe={"y_a": ABOUT_AXIS, "epipole": ABOUT_EPIPOLE, "u3": ABOUT_U3},
-    derived=mu_left,
-    form=vector(
-        ya0 * (u01 * u32 - u02 * u31) / D,
-        ya0 * (u01 * u32 - u02 * u31) / D,
-        ya0 * (ya1 * u02 - ya2 * u01) / (ya3 * D),
-    ),
-    where={
-        ya0: COMPLETED[ya0],
-        N1: u01 * (1 - u32) - u31 * (1 - u02),
-        N2: u02 * (1 - u31) - u32 * (1 - u01),
-        D: ya2 * N1 - ya1 * N2,
-    },
-    claims=["2.4/2.3.2#mu2", "2.4/2.3.2#mu3"],
-    example={
-        "y_a": ("-1.0", "0.5", "3.5"),
-        "epipole": ("1.6474603", "-12.5642098"),
-        "u3": ("0.2718578", "0.0577379"),
-    },
-)
-section.kernel(
-    "orientation.right_bundle",
-    "Projective parameters of the right bundle, from the axis and the left center.",
-    arguments={"y_a": axis_point, "y0_left": center, **of_image},
-    describe={
-        "y_a": ABOUT_AXIS,
-        "y0_left": "Left center of projection (y01, y02, y03) in affine coordinates; dimensionless.",
-        "epipole": ABOUT_EPIPOLE,
-        "u3": ABOUT_U3,
-    },
-    derived=mu_right,
-    form=vector(P03 * u01 / (P13 * u00), P03 * u02 / (P23 * u00), P02 * u02 / (P23 * N2)),
-    where={
-        u00: COMPLETED[u00],
-        N2: u02 * (1 - u31) - u32 * (1 - u01),
-        P02: (1 - y01 - y03) * ya2 - y02 * (1 - ya1 - ya3),
-        P03: (1 - y01 - y02) * ya3 - y03 * (1 - ya1 - ya2),
-        P13: y01 * ya3 - y03 * ya1,
-        P23: y02 * ya3 - y03 * ya2,
-    },
-    claims=["2.4/mu3#2", "2.4/mu1(yA)", "2.4/mu1(y0)", "2.4/mu2(yA)", "2.4/mu2(y0)", "2.4/beyond/right-bundle"],
-    example={
-        "y_a": ("-1.0", "0.5", "3.5"),
-        "y0_left": ("-1.0679613", "-0.2268166", "4.1115155"),
-        "epipole": ("1.6170618", "-12.0027987"),
-        "u3": ("0.3094497", "-0.2327183"),
-    },
-)
-
-# %% [markdown]
-# ## Intersection of homologous rays
-#
-# The oriented bundles give the model.  (1.3.1) is linear in the object point: an image point gives two equations
-# $u_i\,\mathbf m_0^T \mathbf y = \mathbf m_i^T \mathbf y$, two images give four equations
-# $\mathbf A \mathbf y = \mathbf b$ for three coordinates.  The solution that treats all four alike minimises the sum of
-# squares of what is left of them: $\mathbf A^T \mathbf A \mathbf y = \mathbf A^T \mathbf b$.  By the theorem of Cauchy
-# and Binet it is the mean of the four solutions that omit one equation each, weighted with the squares of their
-# determinants.
-
-# %%
-augmented = Matrix(4, 4, sympy.symbols("a:4:4"))
-four_equations, right_sides = augmented[:, :3], augmented[:, 3]
-minors_of_four = Matrix(4, 4, sympy.symbols("d:4:4"))
-object_point = vector(y1, y2, y3)
-
-total = sympy.Add(*(minors_of_four[i, 3] ** 2 for i in range(4)))
-mean = vector(
-    *(over(sympy.Add(*(minors_of_four[i, 3] * minors_of_four[i, j] for i in range(4))), total) for j in range(3))
-)
-
-
-def minor(row_omitted: int, unknown: int) -> sympy.Expr:
-    """Return the determinant of three equations, the right side in place of an unknown; for 3, without it."""
-    places = [3 if column == unknown else column for column in range(3)]
-    return determinant(augmented.extract([row for row in range(4) if row != row_omitted], places))
-
-
-MINORS = {minors_of_four[i, j]: minor(i, j) for i, j in product(range(4), repeat=2)}
-section.identity(
-    "2.4/beyond/intersection",
-    "the weighted mean satisfies the normal equations",
-    printed=four_equations.T * (four_equations * mean - right_sides),
-    where=MINORS,
-    derived=vector(0, 0, 0),
-    note="Not in the paper, which intersects two rays that do meet.",
-)
-section.identity(
-    "2.4/beyond/intersection#exact",
-    "four consistent equations have their common point as solution",
-    printed=mean.xreplace(MINORS).xreplace(dict(zip(right_sides, four_equations * object_point, strict=True))),
-    derived=object_point,
-    note="Not in the paper.",
-)
-
-# %% [markdown]
-# Each minor has both rows of one image: their own minors are the Plücker coordinates of its ray, and these are linear
-# in the image coordinates, as $(u_1 \mathbf m_0 - \mathbf m_1) \wedge (u_2 \mathbf m_0 - \mathbf m_2) =
-# \mathbf m_1 \wedge \mathbf m_2 + u_1\,\mathbf m_2 \wedge \mathbf m_0 + u_2\,\mathbf m_0 \wedge \mathbf m_1$.  The
-# product $u_1 u_2\,\mathbf m_0 \wedge \mathbf m_0$, large and zero, never arises.  Likewise the remaining row
-# $u_i \mathbf m_0 - \mathbf m_i$ is combined with the ray of the other image before the difference is taken.
-
-# %%
-PAIRS = list(combinations(range(4), 2))
-
-
-def wedge(first: Matrix, second: Matrix) -> dict[tuple[int, int], sympy.Expr]:
-    return {(i, j): first[i] * second[j] - first[j] * second[i] for i, j in PAIRS}
-
-
-def with_ray(row: Matrix, ray: dict[tuple[int, int], sympy.Expr], unknown: int) -> sympy.Expr:
-    """Return the determinant of a row and a ray, the right side in place of an unknown; for 3, without it."""
-    i, j, k = sorted({0, 1, 2, 3} - {unknown})
-    sign = (1, -1, 1, 1)[unknown]
-    return sign * (row[i] * ray[j, k] - row[j] * ray[i, k] + row[k] * ray[i, j])
-
-
-LEFT_RAY, RIGHT_RAY = wedge(augmented.row(0), augmented.row(1)), wedge(augmented.row(2), augmented.row(3))
-partner = {0: (1, RIGHT_RAY), 1: (0, RIGHT_RAY), 2: (3, LEFT_RAY), 3: (2, LEFT_RAY)}
-section.identity(
-    "2.4/beyond/intersection#rays",
-    "the minors are combinations of an equation of one image and the ray of the other",
-    printed=Matrix(4, 4, lambda i, j: with_ray(augmented.row(partner[i][0]), partner[i][1], j)),
-    derived=Matrix(4, 4, minor),
-    note="Not in the paper.  Row i omits equation i.",
-)
-
-
-def image_symbols(primes: str) -> dict[str, Matrix]:
-    names = {"u": f"u{primes}(1:3)", "mu": f"mu{primes}(1:4)", "u3": f"u{primes}3(1:3)"}
-    return {key: vector(*sympy.symbols(name)) for key, name in names.items()}
-
-
-def camera_rows(image: dict[str, Matrix]) -> Matrix:
-    """Return the rows m_0, m_1, m_2, the column of the constant last and with the sign of a right side."""
-    own = dict(zip((*mu, *fourth_image), (*image["mu"], *image["u3"]), strict=True))
-    camera = M_star[:3, :].xreplace(own)
-    return columns(camera[:, 1:], -camera[:, 0])
-
-
-def equations_of(image: dict[str, Matrix]) -> list[Matrix]:
-    m = camera_rows(image)
-    return [image["u"][i] * m.row(0) - m.row(i + 1) for i in range(2)]
-
-
-def linear_ray(image: dict[str, Matrix]) -> dict[tuple[int, int], sympy.Expr]:
-    m0, m1, m2 = (camera_rows(image).row(i) for i in range(3))
-    wedges, weights = (wedge(m1, m2), wedge(m2, m0), wedge(m0, m1)), (1, *image["u"])
-    return {place: sympy.Add(*(w * v[place] for w, v in zip(weights, wedges, strict=True))) for place in PAIRS}
-
-
-image_left, image_right = image_symbols("p"), image_symbols("pp")
-ray_left, ray_right = (dict(zip(PAIRS, sympy.symbols(f"{name}(:6)"), strict=True)) for name in ("rp", "rpp"))
-rays, linear_rays, rows_with_rays, split_rows = {}, {}, {}, {}
-for image, ray, other, first in ((image_left, ray_left, ray_right, 0), (image_right, ray_right, ray_left, 2)):
-    own_wedge, own_linear = wedge(*equations_of(image)), linear_ray(image)
-    rays |= {symbol: own_wedge[place] for place, symbol in ray.items()}
-    linear_rays |= {symbol: own_linear[place] for place, symbol in ray.items()}
-    m = camera_rows(image)
-    for i, j in product(range(2), range(4)):
-        symbol = minors_of_four[first + 1 - i, j]
-        rows_with_rays[symbol] = with_ray(equations_of(image)[i], other, j)
-        split_rows[symbol] = image["u"][i] * with_ray(m.row(0), other, j) - with_ray(m.row(i + 1), other, j)
-section.kernel(
-    "orientation.intersect",
-    "Object point of two homologous image points: least squares of the four equations of its images.",
-    arguments={
-        "u_left": image_left["u"],
-        "u_right": image_right["u"],
-        "mu_left": image_left["mu"],
-        "u3_left": image_left["u3"],
-        "mu_right": image_right["mu"],
-        "u3_right": image_right["u3"],
-    },
-    describe={
-        "u_left": "Left image point (u1', u2') in affine coordinates; dimensionless.",
-        "u_right": "Right image point (u1'', u2'') in affine coordinates; dimensionless.",
-        "mu_left": f"Left image: {ABOUT_MU}",
-        "u3_left": f"Left image: {ABOUT_U3}",
-        "mu_right": f"Right image: {ABOUT_MU}",
-        "u3_right": f"Right image: {ABOUT_U3}",
-    },
-    through=[let(rays, form=linear_rays), let(rows_with_rays, form=split_rows)],
-    derived=mean,
-    claims=["1.3.1", "2.4/beyond/intersection", "2.4/beyond/intersection#rays", "2.4/beyond/intersection#exact"],
-    example={
-        "u_left": ("0.625", "0.125"),
-        "u_right": ("0.65", "0.1"),
-        "mu_left": ("0.625", "0.75", "0.5"),
-        "u3_left": ("0.25", "0.125"),
-        "mu_right": ("0.75", "0.625", "0.875"),
-        "u3_right": ("0.3125", "-0.25"),
-    },
-    normwise=True,
 )

@@ -19,7 +19,14 @@ from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection impo
     u_of_y,
     y0_of_mu,
 )
-from algebroproj_derivations.fundamentals1996.s2_2_correlation import C_of_cameras, differences, q2, reduced
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import (
+    C_of_cameras,
+    Z,
+    differences,
+    q2,
+    reduced,
+    remaining,
+)
 from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import mu_left as orientation_left
 from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import mu_right as orientation_right
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import (
@@ -54,8 +61,7 @@ section = Section("fundamentals1996", "3.2", "The normal case")
 
 # %%
 z_n = sympy.Symbol("z_n")
-z11, z12, z20, z21, z22 = sympy.symbols("z11 z12 z20 z21 z22")
-Z = Matrix([[0, -1 - z11, -z20 - z22], [1, z11, z12], [z20, z21, z22]])
+z11, z12, z20, z21, z22 = remaining
 
 u_left = vector(*sympy.symbols("upN1 upN2"))
 u_right = vector(*sympy.symbols("uppN1 uppN2"))
@@ -67,7 +73,6 @@ section.definition(
     "3.2/line",
     "equation of an epipolar line",
     printed=dot(b_normal, homogeneous(u_left)),
-    note="Read as h_N0, h_N1, h_N2, the components of h_N, where the scan has b.",
 )
 
 # %% [markdown]
@@ -443,7 +448,6 @@ section.identity(
         *(center_right[j] * center_left[2] / (center_left[j] * center_right[2]) * left_fourth[j] for j in (0, 1))
     ),
     derived=fourth_of_right,
-    note="Read as y''03 in both denominators: the scan has y03 without primes, (3.2.6) has two.",
 )
 section.reference(
     "3.2/ref-3.3.6",
@@ -514,8 +518,7 @@ section.identity(
     printed=-(ya1 * mu1 + ya3 * left_fourth[0] * mu3) / (ya2 * mu2 + ya3 * left_fourth[1] * mu3),
     where=ON_AXIS,
     derived=z_of_pair,
-    note="The derived side is the element c20/c10 of the correlation matrix of two images with equal parameters.  The "
-    "scan has mu'_N31 for u'_N31.",
+    note="The derived side is the element c20/c10 of the correlation matrix of two images with equal parameters.",
 )
 section.identity(
     "3.2.9",
@@ -595,7 +598,6 @@ section.identity(
     "the fourth points of both images",
     printed=columns(left_fourth, right_fourth),
     derived=columns(image_of_e3.xreplace(LEFT_FOURTH), image_of_e3.xreplace(RIGHT_FOURTH)),
-    note="Read as u'_N3 and u''_N3: the scan has u''_N3 twice, with a prime too many in one place.",
 )
 
 # %% [markdown]
@@ -643,6 +645,7 @@ section.reference(
     printed="2.3",
     meant="2.4",
     note="See 2.4/ref-2.3; subsection 2.3 is on critical situations.",
+    same_as="2.4/ref-2.3",
 )
 
 # %% [markdown]

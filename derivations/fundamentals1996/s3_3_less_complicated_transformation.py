@@ -86,8 +86,7 @@ section.identity(
     "condition of coplanarity of two normal case images",
     printed=dot(normal_left, Z_N * normal_right),
     derived=normal_left[1] + z_n * normal_left[2] - normal_right[1] - z_n * normal_right[2],
-    note="Read as u'_N, where the scan has lost the N.  Derived is the difference of the two sides of (3.2.3): "
-    "homologous points lie on one line of the family.",
+    note="Derived is the difference of the two sides of (3.2.3): homologous points lie on one line of the family.",
 )
 product = T_left.T * Z_N * T_right
 section.identity(
@@ -151,7 +150,6 @@ section.identity(
         Matrix([[1, taupp1 - 1, taupp2 - 1], [0, taupp1, 0], [0, 0, taupp2]]),
     ),
     derived=columns(T_left.T, Z_N, T_right),
-    note="The scan has z_w for z_N.",
 )
 for (row, column), printed in {
     (0, 0): 0,
@@ -207,6 +205,7 @@ for (row, column), printed, corrected, note in (
         expect="misprint",
         corrected=corrected,
         note=note + PRIMES,
+        same_as="" if (row, column) == (1, 1) else "3.3.4#11",
     )
 
 # %% [markdown]
@@ -294,6 +293,7 @@ section.identity(
     "corrected form.  The printed value would belong to the inverse transformation, from P_N to P, which is not that "
     "of (3.3.1) and (3.3.5); an exchange of the two images, or of rows and columns, does not give it.  Both fractions "
     "of (3.3.7) are inverted, which no slip of the press explains.",
+    same_as="3.3.7#right",
 )
 section.identity(
     "3.3.7#right",
@@ -304,6 +304,9 @@ section.identity(
     corrected=1 + z12,
     note="The fraction is inverted: tau2'' = -z02/z_N.  The example of section 4 i has 1.07973 = 1 + z12.  "
     "Both fractions of (3.3.7) are inverted, which no slip of the press explains.",
+    follows="Both fractions of (3.3.7) are upside down. In the example tau''2 is {4/i#right.tau2}. The printed "
+    "formula gives {4/i/beyond/as-printed#right.tau2}, and the images are not in the normal case. See "
+    "docs/findings/inverted-parameters.md.",
 )
 
 # %% [markdown]
@@ -483,7 +486,16 @@ section.reference(
     "subsection with the parameters of relative orientation",
     printed="2.3",
     meant="2.4",
-    note="Twice on this page, for the procedure and for 'all explicit expressions'; see 2.4/ref-2.3.",
+    note="The same finding as 2.4/ref-2.3.",
+    same_as="2.4/ref-2.3",
+)
+section.reference(
+    "3.3/ref-2.3#expressions",
+    "subsection with the explicit expressions for mu",
+    printed="2.3",
+    meant="2.4",
+    note="The same finding as 2.4/ref-2.3.",
+    same_as="2.4/ref-2.3",
 )
 section.reference(
     "3.3/ref-2.3.9",
@@ -550,7 +562,6 @@ section.limit(
     where=AXIS,
     derived=left_solution[0].xreplace(AT_EPIPOLE),
     variable=eps,
-    note="The scan has a capital Z_N in the numerator.",
 )
 section.limit(
     "3.3.8#mu3",

@@ -85,8 +85,7 @@ section.identity(
     printed=vector(constant_h, 1, z_n),
     where={constant_h: any_epipolar_line[0]},
     derived=any_epipolar_line,
-    note="Read as z_N: the scan shows zeta with the subscripts N, N0 and N1 for this one factor, here and in the next "
-    "display.  Derived is the line of any point of the right image.",
+    note="Derived is the line of any point of the right image.",
 )
 
 # %% [markdown]
@@ -227,8 +226,18 @@ for name, printed in (
         printed=printed,
         where={delta: DELTA_PRINTED},
         derived=corners[name],
-        note="The scan shows zeta_N0 for z_N in the definition of delta, and xi_N in the table.",
     )
+
+section.count(
+    "3.4/exclusively",
+    "of the parameters of the transformation the corners depend on no more than two quantities",
+    printed=2,
+    derived=vector(*(coordinate for corner in corners.values() for coordinate in corner)),
+    variables=(tau1, tau2, z_n),
+    kernel=[vector(tau1 - 1, tau2 - 1, 0)],
+    note="The sentence names three parameters, and nothing else occurs, as the corners of Table 3.4 show.  Of tau1 and "
+    "tau2 only the quotient of tau1 - 1 and tau2 - 1 matters.",
+)
 
 # %% [markdown]
 # ## The affine transformation

@@ -151,6 +151,7 @@ for name, printed in AFFINE.items():
             printed=printed[component],
             derived=coordinate,
             **({"expect": "misprint", "corrected": slip[0], "note": slip[1]} if slip else {}),
+            same_as="4/a#O1.y1" if (name, component) == ("O2", 0) else "",
         )
 
 # %% [markdown]

@@ -25,10 +25,12 @@ from algebroproj_derivations.fundamentals1996.s1_5_space_to_space import (
     point,
 )
 from algebroproj_derivations.fundamentals1996.s2_2_correlation import (
+    D_printed,
     Z,
     determinant_of_correlation,
     epipole_left,
     epipole_right,
+    printed_left,
     reduced,
     remaining,
     up1,
@@ -271,6 +273,14 @@ for side in SIDES:
         full_c,
         exceptions={"4/c#left.u01": {"note": "Printed with a decimal comma."}},
     )
+declare_cells(
+    section,
+    "4/c/beyond/as-printed",
+    "where (2.2.6) as printed puts the epipole of the left picture",
+    {"left.u01": "-1.64746", "left.u02": "12.56421"},
+    named("left.u0", at(printed_left / D_printed, (remaining, full_elements))),
+    "Not in the paper: its own numbers have the other signs, 4/c#left.u01 and 4/c#left.u02.",
+)
 Z_full = correlation_matrix(full_elements)
 section.identity(
     "4/c/epipoles",
@@ -398,6 +408,7 @@ section.reference(
     meant="2.3.3",
     note="(3.2.3) is an epipolar line of the normal case.  Meant are the equations of section 2.4 that are numbered "
     "(2.3.3) there.",
+    same_as="4/d/ref-left",
 )
 section.reference(
     "4/d/ref-mu3",

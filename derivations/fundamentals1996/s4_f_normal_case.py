@@ -1,8 +1,9 @@
 # %% [markdown]
 # # 4 Numerical example, f) to i)
 #
-# The two transformations to the normal case, of sections 3.2 and 3.3, with the pictures and the relative orientation of
-# items b) to d).  As before, every printed number is compared with the one that follows without rounding.
+# Do the two transformations of sections 3.2 and 3.3 make the images of the example parallel?  They start from the
+# pictures and the relative orientation of items b) to d).  As before, every printed number is compared with the
+# one that follows without rounding.  The tables of the paper are in `printed_tables`.
 
 # %%
 from collections.abc import Iterable
@@ -10,7 +11,28 @@ from fractions import Fraction
 
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import center, fourth_image, mu
+from algebroproj_derivations.fundamentals1996.printed_tables import (
+    FIRST_T,
+    FIRST_U,
+    FIRST_Z_N,
+    MODEL_AGAIN,
+    NORMAL_FOURTH,
+    NORMAL_MU,
+    PAIR_Z_N,
+    PIXELS,
+    PRINTED_A,
+    PRINTED_ZN_MATRIX,
+    SECOND_CENTERS,
+    SECOND_MU,
+    SECOND_T,
+    SECOND_TAU,
+    SECOND_U,
+    SECOND_Z_N,
+    U_COLUMNS,
+    W,
+)
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star, mu_of_y0
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import (
     T,
@@ -95,140 +117,6 @@ from algebroproj_sym.expressions import (
 )
 
 section = Section("fundamentals1996", "4", "Numerical example")
-
-# %% [markdown]
-# ## The tables, as printed
-#
-# f) and g): fourth points, parameters, direction of the base, matrices and coordinates.
-
-# %%
-NORMAL_FOURTH = {"left": ("0.2718578", "0.0619863"), "right": ("0.3109314", "-0.2579313")}
-NORMAL_MU = ("0.6942287", "0.7453105", "0.6633067")
-W = ("-0.0630909", "0.5165610")
-FIRST_Z_N = "0.1221364"
-FIRST_T = {
-    "left": (
-        ("1.0000000", "0.0063775", "0.0804274"),
-        ("0.0000000", "1.0063775", "0.0000000"),
-        ("0.0000000", "0.0000000", "1.0804274"),
-    ),
-    "right": (
-        ("1.0000000", "-0.0203914", "0.0805667"),
-        ("0.0000000", "0.9796086", "0.0000000"),
-        ("0.0000000", "0.0000000", "1.0805667"),
-    ),
-}
-FIRST_U = {
-    "1": ("0.00000000", "0.00000000", "0.00000000", "0.00000000"),
-    "2": ("0.27185777", "0.06198631", "0.31093136", "-0.25793130"),
-    "3": ("0.63006349", "0.14606252", "0.63406219", "0.11332295"),
-    "4": ("1.00000000", "-0.00000000", "1.00000000", "-0.00000000"),
-    "5": ("-0.00000000", "1.00000000", "-0.00000000", "1.00000000"),
-    "6": ("0.35394418", "0.66293147", "0.33780566", "0.79506665"),
-    "7": ("0.62986306", "0.87076971", "0.61240793", "1.01368482"),
-    "8": ("0.93627862", "0.84034725", "0.95295006", "0.70384877"),
-    "11": ("0.00737807", "0.00358002", "0.00809035", "-0.00225186"),
-    "12": ("0.35428572", "0.11399317", "0.36738529", "0.00673955"),
-    "13": ("0.12035589", "0.61841740", "0.13613094", "0.48925808"),
-    "14": ("0.44647879", "0.70140071", "0.43966816", "0.75716320"),
-    "15": ("0.55203140", "1.00479146", "0.55402949", "0.98843197"),
-    "16": ("0.86384988", "0.78735789", "0.86511348", "0.77701207"),
-}
-PRINTED_ZN_MATRIX = (
-    ("0.0000000", "-1.0000000", "-0.1221364"),
-    ("1.0000000", "0.0000000", "0.0000000"),
-    ("0.1221364", "0.0000000", "0.0000000"),
-)
-
-# %% [markdown]
-# h): the model once more; the first points have eight decimals.
-
-# %%
-MODEL_AGAIN = MODEL | {
-    "1": ("-0.00000000", "-0.00000000", "0.00000000"),
-    "2": ("-0.00000000", "0.00000000", "1.00000000"),
-    "4": ("1.00000000", "0.00000000", "0.00000000"),
-    "5": ("-0.00000000", "1.00000000", "0.00000000"),
-}
-
-# %% [markdown]
-# i): matrices, parameters and centers; the table with $u'_{N1}, u'_{N2}, u''_{N1}, u''_{N2}$, then $z_N$ (empty for
-# the points 1, 4, 5), then $X'_1, X'_2, X''_1, X''_2, p$ in pixels.
-
-# %%
-SECOND_Z_N = "0.12145642"
-SECOND_TAU = {"left": ("1", "1.07959100"), "right": ("0.97340080", "1.07973000")}
-SECOND_T = {
-    "left": (
-        ("1.00000000", "0.00000000", "0.07959116"),
-        ("0.00000000", "1.00000000", "0.00000000"),
-        ("0.00000000", "0.00000000", "1.07959100"),
-    ),
-    "right": (
-        ("1.00000000", "-0.02659926", "0.07973035"),
-        ("0.00000000", "0.97340080", "0.00000000"),
-        ("0.00000000", "0.00000000", "1.07973000"),
-    ),
-}
-SECOND_MU = {
-    "left": ("0.6952050", "0.6952050", "0.67074357"),
-    "right": ("0.6952050", "0.6952050", "0.67074358"),
-}
-SECOND_CENTERS = {
-    "left": ("-1.1281689", "-0.2586740", "4.3209568"),
-    "right": ("-0.9505164", "0.7929098", "3.1830439"),
-}
-SECOND_U = {
-    "1": ("0.000000", "0.000000", "0.000000", "0.000000"),
-    "2": ("0.270614", "0.062048", "0.309509", "-0.258189"),
-    "3": ("0.628652", "0.146551", "0.632642", "0.113702"),
-    "4": ("1.000000", "0.000000", "1.000000", "0.000000"),
-    "5": ("0.000000", "1.000000", "0.000000", "1.000000"),
-    "6": ("0.352673", "0.664249", "0.336593", "0.796647"),
-    "7": ("0.628805", "0.874174", "0.611379", "1.017648"),
-    "8": ("0.936511", "0.845262", "0.953187", "0.707965"),
-    "11": ("0.007332", "0.003577", "0.008039", "-0.002250"),
-    "12": ("0.352864", "0.114171", "0.365911", "0.006750"),
-    "13": ("0.119742", "0.618707", "0.135436", "0.489487"),
-    "14": ("0.445151", "0.703229", "0.438360", "0.759137"),
-    "15": ("0.550889", "1.008325", "0.552883", "0.991908"),
-    "16": ("0.863630", "0.791564", "0.864893", "0.781163"),
-}
-PAIR_Z_N = {
-    "2": "0.121456",
-    "3": "0.121457",
-    "6": "0.121456",
-    "7": "0.121456",
-    "8": "0.121457",
-    "11": "0.121456",
-    "12": "0.121457",
-    "13": "0.121456",
-    "14": "0.121456",
-    "15": "0.121458",
-    "16": "0.121459",
-}
-PIXELS = {
-    "1": ("100.0", "100.0", "100.0", "145.7", "45.7"),
-    "2": ("171.2", "115.9", "171.2", "53.2", "62.7"),
-    "3": ("265.5", "137.5", "265.5", "120.8", "16.7"),
-    "4": ("356.0", "100.0", "356.0", "60.3", "39.7"),
-    "5": ("131.1", "356.0", "131.1", "401.7", "-45.7"),
-    "6": ("210.9", "270.0", "210.9", "320.9", "-50.8"),
-    "7": ("288.2", "323.8", "288.2", "354.0", "-30.2"),
-    "8": ("366.0", "316.4", "366.0", "245.5", "70.9"),
-    "11": ("102.0", "100.9", "102.0", "144.4", "-43.5"),
-    "12": ("193.9", "129.2", "193.9", "116.2", "13.1"),
-    "13": ("149.9", "258.4", "149.9", "259.4", "-1.1"),
-    "14": ("235.8", "280.0", "235.8", "302.6", "-22.6"),
-    "15": ("272.4", "358.1", "272.4", "352.4", "5.7"),
-    "16": ("345.7", "302.6", "345.7", "271.8", "30.8"),
-}
-PRINTED_A = {
-    "left": (("1", "0", "0"), ("0", "1", "0.121456"), ("0", "0", "1")),
-    "right": (("1", "0", "0"), ("0", "1", "0.121456"), ("0", "-0.333615", "1")),
-}
-U_COLUMNS = ("left.u1", "left.u2", "right.u1", "right.u2")
-
 
 # %% [markdown]
 # ## f. First transformation to the normal case
@@ -407,6 +295,7 @@ NEARLY_HALF = {
         "a parameter tau by 2e-9 moves the number across: accumulated rounding of intermediate results.  Neither "
         "numbers that are cut off nor numbers that are first rounded to nine decimals explain it, for other cells "
         "of the table would differ.  From the printed rotation matrices the cell follows as printed.",
+        "same_as": "" if cell == "2.right.u2" else "4/g#2.right.u2",
     }
     for cell, corrected, digits in (
         ("2.right.u2", "-0.25793131", "-0.25793130505"),
@@ -437,6 +326,25 @@ declare_cells(
     "correlation of the normal case",
     entries_of("z", PRINTED_ZN_MATRIX),
     full_g,
+)
+
+# %% [markdown]
+# **What it means.**  All epipolar lines are parallel now, with one direction in both images: homologous points lie on
+# the same line of $u_1 + z_N u_2$.
+
+# %%
+SHOWN = ("2", "3", "6", "7", "8")
+ImageDrawing(
+    "Five points of the example in the first normal case, with the line of the family on which each of them lies.  The "
+    "lines are parallel, and they are the same in both images.",
+    {
+        f"{side} image": (
+            {name: full_first_u[side][name] for name in SHOWN},
+            [vector(-dot(direction, full_first_u[side][name]), *direction) for name in SHOWN],
+        )
+        for side in SIDES
+        for direction in (vector(1, full_g["z20"]),)
+    },
 )
 
 # %% [markdown]
@@ -537,7 +445,12 @@ ONE_STEP = (
     "c), give the correction."
 )
 FILLED_UP = {
-    f"4/i#{cell}": {"expect": "misprint", "corrected": corrected, "note": note}
+    f"4/i#{cell}": {
+        "expect": "misprint",
+        "corrected": corrected,
+        "note": note,
+        "same_as": "" if cell == "left.tau2" else "4/i#left.tau2",
+    }
     for cells, corrected, note in (
         (("left.tau2", "left.t22"), "1.07959116", FIRST_ROW),
         (("right.tau1", "right.t11"), "0.97340074", ONE_STEP),
@@ -562,6 +475,14 @@ for side in SIDES:
         full_i,
         exceptions=FILLED_UP,
     )
+declare_cells(
+    section,
+    "4/i/beyond/as-printed",
+    "what (3.3.7) as printed gives",
+    {"left.tau2": "0.92627658", "right.tau2": "0.92615716"},
+    {f"{side}.tau2": 1 / full_tau[side][1] for side in SIDES},
+    "Not in the paper: the reciprocal, by 3.3.7#left and 3.3.7#right.",
+)
 section.reference(
     "4/i/ref-tau",
     "equations for the parameters",

@@ -41,8 +41,7 @@ section.identity(
     printed=columns(R_p.T * b_symbols, -R_pp.T * b_symbols),
     where=dict(zip(b_symbols, unit_base, strict=True)),
     derived=columns(base_left, base_right),
-    note="Read as R''^T in the second equation, where the scan has lost a prime.  Derived are the images of the other "
-    "center.",
+    note="Derived are the images of the other center.",
 )
 section.identity(
     "2.2/base#left",
@@ -55,7 +54,6 @@ section.identity(
     "image of the base in the right image",
     printed=-vector(c_phipp * c_kappapp, -c_phipp * s_kappapp, s_phipp),
     derived=base_right,
-    note="Read as phi'' and kappa'', where the scan has lost double primes.",
 )
 section.identity(
     "2.2/independent",
@@ -172,6 +170,7 @@ for place, (u2, u3) in enumerate(((i2, i3), (j2, j3))):
         expect="misprint",
         corrected=-(u2 * c_omega + u3 * s_omega) * c_phipp,
         note=SIGN,
+        same_as="2.2/tilt#13" if place else "",
     )
 section.identity("2.2/tilt#33", "element c33", printed=-k3 * s_omega * c_phipp, derived=column[2])
 OF_C = dict(zip((z13, z23, z33), (over(element, c32) for element in column), strict=True))
@@ -188,6 +187,7 @@ section.reference(
     printed="2.3.2",
     meant="2.2.2",
     note="The same slip as 2.2/ref-2.3.1.",
+    same_as="2.2/ref-2.3.1",
 )
 tangents = over(z33 * i2, z13 * k3 - z33 * i3), over(z33 * j2, z23 * k3 - z33 * j3)
 section.identity(

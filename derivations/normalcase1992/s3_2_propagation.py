@@ -121,6 +121,7 @@ section.identity(
     corrected=-B_x_printed / dot(row3, x_vector),
     note="The sign is wrong: tau = -e3.x/c is the divisor.  The paper's own special case, B_x = E with e3.x = -c, "
     "needs the minus sign.  The dispersion, quadratic in B_x, is not affected.",
+    follows="All four elements have the wrong sign. The dispersion, which is quadratic in them, does not notice it.",
 )
 section.identity(
     "3.2.1",
@@ -240,6 +241,7 @@ section.identity(
     "third components y of the lines (0, c, y) and -(0, c, y), to which no residual belongs: (2.3.1) has h1 and h2 "
     "only.  Ruled out: other lines, as (3.1.2) and (3.1.3) are right.  No slip of the scan, as the text draws a "
     "conclusion from y.",
+    follows="In the normal case all points have the same weight.",
 )
 section.identity(
     "3.2/decrease",
@@ -250,6 +252,7 @@ section.identity(
     instead="3.2.3",
     note="The sentence that the weights decrease strictly with y: 1/g would have the derivative 4 sigma^2 y.  In fact "
     "all weights are equal.",
+    same_as="3.2.3",
 )
 
 # %% [markdown]

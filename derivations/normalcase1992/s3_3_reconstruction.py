@@ -169,8 +169,7 @@ section.identity(
     derived=((estimator * parallax_rows).row_join(Matrix.zeros(2, 4)) * errors * of_left.row_join(of_right)).row_join(
         of_left.T * errors * of_right
     ),
-    note="Read as E{da' dx''^T} = E{dx' da''^T} = E{dx' dx''^T} = 0, where the scan has lost double primes.  For "
-    "points that are not used in the adjustment, as 3.2/independent.",
+    note="For points that are not used in the adjustment, as 3.2/independent.",
 )
 section.identity(
     "3.3/S_N'''",

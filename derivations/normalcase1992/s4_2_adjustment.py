@@ -129,6 +129,7 @@ RECIPROCAL = (
     "The reciprocal of a weight: the table has (h'.h' + h''.h'') / 5000, with all three components of the lines, see "
     "4/beyond/weights; (2.3.1) defines 5000 / (h1'^2 + h2'^2 + h1''^2 + h2''^2)."
 )
+RECIPROCAL_FOLLOWS = "It hardly matters: no angle moves by 0.001 gon, phi' by {4/beyond/reciprocal#phip} gon."
 SLIPS = {
     (0, 5): ("-0.0500", LOST_SIGN),
     (2, 6): ("1.0", RECIPROCAL),
@@ -136,6 +137,8 @@ SLIPS = {
     (5, 6): ("1.1", RECIPROCAL),
     **{(i, 2): (row[2].removeprefix("-"), SIGN_OF_TILT) for i, row in enumerate(TABLE)},
 }
+FIRST_WEIGHT = "4/errors#3.g"
+SAME_FINDING = {"omega": "2.3/linear#dOmega''", "g": FIRST_WEIGHT}
 NOTES = {(2, 0): "The second decimal, a zero, is not printed."}
 
 table = design.row_join(delta_p).row_join(weights(C))
@@ -149,7 +152,15 @@ for i, printed in enumerate(TABLE):
             printed=printed[j],
             derived=table[i, j],
             **(
-                {"expect": "misprint" if slip[1] is LOST_SIGN else "error", "corrected": slip[0], "note": slip[1]}
+                {
+                    "expect": "misprint" if slip[1] is LOST_SIGN else "error",
+                    "corrected": slip[0],
+                    "note": slip[1],
+                    "same_as": ""
+                    if (number := f"4/errors#{i + 1}.{slug}") == FIRST_WEIGHT
+                    else SAME_FINDING.get(slug, ""),
+                    "follows": RECIPROCAL_FOLLOWS if number == FIRST_WEIGHT else "",
+                }
                 if slip
                 else {"note": NOTES.get((i, j), "")}
             ),
@@ -217,6 +228,7 @@ for i, j in product(range(5), repeat=2):
                 "expect": "misprint",
                 "corrected": "-0.902",
                 "note": "A lost sign, in both places of the symmetric matrix; the error equations give the other sign.",
+                "same_as": "4/Q#12" if i else "",
             }
             if {i, j} == {0, 1}
             else {}
@@ -520,6 +532,11 @@ section.numeric(
     note="The definitive rotations are those of the adjustment, section 2.3.  The printed ones are sums, "
     "4/definitive#phip to #kappapp, of angles and of small rotations about fixed axes, one of which has the wrong "
     "sign: see 4/beyond/definitive for what they leave.",
+    grade="results",
+    follows="The definitive rotations leave the standard error {4/beyond/definitive}, where the adjustment promises "
+    "{4/s0}. With the sign of dOmega'' repaired alone it is {4/beyond/repaired#sign}, with the rotations "
+    "composed alone {4/beyond/repaired#composition}, with both {4/beyond/repaired#both}. See "
+    "docs/findings/small-rotations.md.",
 )
 for (slug, name), angle, with_reciprocal, printed in zip(
     UNKNOWNS.items(), angles, adjusted_angles(reciprocal_weights), BY_WEIGHTS, strict=True

@@ -40,7 +40,6 @@ section.definition(
     "8",
     "general central projective one-to-one correspondence",
     printed=collineation(B, second_point),
-    note="The 1 of the denominators is scanned as a capital i.",
 )
 section.identity(
     "8#matrix",
@@ -173,6 +172,7 @@ section.identity(
 
 # %%
 t_mu, t_theta = sympy.symbols("t_mu t_theta")
+of_plane = sympy.symbols("t13 t23")
 Plane = tuple[int, int]
 picture_parameters = (*center, To, *spatial_center, c)
 
@@ -193,6 +193,27 @@ def camera_of_planes(
 
 four_of_object, four_of_comparator = (*exterior_angles, t_mu), (*comparator_angles, t_theta)
 sixteen = (*four_of_object, *picture_parameters, *four_of_comparator)
+
+section.count(
+    "1.2/about-axes",
+    "a rotation about a coordinate axis of four dimensions has one element",
+    printed=1,
+    derived=turned(((0, 1), (0, 2), (1, 2)), (t_mu, *of_plane)),
+    variables=(t_mu, *of_plane),
+    expect="false",
+    instead="1.2/beyond/about-axes",
+    note="Equation (9) has one matrix and one angle for each of the axes Y, X, Z and T.  Around the axis T all "
+    "rotations of the space X, Y, Z are possible.  The words do not say which rotations are meant: what follows "
+    "depends on it.",
+)
+section.count(
+    "1.2/beyond/about-axes",
+    "a rotation that leaves an axis of four dimensions where it is has three elements",
+    printed=3,
+    derived=turned(((0, 1), (0, 2), (1, 2)), (t_mu, *of_plane)),
+    variables=(t_mu, *of_plane),
+    note="Not in the paper.  By the plane that is turned one element would be enough, and there are six planes.",
+)
 
 # %% [markdown]
 # If each angle turns a plane that does not contain its axis, there are planes for which the statement of the paper

@@ -98,7 +98,6 @@ for number, (equation, row) in enumerate(zip(equations, printed_rows, strict=Tru
         f"linear equation {number}",
         printed=dot(row, homogeneous_point),
         derived=equation,
-        note="Read as the index 1 of the left photograph, where the scan has r.",
     )
 
 # %% [markdown]
@@ -232,6 +231,9 @@ section.identity(
     expect="false",
     instead="2.1/beyond/denominator",
     note=NO_COLLINEATION + "The inverse of a collineation is one: (21) holds exactly if (22) does.",
+    grade="results",
+    follows="A reconstruction by fifteen coefficients fits no general pair of photographs. It is right if both have "
+    "the same denominator.",
 )
 section.identity(
     "22",
@@ -241,6 +243,7 @@ section.identity(
     expect="false",
     instead="2.1/beyond/denominator",
     note=NO_COLLINEATION + "It is one if both photographs have the same denominator, 2.1/beyond/common-denominator.",
+    same_as="21",
 )
 
 section.count(

@@ -91,7 +91,6 @@ section.identity(
     "the base",
     printed=vector(Xo2 - Xo1, Yo2 - Yo1, Zo2 - Zo1),
     derived=base_vector,
-    note="Read as X_o2: the scan has X_o6, and there is no sixth photograph.",
 )
 
 # %% [markdown]
@@ -212,8 +211,6 @@ section.identity(
     "first type, left photograph",
     printed=vector(Xo1 + X1 / Z1 * (Z - Zo1), Yo1 + Y1 / Z1 * (Z - Zo1)),
     derived=vector(*(in_reduced(from_known(2, k, center_left, g1)) for k in (0, 1))),
-    note="Read as the reduced coordinates, with bars, as in (45): the scan has lost the bars of X_p1 and of both Z_p1, "
-    "as it has all of them where the text before introduces the reduced coordinates.",
 )
 section.identity(
     "45#directions",

@@ -136,4 +136,7 @@ section.identity(
     note="Printed and derived are the 22 coefficients of two solutions for the same measurements, which would have to "
     "be equal.  The equations are independent, 3/twenty-two: near a solution there is no other.  An eighth pair "
     "decides between the three.",
+    grade="results",
+    follows="Up to three pairs of photographs satisfy all conditions. The example has three, with rational numbers, "
+    "for the same measurements. An eighth pair of points decides. See docs/findings/uniqueness.md.",
 )

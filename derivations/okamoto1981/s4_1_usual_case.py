@@ -26,8 +26,8 @@ section.identity(
     "measured coordinates",
     printed=vector(x, y),
     derived=measured - comparator_center,
-    note="With the unit matrix for the three rotations: parallel planes leave a rotation gamma about the common "
-    "normal, which is zero as in 1.1/gamma.  The y of the second equation is scanned as u.",
+    note="With the unit matrix for the three rotations: parallel planes leave a rotation gamma about the "
+    "common normal, which is zero as in 1.1/gamma.",
 )
 of_principal_point = dict(zip((xh, yh), measured.xreplace({x: sympy.Integer(0), y: sympy.Integer(0)}), strict=True))
 section.identity(

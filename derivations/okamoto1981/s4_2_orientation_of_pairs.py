@@ -124,6 +124,9 @@ section.count(
     note="Read as the number of independent functions of the parameters in the condition, as in 2.2/seven, where the "
     "same count gives the seven of the paper.  The conclusion 18 - 12 = 6 of the paper fails because the "
     "correspondence of model and object has 11 parameters, 4.2/beyond/eleven.",
+    grade="results",
+    follows="The condition has {4.2/beyond/seven} independent parameters. Six pairs of points leave one of them "
+    "open. See docs/findings/okamotos-counts.md.",
 )
 section.count(
     "4.2/beyond/seven",
@@ -300,6 +303,9 @@ section.rank(
     instead="4.2/beyond/eleven",
     note="The columns are the infinitesimal collineations that satisfy the four equations, for one pair with rational "
     "numbers.  By 4.2/beyond/four-conditions there are as many in general.",
+    grade="results",
+    follows="There are {4.2/beyond/eleven} parameters. The four control points of the paper give one equation more "
+    "than is needed. See docs/findings/okamotos-counts.md.",
 )
 section.rank(
     "4.2/beyond/eleven",
@@ -351,6 +357,9 @@ section.identity(
     note="Derived is what 54/beyond/similar-plane makes zero: two perpendicular displacements parallel to the "
     "vanishing plane of H would be mapped to perpendicular ones at one scale.  No rotation of the space of four "
     "dimensions gives this correspondence.",
+    grade="results",
+    follows="No rotation of a space of four dimensions gives the correspondence of model and object. See "
+    "docs/findings/okamotos-counts.md.",
 )
 
 # %% [markdown]

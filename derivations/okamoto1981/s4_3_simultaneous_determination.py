@@ -55,6 +55,7 @@ section.count(
     expect="false",
     instead="4.3/beyond/seven",
     note="The same as 4.2/six, with the parameters of both pictures in the object system.",
+    same_as="4.2/six",
 )
 section.count(
     "4.3/beyond/seven",

@@ -89,6 +89,7 @@ section.count(
     expect="false",
     instead="4.2/beyond/seven",
     note="The same as 4.2/six.",
+    same_as="4.2/six",
 )
 section.identity(
     "5/correspondence",
@@ -99,6 +100,7 @@ section.identity(
     instead="4.2/beyond/eleven",
     note="The same as 4.2/correspondence.  That four points determine the correspondence is true of the one there is "
     "as well: 4.3/four-points.",
+    same_as="4.2/correspondence",
 )
 section.count(
     "5/divided-usual",

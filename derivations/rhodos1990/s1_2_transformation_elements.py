@@ -48,6 +48,15 @@ section.identity(
     derived=system,
 )
 
+section.rank(
+    "1.2/base",
+    "four points and a unit point yield a base",
+    printed=4,
+    derived=B.xreplace(solved),
+    note="The rank in general.  'Arbitrary' has to mean independent here, as the sentence before has it: no four of "
+    "the five points may be coplanar, 1.2/beyond/base.",
+)
+
 # %% [markdown]
 # The rows of $\mathbf Y^{-1}$ are the reciprocal vectors $\mathbf y^i$.
 

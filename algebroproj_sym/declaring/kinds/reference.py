@@ -37,16 +37,16 @@ def numbers(value: Any, where: str) -> sympy.ImmutableDenseMatrix:
     Raises
     ------
     DeclarationError
-        If the value is not the text of numbers separated by points.
+        If the value is not the text of numbers separated by points or strokes.
 
     Examples
     --------
     >>> numbers("1.3.8", "printed")
     Matrix([[1, 3, 8]])
     """
-    if not isinstance(value, str) or not re.fullmatch(r"\d+(\.\d+)*", value):
+    if not isinstance(value, str) or not re.fullmatch(r"\d+([./]\d+)*", value):
         raise DeclarationError(f"{where}: expected the text of a reference such as 1.3.8, got {value!r}")
-    return sympy.ImmutableDenseMatrix([[int(part) for part in value.split(".")]])
+    return sympy.ImmutableDenseMatrix([[int(part) for part in re.split("[./]", value)]])
 
 
 REFERENCE = Kind(

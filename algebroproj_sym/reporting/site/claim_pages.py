@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import KINDS, bibtex, quotations
+from algebroproj_sym.declaring import KINDS, Grade, Judgement, bibtex, quotations
+from algebroproj_sym.reporting.findings import HEADINGS, Finding, by_grade, gathered
 from algebroproj_sym.reporting.site.addresses import errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
@@ -66,12 +69,25 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
         address,
         paper=paper,
         bibtex=bibtex(paper.about),
+        grades=[*_grades(catalogue, paper)],
         forms=_erratum,
         stated=_stated,
         note=note,
         instead=instead,
     )
     return files
+
+
+def _grades(
+    catalogue: Catalogue, paper: Paper
+) -> Iterator[tuple[Grade, str, list[tuple[Finding, Entry, list[Entry]]]]]:
+    """Yield the grades of findings with their headings; each finding with its claim and the others that have it."""
+
+    def entry(judgement: Judgement) -> Entry:
+        return catalogue.by_number[judgement.claim.paper, judgement.claim.number]
+
+    for grade, found in by_grade(gathered([entry.judgement for entry in paper.entries])):
+        yield grade, HEADINGS[grade], [(f, entry(f.first), [*map(entry, f.others)]) for f in found]
 
 
 def _line(entry: Entry) -> Markup:

@@ -1,0 +1,75 @@
+"""Algebraic numbers that are zero: by the least equation of the number, and an enclosure of the rest of it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import flint
+
+from algebroproj_sym.proving.consequences import End
+from algebroproj_sym.proving.polynomials import content_of, null_space
+from algebroproj_sym.proving.reals.knowledge import Knowledge
+from algebroproj_sym.proving.reals.rewriting import Rule, reduced_by, rules
+from algebroproj_sym.replaying.field import Element
+
+MOST_STEPS = 600
+MOST_POWERS = 24
+
+
+def constant_zero(knowledge: Knowledge, element: Element) -> bool:
+    """Show that a number made with roots is zero: g**k*h(g) = 0, and h(g) is not zero."""
+    fact = knowledge.theory.fact("=", element)
+    goal = knowledge.into(fact.polynomial)
+    if goal == 0 or not knowledge.is_number(goal):
+        return False
+    if _is_apart(knowledge, knowledge.back(goal)):
+        return False
+    given = rules((place, zero) for place, zero in knowledge.facts("=") if knowledge.is_number(zero))
+    powers: list[tuple[Any, dict[int, Any]]] = [(goal**0, {})]
+    reduced = reduced_by(goal, given, MOST_STEPS)
+    if reduced is None:
+        return False
+    for count in range(1, MOST_POWERS):
+        following = reduced_by(powers[-1][0] * reduced[0], given, MOST_STEPS)
+        if following is None:
+            return False
+        powers.append(following)
+        relation = _relation([value for value, _ in powers])
+        if relation is not None:
+            return _shown(knowledge, goal, relation, given, count)
+    return False
+
+
+def _is_apart(knowledge: Knowledge, element: Element) -> bool:
+    value = knowledge.theory.value(element, 128)
+    return bool(value) if not isinstance(value, tuple) else value[0] > 0 or value[1] < 0
+
+
+def _relation(values: list[Any]) -> list[Any] | None:
+    """Return coefficients with which polynomials add up to zero."""
+    rows: dict[Any, list[Any]] = {}
+    for column, value in enumerate(values):
+        for powers, coefficient in value.to_dict().items():
+            rows.setdefault(powers, [flint.fmpq(0)] * len(values))[column] = coefficient
+    found = null_space([*rows.values()], len(values))
+    return found[0][1] if found else None
+
+
+def _shown(knowledge: Knowledge, goal: Any, relation: list[Any], given: list[Rule], count: int) -> bool:
+    low = next(place for place, value in enumerate(relation) if value != 0)
+    if low == 0:
+        return False
+    rest = goal * 0
+    for place in range(low, count + 1):
+        rest = rest + goal ** (place - low) * relation[place]
+    short = reduced_by(rest, given, MOST_STEPS)
+    if short is None or short[0] == 0:
+        return False
+    unit = short[0] / content_of(short[0])
+    element = knowledge.back(unit)
+    if not (unit.is_constant() or knowledge.value(element) or knowledge.value(-element)):
+        return False
+    whole = reduced_by(goal**low * unit, given, MOST_STEPS)
+    if whole is None or whole[0] != 0:
+        return False
+    return knowledge.follows(goal, End(low, unit, whole[1]))

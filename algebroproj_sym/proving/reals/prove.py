@@ -1,0 +1,148 @@
+"""Decide statements with real functions: a rational point refutes them, or laws prove them, and the replay agrees."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import islice
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions import symbols_of
+from algebroproj_sym.proving.polynomials import EffortExceededError
+from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places
+from algebroproj_sym.proving.reals.reading import assumed_of, condition_of, term_of, zero_of
+from algebroproj_sym.proving.reals.search import Search
+from algebroproj_sym.replaying.polynomial import begin
+from algebroproj_sym.replaying.reals import require_real
+from algebroproj_sym.replaying.reals.statement import functions_of, statement_of
+from algebroproj_sym.replaying.reals.terms import written
+from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
+
+FIRST_TRIES = 60
+ENOUGH = 12
+ALL_TRIES = 1_500
+
+NOWHERE = "no point was found at which both sides are defined and real and the assumptions hold"
+UNDECIDED = "no proof was found, and no rational point at which the sides differ"
+
+
+def proof_of(
+    lhs: Any,
+    rhs: Any,
+    constraints: Sequence[Any],
+    nonzero: Sequence[Any],
+    assumptions: Sequence[Any],
+    witness: Mapping[Any, Any] | None = None,
+) -> Proof:
+    """Decide a statement that is given as text or SymPy expressions."""
+    given = [value for value in (lhs, rhs, *constraints, *nonzero) if isinstance(value, sympy.Expr)]
+    related = [side for value in assumptions if isinstance(value, sympy.Rel) for side in (value.lhs, value.rhs)]
+    conditions = [condition_of(value, f"assumptions[{place}]") for place, value in enumerate(assumptions)]
+    record = {
+        "lhs": written(term_of(lhs, "lhs")),
+        "rhs": written(term_of(rhs, "rhs")),
+        "relation": "=",
+        "assumptions": [*conditions, *assumed_of(symbols_of([*given, *related]))],
+        "constraints": [zero_of(value, f"constraints[{place}]") for place, value in enumerate(constraints)],
+        "nonzero": [written(term_of(value, f"nonzero[{place}]")) for place, value in enumerate(nonzero)],
+    }
+    found = decided(record, {str(key): Fraction(str(value)) for key, value in (witness or {}).items()})
+    point = found["counterexample"]
+    return Proof(
+        verdict=found["verdict"],
+        hypotheses=tuple(found["hypotheses"]),
+        certificate=found["certificate"],
+        counterexample=None if point is None else {sympy.Symbol(name): Fraction(point[name]) for name in point},
+        engine="flint",
+        assumptions=tuple(record["assumptions"]),
+    )
+
+
+def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = None) -> dict[str, Any]:
+    """Return a statement, as the replay has it, with its verdict and evidence.
+
+    A witness is a point at which both sides are defined and the conditions hold, where no search would find one.
+
+    Examples
+    --------
+    >>> question = dict(relation="=", assumptions=[], constraints=[], nonzero=[])
+    >>> found = decided({"lhs": "cos(2*x)", "rhs": "1 - 2*sin(x)**2", **question})
+    >>> found["verdict"], found["hypotheses"]
+    ('proved', [])
+    >>> decided({"lhs": "sqrt(x**2)", "rhs": "x", **question})["counterexample"]
+    {'x': '-2'}
+    """
+    statement = statement_of(record)
+    met = list[Place]()
+    own = judged(statement, witness, ALL) if witness and witness.keys() == statement.symbols() else None
+    for place in (*([own] if own else []), *islice(places(statement, FIRST_TRIES), ENOUGH)):
+        if place.differs:
+            return _refuted(record, statement, place)
+        met.append(place)
+    if not met:
+        met += islice(places(statement, ALL_TRIES, ALL), 1)
+        if not met:
+            return _open(record, NOWHERE)
+        if met[0].differs:
+            return _refuted(record, statement, met[0])
+    found = _proved(record, statement, met)
+    if found is not None:
+        return found
+    refuting = next((place for place in places(statement, ALL_TRIES, ALL) if place.differs), None)
+    return _open(record, UNDECIDED) if refuting is None else _refuted(record, statement, refuting)
+
+
+def _proved(record: Mapping[str, Any], statement: Any, met: Sequence[Place]) -> dict[str, Any] | None:
+    begin()
+    try:
+        proof = Search(statement, [place.point for place in met]).proof()
+    except (EffortExceededError, NotReplayable, Rejected):
+        return None
+    bits = None if proof is None else bits_for(statement, met[0])
+    if proof is None or bits is None:
+        return None
+    found = {
+        **record,
+        "verdict": "proved",
+        "hypotheses": statement.hypotheses(),
+        "counterexample": None,
+        "certificate": {
+            "method": "real laws",
+            "functions": functions_of(statement.theory()),
+            "proof": proof,
+            "witness": _texts(met[0]),
+            "bits": bits,
+        },
+    }
+    begin()
+    try:
+        require_real(found)
+    except (Rejected, NotReplayable):
+        return None
+    return found
+
+
+def _refuted(record: Mapping[str, Any], statement: Any, place: Place) -> dict[str, Any]:
+    bits = bits_for(statement, place)
+    if bits is None:
+        return _open(record, UNDECIDED)
+    certificate = {"method": "enclosures", "bits": bits}
+    return {
+        **record,
+        "verdict": "refuted",
+        "hypotheses": [],
+        "counterexample": _texts(place),
+        "certificate": certificate,
+    }
+
+
+def _open(record: Mapping[str, Any], reason: str) -> dict[str, Any]:
+    certificate = {"method": "none", "reason": reason}
+    return {**record, "verdict": "open", "hypotheses": [], "counterexample": None, "certificate": certificate}
+
+
+def _texts(place: Place) -> dict[str, str]:
+    return {name: str(value) for name, value in sorted(place.point.items())}

@@ -1,0 +1,206 @@
+"""From SymPy's expressions, relations and assumed symbols to terms and to the text of conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+
+from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError, assumption, is_plain, over
+from algebroproj_sym.replaying.reals.statement import comparisons
+from algebroproj_sym.replaying.reals.terms import (
+    ALIASES,
+    ARITY,
+    PI,
+    Term,
+    UnreadableError,
+    constant,
+    function,
+    negative,
+    plus,
+    power,
+    read,
+    times,
+    written,
+)
+from algebroproj_sym.replaying.reals.terms import over as quotient
+from algebroproj_sym.replaying.reals.theory import RESERVED
+
+MOST_PARTS = 4_000
+
+_RELATIONS: dict[Any, str] = {
+    sympy.Gt: ">",
+    sympy.Ge: ">=",
+    sympy.Lt: "<",
+    sympy.Le: "<=",
+    sympy.Eq: "=",
+    sympy.Ne: "!=",
+}
+_SIGNS = {"positive": ">", "negative": "<", "nonnegative": ">=", "nonpositive": "<=", "nonzero": "!="}
+_FOLLOWING = {
+    "positive": ("nonnegative", "nonzero"),
+    "negative": ("nonpositive", "nonzero"),
+}
+_HARMLESS = frozenset({"commutative", "real", "complex", "finite", "infinite", "hermitian", "imaginary", "zero"}) | {
+    f"extended_{fact}" for fact in ("real", *_SIGNS)
+}
+
+
+def term_of(value: Any, argument: str) -> Term:
+    """Return text, a number or a SymPy expression as a term, as it stands.
+
+    Raises
+    ------
+    ParseError
+        If a text is not in the grammar.
+    NotRationalError
+        If an expression has a part that is no real function known here.
+
+    Examples
+    --------
+    >>> x = sympy.Symbol("x")
+    >>> written(term_of(sympy.sqrt(1 - x**2) / sympy.tan(x), "lhs"))
+    '(1 - x**2)**(1/2)/tan(x)'
+    """
+    if isinstance(value, str):
+        return _read(value, argument)
+    if isinstance(value, int | Fraction) and not isinstance(value, bool):
+        return constant(Fraction(value))
+    if isinstance(value, sympy.MatrixBase):
+        raise NotRationalError(f"{argument}: expected scalars in a statement with functions, got a matrix")
+    if not isinstance(value, sympy.Expr):
+        raise NotRationalError(f"{argument}: expected an expression, got {value!r:.80} ({type(value).__name__})")
+    if sum(1 for _ in sympy.preorder_traversal(value)) > MOST_PARTS:
+        raise NotRationalError(f"{argument}: expected at most {MOST_PARTS} parts")
+    return _term(value, argument)
+
+
+def _read(text: str, argument: str) -> Term:
+    try:
+        return _unreserved(read(text), argument)
+    except UnreadableError as error:
+        raise ParseError(error.position, error.expected, error.got, argument) from None
+
+
+def _unreserved(term: Term, argument: str) -> Term:
+    for name in term.symbols():
+        if RESERVED.fullmatch(name):
+            raise SymbolError(f"{argument}: expected another name than {name}, which is reserved")
+    return term
+
+
+def _term(node: Any, argument: str) -> Term:
+    if isinstance(node, sympy.Symbol):
+        return _unreserved(Term("symbol", node.name), argument)
+    if isinstance(node, sympy.Rational) and node.is_finite:
+        return constant(Fraction(int(node.p), int(node.q)))
+    if node is sympy.pi:
+        return PI
+    if node is sympy.E:
+        return function("exp", constant(1))
+    if isinstance(node, over):
+        return quotient(_term(node.args[0], argument), _term(node.args[1], argument))
+    if isinstance(node, sympy.Add):
+        return plus(*(_term(part, argument) for part in node.args))
+    if isinstance(node, sympy.Mul):
+        return _product(node, argument)
+    if isinstance(node, sympy.Pow):
+        base = _term(node.base, argument)
+        if isinstance(node.exp, sympy.Rational):
+            return power(base, Fraction(int(node.exp.p), int(node.exp.q)))
+        return function("exp", times(_term(node.exp, argument), function("log", base)))
+    name = type(node).__name__
+    name = ALIASES.get(name, name)
+    is_own = isinstance(node, sympy.Function) and not isinstance(node, AppliedUndef)
+    if is_own and ARITY.get(name) == len(node.args):
+        return function(name, *(_term(part, argument) for part in node.args))
+    raise NotRationalError(
+        f"{argument}: expected + - * /, powers and the functions {', '.join(sorted(ARITY))}, got {str(node)[:80]}"
+    )
+
+
+def _product(node: sympy.Mul, argument: str) -> Term:
+    first = node.args[0]
+    if isinstance(first, sympy.Rational) and first < 0:
+        others = node.args[1:] if first == -1 else (-first, *node.args[1:])
+        rest = others[0] if len(others) == 1 else sympy.Mul(*others, evaluate=False)
+        return negative(_term(rest, argument))
+    above, below = list[Term](), list[Term]()
+    for part in node.args:
+        if isinstance(part, sympy.Pow) and isinstance(part.exp, sympy.Integer) and part.exp < 0:
+            base = _term(part.base, argument)
+            below.append(base if part.exp == -1 else power(base, int(-part.exp)))
+        else:
+            above.append(_term(part, argument))
+    top = above[0] if above else constant(1)
+    for part in above[1:]:
+        top = times(top, part)
+    if not below:
+        return top
+    bottom = below[0]
+    for part in below[1:]:
+        bottom = times(bottom, part)
+    return quotient(top, bottom)
+
+
+def condition_of(value: Any, argument: str) -> str:
+    """Return an assumption as text: a SymPy relation, or text with a comparison.
+
+    Examples
+    --------
+    >>> x = sympy.Symbol("x")
+    >>> condition_of(x > 0, "assumptions[0]"), condition_of("0 < x < pi", "assumptions[0]")
+    ('x > 0', '0 < x < pi')
+    """
+    if isinstance(value, str):
+        try:
+            for _, term in comparisons(value):
+                _unreserved(term, argument)
+        except UnreadableError as error:
+            raise ParseError(error.position, error.expected, error.got, argument) from None
+        return value
+    sign = _RELATIONS.get(type(value))
+    if sign is None:
+        raise TypeError(f"{argument}: expected a relation such as x > 0, got {value!r:.80}")
+    left, right = (written(term_of(side, argument)) for side in (value.lhs, value.rhs))
+    return f"{left} {sign} {right}"
+
+
+def zero_of(value: Any, argument: str) -> str:
+    """Return a constraint as the text of an equation."""
+    if isinstance(value, str):
+        return condition_of(value if "=" in value else f"{value} = 0", argument)
+    return f"{written(term_of(value, argument))} = 0"
+
+
+def assumed_of(symbols: Iterable[sympy.Symbol]) -> Iterator[str]:
+    """Yield what SymPy assumes of symbols, as text.
+
+    Raises
+    ------
+    SymbolError
+        If something is assumed that is not a sign.
+
+    Examples
+    --------
+    >>> [*assumed_of([sympy.Symbol("x", positive=True), sympy.Symbol("y")])]
+    ['x > 0']
+    """
+    for symbol in sorted(symbols, key=lambda symbol: symbol.name):
+        if is_plain(symbol):
+            continue
+        facts = {fact for fact, holds in symbol.assumptions0.items() if holds}
+        given = getattr(symbol, "_assumptions_orig", None) or symbol.assumptions0
+        others = {fact for fact in given if fact not in _SIGNS and fact not in _HARMLESS}
+        if others or symbol.is_real is False or symbol.is_finite is False:
+            raise SymbolError(
+                f"assumptions: expected symbols for real numbers of a sign, got one with more: {assumption(symbol)}"
+            )
+        signs = [fact for fact in _SIGNS if fact in facts]
+        implied = {more for fact in signs for more in _FOLLOWING.get(fact, ())}
+        for fact in signs:
+            if fact not in implied:
+                yield f"{symbol.name} {_SIGNS[fact]} 0"

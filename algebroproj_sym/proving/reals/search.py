@@ -1,0 +1,383 @@
+"""The search for a proof: relate the functions, then compare polynomials, powers and angles, then distinguish cases."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from algebroproj_sym.proving.reals.constants import constant_zero
+from algebroproj_sym.proving.reals.knowledge import Knowledge
+from algebroproj_sym.proving.reals.normal import normalised
+from algebroproj_sym.proving.reals.points import Point
+from algebroproj_sym.proving.reals.samples import Sample
+from algebroproj_sym.replaying.field import Element
+from algebroproj_sym.replaying.reals import Statement
+
+DEEPEST = 3
+MOST_CASES = 30
+MOST_ANGLES = 8
+MOST_NUMBERS = 12
+
+Node = dict[str, Any]
+
+
+class Search:
+    """A search for a proof of a statement, within a number of cases."""
+
+    def __init__(self, statement: Statement, points: Sequence[Point] = ()) -> None:
+        self.statement = statement
+        self.samples = [Sample({name: float(value) for name, value in point.items()}) for point in points]
+        self.cases = 0
+
+    def proof(self) -> Node | None:
+        """Return a proof; None if none was found."""
+        return self._node(Knowledge(self.statement.theory(), self.samples), 0, ())
+
+    def _node(self, knowledge: Knowledge, depth: int, split: tuple[str, ...]) -> Node | None:
+        self.cases += 1
+        if self.cases > MOST_CASES:
+            return None
+        if _contradicts(knowledge, depth) or self._reached(knowledge):
+            end = "contradiction" if knowledge.theory.contradictory else "goal"
+            return {"steps": knowledge.steps, "end": end}
+        if depth >= DEEPEST:
+            return None
+        for polynomial in self._choices(knowledge, split)[:3]:
+            text = knowledge.text(polynomial)
+            parts = []
+            for relation in (">", "=", "<"):
+                part = self._node(knowledge.case(relation, text), depth + 1, (*split, text))
+                if part is None:
+                    break
+                parts.append({"assumed": relation, **part})
+            else:
+                return {"steps": knowledge.steps, "cases": {"of": text, "parts": parts}}
+        return None
+
+    def _choices(self, knowledge: Knowledge, split: tuple[str, ...]) -> list[Any]:
+        """Return polynomials whose sign was looked for and not found, the simplest first."""
+        found: dict[str, Any] = {}
+        for polynomial in knowledge.wanted:
+            if len(polynomial.terms) <= 6:
+                here = knowledge.into(polynomial)
+                found[knowledge.text(here)] = here
+        for name in sorted(self.statement.symbols()):
+            if {"root", "sign", "atan", "atan2", "asin"} & {
+                known.function for known in knowledge.theory.applications.values()
+            }:
+                symbol = knowledge.into(knowledge.theory.field.symbol(name).numerator)
+                found.setdefault(knowledge.text(symbol), symbol)
+        free = [
+            (text, polynomial)
+            for text, polynomial in found.items()
+            if text not in split
+            and not polynomial.is_constant()
+            and knowledge.sign(knowledge.back(polynomial)) in (None, ">=", "<=")
+        ]
+        return [polynomial for _, polynomial in sorted(free, key=lambda pair: (len(pair[0]), pair[0]))]
+
+    def _reached(self, knowledge: Knowledge) -> bool:
+        left, right = (knowledge.theory.term(side) for side in (self.statement.left, self.statement.right))
+        goal = left - right
+        if knowledge.zero(goal, quick=True):
+            return True
+        normalised(knowledge)
+        if knowledge.theory.contradictory or knowledge.zero(goal):
+            return True
+        _signs_decided(knowledge)
+        _unified(knowledge)
+        if knowledge.zero(goal):
+            return True
+        return (
+            constant_zero(knowledge, goal)
+            or _by_powers(knowledge, left, right)
+            or _by_angle(knowledge, goal)
+            or _by_logarithms(knowledge, goal)
+        )
+
+
+def _contradicts(knowledge: Knowledge, depth: int) -> bool:
+    if depth and not knowledge.theory.contradictory:
+        last = knowledge.theory.facts[-1]
+        if last.relation == "=":
+            knowledge.inconsistent(last.polynomial)
+        else:
+            knowledge.refuted(last.polynomial)
+    return knowledge.theory.contradictory
+
+
+def _signs_decided(knowledge: Knowledge) -> None:
+    """Give every sign function its value, every arc its range, and zero to arcs of zero."""
+    for name, known in [*knowledge.theory.applications.items()]:
+        theory = knowledge.theory
+        symbol = theory.field.symbol(name)
+        if known.function == "sign":
+            sign = knowledge.sign(known.args[0])
+            if sign in (">", "<", "=") or knowledge.zero(known.args[0]):
+                knowledge.step("sign function", target=name)
+            else:
+                knowledge.want(*(factor for factor, _ in knowledge.signed(known.args[0]).factor()[1]))
+        elif known.function in ("atan", "asin", "atan2"):
+            _arc_decided(knowledge, name, symbol)
+        elif known.function == "sin":
+            _turn_decided(knowledge, symbol, known.args[0])
+
+
+def _turn_decided(knowledge: Knowledge, sin: Element, angle: Element) -> None:
+    """Give sine and cosine their signs where the range of the angle gives them."""
+    theory = knowledge.theory
+    cos, pi, two = theory.named("cos", angle), theory.pi, theory.number(2)
+    if cos is None or not knowledge.samples or not knowledge.bounded(angle):
+        return
+    if not theory.holds(">=", cos) and knowledge.positive(pi - two * angle) and knowledge.positive(pi + two * angle):
+        knowledge.step("cosine in range", angle=knowledge.said(angle))
+    elif knowledge.positive(two * angle - pi) and knowledge.positive(pi + two * (pi - angle)):
+        _opposite(knowledge, angle)
+    if theory.holds(">=", sin):
+        return
+    if knowledge.positive(angle) and knowledge.positive(pi - angle):
+        knowledge.step("sine in range", angle=knowledge.said(angle))
+    elif knowledge.positive(-angle) and knowledge.positive(pi + angle):
+        text = knowledge.said(angle)
+        if knowledge.step("defined", term=f"sin(-({text}))"):
+            other = next(
+                key
+                for key, known in theory.applications.items()
+                if known.function == "sin" and (known.args[0] + angle).is_zero
+            )
+            knowledge.step("addition", target=other, parts=[[-1, text]])
+            knowledge.step("sine in range", angle=f"-({text})")
+            knowledge.positive(-sin)
+
+
+def _opposite(knowledge: Knowledge, angle: Element) -> None:
+    """Find the sign of a cosine from that of half a turn less."""
+    theory = knowledge.theory
+    text = f"{knowledge.said(angle)} - pi"
+    if knowledge.step("defined", term=f"sin({text})"):
+        turned = angle - theory.pi
+        target = next(
+            name
+            for name, known in theory.applications.items()
+            if known.function == "sin" and (known.args[0] - turned).is_zero
+        )
+        knowledge.step("addition", target=target, parts=[[1, knowledge.said(angle)], [-2, "pi/2"]])
+        if knowledge.positive(theory.pi - turned - turned) and knowledge.positive(theory.pi + turned + turned):
+            knowledge.step("cosine in range", angle=text)
+
+
+def _unified(knowledge: Knowledge) -> None:
+    """Find roots, sines and cosines that are equal: those that look so, have equal squares, and are not negative."""
+    theory = knowledge.theory
+    _proportional(knowledge)
+    if len(knowledge.samples) < 2:
+        return
+    found = [
+        (theory.field.symbol(name), known.degree or 2)
+        for name, known in theory.applications.items()
+        if known.function in ("sin", "cos", "root")
+    ]
+    for name, known in theory.applications.items():
+        if known.function == "atan2":
+            arc = theory.field.symbol(name)
+            sin, cos = theory.named("sin", arc), theory.named("cos", arc)
+            assert sin is not None
+            assert cos is not None
+            found.append((known.args[1] * cos + known.args[0] * sin, 2))
+        elif known.function == "atan":
+            _secant(knowledge, theory.field.symbol(name), known.args[0])
+    for count, (first, degree) in enumerate(found):
+        for second, other in found[:count]:
+            for left, right in ((first, second), (-first, -second), (first, -second), (-first, second)):
+                if knowledge.seen(left - right) - {0} or (max(degree, other) > 2 and degree != other):
+                    continue
+                if knowledge.zero(left - right, quick=True):
+                    break
+                if knowledge.positive(left) and knowledge.positive(right):
+                    power = max(degree, other)
+                    if knowledge.zero(left**power - right**power):
+                        texts = knowledge.said(left), knowledge.said(right)
+                        knowledge.step("equal powers", left=texts[0], right=texts[1], degree=power)
+                    break
+
+
+def _secant(knowledge: Knowledge, arc: Element, argument: Element) -> None:
+    """Find that cos(atan u)*sqrt(1 + u**2) = 1, where the root occurs."""
+    theory = knowledge.theory
+    one, cos = theory.number(1), theory.named("cos", arc)
+    root = theory.named("root", argument * argument + one, degree=2)
+    if root is None or cos is None or knowledge.zero(root * cos - one, quick=True):
+        return
+    if knowledge.zero(root * root * cos * cos - one) and knowledge.positive(root * cos):
+        knowledge.step("equal powers", left=knowledge.said(root * cos), right="1", degree=2)
+
+
+def _proportional(knowledge: Knowledge) -> None:
+    """Find numbers that are rational multiples of each other."""
+    theory = knowledge.theory
+    numbers = [
+        theory.field.symbol(name)
+        for name, known in theory.applications.items()
+        if known.function in ("sin", "cos", "root")
+        and knowledge.is_number(knowledge.into(theory.variable(name).numerator))
+    ]
+    for count, first in enumerate(numbers[:MOST_NUMBERS]):
+        for second in numbers[:count]:
+            values = [knowledge.value_of(number) for number in (first, second)]
+            if not all(values):
+                continue
+            ratio = Fraction(values[0] / values[1]).limit_denominator(MOST_NUMBERS)
+            if not ratio or abs(values[0] / values[1] - float(ratio)) > 1e-9 or abs(ratio.numerator) > MOST_NUMBERS:
+                continue
+            left = first * theory.number(ratio.denominator)
+            right = second * theory.number(ratio.numerator)
+            if (
+                not knowledge.zero(left - right, quick=True)
+                and constant_zero(knowledge, left * left - right * right)
+                and knowledge.positive(left)
+                and knowledge.positive(right)
+            ):
+                knowledge.step("equal powers", left=knowledge.said(left), right=knowledge.said(right), degree=2)
+
+
+def _arc_decided(knowledge: Knowledge, name: str, arc: Element) -> None:
+    theory = knowledge.theory
+    sin, cos = theory.named("sin", arc), theory.named("cos", arc)
+    if sin is None or cos is None:
+        return
+    text, pi = theory.text(arc), theory.pi
+    sign = knowledge.sign(sin)
+    if sign == ">":
+        if knowledge.positive(arc + pi) and knowledge.positive(pi + pi - arc):
+            knowledge.step("range of sine", angle=text)
+    elif sign == "<":
+        if knowledge.step("defined", term=f"sin(-({text}))"):
+            other = next(
+                key
+                for key, known in knowledge.theory.applications.items()
+                if known.function == "sin" and (known.args[0] + arc).is_zero
+            )
+            knowledge.step("addition", target=other, parts=[[-1, text]])
+            opposite = knowledge.theory.field.symbol(other)
+            if (
+                knowledge.positive(opposite, True)
+                and knowledge.positive(pi - arc)
+                and knowledge.positive(pi + pi + arc)
+            ):
+                knowledge.step("range of sine", angle=f"-({text})")
+    elif sign == "=" or knowledge.zero(sin):
+        if knowledge.positive(pi - arc, True) and knowledge.positive(pi + arc, True):
+            knowledge.step("zero of sine", angle=text)
+    else:
+        knowledge.want(knowledge.signed(sin))
+        argument = knowledge.theory.applications[name].args[0]
+        knowledge.want(*(factor for factor, _ in knowledge.signed(argument).factor()[1]))
+    if knowledge.sign(cos) == ">" and knowledge.theory.applications[name].function == "atan2":
+        knowledge.step("range of cosine", angle=text)
+
+
+def _by_powers(knowledge: Knowledge, left: Element, right: Element) -> bool:
+    """Compare powers of two sides that are not negative."""
+    degrees = {known.degree for known in knowledge.theory.applications.values() if known.function == "root"}
+    if not degrees:
+        return False
+    theory = knowledge.theory
+    for sign in (1, -1):
+        a, b = left * theory.number(sign), right * theory.number(sign)
+        if all(knowledge.positive(side) for side in (a, b)):
+            for degree in sorted(degrees):
+                if knowledge.zero(a**degree - b**degree):
+                    texts = [knowledge.said(side) for side in (a, b)]
+                    if knowledge.step("equal powers", left=texts[0], right=texts[1], degree=degree):
+                        return knowledge.zero(left - right)
+    return False
+
+
+def _by_angle(knowledge: Knowledge, goal: Element) -> bool:
+    """Show that an angle is zero by its cosine, or its sine, and its range."""
+    theory = knowledge.theory
+    if not {"asin", "atan", "atan2"} & {known.function for known in theory.applications.values()}:
+        return False
+    numerator = theory.signed(goal, parity=False)
+    if len(numerator.terms) > MOST_ANGLES or knowledge.seen(goal) - {0}:
+        return False
+    pi = theory.pi
+    values = sorted({abs(value) for value in numerator.terms.values()})
+    scales = dict.fromkeys([Fraction(1), *(Fraction(1, value) for value in values), Fraction(1, 2 * values[-1])])
+    for scale in scales:
+        angle = theory.field.element(numerator) * theory.number(scale)
+        half = knowledge.positive(pi - angle, True) and knowledge.positive(pi + angle, True)
+        if half or (knowledge.positive(pi + pi - angle, True) and knowledge.positive(pi + pi + angle, True)):
+            return _is_zero_angle(knowledge, angle, half) and knowledge.zero(goal)
+    return False
+
+
+def _is_zero_angle(knowledge: Knowledge, angle: Element, half: bool) -> bool:
+    text = knowledge.said(angle)
+    if not knowledge.step("defined", term=f"sin({text})"):
+        return False
+    for monomial, value in knowledge.theory.signed(angle).terms.items():
+        if abs(value) > 1:
+            knowledge.step("defined", term=f"sin({knowledge.said(knowledge.rational({monomial: abs(value)}))})")
+    normalised(knowledge)
+    _signs_decided(knowledge)
+    _unified(knowledge)
+    theory = knowledge.theory
+    sin, cos = theory.named("sin", angle), theory.named("cos", angle)
+    assert sin is not None
+    assert cos is not None
+    one = theory.number(1)
+    if half and _zero_number(knowledge, sin):
+        return knowledge.step("zero of sine", angle=text)
+    if not _zero_number(knowledge, cos - one):
+        if not _zero_number(knowledge, sin):
+            return False
+        knowledge.zero(cos * cos - one)
+        if not knowledge.positive(cos, True) or not knowledge.step(
+            "equal powers", left=knowledge.theory.text(cos), right="1", degree=2
+        ):
+            return False
+    return knowledge.step("full turn", angle=text)
+
+
+def _zero_number(knowledge: Knowledge, element: Element) -> bool:
+    return knowledge.zero(element) or constant_zero(knowledge, element)
+
+
+def _by_logarithms(knowledge: Knowledge, goal: Element) -> bool:
+    """Show that a sum of logarithms and of a rest is zero by the product of their arguments."""
+    theory = knowledge.theory
+    logs = {name: known.args[0] for name, known in theory.applications.items() if known.function == "log"}
+    terms = dict(theory.signed(goal).terms)
+    counts = {}
+    for name in logs:
+        monomial = next(iter(theory.field.symbol(name).numerator.terms))
+        if monomial in terms:
+            counts[name] = terms.pop(monomial)
+    if not counts:
+        return False
+    rest = knowledge.rational(terms)
+    positive = [(n, knowledge.said(logs[name])) for name, n in counts.items() if n > 0]
+    negative = [(-n, knowledge.said(logs[name])) for name, n in counts.items() if n < 0]
+    if not rest.is_zero:
+        knowledge.step("defined", term=f"exp({knowledge.said(rest)})")
+        normalised(knowledge)
+        power = knowledge.theory.named("exp", rest)
+        assert power is not None
+        positive.append((1, knowledge.theory.text(power)))
+    product = "*".join(f"({text})**{n}" for n, text in positive) or "1"
+    other = "*".join(f"({text})**{n}" for n, text in negative) or "1"
+    value = knowledge.theory.read(product)
+    if not knowledge.zero(value - knowledge.theory.read(other)) or not knowledge.positive(value, True):
+        return False
+    if not knowledge.step("defined", term=f"log({product})"):
+        return False
+    target = knowledge.theory.named("log", value)
+    assert target is not None
+    name = next(
+        name for name in knowledge.theory.applications if (knowledge.theory.field.symbol(name) - target).is_zero
+    )
+    for parts in (positive, negative):
+        knowledge.step("logarithms", target=name, parts=[[n, text] for n, text in parts])
+    return knowledge.zero(goal)

@@ -1,0 +1,8 @@
+"""Statements with real functions, checked from their evidence with polynomials, intervals and a list of laws.
+
+The prover of such statements works on the same facts and laws: it calls proved only what `require_real` accepts.
+"""
+
+from algebroproj_sym.replaying.reals.statement import KEYS, Statement, require_real
+
+__all__ = ["KEYS", "Statement", "require_real"]

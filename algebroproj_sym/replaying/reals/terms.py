@@ -1,0 +1,420 @@
+"""Terms with real functions: read from text into a tree in which nothing is evaluated, and written back.
+
+::
+
+    sum      = product {("+" | "-") product}
+    product  = sign {("*" | "/") sign}
+    sign     = {"+" | "-"} power
+    power    = atom [("**" | "^") sign]
+    atom     = number | name | function "(" sum {"," sum} ")" | "(" sum ")"
+
+``pi`` is the number.  A power has a rational exponent, or is ``exp(b*log(a))``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+MOST_TOKENS = 4_000
+MOST_CHARACTERS = 40_000
+MOST_DIGITS = 400
+MOST_LEVELS = 48
+MOST_FACTORS = 100
+LARGEST_EXPONENT = 100
+
+_TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]*)?|\.[0-9]+)|([^\W\d]\w*'*)|(\*\*|[-+*/^(),]))")
+
+ALIASES = {
+    "Abs": "abs",
+    "ln": "log",
+    "arcsin": "asin",
+    "arccos": "acos",
+    "arctan": "atan",
+    "arctan2": "atan2",
+    "arcsec": "asec",
+    "arccsc": "acsc",
+    "arsinh": "asinh",
+    "arcosh": "acosh",
+    "artanh": "atanh",
+    "sgn": "sign",
+}
+ONE = (
+    "sqrt abs sign exp log sin cos tan cot sec csc asin acos atan asec acsc "
+    "sinh cosh tanh coth sech csch asinh acosh atanh acoth asech acsch"
+)
+ARITY = dict.fromkeys(ONE.split(), 1) | {"atan2": 2}
+FUNCTIONS = frozenset({*ARITY, *ALIASES})
+
+
+_CALL = re.compile(rf"(?<![\w'])(?:{'|'.join(sorted(FUNCTIONS))})\s*\(")
+_POWER = re.compile(r"(?:\*\*|\^)\s*[-+]?\s*(?:\(|[^\W\d]|[0-9]*\.)")
+
+
+def has_functions(text: str) -> bool:
+    """Whether a text has a function, or a power whose exponent may be no integer.
+
+    Examples
+    --------
+    >>> [has_functions(text) for text in ("sin (x)", "x^(1/2)", "x*y^2", "f(x)")]
+    [True, True, False, False]
+    """
+    return bool(_CALL.search(text) or _POWER.search(text))
+
+
+class UnreadableError(ValueError):
+    """A text is no term: where, what was expected there, and what was found."""
+
+    def __init__(self, position: int, expected: str, got: str) -> None:
+        super().__init__(f"position {position}: expected {expected}, got {got}")
+        self.position, self.expected, self.got = position, expected, got
+
+
+class Term(NamedTuple):
+    """``number``, ``symbol``, ``+ * / -``, ``^`` with a rational exponent as value, or a function."""
+
+    kind: str
+    value: Any = None
+    args: tuple[Term, ...] = ()
+
+    def symbols(self) -> frozenset[str]:
+        """Return the names that occur."""
+        own = frozenset({self.value}) if self.kind == "symbol" else frozenset()
+        return own.union(*(part.symbols() for part in self.args))
+
+
+PI = Term("pi")
+
+
+def constant(value: Fraction | int) -> Term:
+    """Return a number as a term."""
+    return Term("number", Fraction(value))
+
+
+ONE_HALF = constant(Fraction(1, 2))
+
+
+def power(base: Term, exponent: Fraction | int) -> Term:
+    """Return a power with a rational exponent."""
+    return Term("^", Fraction(exponent), (base,))
+
+
+def function(name: str, *args: Term) -> Term:
+    """Return a function of terms."""
+    return Term(name, None, args)
+
+
+def negative(term: Term) -> Term:
+    """Return minus a term."""
+    return Term("-", None, (term,))
+
+
+def plus(*terms: Term) -> Term:
+    """Return a sum."""
+    return Term("+", None, terms)
+
+
+def times(left: Term, right: Term) -> Term:
+    """Return a product."""
+    return Term("*", None, (left, right))
+
+
+def over(above: Term, below: Term) -> Term:
+    """Return a quotient."""
+    return Term("/", None, (above, below))
+
+
+def read(text: str) -> Term:
+    """Read a term.
+
+    Examples
+    --------
+    >>> read("sqrt(x^2)").kind, written(read("2*sin(x)^2/3 - x**(1/2)"))
+    ('sqrt', '2*sin(x)**2/3 - x**(1/2)')
+    >>> read("sin x")
+    Traceback (most recent call last):
+    ...
+    algebroproj_sym.replaying.reals.terms.UnreadableError: position 4: expected '(', got 'x'
+    """
+    return _Reader(text).whole()
+
+
+class _Reader:
+    def __init__(self, text: str) -> None:
+        if len(text) > MOST_CHARACTERS:
+            raise UnreadableError(MOST_CHARACTERS, f"at most {MOST_CHARACTERS} characters", str(len(text)))
+        self.tokens = [*_tokens(text), ("end", "the end", len(text.rstrip()))]
+        if len(self.tokens) > MOST_TOKENS:
+            raise UnreadableError(self.tokens[MOST_TOKENS][2], f"at most {MOST_TOKENS} tokens", "more")
+        self.place = self.depth = 0
+
+    def whole(self) -> Term:
+        found = self.sum()
+        if self.tokens[self.place][0] != "end":
+            raise self.wrong("an operator")
+        return found
+
+    def wrong(self, expected: str) -> UnreadableError:
+        kind, text, position = self.tokens[self.place]
+        return UnreadableError(position, expected, text if kind == "end" else repr(text[:40]))
+
+    def take(self, *texts: str) -> str:
+        kind, text, _ = self.tokens[self.place]
+        if kind != "operator" or text not in texts:
+            return ""
+        self.place += 1
+        return text
+
+    def expect(self, text: str) -> None:
+        if not self.take(text):
+            raise self.wrong(repr(text))
+
+    def inner(self, part: Callable[[], Term]) -> Term:
+        self.depth += 1
+        if self.depth > MOST_LEVELS:
+            raise self.wrong(f"at most {MOST_LEVELS} levels of nesting")
+        found = part()
+        self.depth -= 1
+        return found
+
+    def sum(self) -> Term:
+        parts = [self.product()]
+        while sign := self.take("+", "-"):
+            part = self.product()
+            parts.append(negative(part) if sign == "-" else part)
+        return parts[0] if len(parts) == 1 else plus(*parts)
+
+    def product(self) -> Term:
+        found, count = self.sign(), 1
+        while operator := self.take("*", "/"):
+            count += 1
+            if count > MOST_FACTORS:
+                raise self.wrong(f"at most {MOST_FACTORS} factors")
+            found = (times if operator == "*" else over)(found, self.sign())
+        return found
+
+    def sign(self) -> Term:
+        minus = False
+        while sign := self.take("+", "-"):
+            minus ^= sign == "-"
+        found = self.power()
+        return negative(found) if minus else found
+
+    def power(self) -> Term:
+        base = self.atom()
+        if not self.take("**", "^"):
+            return base
+        where = self.place
+        exponent = self.inner(self.sign)
+        value = _rational(exponent)
+        if value is None:
+            return function("exp", times(exponent, function("log", base)))
+        if max(abs(value.numerator), value.denominator) > LARGEST_EXPONENT:
+            self.place = where
+            raise self.wrong(f"an exponent of numbers up to {LARGEST_EXPONENT}")
+        return power(base, value)
+
+    def atom(self) -> Term:
+        kind, text, _ = self.tokens[self.place]
+        self.place += kind in ("number", "name")
+        if kind == "number":
+            whole, _, decimals = text.partition(".")
+            return constant(Fraction(int(whole + decimals or "0"), 10 ** len(decimals)))
+        if kind == "name":
+            return PI if text == "pi" else self.application(text) if text in FUNCTIONS else Term("symbol", text)
+        self.place -= kind in ("number", "name")
+        if self.take("("):
+            found = self.inner(self.sum)
+            self.expect(")")
+            return found
+        raise self.wrong("a number, a name or '('")
+
+    def application(self, name: str) -> Term:
+        name = ALIASES.get(name, name)
+        self.expect("(")
+        args = [self.inner(self.sum)]
+        while len(args) < ARITY[name]:
+            self.expect(",")
+            args.append(self.inner(self.sum))
+        self.expect(")")
+        return function(name, *args)
+
+
+def _tokens(text: str) -> Iterator[tuple[str, str, int]]:
+    place, end = 0, len(text.rstrip())
+    while place < end:
+        match = _TOKEN.match(text, place)
+        if match is None or (match.lastindex == 2 and not match[2].rstrip("'").isidentifier()):
+            place += len(text[place:]) - len(text[place:].lstrip())
+            raise UnreadableError(place, "a number, a name, an operator or a bracket", repr(text[place]))
+        found = match[match.lastindex or 0]
+        if match.lastindex == 1 and len(found) > MOST_DIGITS:
+            raise UnreadableError(match.end() - len(found), f"at most {MOST_DIGITS} digits", str(len(found)))
+        yield ("number", "name", "operator")[(match.lastindex or 1) - 1], found, match.end() - len(found)
+        place = match.end()
+
+
+def _rational(term: Term) -> Fraction | None:
+    """Return the value of an exponent that is written with numbers, signs, sums, products and quotients."""
+    if term.kind == "number":
+        return Fraction(term.value)
+    parts = [_rational(part) for part in term.args] if term.kind in ("+", "-", "*", "/") else [None]
+    known = [part for part in parts if part is not None]
+    if len(known) < len(parts):
+        return None
+    if term.kind == "+":
+        return sum(known, Fraction(0))
+    if term.kind == "-":
+        return -known[0]
+    if term.kind == "/" and known[1] == 0:
+        return None
+    return known[0] * known[1] if term.kind == "*" else known[0] / known[1]
+
+
+_LEVELS = {"+": 1, "-": 2, "*": 2, "/": 2, "^": 4}
+
+
+def written(term: Term) -> str:
+    """Return a term as text that is read as the same term."""
+    return _written(term)[0]
+
+
+def _written(term: Term) -> tuple[str, int]:
+    """Return the text, and how strongly it holds together: 1 sum, 2 product, 3 sign, 4 power, 5 atom."""
+    if term.kind == "number":
+        value = term.value
+        return str(value), 5 if value >= 0 and value.denominator == 1 else 2 if value >= 0 else 1
+    if term.kind in ("symbol", "pi"):
+        return term.value or "pi", 5
+    if term.kind == "+":
+        first, *others = term.args
+        text = _within(first, 2)
+        for part in others:
+            minus = part.kind == "-"
+            text += f" - {_within(part.args[0], 3)}" if minus else f" + {_within(part, 3)}"
+        return text, 1
+    if term.kind == "-":
+        return f"-{_within(term.args[0], 4)}", 2
+    if term.kind in ("*", "/"):
+        return f"{_within(term.args[0], 2)}{term.kind}{_within(term.args[1], 4)}", 2
+    if term.kind == "^":
+        exponent = str(term.value)
+        plain = term.value.denominator == 1 and term.value >= 0
+        return f"{_within(term.args[0], 5)}**{exponent if plain else f'({exponent})'}", 4
+    return f"{term.kind}({', '.join(map(written, term.args))})", 5
+
+
+def _within(term: Term, level: int) -> str:
+    text, own = _written(term)
+    return text if own >= level and not (level == 3 and text.startswith("-")) else f"({text})"
+
+
+def expanded(term: Term) -> tuple[Term, tuple[tuple[str, Term], ...]]:
+    """Return what a derived function is defined as, and what is asked of its arguments beyond that.
+
+    Examples
+    --------
+    >>> written(expanded(read("tan(x)"))[0]), written(expanded(read("Abs(x)"))[0])
+    ('sin(x)/cos(x)', '(x**2)**(1/2)')
+    """
+    kind = term.kind
+    if kind not in _DEFINED:
+        return term, ()
+    u = term.args[0]
+    return _DEFINED[kind](u), tuple((relation, made(u)) for relation, made in _ASKED.get(kind, ()))
+
+
+def _one(sign: int, u: Term) -> Term:
+    return plus(constant(1), u if sign > 0 else negative(u))
+
+
+def _inverse(name: str) -> Callable[[Term], Term]:
+    return lambda u: function(name, over(constant(1), u))
+
+
+def _reciprocal(name: str) -> Callable[[Term], Term]:
+    return lambda u: over(constant(1), function(name, u))
+
+
+def _exponentials(sign: int, u: Term) -> Term:
+    """Return ``exp(u) + sign*exp(-u)``, with one exponential."""
+    exp = function("exp", u)
+    below = over(constant(1), exp)
+    return plus(exp, below if sign > 0 else negative(below))
+
+
+_TWO = constant(2)
+_DEFINED: dict[str, Callable[[Term], Term]] = {
+    "sqrt": lambda u: power(u, Fraction(1, 2)),
+    "abs": lambda u: power(power(u, 2), Fraction(1, 2)),
+    "tan": lambda u: over(function("sin", u), function("cos", u)),
+    "cot": lambda u: over(function("cos", u), function("sin", u)),
+    "sec": _reciprocal("cos"),
+    "csc": _reciprocal("sin"),
+    "acos": lambda u: plus(over(PI, _TWO), negative(function("asin", u))),
+    "asec": _inverse("acos"),
+    "acsc": _inverse("asin"),
+    "sinh": lambda u: over(_exponentials(-1, u), _TWO),
+    "cosh": lambda u: over(_exponentials(1, u), _TWO),
+    "tanh": lambda u: over(_exponentials(-1, u), _exponentials(1, u)),
+    "coth": lambda u: over(_exponentials(1, u), _exponentials(-1, u)),
+    "sech": lambda u: over(_TWO, _exponentials(1, u)),
+    "csch": lambda u: over(_TWO, _exponentials(-1, u)),
+    "asinh": lambda u: function("log", plus(u, power(plus(power(u, 2), constant(1)), Fraction(1, 2)))),
+    "acosh": lambda u: function("log", plus(u, power(plus(power(u, 2), constant(-1)), Fraction(1, 2)))),
+    "atanh": lambda u: times(ONE_HALF, function("log", over(_one(1, u), _one(-1, u)))),
+    "acoth": _inverse("atanh"),
+    "asech": _inverse("acosh"),
+    "acsch": _inverse("asinh"),
+}
+_ASKED: dict[str, tuple[tuple[str, Callable[[Term], Term]], ...]] = {
+    "acosh": ((">=", lambda u: plus(u, constant(-1))),),
+    "atanh": ((">", lambda u: _one(1, u)), (">", lambda u: _one(-1, u))),
+}
+
+
+def conditions(term: Term) -> Iterator[tuple[str, Term]]:
+    """Yield what must hold for a term to be defined and real, inside first: ``>=``, ``>`` or ``!=`` zero.
+
+    Examples
+    --------
+    >>> [(relation, written(part)) for relation, part in conditions(read("tan(x) + log(1/sqrt(y))"))]
+    [('!=', 'cos(x)'), ('>=', 'y'), ('!=', 'sqrt(y)'), ('>', '1/sqrt(y)')]
+    """
+    for part in term.args:
+        yield from conditions(part)
+    u = term.args[0] if term.args else term
+    one = constant(1)
+    if term.kind == "/":
+        yield "!=", term.args[1]
+    elif term.kind == "^":
+        if term.value.denominator > 1:
+            yield (">=" if term.value > 0 else ">"), u
+        elif term.value <= 0:
+            yield "!=", u
+    elif term.kind in ("tan", "sec"):
+        yield "!=", function("cos", u)
+    elif term.kind in ("cot", "csc"):
+        yield "!=", function("sin", u)
+    elif term.kind == "sqrt":
+        yield ">=", u
+    elif term.kind == "log":
+        yield ">", u
+    elif term.kind in ("asin", "acos"):
+        yield ">=", plus(one, negative(power(u, 2)))
+    elif term.kind == "atan2":
+        yield "!=", plus(power(u, 2), power(term.args[1], 2))
+    elif term.kind in ("coth", "csch", "acsch", "asec", "acsc", "acoth", "asech"):
+        yield "!=", u
+        if term.kind in ("asec", "acsc"):
+            yield ">=", plus(power(u, 2), negative(one))
+        elif term.kind == "acoth":
+            yield ">", plus(power(u, 2), negative(one))
+        elif term.kind == "asech":
+            yield from ((">", u), (">=", plus(one, negative(u))))
+    elif term.kind == "acosh":
+        yield ">=", plus(u, negative(one))
+    elif term.kind == "atanh":
+        yield ">", plus(one, negative(power(u, 2)))

@@ -1,0 +1,201 @@
+"""Values of terms at rational points: exact where they are rational, else enclosed, in whatever arithmetic."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from math import isqrt
+from typing import Any
+
+from algebroproj_sym.replaying.reals.terms import Term, expanded
+
+MOST_BITS = 20_000
+
+
+class UndefinedError(ArithmeticError):
+    """A term is not defined, or not real, at a point."""
+
+
+class UndecidedError(ArithmeticError):
+    """An enclosure is too wide to tell."""
+
+
+class Numbers:
+    """Rational numbers, and enclosures of others, which a subclass has.
+
+    A subclass gives ``enclosed``, ``sign``, the operations ``plus``, ``times``, ``over`` on enclosures, and each
+    of `root`, `exp`, `log`, `sin`, `cos`, `atan`, `asin`, `pi` as ``_root`` and so on.
+    """
+
+    def enclosed(self, value: Fraction) -> Any:
+        """Return an enclosure of a rational number."""
+        raise NotImplementedError
+
+    def sign(self, value: Any) -> int:
+        """Return -1, 0 or 1; an enclosure around zero raises `UndecidedError`."""
+        raise NotImplementedError
+
+    def both(self, left: Any, right: Any) -> tuple[Any, Any]:
+        """Return two values as enclosures."""
+        return self.lifted(left), self.lifted(right)
+
+    def lifted(self, value: Any) -> Any:
+        """Return a value as an enclosure."""
+        return self.enclosed(value) if isinstance(value, Fraction) else value
+
+    def operation(self, name: str, left: Any, right: Any) -> Any:
+        """Return the result of an operation."""
+        if isinstance(left, Fraction) and isinstance(right, Fraction):
+            require_small(left, right)
+            return left + right if name == "plus" else left * right if name == "times" else left / right
+        if name == "times" and Fraction(0) in (left, right):
+            return Fraction(0)
+        return getattr(self, name)(*self.both(left, right))
+
+    def raised(self, base: Any, exponent: int) -> Any:
+        """Return a power with a natural exponent."""
+        if isinstance(base, Fraction):
+            if exponent * max(base.numerator.bit_length(), base.denominator.bit_length()) > MOST_BITS:
+                raise UndecidedError
+            return base**exponent
+        result: Any = Fraction(1)
+        for _ in range(exponent):
+            result = self.operation("times", result, base)
+        return self.even(result) if exponent % 2 == 0 else result
+
+    def even(self, value: Any) -> Any:
+        """Return an enclosure of what is not negative."""
+        return value
+
+    def applied(self, name: str, value: Any) -> Any:
+        """Return a function of one argument."""
+        exact = isinstance(value, Fraction)
+        if name == "sign":
+            return Fraction(self.sign(value))
+        if name == "log":
+            self.require(self.sign(value) > 0)
+            return Fraction(0) if value == 1 else self._log(self.lifted(value))
+        if name == "asin":
+            one = Fraction(1)
+            for sign in (one, -one):
+                self.require(self.sign(self.operation("plus", one, self.operation("times", sign, value))) >= 0)
+        if exact and value == 0:
+            return Fraction(int(name in ("exp", "cos")))
+        return getattr(self, f"_{name}")(self.lifted(value))
+
+    def root(self, value: Any, degree: int) -> Any:
+        """Return the root of what is not negative."""
+        sign = self.sign(value)
+        self.require(sign >= 0)
+        if isinstance(value, Fraction):
+            above, below = floor_root(value.numerator, degree), floor_root(value.denominator, degree)
+            if above**degree == value.numerator and below**degree == value.denominator:
+                return Fraction(above, below)
+        return self._root(self.lifted(value), degree)
+
+    def atan2(self, y: Any, x: Any) -> Any:
+        """Return the angle of a point, in (-pi, pi]."""
+        try:
+            if self.sign(x) > 0:
+                return self.applied("atan", self.operation("over", y, x))
+        except UndecidedError:
+            pass
+        side = self.sign(y)
+        if side:
+            inverse = self.applied("atan", self.operation("over", x, y))
+            half = self.operation("times", Fraction(side, 2), self.pi())
+            return self.operation("plus", half, self.operation("times", Fraction(-1), inverse))
+        self.require(self.sign(x) < 0)
+        return self.pi()
+
+    def pi(self) -> Any:
+        """Return an enclosure of pi."""
+        return self._pi()
+
+    def require(self, holds: bool) -> None:
+        """Raise `UndefinedError` unless something holds."""
+        if not holds:
+            raise UndefinedError
+
+    def __getattr__(self, name: str) -> Any:
+        raise NotImplementedError(name)
+
+
+def require_small(*values: Fraction) -> None:
+    """Raise `UndecidedError` for numbers with too many digits."""
+    if any(max(value.numerator.bit_length(), value.denominator.bit_length()) > MOST_BITS for value in values):
+        raise UndecidedError
+
+
+def floor_root(value: int, degree: int) -> int:
+    """Return the largest integer whose power is at most a natural number.
+
+    Examples
+    --------
+    >>> floor_root(27, 3), floor_root(26, 3), floor_root(2, 2)
+    (3, 2, 1)
+    """
+    if degree == 2:
+        return isqrt(value)
+    low, high = 0, 1 << (value.bit_length() // degree + 1)
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if middle**degree <= value else (low, middle)
+    return low
+
+
+def value_of(term: Term, point: Mapping[str, Any], numbers: Numbers) -> Any:
+    """Return the value of a term at a point.
+
+    Raises
+    ------
+    UndefinedError
+        If the term is not defined, or not real.
+    UndecidedError
+        If the numbers cannot tell.
+    """
+    kind, value = term.kind, term.value
+    if kind == "number":
+        return value
+    if kind == "symbol":
+        return point[value]
+    if kind == "pi":
+        return numbers.pi()
+    definition, asked = expanded(term)
+    for relation, part in asked:
+        numbers.require(holds(relation, value_of(part, point, numbers), numbers))
+    if asked or definition is not term:
+        return value_of(definition, point, numbers)
+    args = [value_of(part, point, numbers) for part in term.args]
+    first = args[0]
+    if kind == "+":
+        for other in args[1:]:
+            first = numbers.operation("plus", first, other)
+        return first
+    if kind == "-":
+        return numbers.operation("times", Fraction(-1), first)
+    if kind == "*":
+        return numbers.operation("times", first, args[1])
+    if kind == "/":
+        numbers.require(numbers.sign(args[1]) != 0)
+        return numbers.operation("over", first, args[1])
+    if kind == "^":
+        return _power(first, value, numbers)
+    if kind == "atan2":
+        return numbers.atan2(first, args[1])
+    return numbers.applied(kind, first)
+
+
+def _power(base: Any, exponent: Fraction, numbers: Numbers) -> Any:
+    if exponent.denominator > 1:
+        base = numbers.root(base, exponent.denominator)
+    if exponent <= 0:
+        numbers.require(numbers.sign(base) != 0)
+    found = numbers.raised(base, abs(exponent.numerator))
+    return found if exponent >= 0 else numbers.operation("over", Fraction(1), found)
+
+
+def holds(relation: str, value: Any, numbers: Numbers) -> bool:
+    """Whether a value is ``=``, ``!=``, ``>`` or ``>=`` zero."""
+    sign = numbers.sign(value)
+    return {"=": sign == 0, "!=": sign != 0, ">": sign > 0, ">=": sign >= 0}[relation]

@@ -1,0 +1,269 @@
+"""Statements with real functions: verdicts of a corpus, evidence that is replayed, mutations that must be noticed."""
+
+import copy
+import json
+import random
+import re
+from pathlib import Path
+
+import mpmath
+import pytest
+import sympy
+
+from algebroproj_sym import prove
+from algebroproj_sym.expressions import ParseError, SymbolError
+from algebroproj_sym.proving.reals import decided
+from algebroproj_sym.proving.statements import UnsupportedError
+from algebroproj_sym.replaying import NotReplayable, Rejected
+from algebroproj_sym.replaying.reals import require_real
+from algebroproj_sym.replaying.reals.statement import statement_of
+from algebroproj_sym.replaying.reals.terms import written
+
+CORPUS = Path(__file__).resolve().parent / "corpus" / "functions.json"
+ITEMS = json.loads(CORPUS.read_text(encoding="utf-8"))
+TRUE = [item for item in ITEMS if item["expected"] == "proved" and "found" not in item]
+QUICK = [item for place, item in enumerate(TRUE) if place % 8 == 0]
+
+
+def record(item, **changes):
+    """The question of an item, as the replay has it."""
+    question = {"lhs": item["lhs"], "rhs": item["rhs"], "assumptions": item.get("assumptions", [])}
+    return {**question, "relation": "=", "constraints": [], "nonzero": [], **changes}
+
+
+def checked(item):
+    found = decided(record(item))
+    assert found["verdict"] == item.get("found", item["expected"])
+    if found["verdict"] != "open":
+        require_real(json.loads(json.dumps(found)))
+    return found
+
+
+def names(items):
+    return [item["name"] for item in items]
+
+
+FALSE = [item for item in ITEMS if item["expected"] == "refuted"]
+
+
+@pytest.mark.parametrize("item", QUICK, ids=names(QUICK))
+def test_what_is_true_is_proved_and_replayed(item):
+    checked(item)
+
+
+@pytest.mark.parametrize("item", FALSE, ids=names(FALSE))
+def test_what_is_false_is_refuted_at_a_point_that_is_replayed(item):
+    checked(item)
+
+
+@pytest.mark.whole
+@pytest.mark.parametrize("item", ITEMS, ids=names(ITEMS))
+def test_every_verdict_is_the_declared_one_or_open_where_that_is_listed(item):
+    checked(item)
+
+
+def test_few_of_what_is_true_stay_open():
+    true = [item for item in ITEMS if item["expected"] == "proved"]
+    assert len(true) >= 280
+    assert len(FALSE) >= 280
+    assert len(TRUE) >= 0.95 * len(true)
+
+
+# -- an oracle of its own: values of mpmath ---------------------------------------------------------------------------
+
+FUNCTIONS = {
+    "abs": abs, "sign": mpmath.sign, "log": mpmath.log, "pi": mpmath.pi,
+    "atan2": lambda y, x: mpmath.atan2(y, x) if (x, y) != (0, 0) else mpmath.nan,
+} | {
+    name: getattr(mpmath, name)
+    for name in (
+        "sqrt", "exp", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "asec", "acsc",
+        "sinh", "cosh", "tanh", "coth", "sech", "csch", "asinh", "acosh", "atanh", "acoth", "asech", "acsch",
+    )
+}  # fmt: skip
+
+
+def differs_somewhere(statement):
+    """Whether the sides differ at a random point where the conditions hold, by ordinary evaluation."""
+    generator = random.Random(7)
+    symbols = sorted(statement.symbols())
+    with mpmath.workdps(30):
+        for _ in range(300):
+            scale = generator.choice((1, 3, 10))
+            point = {name: mpmath.mpf(generator.uniform(-scale, scale)) for name in symbols}
+            if generator.random() < 0.1 and symbols:
+                point[generator.choice(symbols)] = mpmath.mpf(0)
+            try:
+                values = [_value(term, point) for term in (statement.left, statement.right)]
+                holds = [_holds(relation, _value(term, point)) for relation, term in statement.given]
+            except (ZeroDivisionError, ValueError, OverflowError):
+                continue
+            if all(holds) and all(map(_is_real, values)):
+                size = max(1, *map(abs, values))
+                if abs(values[0] - values[1]) > 1e-15 * size:
+                    return True
+    return False
+
+
+def _value(term, point):
+    code = re.sub(r"(?<!\w)[0-9]+", lambda found: f"mpf({found[0]})", written(term))
+    return eval(code, {"__builtins__": {}, "mpf": mpmath.mpf, **FUNCTIONS, **point})
+
+
+def _is_real(value):
+    return not isinstance(value, mpmath.mpc) and mpmath.isfinite(value)
+
+
+def _holds(relation, value):
+    if not _is_real(value):
+        return False
+    return {"=": value == 0, "!=": value != 0, ">": value > 0, ">=": value >= 0}[relation]
+
+
+@pytest.mark.parametrize("item", QUICK, ids=names(QUICK))
+def test_the_oracle_agrees_with_what_is_true(item):
+    assert not differs_somewhere(statement_of(record(item)))
+
+
+def test_the_oracle_sees_what_is_false():
+    seen = [differs_somewhere(statement_of(record(item))) for item in FALSE]
+    assert sum(seen) > 0.9 * len(seen)
+
+
+# -- mutations --------------------------------------------------------------------------------------------------------
+
+
+def mutations(item):
+    """Yield an item with each assumption dropped, and with each range widened."""
+    given = item.get("assumptions", [])
+    for place, condition in enumerate(given):
+        others = given[:place] + given[place + 1 :]
+        yield record(item, assumptions=others)
+        for old, new in ((">= ", "> -1 + "), ("> ", "> -1 + "), ("<= ", "< 1 + "), ("< ", "< 1 + ")):
+            if old in condition:
+                yield record(item, assumptions=[*others, condition.replace(old, new, 1)])
+        if condition.startswith(("-", "0")):
+            yield record(item, assumptions=[*others, f"-1 + {condition}"])
+
+
+MUTATED = [(item["name"], mutated) for item in TRUE for mutated in mutations(item)]
+SOME = [pair for place, pair in enumerate(MUTATED) if place % 12 == 0]
+
+
+def judge_mutation(mutated):
+    found = decided(mutated)
+    if found["verdict"] == "proved":
+        assert not differs_somewhere(statement_of(mutated))
+    if found["verdict"] != "open":
+        require_real(found)
+    return found["verdict"]
+
+
+@pytest.mark.parametrize("mutated", [m for _, m in SOME], ids=[f"{name}: {m['assumptions']}" for name, m in SOME])
+def test_an_assumption_dropped_or_a_range_widened_proves_nothing_false(mutated):
+    judge_mutation(mutated)
+
+
+@pytest.mark.whole
+def test_every_assumption_dropped_and_every_range_widened_proves_nothing_false():
+    verdicts = [judge_mutation(mutated) for _, mutated in MUTATED]
+    assert verdicts.count("refuted") > len(verdicts) / 2
+
+
+# -- forged proofs ----------------------------------------------------------------------------------------------------
+
+
+def rejected(forged):
+    try:
+        require_real(forged)
+    except (Rejected, NotReplayable, KeyError, TypeError, ValueError, AttributeError, IndexError):
+        return True
+    return False
+
+
+@pytest.mark.parametrize("item", QUICK, ids=names(QUICK))
+def test_a_proof_of_one_statement_is_none_of_a_false_one(item):
+    found = decided(record(item))
+    twin = ITEMS[ITEMS.index(item) + 1]
+    assert twin["expected"] == "refuted"
+    assert rejected({**found, **record(twin), "hypotheses": statement_of(record(twin)).hypotheses()})
+    assert rejected({**found, "rhs": f"({found['rhs']}) + 1"})
+    assert rejected({**found, "verdict": "refuted"})
+    assert rejected({**found, "hypotheses": [*found["hypotheses"], "x > 0"]})
+    for key in found["certificate"]:
+        forged = copy.deepcopy(found)
+        del forged["certificate"][key]
+        assert rejected(forged)
+    if found["certificate"]["proof"]["steps"]:
+        forged = copy.deepcopy(found)
+        forged["certificate"]["proof"] = {"steps": [], "end": "goal"}
+        assert rejected(forged)
+    forged = copy.deepcopy(found)
+    forged["certificate"]["proof"]["end"] = "contradiction"
+    assert rejected(forged)
+
+
+def test_a_case_may_not_be_left_out():
+    found = decided(record({"lhs": "sign(x*y)", "rhs": "sign(x)*sign(y)"}))
+    cases = found["certificate"]["proof"]["cases"]
+    for place in range(len(cases["parts"])):
+        forged = copy.deepcopy(found)
+        del forged["certificate"]["proof"]["cases"]["parts"][place]
+        assert rejected(forged)
+
+
+# -- the way in -------------------------------------------------------------------------------------------------------
+
+x, y = sympy.symbols("x y")
+p = sympy.Symbol("p", positive=True)
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "options", "verdict"),
+    [
+        (sympy.sqrt(x**2), x, {}, "refuted"),
+        (sympy.sqrt(x**2), x, {"assumptions": [x > 0]}, "proved"),
+        (sympy.sqrt(x**2), sympy.Abs(x), {}, "proved"),
+        (sympy.log(p * y), sympy.log(p) + sympy.log(y), {"assumptions": [y > 0]}, "proved"),
+        (sympy.sin(2 * x), 2 * sympy.sin(x) * sympy.cos(x), {}, "proved"),
+        (sympy.cos(sympy.pi / 5), (1 + sympy.sqrt(5)) / 4, {}, "proved"),
+        ("x/x", "1", {"assumptions": ["x > 0"]}, "proved"),
+        ("sin(x)", "sqrt(1 - c^2)", {"constraints": ["c = cos(x)"], "assumptions": ["0 <= x <= pi"]}, "proved"),
+        ("sqrt(-1 - x^2)", "x", {}, "open"),
+        ("log(-x^2)", "1", {}, "open"),
+        ("sqrt(x)", "x", {"assumptions": ["x < 0"]}, "open"),
+        ("acos(cos(4))", "4", {}, "refuted"),
+        ("acos(cos(4))", "2*pi - 4", {}, "proved"),
+        ("log(exp(x))", "x", {}, "proved"),
+        ("0*log(x)", "0", {}, "proved"),
+        ("0**0 + 0*sqrt(x)", "1", {}, "open"),
+    ],
+)
+def test_text_and_sympy_are_taken_as_they_stand(lhs, rhs, options, verdict):
+    assert prove(lhs, rhs, **options).verdict == verdict
+
+
+def test_the_domain_is_found():
+    assert prove("0*log(x)", "0").hypotheses == ("x > 0",)
+    assert prove("tan(x)*cos(x)", "sin(x)").hypotheses == ("cos(x) != 0",)
+    assert prove("sqrt(x)^2", "x").hypotheses == ("x >= 0",)
+    assert prove(sympy.log(p**2), 2 * sympy.log(p)).assumptions == ("p > 0",)
+
+
+def test_what_is_nowhere_real_is_open_with_that_reason():
+    assert "defined and real" in prove("sqrt(-1 - x^2)", "sqrt(-1 - x^2)").certificate["reason"]
+
+
+def test_what_is_not_there_yet_is_refused_by_name():
+    with pytest.raises(UnsupportedError, match="not decided yet"):
+        prove("sin(x)", "x", relation="<")
+    with pytest.raises(ValueError, match="relation: expected one of"):
+        prove("x", "y", relation="~")
+    with pytest.raises(ParseError, match="lhs, position 5"):
+        prove("sin(x", "x")
+    with pytest.raises(TypeError, match=r"got gamma\(x\)"):
+        prove(sympy.gamma(x), sympy.sqrt(x))
+    with pytest.raises(SymbolError, match="n is integer"):
+        prove(sympy.sin(sympy.pi * sympy.Symbol("n", integer=True) / 2), sympy.sqrt(x))
+    with pytest.raises(TypeError, match=r"assumptions\[0\]: expected a relation"):
+        prove("x", "x", assumptions=[x])

@@ -1,0 +1,252 @@
+"""The laws of real functions: each holds with its side conditions, and is refused without each of them."""
+
+import random
+from fractions import Fraction
+
+import mpmath
+import pytest
+
+from algebroproj_sym.replaying import NotReplayable, Rejected
+from algebroproj_sym.replaying.reals.intervals import Intervals
+from algebroproj_sym.replaying.reals.laws import LAWS, apply
+from algebroproj_sym.replaying.reals.statement import comparisons
+from algebroproj_sym.replaying.reals.terms import read, written
+from algebroproj_sym.replaying.reals.theory import Theory
+from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError
+
+
+def theory(given=(), terms=()):
+    """What is known if some conditions hold and some terms are defined."""
+    symbols = {name for text in (*terms,) for name in read(text).symbols()}
+    conditions = [pair for text in given for pair in comparisons(text)]
+    symbols |= {name for _, term in conditions for name in term.symbols()}
+    found = Theory(symbols)
+    for text in terms:
+        found.term(read(text), granted=True)
+    for relation, term in conditions:
+        found.add(relation, found.term(term, granted=True))
+    return found
+
+
+def follows(zero, cofactors, exponent=1, multiplier=(), scale=1):
+    return {
+        "law": "follows", "zero": zero, "exponent": exponent, "scale": scale, "multiplier": dict(multiplier),
+        "cofactors": cofactors,
+    }  # fmt: skip
+
+
+def sign(polynomial, relation, total, multiplier=(), scale=1, cofactors=()):
+    return {
+        "law": "sign", "polynomial": polynomial, "relation": relation, "scale": scale, "multiplier": dict(multiplier),
+        "sum": total, "cofactors": dict(cofactors),
+    }  # fmt: skip
+
+
+def nonzero(polynomial, factor, multiplier):
+    return {
+        "law": "nonzero", "polynomial": polynomial, "factor": factor, "scale": 1, "multiplier": multiplier,
+        "cofactors": {},
+    }  # fmt: skip
+
+
+# law: what is given, each needed; the terms that are defined; the step; what follows; steps that are wrong
+CASES = [
+    (["x > 0"], ["y"], {"law": "defined", "term": "sqrt(x) + log(x) + 1/x"}, None, [
+        {"law": "defined", "term": "sqrt(-x)"}, {"law": "defined", "term": "log(x - 1)"},
+        {"law": "defined", "term": "1/y"}, {"law": "defined", "term": "asin(x)"},
+        {"law": "defined", "term": "atan2(y, y)"}, {"law": "defined", "term": "acosh(x)"},
+        {"law": "defined", "term": "y**0"}, {"law": "defined", "term": "tan(y)"},
+        {"law": "defined", "term": "atanh(x)"}, {"law": "defined", "term": "y**x"},
+    ]),
+    (["x^2 = 0"], ["y"], follows("x", {"0": "1"}, exponent=2), ("=", "x"), [
+        follows("x", {"0": "1"}), follows("y", {"0": "1"}, exponent=2), follows("x", {"0": "1"}, exponent=2, scale=-1),
+        follows("x", {"0": "1"}, exponent=2, scale=0), follows("x", {"1": "1"}, exponent=2),
+    ]),
+    (["x*y = 0", "y != 0"], [], follows("x", {"0": "1"}, multiplier={"1": 1}), ("=", "x"), [
+        follows("x", {"0": "1"}), follows("x", {"0": "1"}, multiplier={"0": 1}),
+        follows("x", {"0": "1"}, multiplier={"1": -1}), follows("x", {"1": "1"}, multiplier={"1": 1}),
+    ]),
+    (["x > 0", "y >= 0"], ["z"], sign("x + y", ">", [["1", "1", {"0": 1}], ["1", "1", {"1": 1}]]), (">", "x + y"), [
+        sign("x - y", ">", [["1", "1", {"0": 1}], ["-1", "1", {"1": 1}]]),
+        sign("y", ">", [["1", "1", {"1": 1}]]), sign("z", ">=", [["1", "1", {}]]),
+        sign("z^2 + x", ">", [["1", "z", {}]]), sign("z**2", ">", [["1", "z", {}]]),
+        sign("x + y", "!=", [["1", "1", {"0": 1}], ["1", "1", {"1": 1}]]),
+    ]),
+    (["x*y > 0", "x > 0"], [], sign("y", ">", [["1", "1", {"0": 1}]], multiplier={"1": 1}), (">", "y"), [
+        sign("y", ">", [["1", "1", {"0": 1}]]), sign("y", ">", [["1", "1", {"0": 1}]], multiplier={"0": 1}),
+    ]),
+    (["x != 0"], [], sign("x**2", ">", [["1", "1", {"0": 2}]]), (">", "x**2"), [
+        sign("x", ">", [["1", "1", {"0": 1}]]), sign("x**3", ">", [["1", "1", {"0": 3}]]),
+    ]),
+    (["x*y != 0"], [], nonzero("x", "y", {"0": 1}), ("!=", "x"), [
+        nonzero("x", "y", {}), nonzero("x", "x", {"0": 1}), nonzero("x - 1", "y", {"0": 1}),
+    ]),
+    (["x >= 0", "x != 0"], [], {"law": "both", "polynomial": "x"}, (">", "x"), [{"law": "both", "polynomial": "-x"}]),
+    (["x >= 0", "x <= 0"], [], {"law": "both", "polynomial": "x"}, ("=", "x"), [
+        {"law": "both", "polynomial": "x + 1"},
+    ]),
+    ([], ["sqrt(2)", "x"], {"law": "value", "polynomial": "100*_1 - 141", "bits": 64}, (">", "100*_1 - 141"), [
+        {"law": "value", "polynomial": "100*_1 - 142", "bits": 64}, {"law": "value", "polynomial": "x", "bits": 64},
+        {"law": "value", "polynomial": "_1**2 - 2", "bits": 64},
+        {"law": "value", "polynomial": "100*_1 - 141", "bits": 10**6},
+    ]),
+    ([], ["sin(x + 2*y)", "sin(x)", "sin(y)"], {"law": "addition", "target": "_1", "parts": [[1, "x"], [2, "y"]]},
+     ("=", "_1 - (2*_4*_5*_6 + _3*(_6^2 - _5^2))"), [
+        {"law": "addition", "target": "_1", "parts": [[1, "x"], [1, "y"]]},
+        {"law": "addition", "target": "_1", "parts": [[1, "x"], [-2, "y"]]},
+        {"law": "addition", "target": "_2", "parts": [[1, "x"], [2, "y"]]},
+        {"law": "addition", "target": "_1", "parts": [[1, "x"], [1, "2*y"]]},
+    ]),
+    ([], ["sin(pi/2 - x)", "sin(x)"], {"law": "addition", "target": "_1", "parts": [[1, "pi/2"], [-1, "x"]]},
+     ("=", "_1 - _4"), [
+        {"law": "addition", "target": "_1", "parts": [[2, "pi/2"], [-1, "x"]]},
+        {"law": "addition", "target": "_1", "parts": [[-1, "pi/2"], [-1, "x"]]},
+    ]),
+    ([], ["exp(x + y)", "exp(x)", "exp(y)"], {"law": "exponents", "target": "_1", "parts": [[1, "_2"], [1, "_3"]]},
+     ("=", "_1 - _2*_3"), [
+        {"law": "exponents", "target": "_1", "parts": [[1, "_2"], [-1, "_3"]]},
+        {"law": "exponents", "target": "_1", "parts": [[1, "_2"]]},
+        {"law": "exponents", "target": "_1", "parts": []},
+    ]),
+    ([], ["exp(log(x))"], {"law": "exponents", "target": "_2", "parts": [[1, "_1"]]}, ("=", "_2 - x"), [
+        {"law": "exponents", "target": "_1", "parts": [[1, "_2"]]},
+        {"law": "exponents", "target": "_2", "parts": [[2, "_1"]]},
+    ]),
+    ([], ["log(x*y)", "log(x)", "log(y)"],
+     {"law": "logarithms", "target": "_1", "parts": [[1, "x"], [1, "y"]]}, ("=", "_1 - _2 - _3"), [
+        {"law": "logarithms", "target": "_1", "parts": [[1, "x"], [2, "y"]]},
+        {"law": "logarithms", "target": "_1", "parts": [[1, "-x"], [1, "-y"]]},
+        {"law": "logarithms", "target": "_1", "parts": [[1, "x*y"], [0, "x"]]},
+    ]),
+    ([], ["log(exp(x))"], {"law": "logarithms", "target": "_2", "parts": [[1, "_1"]]}, ("=", "_2 - x"), [
+        {"law": "logarithms", "target": "_2", "parts": [[2, "_1"]]},
+    ]),
+    (["x >= 0", "y >= 0", "x^2 = y^2"], [], {"law": "equal powers", "left": "x", "right": "y", "degree": 2},
+     ("=", "x - y"), [
+        {"law": "equal powers", "left": "x", "right": "-y", "degree": 2},
+        {"law": "equal powers", "left": "x", "right": "y", "degree": 3},
+        {"law": "equal powers", "left": "x", "right": "y", "degree": 0},
+        {"law": "equal powers", "left": "x", "right": "y", "degree": -2},
+    ]),
+    (["sin(x) = 0", "-pi < x", "x < pi"], [], {"law": "zero of sine", "angle": "x"}, ("=", "x"), [
+        {"law": "zero of sine", "angle": "2*x"},
+    ]),
+    (["cos(x) = 1", "-2*pi < x", "x < 2*pi"], [], {"law": "full turn", "angle": "x"}, ("=", "x"), [
+        {"law": "full turn", "angle": "-x"},
+    ]),
+    (["0 < x", "x < pi"], ["sin(x)"], {"law": "sine in range", "angle": "x"}, (">", "sin(x)"), []),
+    (["0 <= x", "x <= pi"], ["sin(x)"], {"law": "sine in range", "angle": "x"}, (">=", "sin(x)"), []),
+    (["-pi/2 < x", "x < pi/2"], ["cos(x)"], {"law": "cosine in range", "angle": "x"}, (">", "cos(x)"), []),
+    (["sin(x) > 0", "-pi <= x", "x <= 2*pi"], [], {"law": "range of sine", "angle": "x"}, (">", "pi - x"), []),
+    (["cos(x) > 0", "-3*pi/2 <= x", "x <= 3*pi/2"], [], {"law": "range of cosine", "angle": "x"},
+     (">", "pi + 2*x"), []),
+    (["x > 0"], ["sign(x)"], {"law": "sign function", "target": "_1"}, ("=", "_1 - 1"), [
+        {"law": "sign function", "target": "x"},
+    ]),
+    (["x < 0"], ["sign(x)"], {"law": "sign function", "target": "_1"}, ("=", "_1 + 1"), []),
+    (["x = 0"], ["sign(x)"], {"law": "sign function", "target": "_1"}, ("=", "_1"), []),
+]  # fmt: skip
+
+
+def accepts(known, step):
+    try:
+        apply(known, step)
+    except (Rejected, NotReplayable, KeyError, TypeError, ValueError, AttributeError):
+        return False
+    return True
+
+
+@pytest.mark.parametrize("case", CASES, ids=[f"{case[2]['law']}: {case[0]}" for case in CASES])
+def test_a_law_needs_each_of_its_side_conditions(case):
+    given, terms, step, conclusion, wrong = case
+    known = theory(given, terms)
+    assert accepts(known, step)
+    if conclusion is not None:
+        relation, text = conclusion
+        assert known.holds(relation, known.term(read(text)))
+    every = [*terms, *(written(part) for text in given for _, part in comparisons(text))]
+    for place in range(len(given)):
+        weaker = theory(given[:place] + given[place + 1 :], every)
+        assert not accepts(weaker, step) or conclusion is None or not weaker.holds(*_read(weaker, conclusion)), given[
+            place
+        ]
+    for forged in wrong:
+        assert not accepts(theory(given, terms), forged), forged
+    for key in step:
+        assert not accepts(theory(given, terms), {name: value for name, value in step.items() if name != key})
+    assert not accepts(theory(given, terms), {**step, "more": 1})
+
+
+def _read(known, conclusion):
+    return conclusion[0], known.term(read(conclusion[1]))
+
+
+def test_every_law_is_tested():
+    assert {case[2]["law"] for case in CASES} == {*LAWS}
+
+
+def test_a_range_that_is_not_strict_gives_no_strict_sign():
+    known = theory(["0 <= x", "x <= pi"], ["sin(x)"])
+    apply(known, {"law": "sine in range", "angle": "x"})
+    assert not known.holds(">", known.term(read("sin(x)")))
+
+
+POINTS = [Fraction(p, q) for p, q in ((1, 2), (-1, 2), (2, 1), (-3, 1), (7, 5), (1, 9), (-11, 3), (0, 1))]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["sqrt(x)", "x^(1/3)", "exp(x)", "log(x)", "sin(x)", "cos(x)", "atan(x)", "asin(x)", "sign(x)", "atan2(x, y)"],
+)
+def test_the_facts_of_each_function_hold_where_it_is_defined(text):
+    """The facts are evaluated at points with intervals, for which they are no input."""
+    from algebroproj_sym.replaying.reals.values import value_of
+
+    seen = 0
+    for first in POINTS:
+        for second in POINTS:
+            point = {"x": first, "y": second}
+            known = theory((), [text])
+            numbers = Intervals(200)
+            try:
+                value_of(read(text), point, numbers)
+            except (UndefinedError, UndecidedError):
+                continue
+            values = {"pi": numbers.pi(), **point}
+            for name, application in known.applications.items():
+                args = [known._enclosed(arg, numbers, values) for arg in application.args]
+                root = application.function == "root"
+                values[name] = (
+                    numbers.root(args[0], application.degree)
+                    if root
+                    else numbers.atan2(*args)
+                    if application.function == "atan2"
+                    else numbers.applied(application.function, args[0])
+                )
+            for fact in known.facts:
+                value = known._at(fact.polynomial, numbers, values)
+                low, high = value if isinstance(value, tuple) else (value, value)
+                assert {"=": low <= 0 <= high, "!=": True, ">": high > 0, ">=": high >= 0}[fact.relation], fact
+                seen += 1
+    assert seen > 20
+
+
+def test_intervals_enclose_what_mpmath_computes():
+    generator = random.Random(3)
+    checked = 0
+    with mpmath.workprec(500):
+        for _ in range(300):
+            bits = generator.choice((30, 64, 150))
+            numbers = Intervals(bits)
+            value = Fraction(generator.randint(-2000, 2000), generator.randint(1, 300))
+            number = mpmath.mpf(value.numerator) / value.denominator
+            for name in ("exp", "sin", "cos", "atan", "asin", "log"):
+                try:
+                    found = numbers.applied(name, value)
+                except (UndefinedError, UndecidedError):
+                    continue
+                low, high = found if isinstance(found, tuple) else (found * 2**bits, found * 2**bits)
+                true = getattr(mpmath, name)(number) * 2**bits
+                assert mpmath.mpf(int(low)) <= true <= mpmath.mpf(int(high))
+                checked += 1
+    assert checked > 1000

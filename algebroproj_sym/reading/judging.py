@@ -257,10 +257,14 @@ class _Reader:
 
     def _has_euler(self) -> bool:
         """Whether e is Euler's number: the base of powers with letters, and nothing else."""
-        sides = [side for each in self.trees.values() if isinstance(each, Parsed) for side in each.sides]
-        bases = [power for side in sides for power in side.find_data("power") if power.children[0] == _E]
-        count = sum(1 for side in sides for tree in side.iter_subtrees_topdown() if tree == _E)
-        return len(bases) == count and any(symbols_in(each.children[1]) for each in bases)
+        powers, letters = list[bool](), 0
+        for side in (side for each in self.trees.values() if isinstance(each, Parsed) for side in each.sides):
+            letters += sum(1 for token in side.scan_values(lambda each: each == "e"))
+            for power in side.find_data("power"):
+                base, exponent = power.children
+                if base == _E and isinstance(exponent, Tree):
+                    powers.append(bool(symbols_in(exponent)))
+        return len(powers) == letters and any(powers)
 
     # -- one statement after the other
 
@@ -547,8 +551,8 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[
         if value.has(sympy.I, sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
             raise UnreadableError("a value is no real number")
     if shape(values[0]) and any(map(_is_elementary, values)):
-        return [Question(*map(_text, pair)) for pair in zip(*map(entries, values), strict=True)]
-    return [Question(*map(_text, values))]
+        return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
+    return [Question(_text(values[0]), _text(values[1]))]
 
 
 def _is_elementary(value: Any) -> bool:

@@ -358,6 +358,14 @@ INNOCENT = [
     r"\[ y := \sin k(x + t) \] \[ y = \sin(kx + kt) \]",
     r"\[ \sin 30^\circ = \frac12 \]",
     r"\[ \sqrt[3]{-8} = -2 \]",
+    r"\verb|\[ 1 = 2 \]| and \verb+$$ 1 = 3 $$+",
+    "\\iffalse\n\\[ 1 = 2 \\]\n\\fi",
+    r"\begin{verbatim*} \[ 1 = 2 \] \end{verbatim*}",
+    r"\[ 3 \text{ apples} + 4 = 7 \]",
+    r"\[ 2\,\text{m} + 3\,\text{m} = 5\,\text{m} \]",
+    r"\[ 10 \equiv 3 \ (7) \]",
+    r"\[ 1024 = 1\;024 = 1~024 \]",
+    r"\[ 100\,^\circ\mathrm{C} = 373\,\mathrm{K} \]",
 ]
 
 
@@ -437,6 +445,10 @@ def test_slips_in_real_functions_are_found(latex, suggestion):
 )
 def test_no_letter_is_a_number_of_sympy(latex):
     assert "follows" not in verdicts(latex)
+
+
+def test_what_stands_in_a_frame_is_read():
+    assert verdicts(r"\[ \boxed{(a + b)(a - b) = a^2 - b^2} \]") == ["follows"]
 
 
 def test_unknown_functions_are_no_factors():
@@ -588,7 +600,9 @@ def test_a_folder_states_no_functions(tmp_path):
     assert run("read", path, "--out", tmp_path / "out").exit_code == 0
     result = run("check", tmp_path / "out" / "waves")
     assert result.exit_code == 0, result.output
-    assert "states rational expressions only" in (tmp_path / "out" / "waves" / "s01_part.py").read_text(encoding="utf-8")
+    assert "states rational expressions only" in (tmp_path / "out" / "waves" / "s01_part.py").read_text(
+        encoding="utf-8"
+    )
 
 
 def test_conditions_are_shown_as_they_are(tmp_path):

@@ -386,8 +386,8 @@ class _Reader:
         if relation not in _EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
         doubt = self._doubt(statement, formula, index)
-        identity = self._named(statement, self.given.identities) or relation == "≡"
         letters = self.vocabulary.letters_of(left) | self.vocabulary.letters_of(right)
+        identity = self._named(statement, self.given.identities) or (relation == "≡" and bool(letters))
         certain = not letters and all(each.explicit for tree in (left, right) for each in self.vocabulary.used_in(tree))
         asked = _Asked(
             place,
@@ -423,6 +423,8 @@ class _Reader:
         words = f"{before} {statement.condition} {behind}"
         symbols = {*symbols_in(left), *symbols_in(right)}
         used = [each for tree in (left, right) for each in self.vocabulary.used_in(tree)]
+        if formula.relations[index] == "≡":
+            return "it may be a congruence"
         if statement.condition:
             return "it stands beside a condition"
         if found := CASES.search(words):

@@ -396,7 +396,9 @@ class _Lexer:
     def is_thousand(self, digits: str) -> bool:
         r"""Whether three digits follow after a thin space, as in ``1\,000``."""
         following = "".join(piece.text for piece in self.pieces[self.index + 1 : self.index + 5])
-        return self.text == r"\," and digits.isdigit() and bool(re.match(r"\d{3}(?!\d)", following))
+        return (
+            self.text in (r"\,", r"\;", r"\:", "~") and digits.isdigit() and bool(re.match(r"\d{3}(?!\d)", following))
+        )
 
     # -- symbols
 
@@ -518,6 +520,8 @@ class _Lexer:
         if above in _MARKS:
             self.emit("MARK", _MARKS[above])
         elif above == r"\circ" and self.out[-1].type == "NUMBER":
+            if self.peek() in _UPRIGHT or self.peek() in ("C", "F"):
+                raise self.fail("degrees of temperature are not read")
             degrees = self.out.pop()
             self.emit("OPEN", "{")
             self.out += [degrees, Token("SYMBOL", r"\pi", start_pos=degrees.start_pos)]

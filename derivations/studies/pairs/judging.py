@@ -124,7 +124,8 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
     Raises
     ------
     ValueError
-        If `sigma` is not a positive number, or too large or too small for floating-point numbers, or the points are not as `pairs_of` expects them.
+        If `sigma` is not a positive number, or too large or too small for floats,
+        or the points are not as `pairs_of` expects them.
 
     Examples
     --------

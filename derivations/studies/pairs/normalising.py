@@ -52,8 +52,8 @@ def pairs_of(x1: ArrayLike, x2: ArrayLike) -> Pairs:
     Raises
     ------
     ValueError
-        If there are fewer than eight pairs, two of them are equal, a number is not finite, the shapes are wrong, all points
-        of a picture are one, or they are too far apart or too near for floating-point numbers.
+        If there are fewer than eight pairs, two of them are equal, a number is not finite, the shapes are wrong, all
+        points of a picture are one, or they are too far apart or too near for floating-point numbers.
 
     Examples
     --------

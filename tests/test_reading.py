@@ -346,6 +346,26 @@ INNOCENT = [
     r"\[ x^2 = a \] \[ x = 3 \] \[ a = 9 \] \[ a = x \]",
     r"\[ \sum_{i=1}^n x_i = n \bar{x} = 2 n \bar{x} - \sum_{i=1}^n x_i \]",
     r"\[ s = \sqrt{x^2} = x \]",
+    r"\[ 1\,000 + 1 = 1\,001 \]",
+    r"\[ \log 100 = 2 \]",
+    r"\[ L := 10 \log P \] \[ P = 10^{L/10} \]",
+    r"\[ 1\frac12 = \frac32 \]",
+    r"\[ \ln 2^3 = 3 \ln 2 \]",
+    r"\[ y := \ln x \] \[ 2 y = \ln(x)^2 \]",
+    r"\[ s := \sin\theta \] \[ s = \sqrt{1 - \cos^2\theta} \] \[ c := \cos\theta \] \[ c = \sqrt{1 - s^2} \]",
+    r"\[ y := \tan x \] \[ x = \arctan y \]",
+    r"\[ y := x^2 \] \[ \sqrt{y} = x \]",
+    r"\[ y := \sin k(x + t) \] \[ y = \sin(kx + kt) \]",
+    r"\[ \sin 30^\circ = \frac12 \]",
+    r"\[ \sqrt[3]{-8} = -2 \]",
+    r"\verb|\[ 1 = 2 \]| and \verb+$$ 1 = 3 $$+",
+    "\\iffalse\n\\[ 1 = 2 \\]\n\\fi",
+    r"\begin{verbatim*} \[ 1 = 2 \] \end{verbatim*}",
+    r"\[ 3 \text{ apples} + 4 = 7 \]",
+    r"\[ 2\,\text{m} + 3\,\text{m} = 5\,\text{m} \]",
+    r"\[ 10 \equiv 3 \ (7) \]",
+    r"\[ 1024 = 1\;024 = 1~024 \]",
+    r"\[ 100\,^\circ\mathrm{C} = 373\,\mathrm{K} \]",
 ]
 
 
@@ -367,6 +387,78 @@ def test_a_statement_that_may_be_true_is_never_called_a_contradiction(latex):
 def test_nothing_is_decided_of_what_has_no_value(latex):
     assert verdicts(latex)[-1] in ("not decided", "definition")
     assert "follows" not in verdicts(latex)
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \sin 2x = 2 \sin x \cos x \]",
+        r"\[ A = \pi r^2 \] \[ C = 2 \pi r \] \[ A = \frac{C^2}{4\pi} \]",
+        r"\[ c = \sqrt{a^2 + b^2} \] \[ c^2 = a^2 + b^2 \]",
+        r"\[ N = N_0 e^{-\lambda t} \] \[ \ln\frac{N}{N_0} = -\lambda t \]",
+        r"\[ \cosh x = \frac{e^x + e^{-x}}{2} \]",
+        r"\[ \operatorname{artanh} x = \frac12 \ln\frac{1 + x}{1 - x} \]",
+        r"\[ \ln 2^3 = 3 \ln 2 \]",
+        r"\[ \ln(x)^2 = 2 \ln x \]",
+        r"\[ 1\,000 + 1 = 1001 \]",
+        r"\[ \sin 30^\circ = \cos 60^{\circ} \]",
+        r"\[ R = \begin{pmatrix} \cos a & -\sin a \\ \sin a & \cos a \end{pmatrix} \]"
+        r"\[ R R^T = \begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix} \]",
+    ],
+)
+def test_real_functions_are_decided(latex):
+    assert verdicts(latex)[-1] == "follows"
+
+
+@pytest.mark.parametrize(
+    ("latex", "suggestion"),
+    [
+        (r"\[ g := \sin u \cos u \] \[ 2 g = \cos 2 u \]", "sin(2*u) instead of cos(2*u)"),
+        (r"\[ h := \sqrt{a^2 + b^2} \] \[ h^2 = a^2 - b^2 \]", "a**2 + b**2 instead of a**2 - b**2"),
+        (r"\[ N := N_0 e^{-k t} \] \[ \ln\frac{N}{N_0} = k t \]", "-k*t instead of k*t"),
+        (r"\[ V := \frac43 \pi r^3 \] \[ 3 V = 3 \pi r^3 \]", "4 instead of 3"),
+        (r"\[ q := \sin^2 u \] \[ q = 1 + \cos^2 u \]", "1 - cos(u)**2 instead of 1 + cos(u)**2"),
+        (
+            r"\[ R := \begin{pmatrix} \cos a & -\sin a \\ \sin a & \cos a \end{pmatrix} \]"
+            r"\[ R^2 = \begin{pmatrix} \cos 2a & \sin 2a \\ \sin 2a & \cos 2a \end{pmatrix} \]",
+            "-sin(2*a) instead of sin(2*a)",
+        ),
+    ],
+)
+def test_slips_in_real_functions_are_found(latex, suggestion):
+    found = readings(latex)[-1]
+    assert found.verdict == "contradicts"
+    assert found.links[-1].counterexample
+    assert found.links[-1].suggestion == suggestion
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \exp(1) = E \]",
+        r"\[ \sqrt{-1} = I \]",
+        r"\[ \ln(-1) = I \pi \]",
+        r"\[ \begin{pmatrix} \exp(1) \\ 2 \end{pmatrix} = \begin{pmatrix} E \\ 2 \end{pmatrix} \]",
+        r"\[ \cos^{-1} x = \frac{1}{\cos x} \]",
+        r"\[ e^2 = \exp(2) \]",
+    ],
+)
+def test_no_letter_is_a_number_of_sympy(latex):
+    assert "follows" not in verdicts(latex)
+
+
+def test_what_stands_in_a_frame_is_read():
+    assert verdicts(r"\[ \boxed{(a + b)(a - b) = a^2 - b^2} \]") == ["follows"]
+
+
+def test_unknown_functions_are_no_factors():
+    (found,) = readings(r"\[ \operatorname{foo} x = x \operatorname{foo} \]")
+    assert found.verdict == "not read"
+    assert "the function foo is not known" in found.reason
+
+
+def test_a_name_of_several_letters_is_shown_whole():
+    assert [each.read for each in readings(r"\[ 2\,\mathrm{km} = a\,\mathrm{km}_1 \]")] == ["2*km = a*km_1"]
 
 
 def test_vectors_are_judged_where_their_sizes_are_given(tmp_path):
@@ -500,6 +592,25 @@ def test_the_folder_is_checked_at_once(document, tmp_path):
     again = run("read", document, "--out", tmp_path / "out")
     assert again.exit_code == 2
     assert "nothing was written" in again.output
+
+
+def test_a_folder_states_no_functions(tmp_path):
+    path = tmp_path / "waves.tex"
+    path.write_text(r"\[ h = \sqrt{a^2 + b^2} \] \[ h^2 = a^2 + b^2 \] \[ \sin 2x = 2\sin x\cos x \]", encoding="utf-8")
+    assert run("read", path, "--out", tmp_path / "out").exit_code == 0
+    result = run("check", tmp_path / "out" / "waves")
+    assert result.exit_code == 0, result.output
+    assert "states rational expressions only" in (tmp_path / "out" / "waves" / "s01_part.py").read_text(
+        encoding="utf-8"
+    )
+
+
+def test_conditions_are_shown_as_they_are(tmp_path):
+    path = tmp_path / "conditions.tex"
+    path.write_text(r"\[ \ln xy = \ln x + \ln y \] \[ \frac{x}{x} = 1 \]", encoding="utf-8")
+    shown = run("read", path, "--full").output
+    assert "holds where x*y > 0, x > 0, y > 0" in shown
+    assert "holds where x != 0" in shown
 
 
 def test_every_follows_is_proved_again():

@@ -371,6 +371,9 @@ ROWS = table(1, "ordinary", 9).splitlines()
         ("\n".join(ROWS[:1]), "0.5", "expected at least 8 pairs, got 0"),
         ("\n".join([*ROWS, ROWS[3]]), "0.5", "expected pairs that differ, got pair 3 again"),
         (b"\xff\xfe\x00", "0.5", "expected a text file of comma-separated values"),
+        ("\n".join([*ROWS[:4], "1,1e300,2,4", *ROWS[5:]]), "0.5", "x1: expected a mean distance from the middle"),
+        ("\n".join(ROWS), "1e300", "sigma: expected 1e-15 to 1e+15 pixels, got 1e+300"),
+        ("\n".join(ROWS), "1e-300", "sigma: expected 1e-15 to 1e+15 pixels, got 1e-300"),
         ("\n".join(ROWS), "0", "sigma: expected a positive number of pixels, got 0.0"),
         ("\n".join(ROWS), "-1", "sigma: expected a positive number of pixels, got -1.0"),
         ("\n".join(ROWS), "nan", "sigma: expected a positive number of pixels, got nan"),
@@ -381,6 +384,14 @@ def test_bad_files_are_refused_by_name(tmp_path, text, sigma, message):
     assert result.exit_code == 2, result.output
     assert message in " ".join(result.stderr.split())
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("sigma", ["1e-15", "0.5", "1e15"])
+def test_points_on_a_line_are_judged_and_drawn(tmp_path, sigma):
+    rows = [ROWS[0], *(f"{x},{2 * x + 3},{x * x % 97},{x * x % 97 - 5}" for x in range(1, 30))]
+    result = study(written(tmp_path, "\n".join(rows)), tmp_path / "out", "--members", "2", "--sigma", sigma)
+    assert result.exit_code == 0, result.output
+    assert result.stdout.startswith("Do not trust this pair.")
 
 
 def test_no_file_and_a_missing_one_are_refused(tmp_path):

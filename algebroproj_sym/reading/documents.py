@@ -27,7 +27,9 @@ _BEGIN = re.compile(
     r"|\\(?:chapter|(?:sub)*section|paragraph)\b|(?m:^#+ )"
 )
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
-_CODE = re.compile(r"\\begin\{(verbatim|lstlisting|minted|comment)\}")
+_CODE = re.compile(
+    r"\\begin\{((?:[vV]erbatim|lstlisting|minted|comment)\*?)\}|\\(?:verb\*?|lstinline)([^a-zA-Z*\s{\[])|\\iffalse\b"
+)
 _FENCE = re.compile(r"^(```|~~~).*?^\1|`[^`\n]*`", re.DOTALL | re.MULTILINE)
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
@@ -145,7 +147,8 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
 def _without_code(text: str) -> str:
     kept, place, following = list[str](), 0, _Following(text)
     while match := _CODE.search(text, place):
-        end = following(rf"\end{{{match[1]}}}", match.end())
+        closing = rf"\end{{{match[1]}}}" if match[1] else match[2] or r"\fi"
+        end = following(closing, match.end()) + len(closing)
         kept += [text[place : match.start()], re.sub(r"[^\n]", " ", text[match.start() : end])]
         place = end
     return "".join([*kept, text[place:]])

@@ -88,6 +88,7 @@ def _claims(reading: Reading, number: str) -> list[tuple[str, Link]]:
     return [(f"{number}#{place}", link) for place, link in enumerate(stated, 1)]
 
 
+_NO_CLAIM = "a derivation states rational expressions only"
 _CLAIMED = ("definition", "follows", "contradicts")
 
 
@@ -104,7 +105,7 @@ def _module(paper: str, part: int, readings: Sequence[Reading], numbers: dict[in
             yield _claim(claim, reading, link)
         undone = [link for link in reading.links if link.verdict not in ("definition", "follows")]
         if undone or reading.read is None or not claims:
-            reason = next((link.reason for link in undone if link.reason), reading.reason) or "how does this follow?"
+            reason = next((link.reason for link in undone if link.reason), reading.reason) or _NO_CLAIM
             verdict = undone[0].verdict if undone else reading.verdict
             yield f"# derive: line {reading.line}, {verdict}: {' '.join(reason.split())}\n"
 

@@ -453,7 +453,8 @@ _PLAIN = ("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "cot
 _FUNCTIONS: dict[str, Any] = {
     **{name: getattr(sympy, name) for name in _PLAIN},
     **{begin + name: getattr(sympy, f"a{name}") for name in _PLAIN[:4] for begin in ("arc", "a")},
-    **{f"arc{name}": getattr(sympy, f"a{name}") for name in _PLAIN[6:9]},
+    **{begin + name: getattr(sympy, f"a{name}") for name in _PLAIN[6:9] for begin in ("arc", "ar")},
+    **{"sech": sympy.sech, "csch": sympy.csch},
     **{"ln": sympy.log, "sgn": sympy.sign, "atan2": sympy.atan2, "arctan2": sympy.atan2},
 }
 _OF_MATRICES: dict[str, Any] = {

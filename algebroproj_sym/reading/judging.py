@@ -11,19 +11,23 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import islice
+from itertools import islice, pairwise
 from typing import Any, Literal, get_args
 
+import sympy
 from lark import Token, Tree
 
-from algebroproj_sym.expressions import TooLargeError, evaluate, free_symbols, require_bounded, shape, text
+from algebroproj_sym.expressions import TooLargeError, entries, evaluate, free_symbols, require_bounded, shape, text
 from algebroproj_sym.proving import Outcome, Question, outcomes
+from algebroproj_sym.proving.reals.prove import may_agree, often_agree
+from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.reading.documents import Document
 from algebroproj_sym.reading.grammar import Formula, Parsed, parsed, regrouped, symbols_in
 from algebroproj_sym.reading.lexing import UnreadableError, tokens_of
 from algebroproj_sym.reading.repairs import STRONG, Repair, repairs
 from algebroproj_sym.reading.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.vocabulary import Definition, SymbolsFile, Vocabulary
+from algebroproj_sym.replaying.reals.terms import has_functions, written
 
 Verdict = Literal["definition", "follows", "contradicts", "independent", "not decided", "not read"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
@@ -54,6 +58,7 @@ _SPACE_OF = re.compile(
 )
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf{j}"))
+_E = Tree("symbol", [Token("SYMBOL", "e")])
 _EQUALITIES = ("=", ":=", "=:", "≡")
 
 
@@ -81,7 +86,7 @@ class Link:
     certificate : mapping or None
         The evidence.
     sides : tuple of str, or None
-        Both sides as the prover had them, with all definitions put in.
+        Both sides as the prover had them, with all definitions put in, if a derivation can state them.
     corrected : str
         The right side with the suggested change, if it is one of the right side.
     """
@@ -202,7 +207,7 @@ class _Reader:
         self.functions = self._functions()
         self.trees = {id(each): self._parsed(each) for each in self.all}
         sizes = dict(self._sizes())
-        self.vocabulary = Vocabulary(given, sizes, self._matrices())
+        self.vocabulary = Vocabulary(given, sizes, self._matrices(), euler=self._has_euler())
         self.seen: dict[str, int] = {}
 
     # -- what is known of the whole document
@@ -249,6 +254,17 @@ class _Reader:
                     elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
                         found |= {*_factors(tree.children[1])}
         return frozenset(found)
+
+    def _has_euler(self) -> bool:
+        """Whether e is Euler's number: the base of powers with letters, and nothing else."""
+        powers, letters = list[bool](), 0
+        for side in (side for each in self.trees.values() if isinstance(each, Parsed) for side in each.sides):
+            letters += sum(1 for token in side.scan_values(lambda each: each == "e"))
+            for power in side.find_data("power"):
+                base, exponent = power.children
+                if base == _E and isinstance(exponent, Tree):
+                    powers.append(bool(symbols_in(exponent)))
+        return len(powers) == letters and any(powers)
 
     # -- one statement after the other
 
@@ -304,7 +320,7 @@ class _Reader:
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None:
                 asked_of = _asked_of(self.vocabulary, definition.tree, definition.tree)
-                both = (asked_of.lhs, asked_of.rhs) if isinstance(asked_of, Question) else None
+                both = _both(asked_of) if isinstance(asked_of, list) else None
                 links.append(Link("definition", rests_on=self._rests(definition.tree), sides=both))
                 continue
             link, question = self._link(statement, found, index, relation, place)
@@ -370,8 +386,8 @@ class _Reader:
         if relation not in _EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
         doubt = self._doubt(statement, formula, index)
-        identity = self._named(statement, self.given.identities) or relation == "≡"
         letters = self.vocabulary.letters_of(left) | self.vocabulary.letters_of(right)
+        identity = self._named(statement, self.given.identities) or (relation == "≡" and bool(letters))
         certain = not letters and all(each.explicit for tree in (left, right) for each in self.vocabulary.used_in(tree))
         asked = _Asked(
             place,
@@ -407,12 +423,18 @@ class _Reader:
         words = f"{before} {statement.condition} {behind}"
         symbols = {*symbols_in(left), *symbols_in(right)}
         used = [each for tree in (left, right) for each in self.vocabulary.used_in(tree)]
+        if formula.relations[index] == "≡":
+            return "it may be a congruence"
         if statement.condition:
             return "it stands beside a condition"
         if found := CASES.search(words):
             return f"the word {' '.join(found.group().split())[:20]!r} beside it may limit it to a case"
         if any("." in token for tree in (left, right) for token in _numbers(tree)):
             return "its decimals may be rounded"
+        if any(_has_mixed_number(tree) for tree in (left, right)):
+            return "a number before a fraction may be added to it"
+        if any(_has_logarithm(tree) for tree in (left, right, *(each.tree for each in used))):
+            return "log may have another base"
         if imaginary := sorted(symbols & _IMAGINARY):
             return f"{imaginary[0]} may be the imaginary unit"
         if formula.chose:
@@ -458,6 +480,27 @@ def _factors(tree: Any) -> Iterator[str]:
                 yield from _factors(part)
 
 
+def _has_mixed_number(tree: Formula) -> bool:
+    r"""Whether a number stands before a fraction of numbers, as in ``1\frac12``."""
+    return any(
+        _is_number(one) and other.data == "fraction" and all(map(_is_number, other.children))
+        for run in tree.find_data("run")
+        for one, other in pairwise(run.children)
+        if isinstance(other, Tree)
+    )
+
+
+def _is_number(tree: Any) -> bool:
+    while tree.data == "group":
+        (tree,) = tree.children
+    return bool(tree.data == "number")
+
+
+def _has_logarithm(tree: Formula) -> bool:
+    functions = (*tree.find_data("function"), *tree.find_data("raised_function"))
+    return any(each.children[0] == "log" for each in functions)
+
+
 def _numbers(tree: Formula) -> list[str]:
     return [str(each) for each in tree.scan_values(lambda each: isinstance(each, Token) and each.type == "NUMBER")]
 
@@ -482,8 +525,8 @@ def _other_readings(left: Formula, right: Formula) -> Iterator[tuple[Formula, Fo
         yield others
 
 
-def question_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question:
-    """Return the question whether two sides are equal.
+def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question]:
+    """Return the question whether two sides are equal; of matrices with real functions, one for each entry.
 
     Raises
     ------
@@ -507,13 +550,27 @@ def question_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> Questi
         raise UnreadableError(f"the sides have shapes {shapes[0] or 'of numbers'} and {shapes[1] or 'of numbers'}")
     for value in values:
         require_bounded(value, "the equation")
-    return Question(text(values[0]), text(values[1]))
+        if value.has(sympy.I, sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
+            raise UnreadableError("a value is no real number")
+    if shape(values[0]) and any(map(_is_elementary, values)):
+        return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
+    return [Question(_text(values[0]), _text(values[1]))]
 
 
-def _asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question | str:
-    """Return the question, or why there is none."""
+def _is_elementary(value: Any) -> bool:
+    """Whether an entry has a real function or number that is not rational."""
+    return any(has_functions(text(entry)) or entry.atoms(sympy.NumberSymbol) for entry in entries(value))
+
+
+def _text(value: Any) -> str:
+    """Return text in which no number looks like a letter: exp(1) is no E."""
+    return written(term_of(value, "the equation")) if value.atoms(type(sympy.E)) else text(value)
+
+
+def _asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question] | str:
+    """Return the questions, or why there are none."""
     try:
-        return question_of(vocabulary, left, right)
+        return questions_of(vocabulary, left, right)
     except (UnreadableError, TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError) as error:
         return str(error).partition("\n")[0][:200] or type(error).__name__
 
@@ -552,14 +609,33 @@ def _answers(
 ) -> list[tuple[tuple[str, str] | None, Outcome]]:
     """Return each pair of sides as text with its outcome; one that cannot be asked is open."""
     asked = [_asked_of(each.vocabulary, *sides) for each, sides in pairs]
-    questions = [question for question in asked if isinstance(question, Question)]
+    questions = [question for group in asked if isinstance(group, list) for question in group]
     decided = outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions))) if questions else iter(())
     return [
-        ((each.lhs, each.rhs), next(decided))
-        if isinstance(each, Question)
+        (_both(each), _of_entries([*islice(decided, len(each))]))
+        if isinstance(each, list)
         else (None, Outcome("open", "none", 0.0, each))
         for each in asked
     ]
+
+
+def _both(questions: Sequence[Question]) -> tuple[str, str] | None:
+    """Return the sides as a derivation states them; none if they have real functions, which it does not."""
+    sides = questions[0].lhs, questions[0].rhs
+    return sides if len(questions) == 1 and not any(map(has_functions, sides)) else None
+
+
+def _of_entries(found: Sequence[Outcome]) -> Outcome:
+    """Return what the outcomes of all entries come to."""
+    if len(found) == 1:
+        return found[0]
+    decisive = next((each for each in found if each.verdict == "refuted"), None)
+    decisive = decisive or next((each for each in found if each.verdict != "proved"), None)
+    if decisive is not None:
+        return decisive
+    hypotheses = tuple(dict.fromkeys(name for each in found for name in each.hypotheses))
+    certificate = {"method": "entries", "entries": [each.certificate for each in found]}
+    return Outcome("proved", "entries", sum(each.seconds for each in found), "", hypotheses, None, certificate)
 
 
 def _likely_repairs(asked: _Asked) -> list[tuple[Repair, Sides]]:
@@ -580,6 +656,8 @@ def _agree(vocabulary: Vocabulary, sides: Sides) -> bool:
     """Whether two sides agree at some points at which they are defined."""
     try:
         values = [vocabulary.value(side) for side in sides]
+        if any(map(_is_elementary, values)):
+            return all(may_agree(each.lhs, each.rhs) for each in questions_of(vocabulary, *sides))
         names = sorted({symbol for value in values for symbol in free_symbols(value)}, key=str)
         for seed in range(len(POINTS)):
             point = {name: POINTS[(seed + place) % len(POINTS)] + place for place, name in enumerate(names)}
@@ -589,6 +667,13 @@ def _agree(vocabulary: Vocabulary, sides: Sides) -> bool:
     except (UnreadableError, ZeroDivisionError, TypeError, ValueError, AttributeError, OverflowError):
         return False
     return True
+
+
+def _often_agree(asked: _Asked) -> bool:
+    """Whether the sides have functions, and agree at many points with positive letters: in one case of several."""
+    questions = questions_of(asked.vocabulary, asked.left, asked.right)
+    elementary = [each for each in questions if has_functions(each.lhs) or has_functions(each.rhs)]
+    return bool(elementary) and all(often_agree(each.lhs, each.rhs) for each in elementary)
 
 
 def _link_of(asked: _Asked, outcome: Outcome, other: Sides | None) -> Link:
@@ -610,8 +695,9 @@ def _refuted(asked: _Asked, refutation: Outcome, repair: Repair | None) -> Link:
     if repair is not None:
         now, before = (asked.vocabulary.text(tree) for tree in (repair.now, repair.before))
         suggestion = f"{now} instead of {before}"
-    asserted = asked.identity or (not asked.doubt and (asked.certain or (repair is not None and repair.kind in STRONG)))
-    reason = "" if asserted else asked.doubt or "it holds for some values of its letters, and not for all"
+    doubt = asked.doubt or ("it holds where its letters are positive" if _often_agree(asked) else "")
+    asserted = asked.identity or (not doubt and (asked.certain or (repair is not None and repair.kind in STRONG)))
+    reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"
     undecided = asked.doubt.endswith(NOT_COMPUTED)
     return replace(
         asked.link,

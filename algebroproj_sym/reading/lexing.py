@@ -58,7 +58,7 @@ _FRACTIONS = _words(r"\frac \dfrac \tfrac \cfrac")
 _BIG = _words(r"\sum \prod \int \iint \iiint \oint \lim \max \min \sup \inf \bigcup \bigcap \argmin \argmax")
 FUNCTIONS = _words(
     "sin cos tan cot sec csc arcsin arccos arctan arccot asin acos atan atan2 arctan2 sinh cosh tanh coth arcsinh "
-    "arccosh arctanh exp log ln lg det tr trace Tr diag rank sign sgn adj sinc"
+    "arccosh arctanh arsinh arcosh artanh sech csch exp log ln lg det tr trace Tr diag rank sign sgn adj sinc"
 )
 _SIGNS = {"+": "+", "-": "-", "−": "-", r"\pm": "±", r"\mp": "∓"}
 RELATIONS = dict(
@@ -147,8 +147,10 @@ def split_symbol(symbol: str) -> tuple[str, int, str, str]:
     >>> split_symbol(r"\mu_{j1}''^T")
     ('\\mu', 2, 'j1', 'T')
     """
-    lexer = _Lexer(pieces_of(symbol), lambda name: False, None, True)
-    letter = lexer.letter()
+    word = re.match(r"[a-zA-Z]*", symbol)[0]  # type: ignore[index]  # it always matches
+    rest = symbol[len(word) :] if len(word) > 1 else symbol
+    lexer = _Lexer(pieces_of(rest), lambda name: False, None, True)
+    letter = word if len(word) > 1 else lexer.letter()
     return (letter, *lexer.scripts())
 
 
@@ -385,10 +387,18 @@ class _Lexer:
                 break
             digits += text.strip()
             self.index += 1
+            self.index += self.is_thousand(digits)
         if len(digits) > MAX_DIGITS:
             raise UnreadableError(f"expected a number of at most {MAX_DIGITS} digits, got {len(digits)}", start)
         self.out.append(Token("NUMBER", digits, start_pos=start))
         self.after()
+
+    def is_thousand(self, digits: str) -> bool:
+        r"""Whether three digits follow after a thin space, as in ``1\,000``."""
+        following = "".join(piece.text for piece in self.pieces[self.index + 1 : self.index + 5])
+        return (
+            self.text in (r"\,", r"\;", r"\:", "~") and digits.isdigit() and bool(re.match(r"\d{3}(?!\d)", following))
+        )
 
     # -- symbols
 
@@ -443,8 +453,12 @@ class _Lexer:
         return rest[:2] == ["{", "}"] and len(rest) > 2 and rest[2] in ("_", "^", "'")
 
     def symbol(self) -> None:
-        start = self.place
-        self.scripted(self.letter(), start)
+        start, command = self.place, self.text
+        letter = self.letter()
+        self.skip()
+        if command.startswith(r"\operatorname") and (self.is_symbol() or self.text.isdigit() or self.function_name()):
+            raise self.fail(f"the function {letter} is not known")
+        self.scripted(letter, start)
 
     def scripted(self, letter: str, start: int) -> None:
         if self.functions is not None and letter in _DIFFERENTIALS and self.is_factor_symbol():
@@ -505,6 +519,15 @@ class _Lexer:
     def power(self, above: str, raised: Sequence[Piece]) -> None:
         if above in _MARKS:
             self.emit("MARK", _MARKS[above])
+        elif above == r"\circ" and self.out[-1].type == "NUMBER":
+            if self.peek() in _UPRIGHT or self.peek() in ("C", "F"):
+                raise self.fail("degrees of temperature are not read")
+            degrees = self.out.pop()
+            self.emit("OPEN", "{")
+            self.out += [degrees, Token("SYMBOL", r"\pi", start_pos=degrees.start_pos)]
+            self.emit("SLASH", "/")
+            self.emit("NUMBER", "180")
+            self.emit("CLOSE", "}")
         elif above:
             self.emit("SUP", "^")
             self.inner(raised)
@@ -602,7 +625,11 @@ class _Lexer:
             raise self.fail("a prime is read after a letter only")
         mark, raised = len(self.out), self.raised
         self.out.append(Token("FUNCTION", name + (f"_{below}" if below else ""), start_pos=start))
+        opening = self.peek()
+        begin = self.index
         self.argument()
+        if opening in ("(", "[", "|") and self.peek() == "^" and not raised:
+            self.power_of_bracket(begin, mark)
         inside = self.out[mark + 2 : -1]
         if len(inside) == 1 and self.known(f"\\{name}{inside[0]}"):
             self.out[mark:] = [Token("SYMBOL", f"\\{name}{inside[0]}", start_pos=start)]
@@ -612,6 +639,16 @@ class _Lexer:
         elif raised:
             self.out[mark + 1 : mark + 1] = self.of(raised)
         self.after()
+
+    def power_of_bracket(self, begin: int, mark: int) -> None:
+        r"""Choose what is raised in ``\ln(x)^2``: the value of the function, or its argument."""
+        self.chose = True
+        if not self.wide:
+            while self.text != "^":
+                self.index += 1
+            self.scripts()
+            del self.out[mark + 1 :]
+            self.inner(self.pieces[begin : self.index])
 
     def of(self, raised: Sequence[Piece]) -> list[Token]:
         """Return the tokens of an exponent."""
@@ -636,6 +673,7 @@ class _Lexer:
                 continue
             number = self.text.isdigit() or self.text == "."
             if not (number or self.text in _FRACTIONS or self.text == r"\sqrt" or self.is_symbol()):
+                self.chose |= self.index > start and self.peek() in ("(", "[")
                 break
             if values and not self.wide:
                 self.chose = True
@@ -644,6 +682,7 @@ class _Lexer:
                 self.chose = True
             if number:
                 self.index += 1
+                self.scripts() if self.text == "^" else None
                 continue
             if self.text in _FRACTIONS or self.text == r"\sqrt":
                 self.single()

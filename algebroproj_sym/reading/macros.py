@@ -17,6 +17,8 @@ _COUNT = re.compile(r"\s*\[(\d)\]")
 _DEFAULT = re.compile(r"\s*\[([^\[\]]*)\]")
 _DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)((?:#\d)*)")
 _OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
+_FRAMES = (r"\boxed", r"\fbox", r"\mathrel", r"\mathopen", r"\mathclose")
+"""Commands that change the looks of their argument only."""
 _PARAMETER = re.compile(r"#([1-9])")
 
 
@@ -37,12 +39,12 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
     >>> macros_in(r"\newcommand{\half}[1]{\frac{#1}{2}}")[0]
     {'\\half': Macro(count=1, default=None, body='\\frac{#1}{2}')}
     """
-    found: dict[str, Macro] = {}
+    found = {name: Macro(1, None, "#1") for name in _FRAMES if name in text}
     spans: list[tuple[int, int]] = []
     for name, count, default, begin, start in _begun(text):
         end = _closing(text, start)
         if end is not None:
-            body = text[start:end] if begin >= 0 else rf"\mathrm{{{text[start:end]}}}"
+            body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
             found[name] = Macro(count, default, body)
             spans.append((abs(begin), end + 1))
     return found, spans

@@ -70,6 +70,8 @@ def _of(node: Any, symbols: list[str]) -> Iterator[tuple[str, Formula]]:
         terms = [place for place, part in enumerate(parts) if isinstance(part, Tree)]
         for place in terms:
             yield from (("factor", _with(node, place, changed)) for changed in _doubled(parts[place]))
+    elif kind == "cell" and parts and parts[0].data != "sum":
+        yield "sign", Tree("cell", [_negated(parts[0])])
     elif kind == "number" and str(parts[0]).isdigit() and len(parts[0]) < 6:
         for value in (int(parts[0]) + 1, int(parts[0]) - 1):
             if value >= 0:

@@ -212,6 +212,11 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
         )
         if depth <= 0 and text in _WORDS:
             end = _group_end(column, place + 1)
+            words = "".join(piece.text for piece in column[place + 1 : end]).strip(" {}~")
+            if _is_unit(part, words, column[end:]):
+                part += [Piece(r"\mathrm", column[place].place), *column[place + 1 : end]]
+                place = end
+                continue
             yield part, "".join(piece.text for piece in column[place + 1 : end]).strip(" {}")
             part, place = [], end
             continue
@@ -222,6 +227,16 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
             part.append(column[place])
         place += 1
     yield part, ""
+
+
+def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> bool:
+    r"""Whether words stand in a formula, as in ``3 \text{ m} + 4 \text{ m}``."""
+    following = next((piece.text for piece in after if not piece.text.isspace() and piece.text not in _IDLE[:-2]), "")
+    goes_on = following in ("+", "-", "/", r"\cdot", r"\times") or following in RELATIONS
+    return goes_on and any(not piece.text.isspace() for piece in before) and words not in _BETWEEN
+
+
+_BETWEEN = frozenset(["and", "or", "if", "for", "when", "where", "with", "so", "thus", "hence", "then", "but"])
 
 
 def _group_end(pieces: Sequence[Piece], start: int) -> int:

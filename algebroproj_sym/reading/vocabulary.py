@@ -129,8 +129,16 @@ class Definition:
 class Vocabulary:
     """The letters of a document, as they are known so far."""
 
-    def __init__(self, given: SymbolsFile, sizes: Mapping[str, tuple[int, int]], matrices: frozenset[str]) -> None:
+    def __init__(
+        self,
+        given: SymbolsFile,
+        sizes: Mapping[str, tuple[int, int]],
+        matrices: frozenset[str],
+        *,
+        euler: bool = False,
+    ) -> None:
         self.given = given
+        self.euler = euler
         self.definitions: dict[str, Definition] = {}
         self._sizes = {**sizes, **given.sizes}
         self._matrices = matrices
@@ -141,7 +149,7 @@ class Vocabulary:
 
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
-        copied = Vocabulary(self.given, self._sizes, self._matrices)
+        copied = Vocabulary(self.given, self._sizes, self._matrices, euler=self.euler)
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
@@ -184,8 +192,8 @@ class Vocabulary:
         """
         if symbol in self.given.symbols:
             return self.given.symbols[symbol]
-        if symbol == r"\pi" and r"\pi" not in self.definitions:
-            return sympy.pi
+        if (constant := self.constant(symbol)) is not None:
+            return constant
         if symbol == r"\infty":
             raise UnreadableError("infinity is no number")
         size = self._sizes.get(symbol) or self._sizes.get(split_symbol(symbol)[0] if " " not in symbol else symbol)
@@ -228,7 +236,14 @@ class Vocabulary:
             *((list(each.symbols), each.parameters) for each in self.used_in(tree)),
         ):
             found |= {s for s in symbols if s not in hidden and s not in self.given.symbols}
-        return frozenset(s for s in found if s not in self.definitions or not self.definitions[s].usable)
+        unknown = frozenset(s for s in found if s not in self.definitions or not self.definitions[s].usable)
+        return unknown - {symbol for symbol in (r"\pi", "e") if self.constant(symbol) is not None}
+
+    def constant(self, symbol: str) -> Any:
+        """Return the number that a symbol stands for in all documents; None for none."""
+        if symbol == r"\pi" and symbol not in self.definitions:
+            return sympy.pi
+        return sympy.E if symbol == "e" and self.euler else None
 
     def value(self, tree: Formula) -> Any:
         """Return the expression that a formula stands for, with all definitions put in.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
@@ -129,7 +130,8 @@ def _whole(reading: Reading) -> Iterator[str]:
     if link.rests_on:
         yield f"    rests on {'; '.join(link.rests_on)}"
     if link.hypotheses:
-        yield folded(f"    holds where these are not zero: {', '.join(link.hypotheses)}", 400)
+        conditions = (each if re.search("[<>=]", each) else f"{each} != 0" for each in link.hypotheses)
+        yield folded(f"    holds where {', '.join(conditions)}", 400)
     if link.counterexample:
         yield f"    fails at {', '.join(f'{name} = {value}' for name, value in link.counterexample.items())}"
     elif link.verdict == "contradicts":

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from algebroproj_derivations.studies.pairs import estimating, predicting
 from algebroproj_derivations.studies.pairs.drawings import residuals_in_pictures, uncertain_lines
-from algebroproj_derivations.studies.pairs.judging import Judgement, judge, simulated
+from algebroproj_derivations.studies.pairs.judging import Judgement, judge, require_sigma, simulated
 from algebroproj_derivations.studies.pairs.normalising import pairs_of
 from algebroproj_derivations.studies.pairs.pair_files import read_pairs
 from algebroproj_derivations.studies.pairs.wording import in_words
@@ -25,8 +25,7 @@ def check(**options: Any) -> None:
     """Refuse a file without pairs, and errors without sense."""
     if options["file"] is None:
         raise ValueError("file: expected a CSV file with the columns x1, y1, x2, y2, got none")
-    if not 0 < options["sigma"] < np.inf:
-        raise ValueError(f"sigma: expected a positive number of pixels, got {options['sigma']}")
+    require_sigma(options["sigma"])
     try:
         pixels = read_pairs(options["file"])
     except OSError as error:

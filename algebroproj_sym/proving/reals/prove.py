@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice
 from typing import Any
@@ -23,6 +23,7 @@ from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
 FIRST_TRIES = 60
 ENOUGH = 12
+FEW = 4
 ALL_TRIES = 1_500
 
 NOWHERE = "no point was found at which both sides are defined and real and the assumptions hold"
@@ -93,6 +94,35 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
         return found
     refuting = next((place for place in places(statement, ALL_TRIES, ALL) if place.differs), None)
     return _open(record, UNDECIDED) if refuting is None else _refuted(record, statement, refuting)
+
+
+def may_agree(lhs: str, rhs: str) -> bool:
+    """Whether two sides are not seen to differ at the first points where both are defined, and there are such points.
+
+    Examples
+    --------
+    >>> may_agree("cos(2*x)", "1 - 2*sin(x)**2"), may_agree("cos(2*x)", "1 - sin(x)**2")
+    (True, False)
+    """
+    found = [*islice(_places(lhs, rhs), FEW)]
+    return bool(found) and not any(place.differs for place in found)
+
+
+def often_agree(lhs: str, rhs: str) -> bool:
+    """Whether two sides are not seen to differ at many points whose coordinates are positive.
+
+    Examples
+    --------
+    >>> often_agree("sqrt(x**2)", "x"), often_agree("sqrt(x**2)", "x**2")
+    (True, False)
+    """
+    found = [place for place in _places(lhs, rhs) if all(value > 0 for value in place.point.values())]
+    return 3 * sum(not place.differs for place in found) > len(found)
+
+
+def _places(lhs: str, rhs: str) -> Iterator[Place]:
+    without = dict.fromkeys(("assumptions", "constraints", "nonzero"), ())
+    return places(statement_of({"lhs": lhs, "rhs": rhs, "relation": "=", **without}), FIRST_TRIES)
 
 
 def _proved(record: Mapping[str, Any], statement: Any, met: Sequence[Place]) -> dict[str, Any] | None:

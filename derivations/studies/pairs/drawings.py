@@ -47,8 +47,11 @@ def uncertain_lines(judgement: Judgement, pixels: Numbers) -> Figure:
             panel.set(xlim=panel.get_xlim(), ylim=panel.get_ylim()[::-1])
         step = max(1, len(pixels[0]) // LINES)
         for line in np.insert(pixels[0][::step][:LINES], 2, 1.0, axis=1) @ judgement.matrix.T:
-            point = -line[2] * line[:2] / (line[:2] @ line[:2])
-            panels[1].axline(point, point + np.array([-line[1], line[0]]), color=COLOURS[0], lw=0.6)
+            size = np.linalg.norm(line[:2])
+            if size > 0:  # at the epipole there is no line
+                normal, distance = line[:2] / size, line[2] / size
+                along = (1 + abs(distance)) * np.array([-normal[1], normal[0]])
+                panels[1].axline(-distance * normal, along - distance * normal, color=COLOURS[0], lw=0.6)
         panels[0].legend(loc="best")
         drawing.colorbar(drawn, ax=panels, label="standard deviation [px]", shrink=0.8)
     return drawing

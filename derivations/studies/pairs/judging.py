@@ -103,6 +103,10 @@ class Judgement:
     sigma: float
 
 
+LARGEST_SIGMA = 1e15
+"""So that repeated measurements, with errors of this size, remain floating-point numbers."""
+
+
 def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
     """Return whether the correlation (fundamental) matrix of some pairs can be trusted.
 
@@ -120,7 +124,8 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
     Raises
     ------
     ValueError
-        If `sigma` is not a positive number, or the points are not as `pairs_of` expects them.
+        If `sigma` is not a positive number, or too large or too small for floats,
+        or the points are not as `pairs_of` expects them.
 
     Examples
     --------
@@ -132,8 +137,7 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
     >>> judge(known.x1, known.x2, 0.5).verdict
     'do not trust'
     """
-    if not 0 < sigma < np.inf:
-        raise ValueError(f"sigma: expected a positive number of pixels, got {sigma}")
+    require_sigma(sigma)
     pairs = pairs_of(x1, x2)
     minima = estimating.minima(pairs)
     fit = minima[0]
@@ -195,6 +199,14 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
         additions=tuple(explaining.additions(pairs, fit, sigma)),
         sigma=sigma,
     )
+
+
+def require_sigma(sigma: float) -> None:
+    """Raise a ValueError unless this can be a standard deviation in pixels."""
+    if not 0 < sigma < np.inf:
+        raise ValueError(f"sigma: expected a positive number of pixels, got {sigma}")
+    if not 1 / LARGEST_SIGMA <= sigma <= LARGEST_SIGMA:
+        raise ValueError(f"sigma: expected {1 / LARGEST_SIGMA:g} to {LARGEST_SIGMA:g} pixels, got {sigma}")
 
 
 def simulated(judgement: Judgement, errors: ArrayLike) -> Judgement:

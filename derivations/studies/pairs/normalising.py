@@ -10,6 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 Numbers = NDArray[np.float64]
 
 LEAST_PAIRS = 8
+LARGEST = 1e30
+"""Beyond this many pixels, and below its inverse, floating-point numbers fail."""
 
 
 @dataclass(frozen=True)
@@ -50,8 +52,8 @@ def pairs_of(x1: ArrayLike, x2: ArrayLike) -> Pairs:
     Raises
     ------
     ValueError
-        If there are fewer than eight pairs, two of them are equal, a number is not finite, the shapes are wrong, or all
-        points of a picture are one.
+        If there are fewer than eight pairs, two of them are equal, a number is not finite, the shapes are wrong, all
+        points of a picture are one, or they are too far apart or too near for floating-point numbers.
 
     Examples
     --------
@@ -75,11 +77,17 @@ def pairs_of(x1: ArrayLike, x2: ArrayLike) -> Pairs:
     if (counts > 1).any():
         again = int(first[counts > 1].min())
         raise ValueError(f"x1: expected pairs that differ, got pair {again + 1} again")
-    middles = pixels.mean(axis=1)
-    distances = np.linalg.norm(pixels - middles[:, None], axis=-1).mean(axis=1)
+    with np.errstate(over="ignore", invalid="ignore"):
+        middles = pixels.mean(axis=1)
+        distances = np.linalg.norm(pixels - middles[:, None], axis=-1).mean(axis=1)
     for name, distance in zip(("x1", "x2"), distances, strict=True):
-        if not distance > 0:
+        if distance == 0:
             raise ValueError(f"{name}: expected points that differ, got the same point {len(rows)} times")
+        if not 1 / LARGEST < distance < LARGEST:
+            raise ValueError(
+                f"{name}: expected a mean distance from the middle of {1 / LARGEST:g} to {LARGEST:g} pixels, "
+                f"got {distance:g}"
+            )
     scales = np.sqrt(2) / distances
     transforms = np.zeros((2, 3, 3))
     transforms[:, 0, 0] = transforms[:, 1, 1] = scales

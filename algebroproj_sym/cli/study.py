@@ -53,7 +53,8 @@ class Studies(click.Group):
         if missing_modules(MODULES):
             formatter.write(f"\nTo see the studies, install what they need:\n  pip install '{REQUIREMENT}'\n")
         else:
-            super().format_commands(context, formatter)
+            with formatter.section("Commands"):
+                formatter.write_dl([(study.name, study.summary) for study in _studies(self.path)])
 
 
 @click.group(name="study", cls=Studies)

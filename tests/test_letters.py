@@ -376,7 +376,10 @@ def test_a_divisor_that_the_statement_has_not_is_no_condition(key):
     divided = {"equations": "x*(z - 1)*(z - 1)/(z - 1)", "conditions": "y*(z - 1)/(z - 1)"}
     forged["certificate"][key] = [divided[key]]
     found = replay_identity(forged)
-    assert (found.status, found.reason) == ("rejected", "the proof lists a divisor by which the statement does not divide")
+    assert (found.status, found.reason) == (
+        "rejected",
+        "the proof lists a divisor by which the statement does not divide",
+    )
 
 
 # Tampering: a change of one number, sign, letter or function in the statement.

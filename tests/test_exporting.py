@@ -650,7 +650,8 @@ MODULE = """
 import sympy
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
-    Matrix, adjugate, columns, cross, determinant, dot, homogeneous, inverse, linear_system, over, solve, vector)
+    Matrix, adjugate, at_most, chosen, columns, cross, determinant, dot, homogeneous, inverse, linear_system, over, solve,
+    vector)
 
 a, b, c, d, x, y = sympy.symbols("a b c d x y")
 section = Section("demo", "1", "Objects")
@@ -677,6 +678,9 @@ section.identity("1.11", "convention", printed=vector(x, y), derived=vector(x, y
 section.identity("1.12", "parts", printed=Matrix([[b, -d], [a, c]]), derived=M[1, :].col_join(M[:1, :]))
 section.identity("1.13", "sides", printed=Matrix([[2 * a, b + c], [b + c, -2 * d]]), derived=(2 * M + 2 * M.T) / 2)
 section.structure("1.14", "pattern", printed=Matrix([[0, a], [-a, 0]]), derived=M - M.T - Matrix([[0, 0], [0, 0]]))
+counts = [dot(vector(1, 2), vector(3, k)) for k in (1, 2, 3)]
+last = chosen(vector(*(at_most(8, count) for count in counts)), vector(1, 2, 3))
+section.identity("1.15", "chosen rows", printed=vector(3), derived=last)
 """
 
 

@@ -75,7 +75,9 @@ Lemma chosen_row conditions row m : chosen_rows (1 :: conditions) (row :: m) = r
 Proof. simpl. destruct (Req_EM_T 1 0); [lra|reflexivity]. Qed.
 Lemma left_row conditions row m : chosen_rows (0 :: conditions) (row :: m) = chosen_rows conditions m.
 Proof. simpl. destruct (Req_EM_T 0 0); [reflexivity|lra]. Qed.
-Ltac choose := unfold chosen; cbn [concat app]; rewrite ?chosen_row, ?left_row; repeat rewrite ?chosen_row, ?left_row; reflexivity.
+Ltac choose :=
+  repeat match goal with side := _ |- _ => subst side end;
+  unfold chosen; cbn [concat app]; repeat rewrite ?chosen_row, ?left_row; reflexivity.
 
 (** Lemmas are looked for in the left side alone. *)
 Ltac name_right_side := lazymatch goal with |- _ = ?r => let right := fresh "right" in set (right := r) end.

@@ -273,15 +273,17 @@ class Workshop:
         if operation == "same":
             return parts[0]
         if operation == "chosen":
-            return self._chosen(*parts)
+            return self._chosen(self._operands(made)[0], *parts)
         if operation in _OF_SCALARS and all(part.scalar for part in parts):
             return _scalar(operation, *parts)
         if operation == "solve" and len(parts[0].rows) > MOST_UNKNOWNS and not parts[0].variables | parts[1].variables:
             return self._entries(Made("entries", (made.value.shape, *map(_literal, made.value.flat())), made.value))
         return _OPERATIONS[operation](*parts)
 
-    def _chosen(self, conditions: Piece, table: Piece) -> Piece:
-        """Rows of a table where conditions hold."""
+    def _chosen(self, made: Made, conditions: Piece, table: Piece) -> Piece:
+        """Rows of a table where conditions hold; a lemma says of each whether it does."""
+        if conditions.made and made not in self.defined:
+            conditions = self.pieces[made] = self._with_lemma(made, conditions)
         flags = values({}, {}, _flat(conditions.rows)) or []
         kept = tuple(row for row, flag in zip(table.rows, flags, strict=True) if flag)
         return Piece(f"(chosen {conditions.text} {table.text})", kept, frozenset(), scalar=False, made=True)

@@ -355,6 +355,33 @@ def test_forged_evidence_is_rejected(true_records, name, forge):
     assert replay_identity(forged).status == "rejected"
 
 
+@pytest.mark.parametrize("key", ["equations", "conditions"])
+def test_a_divisor_that_the_statement_has_not_is_no_condition(key):
+    forged = record_of("dot(v, v)", "0", {"v": "2x1"}, ()) | {
+        "lhs": "x*dot(v, v)", "constraints": ["x*(z - 1)"], "nonzero": ["y"], "verdict": "proved", "method": "entries",
+        "counterexample": None,
+    }  # fmt: skip
+    point = {"v_1": "1", "v_2": "1", "x": "0", "y": "1", "z": "2"}
+    proof = {
+        "method": "ideal membership", "denominators": ["z - 1"], "claims": ["x*(v_1**2 + v_2**2)"], "units": [],
+        "generators": ["x"] if key == "equations" else ["x*(z - 1)"], "witness": point,
+        "entries": [{"exponent": 1, "multiplier": "1", "cofactors": {"0": "v_1**2 + v_2**2"}}],
+    }  # fmt: skip
+    if key == "conditions":
+        proof["entries"][0]["multiplier"] = "z - 1"
+    forged["certificate"] = {
+        "method": "entries", "entries": {"v": "block([v_1], [v_2])"}, "equations": ["x*(z - 1)"], "conditions": ["y"],
+        "proof": proof, "scope": "for 2x1", "witness": {"v": [["1"], ["0"]], "x": "0", "y": "1", "z": "1"},
+    }  # fmt: skip
+    divided = {"equations": "x*(z - 1)*(z - 1)/(z - 1)", "conditions": "y*(z - 1)/(z - 1)"}
+    forged["certificate"][key] = [divided[key]]
+    found = replay_identity(forged)
+    assert (found.status, found.reason) == (
+        "rejected",
+        "the proof lists a divisor by which the statement does not divide",
+    )
+
+
 # Tampering: a change of one number, sign, letter or function in the statement.
 
 
@@ -582,6 +609,37 @@ def test_a_statement_about_nothing_is_not_proved():
     assert found.verdict == "open"
     found = decide_texts("A", "2*A", {"A": "2x2"}, nonzero=["trace(A) - trace(A.T)"])
     assert found.verdict == "open"
+
+
+def test_a_constraint_on_a_size_chooses_the_size():
+    letters = {"v": "nx1"}
+    assert decide_texts("n*v", "trace(eye(n))*v", letters, constraints=["n = 3"]).verdict == "proved"
+    assert decide_texts("n*v", "2*v", letters, constraints=["n = 3"]).point.sizes == {"n": 3}
+    assert decide_texts("n*v", "v/2", letters, constraints=["n = 1/2"]).verdict == "open"
+
+
+def test_sizes_keep_their_assumptions_and_are_one_symbol_by_name():
+    n = sympy.Symbol("n", even=True, positive=True)
+    even = sympy.MatrixSymbol("A", n, n)
+    assert prove(sympy.Determinant(-1 * even), sympy.Determinant(even)).verdict == "open"
+    with pytest.raises(LetterError, match="expected one symbol of the name n, got two"):
+        prove(sympy.Trace(sympy.Identity(n)), sympy.Symbol("n"))
+
+
+def test_pi_is_no_symbol_of_a_statement_in_letters():
+    with pytest.raises(LetterError, match="expected another name than pi"):
+        decide_texts("x*v", "0", {"v": "3x1"}, constraints=["(pi - 1)*x"])
+    v = sympy.MatrixSymbol("v", 3, 1)
+    with pytest.raises(LetterError, match="expected another name than pi"):
+        prove(sympy.Symbol("pi") * v, v)
+    forged = record_of("x*v", "y*v", {"v": "3x1"}, ())
+    texts = json.dumps(forged).replace('"y', '"pi')
+    assert replay_identity(json.loads(texts)).status == "rejected"
+
+
+def test_an_entry_beyond_a_size_says_nothing():
+    assert decide_texts("A[5, 0]", "A.T[0, 5]", {"A": "nxn"}).verdict == "open"
+    assert decide_texts("A[1, 0]", "A[0, 1]", {"A": "nxn"}).verdict == "refuted"
 
 
 def test_a_statement_without_letters_imports_nothing_for_them():

@@ -14,7 +14,7 @@ from algebroproj_sym import prove
 from algebroproj_sym.expressions import ParseError, SymbolError
 from algebroproj_sym.proving.reals import decided
 from algebroproj_sym.proving.statements import UnsupportedError
-from algebroproj_sym.replaying import NotReplayable, Rejected
+from algebroproj_sym.replaying import NotReplayable, Rejected, replay_identity
 from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.statement import statement_of
 from algebroproj_sym.replaying.reals.terms import written
@@ -267,3 +267,71 @@ def test_what_is_not_there_yet_is_refused_by_name():
         prove(sympy.sin(sympy.pi * sympy.Symbol("n", integer=True) / 2), sympy.sqrt(x))
     with pytest.raises(TypeError, match=r"assumptions\[0\]: expected a relation"):
         prove("x", "x", assumptions=[x])
+
+
+# -- symbols, numbers and witnesses from SymPy -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["x+1", "x)*cos(x", "x y", "2", "sin", "_1", "pi"])
+def test_a_symbol_whose_name_is_other_text_is_refused(name):
+    x = sympy.Symbol("x")
+    with pytest.raises(SymbolError, match=r"expected (another name than|a name such as)"):
+        prove(sympy.cos(sympy.Symbol(name)), sympy.cos(x + 1))
+
+
+SIGNS = ["positive", "negative", "zero", "nonzero", "nonnegative", "nonpositive"]
+FACTS = [(prefix + sign, holds) for prefix in ("", "extended_") for sign in SIGNS for holds in (True, False)]
+FACTS += [(fact, holds) for fact in ("integer", "rational", "even", "prime", "noninteger") for holds in (True, False)]
+
+
+@pytest.mark.parametrize(("fact", "holds"), [f for f in FACTS if f[0] != "extended_zero"])
+def test_a_counterexample_satisfies_what_sympy_assumes_or_the_symbol_is_refused(fact, holds):
+    symbol = sympy.Symbol("s", **{fact: holds})
+    size = sympy.Pow(symbol**2, sympy.Rational(1, 2), evaluate=False)
+    for side in (symbol, -symbol, 1 + symbol):
+        try:
+            found = prove(size + sympy.cos(symbol), side + sympy.cos(symbol))
+        except SymbolError:
+            continue
+        point = found.counterexample or {}
+        assert all(getattr(sympy.Rational(str(value)), f"is_{fact}") is holds for value in point.values())
+
+
+def test_a_number_too_long_for_text_is_named():
+    with pytest.raises(ParseError, match="lhs, position 0: expected at most 400 digits"):
+        prove(10**400 * sympy.sin(sympy.Symbol("x")), 0)
+
+
+WITNESSES = {
+    "no number": {"x": "abc"}, "another symbol": {"q": 1}, "irrational": {"x": sympy.sqrt(2)}, "a float": {"x": 1.5},
+    "nothing": {"x": None}, "a quotient by zero": {"x": "1/0"}, "huge": {"x": "1e1000000000"}, "no mapping": [1],
+    "a truth value": {"x": True}, "a function": {"x": "sin(1)"},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("witness", WITNESSES.values(), ids=WITNESSES)
+def test_a_witness_that_is_none_gets_a_named_error(witness):
+    with pytest.raises((ValueError, TypeError), match="witness"):
+        prove("sqrt(x^2)", "x", witness=witness)
+
+
+def test_a_witness_may_be_text_or_a_number_of_sympy():
+    for value in ("-3/2", "-1.5", sympy.Rational(-3, 2)):
+        assert prove("sqrt(x^2)", "x", witness={"x": value}).counterexample == {
+            sympy.Symbol("x"): sympy.Rational(-3, 2)
+        }
+
+
+def test_a_forged_value_of_an_undefined_number_is_rejected():
+    question = {"lhs": "sqrt(4)*x", "rhs": "2*x", "assumptions": []}
+    found = decided(record(question))
+    step = {"law": "defined", "term": "sin(1/(sqrt(4) - 2))"}
+    value = {"law": "value", "polynomial": "_2", "bits": 64}
+    other = {"assumed": "=", "steps": [], "end": "goal"}
+    case = {"of": "_1 - 2", "parts": [{"assumed": "!=", "steps": [step, value], "end": "goal"}, other]}
+    forged = copy.deepcopy(found)
+    forged["certificate"]["proof"] = {"steps": [], "cases": case}
+    del forged["relation"]
+    forged |= {"file": "f", "name": "n", "expected": None, "method": "real laws", "reason": None}
+    judged = replay_identity(forged)
+    assert (judged.status, "ZeroDivisionError" in judged.reason) == ("rejected", True)

@@ -88,6 +88,8 @@ def _question(record: Mapping[str, Any]) -> Question:
     require(not any(form.shape for form in (*constraints, *nonzero)), "expected scalars as constraints and conditions")
     symbols = {name for form in (left, right, *constraints, *nonzero) for name in form.symbols()}
 
+    require("pi" not in symbols, "pi is a number, which is known by real laws alone")
+
     def sides(algebra: Algebra) -> tuple[list[Any], list[Any]]:
         return evaluate(left, algebra), evaluate(right, algebra)
 

@@ -124,7 +124,7 @@ def _judged(check: Callable[[Mapping[str, Any]], None], record: Mapping[str, Any
         return ("not replayable", str(why))
     except Rejected as why:
         return ("rejected", str(why))
-    except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError, ZeroDivisionError) as error:
         return ("rejected", f"the record is not well-formed ({type(error).__name__}: {error})")
     except (RecursionError, OverflowError, MemoryError):
         return ("not replayable", "the expressions are too large")

@@ -21,7 +21,16 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from algebroproj_sym.expressions.bounds import MAX_CHARACTERS, MAX_DIGITS, MAX_NESTING
-from algebroproj_sym.expressions.letters.terms import FUNCTIONS, LetterError, Shape, Size, Term, made, number
+from algebroproj_sym.expressions.letters.terms import (
+    FUNCTIONS,
+    LetterError,
+    Shape,
+    Size,
+    Term,
+    made,
+    number,
+    require_no_number,
+)
 
 _TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]+)?)|([^\W\d]\w*'*)|(\*\*|\.T\b|[-+*/^()\[\],]))")
 
@@ -208,6 +217,7 @@ class _Parser:
 
 
 def _symbol(name: str) -> Term:
+    require_no_number(name)
     return Term("symbol", (1, 1), (), name)
 
 

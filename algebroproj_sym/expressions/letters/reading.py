@@ -11,7 +11,7 @@ from sympy.matrices.expressions import blockmatrix, diagonal, dotproduct, hadama
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from algebroproj_sym.expressions.letters.notation import _OfMatrices, _Scalar, shape_in, size_of
-from algebroproj_sym.expressions.letters.terms import LetterError, Term, made, number
+from algebroproj_sym.expressions.letters.terms import LetterError, Term, made, number, require_no_number
 from algebroproj_sym.expressions.quotient import over
 from algebroproj_sym.expressions.symbols import is_name
 
@@ -91,13 +91,25 @@ class Reading:
 
     def _letter(self, node: sympy.MatrixSymbol) -> Term:
         self._enter(node, self.letters, self.scalars)
+        self._enter_sizes(node)
         return Term("letter", shape_in(node), (), node.name)
 
     def _enter(self, node: Any, own: dict[str, Any], others: Mapping[str, Any]) -> None:
+        require_no_number(node.name)
         if not is_name(node.name):
             raise LetterError(f"expected a name such as R, t_1 or x', got {node.name!r}")
         if own.setdefault(node.name, node) != node or node.name in others:
             raise LetterError(f"expected one symbol of the name {node.name}, got two")
+
+    def _enter_sizes(self, node: Any) -> None:
+        for size in node.shape:
+            if isinstance(size, sympy.Symbol):
+                self._enter(size, self.scalars, self.letters)
+
+    def _constant(self, node: Any) -> Term:
+        self._enter_sizes(node)
+        sizes = [*map(size_of, node.shape)]
+        return made("eye", value=(sizes[0],)) if isinstance(node, sympy.Identity) else made("zeros", value=(*sizes,))
 
     def _power(self, node: Any) -> Term:
         base, exponent = node.args
@@ -142,8 +154,8 @@ _READERS: Mapping[Any, Callable[[Reading, Any], Term]] = {
     diagonal.DiagMatrix: lambda reading, node: reading._of("diag", node),
     dotproduct.DotProduct: lambda reading, node: reading._of("dot", node),
     MatrixElement: Reading._entry,
-    sympy.Identity: lambda reading, node: made("eye", value=(size_of(node.rows),)),
-    sympy.ZeroMatrix: lambda reading, node: made("zeros", value=(size_of(node.rows), size_of(node.cols))),
+    sympy.Identity: Reading._constant,
+    sympy.ZeroMatrix: Reading._constant,
     over: Reading._quotient,
     sympy.Add: lambda reading, node: reading._of("sum", node),
     sympy.Mul: lambda reading, node: reading._of("product", node),

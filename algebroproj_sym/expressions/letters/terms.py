@@ -57,6 +57,12 @@ def number(value: Fraction | int) -> Term:
     return Term("number", ONE, (), Fraction(value))
 
 
+def require_no_number(name: str) -> None:
+    """Refuse a symbol that would be taken for the number pi."""
+    if name == "pi":
+        raise LetterError("expected another name than pi, which is the number")
+
+
 def factors_of(term: Term) -> set[Term]:
     """Return a term and all its parts."""
     found: set[Term] = set()

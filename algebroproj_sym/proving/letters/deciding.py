@@ -191,10 +191,11 @@ class _Question:
         if not all(has_properties(letter, point.letters[name]) for name, letter in statement.letters.items()):
             return None
         try:
-            if not all(self._admits(name, value) for name, value in self._completed(point).scalars.items()):
+            sizes = {name: Fraction(size) for name, size in point.sizes.items()}
+            if not all(self._admits(*each) for each in {**self._completed(point).scalars, **sizes}.items()):
                 return None
             values = [entries_of(term, point.letters, point.scalars, _NUMBERS, point.sizes) for term in statement.terms]
-        except ZeroDivisionError:
+        except (ZeroDivisionError, IndexError):
             return None
         left, right, *others = values
         constraints, nonzero = others[: len(statement.constraints)], others[len(statement.constraints) :]

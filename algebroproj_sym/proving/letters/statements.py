@@ -126,7 +126,7 @@ def without_definitions(statement: Statement) -> tuple[dict[str, Term], Statemen
     definitions: dict[str, Term] = {}
     place = 0
     while place < len(statement.constraints):
-        found = _definition(statement.constraints[place], statement.letters)
+        found = _definition(statement.constraints[place], statement)
         if found is None:
             place += 1
             continue
@@ -149,7 +149,7 @@ def without_definitions(statement: Statement) -> tuple[dict[str, Term], Statemen
     return definitions, statement
 
 
-def _definition(constraint: Term, letters: Mapping[str, Letter]) -> tuple[Term, Term] | None:
+def _definition(constraint: Term, statement: Statement) -> tuple[Term, Term] | None:
     """Return what a constraint defines, and as what."""
     for place, part in enumerate(constraint.parts if constraint.kind == "sum" else ()):
         minus = part.kind == "product" and len(part.parts) == 2 and part.parts[0] == number(-1)
@@ -157,7 +157,9 @@ def _definition(constraint: Term, letters: Mapping[str, Letter]) -> tuple[Term, 
         others = constraint.parts[:place] + constraint.parts[place + 1 :]
         if defined.kind not in ("letter", "symbol") or any(defined in factors_of(other) for other in others):
             continue
-        if defined.kind == "letter" and letters[defined.value].properties:
+        if defined.kind == "letter" and statement.letters[defined.value].properties:
+            continue
+        if defined.value in statement.size_names:
             continue
         value = others[0] if len(others) == 1 else made("sum", *others)
         return defined, value if minus else _negative(value)

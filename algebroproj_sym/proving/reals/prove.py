@@ -13,7 +13,7 @@ from algebroproj_sym.expressions import symbols_of
 from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.prove import Proof
 from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places
-from algebroproj_sym.proving.reals.reading import assumed_of, condition_of, term_of, zero_of
+from algebroproj_sym.proving.reals.reading import assumed_of, condition_of, term_of, witness_of, zero_of
 from algebroproj_sym.proving.reals.search import Search
 from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.reals import require_real
@@ -50,7 +50,7 @@ def proof_of(
         "constraints": [zero_of(value, f"constraints[{place}]") for place, value in enumerate(constraints)],
         "nonzero": [written(term_of(value, f"nonzero[{place}]")) for place, value in enumerate(nonzero)],
     }
-    found = decided(record, {str(key): Fraction(str(value)) for key, value in (witness or {}).items()})
+    found = decided(record, None if witness is None else witness_of(witness, statement_of(record).symbols()))
     point = found["counterexample"]
     return Proof(
         verdict=found["verdict"],

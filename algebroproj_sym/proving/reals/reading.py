@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
-from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError, assumption, is_plain, over
+from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError, admits, assumption, is_plain, over
+from algebroproj_sym.expressions.symbols import is_name
+from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.statement import comparisons
 from algebroproj_sym.replaying.reals.terms import (
     ALIASES,
     ARITY,
+    FUNCTIONS,
     PI,
     Term,
     UnreadableError,
@@ -28,6 +31,7 @@ from algebroproj_sym.replaying.reals.terms import (
 )
 from algebroproj_sym.replaying.reals.terms import over as quotient
 from algebroproj_sym.replaying.reals.theory import RESERVED
+from algebroproj_sym.replaying.reals.values import value_of
 
 MOST_PARTS = 4_000
 
@@ -44,9 +48,7 @@ _FOLLOWING = {
     "positive": ("nonnegative", "nonzero"),
     "negative": ("nonpositive", "nonzero"),
 }
-_HARMLESS = frozenset({"commutative", "real", "complex", "finite", "infinite", "hermitian", "imaginary", "zero"}) | {
-    f"extended_{fact}" for fact in ("real", *_SIGNS)
-}
+_OF_EVERY_SIGN = [Fraction(p, 2) for p in (-2, -1, 0, 1, 2)]
 
 
 def term_of(value: Any, argument: str) -> Term:
@@ -75,7 +77,7 @@ def term_of(value: Any, argument: str) -> Term:
         raise NotRationalError(f"{argument}: expected an expression, got {value!r:.80} ({type(value).__name__})")
     if sum(1 for _ in sympy.preorder_traversal(value)) > MOST_PARTS:
         raise NotRationalError(f"{argument}: expected at most {MOST_PARTS} parts")
-    return _term(value, argument)
+    return _read(written(_term(value, argument)), argument)
 
 
 def _read(text: str, argument: str) -> Term:
@@ -87,8 +89,10 @@ def _read(text: str, argument: str) -> Term:
 
 def _unreserved(term: Term, argument: str) -> Term:
     for name in term.symbols():
-        if RESERVED.fullmatch(name):
+        if RESERVED.fullmatch(name) or name in FUNCTIONS:
             raise SymbolError(f"{argument}: expected another name than {name}, which is reserved")
+        if not is_name(name):
+            raise SymbolError(f"{argument}: expected a name such as x, x_1, alpha or x', got {name!r}")
     return term
 
 
@@ -192,15 +196,51 @@ def assumed_of(symbols: Iterable[sympy.Symbol]) -> Iterator[str]:
     for symbol in sorted(symbols, key=lambda symbol: symbol.name):
         if is_plain(symbol):
             continue
-        facts = {fact for fact, holds in symbol.assumptions0.items() if holds}
-        given = getattr(symbol, "_assumptions_orig", None) or symbol.assumptions0
-        others = {fact for fact in given if fact not in _SIGNS and fact not in _HARMLESS}
-        if others or symbol.is_real is False or symbol.is_finite is False:
+        signs = [fact for fact in _SIGNS if symbol.assumptions0.get(fact)]
+        if any(admits(symbol, value) != _has_signs(value, signs) for value in _OF_EVERY_SIGN):
             raise SymbolError(
                 f"assumptions: expected symbols for real numbers of a sign, got one with more: {assumption(symbol)}"
             )
-        signs = [fact for fact in _SIGNS if fact in facts]
         implied = {more for fact in signs for more in _FOLLOWING.get(fact, ())}
         for fact in signs:
             if fact not in implied:
                 yield f"{symbol.name} {_SIGNS[fact]} 0"
+
+
+def _has_signs(value: Fraction, signs: Iterable[str]) -> bool:
+    number = sympy.Rational(value.numerator, value.denominator)
+    return all(getattr(number, f"is_{fact}") for fact in signs)
+
+
+def witness_of(given: Any, names: Collection[str]) -> dict[str, Fraction]:
+    """Return a point by name, with rational numbers as values.
+
+    Raises
+    ------
+    TypeError
+        If it is no mapping.
+    ValueError
+        If a name does not occur, or a value is no rational number.
+
+    Examples
+    --------
+    >>> witness_of({"x": "1/2"}, {"x"})
+    {'x': Fraction(1, 2)}
+    """
+    if not isinstance(given, Mapping):
+        raise TypeError(f"witness: expected a mapping of symbols to numbers, got {type(given).__name__}")
+    found = {}
+    for key, number in given.items():
+        name = str(getattr(key, "name", key))
+        if name not in names:
+            known = ", ".join(sorted(names)) or "none"
+            raise ValueError(f"witness: expected values for symbols that occur ({known}), got one for {name!r:.120}")
+        term = term_of(number, f"witness, {name}")
+        try:
+            value = None if term.symbols() else value_of(term, {}, Intervals(64))
+        except ArithmeticError:
+            value = None
+        if not isinstance(value, Fraction):
+            raise ValueError(f"witness, {name}: expected a rational number, got {number!s:.80}")
+        found[name] = value
+    return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from fractions import Fraction
 from itertools import product
 from typing import Any
@@ -90,8 +90,7 @@ class _AtPoint:
 
     def __init__(self, given: Statement, statement: Statement, point: Any) -> None:
         require(isinstance(point, Mapping), "expected a point")
-        shapes = [part.shape for node in given.nodes for part in parts_of(node)]
-        named = {size for shape in shapes for size in shape if isinstance(size, str)}
+        named = given.sizes
         symbols = {part.value for node in given.nodes for part in parts_of(node) if part.kind == "symbol"} - named
         expected = named | symbols | given.letters.keys()
         require(point.keys() == expected, "the point has not a value for every letter and number, and no other")
@@ -224,7 +223,7 @@ def _require_entries(statement: Statement, certificate: Mapping[str, Any]) -> No
     require(certificate["entries"].keys() == free.keys(), "entries of other letters")
     numbers = {*names} - statement.letters.keys()
     if equations:
-        _require_constrained(statement, certificate, free, equations, signs, Field(numbers))
+        _require_constrained(statement, certificate, free, equations, signs, numbers)
         return
     require_keys(certificate, {"method", "entries", "denominators", "scope", "witness", "shapes"})
     field = Field(numbers, certificate["denominators"])
@@ -282,29 +281,34 @@ def _require_constrained(
     free: Mapping[str, Coordinates],
     equations: Sequence[Node],
     signs: Sequence[str],
-    field: Field,
+    numbers: Set[str],
 ) -> None:
     """Check what follows from equations between the entries."""
     require_keys(certificate, {"method", "entries", "equations", "conditions", "proof", "scope", "witness", "shapes"})
+    proof = certificate["proof"]
+    if not isinstance(proof, Mapping):
+        raise Rejected("expected the proof about the entries")
+    field = Field(numbers, proof["denominators"])
     entries = _expanded(free, certificate["entries"], field.algebra)
     own = [entry for node in equations for entry in _flat(entries.of(node)) if not entry.is_zero]
     own += [field.symbol(name) ** 2 - field.number(Fraction(1)) for name in signs]
+    conditions = [entries.scalar(node) for node in statement.nonzero]
+    for side in (statement.left, statement.right):
+        entries.of(side)
+    require({*range(field.listed)} <= field.used, "the proof lists a divisor by which the statement does not divide")
     listed = [parse(text) for text in texts(certificate["equations"])]
     given = [evaluate(form, field.algebra)[0] for form in listed]
     require(_covers(own, given) and _covers(given, own), "the equations are not those of the letters")
     units = [parse(text) for text in texts(certificate["conditions"])]
     values = [evaluate(form, field.algebra)[0] for form in units]
-    require(_covers([entries.scalar(node) for node in statement.nonzero], values), "a condition is missing")
-    require(_covers(values, [entries.scalar(node) for node in statement.nonzero]), "a condition too many")
+    require(_covers(conditions, values), "a condition is missing")
+    require(_covers(values, conditions), "a condition too many")
 
     def sides(algebra: Algebra) -> tuple[list[Any], list[Any]]:
         inner = Entries(algebra, {name: each.matrix(algebra) for name, each in free.items()}, {})
         return _flat(inner.of(statement.left)), _flat(inner.of(statement.right))
 
-    proof = certificate["proof"]
-    if not isinstance(proof, Mapping):
-        raise Rejected("expected the proof about the entries")
-    require_consequence(Question(sides, listed, units, {*field.places}, proof.get("denominators")), proof)
+    require_consequence(Question(sides, listed, units, {*numbers}, proof["denominators"]), proof)
 
 
 def _covers(values: Sequence[Element], others: Sequence[Element]) -> bool:

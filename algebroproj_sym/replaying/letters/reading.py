@@ -329,6 +329,7 @@ class _Reader:
             raise self.wrong()
         if not self.skip("("):
             shape = self.letters.get(token)
+            require(token != "pi" or shape is not None, "pi is a number, and no symbol of a statement in letters")
             return Node("symbol", NUMBER, (), token) if shape is None else Node("letter", shape, (), token)
         if token in ("eye", "zeros"):
             sizes = tuple(self.listed(self.size, ")"))

@@ -36,6 +36,12 @@ class Statement:
         """All forms."""
         return self.left, self.right, *self.constraints, *self.nonzero
 
+    @property
+    def sizes(self) -> set[str]:
+        """The names of sizes."""
+        shapes = [part.shape for node in self.nodes for part in parts_of(node)]
+        return {size for shape in shapes for size in shape if isinstance(size, str)}
+
     def every(self, change: Any) -> Statement:
         """Return the statement with a change of all its forms."""
         left, right = change(self.left), change(self.right)
@@ -101,6 +107,8 @@ def without_definitions(statement: Statement) -> Statement:
     for place, constraint in enumerate(statement.constraints):
         for name, value in _definitions(constraint):
             if name.kind == "letter" and statement.letters[name.value].properties:
+                continue
+            if name.value in statement.sizes:
                 continue
             others = statement.constraints[:place] + statement.constraints[place + 1 :]
             letters = {other: letter for other, letter in statement.letters.items() if other != name.value}

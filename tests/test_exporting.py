@@ -650,8 +650,8 @@ MODULE = """
 import sympy
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
-    Matrix, adjugate, at_most, chosen, columns, cross, determinant, dot, homogeneous, inverse, linear_system, over, solve,
-    vector)
+    Matrix, adjugate, at_most, chosen, columns, cross, determinant, dot, homogeneous, inverse, linear_system, over,
+    solve, vector)
 
 a, b, c, d, x, y = sympy.symbols("a b c d x y")
 section = Section("demo", "1", "Objects")

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from algebroproj_derivations.studies.pairs import estimating, predicting
 from algebroproj_derivations.studies.pairs.drawings import residuals_in_pictures, uncertain_lines
-from algebroproj_derivations.studies.pairs.judging import Judgement, judge, require_sigma, simulated
+from algebroproj_derivations.studies.pairs.judging import PairJudgement, judge, require_sigma, simulated
 from algebroproj_derivations.studies.pairs.normalising import pairs_of
 from algebroproj_derivations.studies.pairs.pair_files import read_pairs
 from algebroproj_derivations.studies.pairs.wording import in_words
@@ -55,7 +55,7 @@ def chunk(indices: Indices, seed: int, *, file: Path, sigma: float) -> xarray.Da
     return xarray.Dataset(data, coords={MEMBER: indices})
 
 
-def _judged(dataset: xarray.Dataset) -> Judgement:
+def _judged(dataset: xarray.Dataset) -> PairJudgement:
     return simulated(judge(*dataset.measured.values, float(dataset.sigma)), dataset.error.values)
 
 

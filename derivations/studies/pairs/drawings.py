@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from algebroproj_derivations.studies.pairs.judging import Judgement
+from algebroproj_derivations.studies.pairs.judging import PairJudgement
 from algebroproj_sym.study.figures import COLOURS, GREY, INK, PAGE, figure, style
 
 Numbers = NDArray[np.float64]
@@ -16,7 +16,7 @@ LABELLED = 40
 LINES = 7
 
 
-def residuals_in_pictures(judgement: Judgement, pixels: Numbers) -> Figure:
+def residuals_in_pictures(judgement: PairJudgement, pixels: Numbers) -> Figure:
     """Draw the points, coloured by their distances in standard deviations; shape of the pixels (2, n, 2)."""
     with style():
         drawing = figure(PAGE, 3.6)
@@ -33,7 +33,7 @@ def residuals_in_pictures(judgement: Judgement, pixels: Numbers) -> Figure:
     return drawing
 
 
-def uncertain_lines(judgement: Judgement, pixels: Numbers) -> Figure:
+def uncertain_lines(judgement: PairJudgement, pixels: Numbers) -> Figure:
     """Draw the standard deviations at the check points, and epipolar lines of the right picture."""
     with style():
         drawing = figure(PAGE, 3.6)

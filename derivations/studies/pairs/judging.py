@@ -46,7 +46,7 @@ WIDTH = 2 * np.sqrt(2)
 
 
 @dataclass(frozen=True)
-class Judgement:
+class PairJudgement:
     """What was found about a pair.
 
     Attributes
@@ -107,7 +107,7 @@ LARGEST_SIGMA = 1e15
 """So that repeated measurements, with errors of this size, remain floating-point numbers."""
 
 
-def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
+def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> PairJudgement:
     """Return whether the correlation (fundamental) matrix of some pairs can be trusted.
 
     Parameters
@@ -119,7 +119,7 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
 
     Returns
     -------
-    Judgement
+    PairJudgement
 
     Raises
     ------
@@ -181,7 +181,7 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> Judgement:
     size = float(np.linalg.norm(raw @ fit.matrix.reshape(9)))
     matrix = raw @ fit.matrix.reshape(9) / size
     turn = (np.eye(9) - np.outer(matrix, matrix)) @ raw @ fit.tangents.T / size
-    return Judgement(
+    return PairJudgement(
         verdict=DISTRUST if severe else UNDECIDED if against else TRUST,
         reasons=tuple(against),
         matrix=matrix.reshape(3, 3),
@@ -209,12 +209,12 @@ def require_sigma(sigma: float) -> None:
         raise ValueError(f"sigma: expected {1 / LARGEST_SIGMA:g} to {LARGEST_SIGMA:g} pixels, got {sigma}")
 
 
-def simulated(judgement: Judgement, errors: ArrayLike) -> Judgement:
+def simulated(judgement: PairJudgement, errors: ArrayLike) -> PairJudgement:
     """Return a judgement that heeds repeated measurements, too.
 
     Parameters
     ----------
-    judgement : Judgement
+    judgement : PairJudgement
         By prediction alone.
     errors : array_like, shape (k,)
         Root mean square errors at its check points of simulated measurements, in pixels.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_derivations.studies.pairs.judging import DISTRUST, TRUST, UNDECIDED, Judgement
+from algebroproj_derivations.studies.pairs.judging import DISTRUST, TRUST, UNDECIDED, PairJudgement
 
 FIRST = {
     TRUST: "Trust this pair: the error at check points is below {bound:.2g} px (root mean square, in 99.9 % of cases).",
@@ -16,12 +16,12 @@ HIDDEN = " (if it is wrong, that hardly shows)"
 MUCH = 0.9
 
 
-def in_words(judgement: Judgement, repeated: str = "") -> str:
+def in_words(judgement: PairJudgement, repeated: str = "") -> str:
     """Return a short report.
 
     Parameters
     ----------
-    judgement : Judgement
+    judgement : PairJudgement
         Of a pair.
     repeated : str, optional
         A sentence on simulated measurements.

@@ -681,6 +681,9 @@ section.structure("1.14", "pattern", printed=Matrix([[0, a], [-a, 0]]), derived=
 counts = [dot(vector(1, 2), vector(3, k)) for k in (1, 2, 3)]
 last = chosen(vector(*(at_most(8, count) for count in counts)), vector(1, 2, 3))
 section.identity("1.15", "chosen rows", printed=vector(3), derived=last)
+long = Matrix([[10**80 + 10 * i + j for j in range(9)] for i in range(3)])
+kept = chosen(vector(*(at_most(8, count) for count in counts)), long)
+section.identity("1.16", "rows of a long table", printed=long[2, :], derived=kept)
 """
 
 

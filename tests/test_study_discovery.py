@@ -140,7 +140,7 @@ def test_each_installed_study_depends_on_its_own_sources(monkeypatch):
 
 
 def test_the_studies_of_a_folder_are_listed(own):
-    assert "areas  Areas of squares." in invoke(own.parent, "--help").stdout
+    assert "areas  Areas of squares" in invoke(own.parent, "--help").stdout
 
 
 @pytest.mark.parametrize(

@@ -200,6 +200,10 @@ class Workshop:
         self.pieces[made] = self.pieces[first]
         return self.pieces[made]
 
+    def _unfolded(self, made: Made) -> list[Made]:
+        """Return the operands of a value that have a name and no lemma."""
+        return [part for part in self._operands(made) if part in self.defined and self.defined[part].lemma is None]
+
     def _at_other_places(self, made: Made) -> bool:
         """Whether lemmas about the parts of a value assume something of other values of its variables."""
         return made.operation == "substituted" and bool(self.pieces[self._operands(made)[0]].needs)
@@ -239,7 +243,10 @@ class Workshop:
         definition = self.defined[made]
         goals = [[Goal(a, b) for a, b in zip(*pair, strict=True)] for pair in zip(piece.rows, rows, strict=True)]
         given = Hypotheses(definition.variables, divisors)
-        first = "\n".join(filter(None, [f"unfold {definition.name}.", *rewriting]))
+        opened = [definition.name]
+        if made.operation == "chosen":
+            opened += [self.defined[part].name for part in self._unfolded(made)]
+        first = "\n".join(filter(None, [f"unfold {', '.join(opened)}.", *rewriting]))
         statement, proof = universal_of_matrix(
             given,
             goals,

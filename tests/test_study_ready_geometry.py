@@ -199,7 +199,9 @@ def test_the_command_writes_dataset_figures_and_report(tmp_path):
     assert result.exit_code == 0
     names = {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file()}
     assert names == {
+        ".lock",
         "example.nc",
+        "example.nc.seal",
         "manifest.json",
         "report.txt",
         "figures/error-ellipses.png",

@@ -51,7 +51,6 @@ TYPES = (
         "multiply_add": "fmaf",
         "headroom": "(FLT_MAX - FLT_MAX / 4096)",
         "splitter": "4097.0f",
-        "has_fused": True,
     },
     {
         "name": "double",
@@ -60,19 +59,9 @@ TYPES = (
         "multiply_add": "fma",
         "headroom": "(DBL_MAX - DBL_MAX / 4096)",
         "splitter": "134217729.0",
-        "has_fused": True,
-    },
-    {
-        "name": "longdouble",
-        "loop": "longdouble",
-        "absolute": "fabsl",
-        "multiply_add": "fmal",
-        "headroom": "(LDBL_MAX - LDBL_MAX / 4096)",
-        "splitter": "((longdouble)((npy_ulonglong)1 << (LDBL_MANT_DIG + 1) / 2) + 1)",
-        "has_fused": False,
     },
 )
-"""The types of numbers, and what belongs to each; where it pays, there is a version for fused multiply-add."""
+"""The types of numbers that are compiled, and what belongs to each."""
 
 BLOCK = 64
 """How many points are gathered at a time: few enough that all entries of a kernel stay in the first-level cache."""

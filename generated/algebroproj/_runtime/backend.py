@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "fc97f54a46bcf572"
+DIGEST = "82b16d574f6edaba"
 """What identifies the C source that belongs to this package."""
 
 

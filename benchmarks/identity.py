@@ -1,5 +1,4 @@
-"""Whether the compiled functions give the bits of the NumPy source, on many points and for both dtypes that are
-compiled.
+"""Whether the compiled functions give the bits of the NumPy source, on many points and in both precisions.
 
 Run with ``python benchmarks/identity.py [POINTS [FUNCTION ...]]``.  It ends with 1 if a bit differs.
 """

@@ -344,15 +344,37 @@ def _products(program: Program) -> list[Step]:
 
 def _solve(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
     size = len(call.rows)
-    written = [[c_operand(operand, names) for operand in row] for row in call.rows]
-    padded = [[*row, *["0"] * (2 * size + 2 - len(row))] for row in written]
-    rows = [f"    {{{', '.join(row)}}}," for row in padded]
+    solved = f"range = NAME({call.primitive}_{size})(system{place}, solution{place}, range);"
+    return solving(call, place, names, solved, 2 * size + 2)
+
+
+def solving(
+    call: Call, place: int, names: Mapping[Operand, str], solved: str, columns: int, initial: str = ""
+) -> list[str]:
+    """Return the statements that solve a linear system.
+
+    Parameters
+    ----------
+    call : Call
+        Of a primitive function that solves.
+    place : int
+        Of the system among those of a function.
+    names : mapping
+        The C names of operands.
+    solved : str
+        The statement that calls the function.
+    columns : int
+        How many entries a row has; those that are not given are zero.
+    initial : str
+        The value that a solution has before.
+    """
+    rows = [[*(c_operand(operand, names) for operand in row), *["0"] * (columns - len(row))] for row in call.rows]
     return [
-        f"const real system{place}[{size}][{2 * size + 2}] = {{",
-        *rows,
+        f"const real system{place}[{len(rows)}][{columns}] = {{",
+        *(f"    {{{', '.join(row)}}}," for row in rows),
         "};",
-        f"real solution{place}[{len(call.names)}];",
-        f"range = NAME({call.primitive}_{size})(system{place}, solution{place}, range);",
+        f"real solution{place}[{len(call.names)}]{initial};",
+        solved,
         *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names)),
     ]
 

@@ -16,7 +16,7 @@ from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion, ratios
 from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import Delta, P, y0_of_mu
-from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C, at_basic_points
+from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C, at_basic_points, correlation_matrix
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -81,11 +81,6 @@ abscissas_left, abscissas_right, ordinates = (sympy.symbols(f"{name}:3") for nam
 def normal_case(abscissas: tuple[sympy.Symbol, ...]) -> Matrix:
     b0, b1, b2 = (vector(x, y, distance) for x, y in zip(abscissas, ordinates, strict=True))
     return columns(b0, b1 - b0, b2 - b0)
-
-
-def correlation_matrix(left: Matrix, right: Matrix, base: Matrix) -> Matrix:
-    """Return C from the matrices of reconstruction and the base: the triple products of section 2.1."""
-    return Matrix(3, 3, lambda i, j: dot(cross(left.col(i), base), right.col(j)))
 
 
 C_normal = correlation_matrix(normal_case(abscissas_left), normal_case(abscissas_right), vector(base_length, 0, 0))

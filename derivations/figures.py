@@ -80,12 +80,15 @@ class SpaceDrawing:
         The names of the ends of each segment.
     triangles : sequence of triples of str
         The names of the corners of each triangle.
+    letter : str
+        What the coordinates are called.
     """
 
     caption: str
     points: Mapping[str, Matrix]
     segments: Sequence[tuple[str, str]] = ()
     triangles: Sequence[tuple[str, str, str]] = ()
+    letter: str = "y"
 
     def __repr__(self) -> str:
         return self.caption
@@ -104,7 +107,7 @@ class SpaceDrawing:
             for first, second in self.segments:
                 axes.plot(*zip(points[first], points[second], strict=True), color="#7a828e", linewidth=0.9, zorder=2)
             _name_points(axes, points)
-            axes.set(xlabel="$y_1$", ylabel="$y_2$", zlabel="$y_3$")
+            axes.set(**{f"{axis}label": f"${self.letter}_{i}$" for i, axis in enumerate("xyz", 1)})
             axes.view_init(elev=18, azim=-58)
             return _svg(figure)
 

@@ -4,7 +4,8 @@
 # The transformation of section 3.4 as a function.
 
 # %%
-from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import ABOUT_TAU, EXAMPLE_TAU, tau1, tau2
+from algebroproj_derivations.fundamentals1996.s3_1_functions import ABOUT_TAU, EXAMPLE_TAU
+from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import tau1, tau2
 from algebroproj_derivations.fundamentals1996.s3_2_normal_case import z_n
 from algebroproj_derivations.fundamentals1996.s3_4_output_images import A_of_lines
 from algebroproj_sym import Section

@@ -174,8 +174,6 @@ section.identity(
     "matrix of correlation, as a product",
     printed=P_left.T * D_printed * P_right,
     derived=C,
-    note="Read as rows p'_j^T and columns p''_j.  The scan has the vectors of both matrices one below the other, and "
-    "the T of a transposition behind the first stack; (2.1.9) has it in its place.",
 )
 p0_left, p1_left, p2_left = columns_left
 p0_right, p1_right, p2_right = columns_right
@@ -367,7 +365,6 @@ section.identity(
     printed=(d.T * inverse_left.T * P_left.T * D_printed * P_right).T,
     where=inverses,
     derived=C.T * epipole_left,
-    note="u'0^T = d^T P'*^T has the three marks that are lost, and the line above has all of its own.",
 )
 section.identity(
     "2.1/u0'C#zero",
@@ -420,7 +417,7 @@ section.up_to_scale(
 # ## 4. Epipolar lines
 #
 # Whatever the point $\mathbf u'$ is, its line goes through the epipole of the other image.  All lines of an image meet
-# there.
+# there.  The scan begins the item with 'transformation $P'$ to $P''$'; $\mathbf u'$ to $\mathbf h''$ is meant.
 
 # %%
 section.identity(
@@ -428,7 +425,6 @@ section.identity(
     "every line h'' contains the epipole of P''",
     printed=vector(0, 0),
     derived=vector(dot(C.T * u_left, epipole_right), dot(u_left, C * epipole_right)),
-    note="The scan begins this item with 'transformation P' -> P'''; u' -> h'' is meant, as in item 2.",
 )
 section.identity(
     "2.1/beyond/epipolar-line-left",
@@ -658,7 +654,6 @@ section.identity(
     "K annihilates the epipole",
     printed=vector(0, 0, 0),
     derived=K * solve(P, d),
-    note="The scan shows the primes of either image as a superscript theta or (i).",
 )
 projected_base = solve(P, d)
 section.identity(

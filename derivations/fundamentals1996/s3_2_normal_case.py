@@ -210,7 +210,6 @@ section.identity(
     / common_denominator,
     where=AXIS,
     derived=epipole,
-    note="The scan shows y as a script J here and below, and u as mu in places.",
 )
 epipole_weights = homogeneous_image.xreplace(AT_AXIS | IN_NORMAL_CASE)
 for name, numerator in (("uN01", epipole_weights[1]), ("uN02", epipole_weights[2])):
@@ -401,8 +400,8 @@ def coefficients(form: sympy.Expr, variables: Matrix) -> Matrix:
     return vector(-right_side[0], *linear)
 
 
-for number, title, y00_printed, center_printed, fourth, parameters, note in (
-    ("3.2.7", "condition for the fourth point, left image", y00_left, center_left, left_fourth, mu_left, ""),
+for number, title, y00_printed, center_printed, fourth, parameters in (
+    ("3.2.7", "condition for the fourth point, left image", y00_left, center_left, left_fourth, mu_left),
     (
         "3.2.10#parallel",
         "condition for the fourth point, right image",
@@ -410,7 +409,6 @@ for number, title, y00_printed, center_printed, fourth, parameters, note in (
         center_right,
         right_fourth,
         mu_right,
-        "Read as y''01, y''02, y''03, which the scan has without primes beside y''00 with two.",
     ),
 ):
     linear_form = condition(y_a, center_printed, fourth)
@@ -430,7 +428,6 @@ for number, title, y00_printed, center_printed, fourth, parameters, note in (
         ),
         where=AXIS | BARYCENTRIC_BOTH,
         derived=coefficients(linear_form, fourth),
-        note=note,
     )
 
 # %% [markdown]

@@ -102,7 +102,6 @@ section.identity(
     "coplanarity in the coordinates of the original images",
     printed=dot(u_left, product * u_right),
     derived=FACTORS[taup] * FACTORS[taupp] * dot(normal_left, Z_N * normal_right),
-    note="The scan has no N with u' in the preceding display.",
 )
 
 # %% [markdown]

@@ -224,13 +224,15 @@ section.identity(
     derived=vector(mu_of_fifth[0], mu_of_fifth[0]),
 )
 
-# %% [markdown]
-# The fifth point must not lie in a plane through three basic points.
-
 # %%
 section.identity("1.5.4#mu1", "the second factor", printed=mu4 * u1 / y1, where=of_fifth, derived=mu_of_fifth[1])
 section.identity("1.5.4#mu2", "the third factor", printed=mu4 * u2 / y2, where=of_fifth, derived=mu_of_fifth[2])
 section.identity("1.5.4#mu3", "the fourth factor", printed=mu4 * u3 / y3, where=of_fifth, derived=mu_of_fifth[3])
+
+# %% [markdown]
+# The fifth point must not lie in a plane through three basic points: there the system is singular.
+
+# %%
 section.vanishing(
     "1.5/beyond/fifth-point",
     "the fifth point must not lie in a plane through three basic points",

@@ -229,6 +229,8 @@ section.up_to_scale(
     printed=vector(f * a[0], f * a[1], f * a[2]),
     derived=S_image_line,
 )
+
+# %%
 section.up_to_scale("1.6/S#identical", "the two lines are identical", printed=S_line, derived=S_image_line)
 section.identity(
     "1.6/beyond/principal-plane",

@@ -19,6 +19,7 @@ from algebroproj_sym.expressions import (
     columns,
     cross,
     determinant,
+    diff,
     dot,
     homogeneous,
     inverse,
@@ -524,6 +525,30 @@ section.identity(
     "the matrix of the base is skew-symmetric",
     printed=-D_printed,
     derived=D.T,
+)
+
+# %% [markdown]
+# **What do the equations contain?**  All elements of both transformations, says the paper, and they are very
+# nonlinear.  There are 21 elements, those of $\mathbf P'$, $\mathbf P''$ and $\mathbf d$.  Each of them occurs: no
+# derivative of the equations vanishes.  They are of the third degree: every term has two elements of the matrices and
+# one of the base.
+
+# %%
+k, n = sympy.symbols("k n")
+members = Matrix.vstack(P_left.T * D * P_left * u_left, C * u_right, P_right.T * D * P_right * u_right, C.T * u_left)
+mixture = dot(members, vector(*sympy.symbols("w:12")))
+elements = (*P_left, *P_right, *d)
+section.rank(
+    "2.1/all-elements",
+    "the equations contain all elements of both transformations",
+    printed=21,
+    derived=Matrix(21, 21, lambda i, j: diff(mixture, elements[i]) if i == j else sympy.S.Zero),
+)
+section.identity(
+    "2.1/beyond/degree",
+    "the equations are of the third degree in these elements",
+    printed=k**2 * n * members,
+    derived=members.xreplace({element: n * element if element in d else k * element for element in elements}),
 )
 
 # %% [markdown]

@@ -473,6 +473,8 @@ section.identity(
     ),
     derived=h_left,
 )
+
+# %%
 section.identity(
     "2.2.5#right",
     "epipolar line in P'', as a product",
@@ -697,6 +699,8 @@ section.identity(
     note="The matrix is K with (1, u01, u02) for kappa and must be skew-symmetric.  A free factor changes all "
     "elements.  The scan alone cannot tell a slip of the scan from one of the print.",
 )
+
+# %%
 section.identity(
     "2.2.9",
     "epipolar line from the epipole and the point, by components",

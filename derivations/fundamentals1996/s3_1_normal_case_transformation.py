@@ -131,6 +131,8 @@ section.identity(
     where=FOURTH,
     derived=ratios,
 )
+
+# %%
 section.identity(
     "3.1.2#product",
     "the product, in terms of the fourth points",

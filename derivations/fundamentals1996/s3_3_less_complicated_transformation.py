@@ -167,6 +167,8 @@ for (row, column), printed in {
     (2, 0): taup2 * z_n,
 }.items():
     section.identity(f"3.3.4#{row}{column}", f"entry ({row}, {column})", printed=printed, derived=product[row, column])
+
+# %%
 section.identity(
     "3.3.4#01",
     "entry (0, 1)",
@@ -176,6 +178,8 @@ section.identity(
     corrected=-taupp1,
     note="(3.3.5) confirms it: tau1'' = -z01.",
 )
+
+# %%
 PRIMES = "  A slip of the scan cannot be told from one of the print."
 for (row, column), printed, corrected, note in (
     (

@@ -6,6 +6,8 @@
 # transformations.
 
 # %%
+from fractions import Fraction
+
 import sympy
 
 from algebroproj_derivations.figures import ImageDrawing
@@ -23,6 +25,7 @@ from algebroproj_sym.expressions import (
     inverse,
     linear_system,
     over,
+    rounded,
     rows,
     solve,
     vector,
@@ -218,7 +221,8 @@ section.identity(
 EXAMPLE_IMAGE = (("-0.0451870", "-0.6343754"), ("0.0202372", "0.8297962"), ("0.9728948", "-0.4654293"))
 corners = [vector(*map(sympy.Rational, corner)) for corner in EXAMPLE_IMAGE]
 seen = vector(sympy.Rational("0.0313810"), sympy.Rational("-0.2265744"))
-coordinates(seen, rows(*corners)).applyfunc(lambda entry: entry.doit().n(7))
+example_u = coordinates(seen, rows(*corners)).doit()
+[str(rounded(Fraction(int(number.p), int(number.q)), 7)) for number in example_u]
 
 
 # %%

@@ -120,6 +120,9 @@ section.identity("3.2.1#skewsymmetric", "it is skewsymmetric", printed=-Z_N_prin
 # %%
 z11_of_z12 = over(z12, z20 + z20 * z12 - z12)
 parallel_planes = Z.subs({z21: z20 * z11, z22: z20 * z12}).xreplace({z11: z11_of_z12})
+parallel_planes
+
+# %%
 section.identity(
     "3.2/beyond/parallel",
     "epipoles at infinity do not make the four elements zero",
@@ -476,6 +479,9 @@ right_equations = [
     equation.xreplace(common_mu | dict(zip(center, center_right, strict=True))) for equation in center_equations
 ]
 fourth_of_right = solve(*linear_system([*right_equations[1:]], [u31, u32]))
+fourth_of_right
+
+# %%
 section.identity(
     "3.2.8",
     "fourth point of the right image",

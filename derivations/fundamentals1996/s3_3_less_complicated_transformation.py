@@ -63,7 +63,7 @@ section = Section("fundamentals1996", "3.3", "A less complicated transformation 
 # %% [markdown]
 # ## The correlation matrix through the normal case
 #
-# **Definition.**  Each image has a matrix $\mathbf T$ with two parameters, by (3.1.3).
+# **Definition.**  Each image has a matrix $\mathbf T$ with two parameters, (3.1.2).  Its coordinates follow by (3.1.3).
 
 # %%
 taup1, taup2, taupp1, taupp2 = sympy.symbols("taup1 taup2 taupp1 taupp2")
@@ -654,6 +654,9 @@ def infinite_equations(weights: Matrix) -> list[sympy.Expr]:
 
 
 mu_left = vector(*(solve(*linear_system(infinite_equations(weights), [mu1, mu3]))[i] for i in (0, 0, 1)))
+mu_left
+
+# %%
 mu_left_printed = vector(-ya0 * ya3 * sum_n, -ya0 * ya3 * sum_n, ya0 * (ya1 + z_n * ya2)) / D_left
 section.identity(
     "3.3.8",

@@ -375,8 +375,8 @@ section.identity(
 )
 
 # %% [markdown]
-# **Meaning.**  The epipoles are the solutions of $\mathbf C^T \mathbf u'_0 = \mathbf 0$ and $\mathbf C \mathbf u''_0
-# = \mathbf 0$.  The images of the centers satisfy them.  As long as the rank is 2 there are no others.
+# **Meaning.**  The epipoles are the solutions of $\mathbf C^T \mathbf u'_0 = \mathbf 0$ and $\mathbf C
+# \mathbf u''_0 = \mathbf 0$.  The images of the centers satisfy them.  As long as the rank is 2 there are no others.
 
 # %%
 section.identity(

@@ -76,8 +76,8 @@ section.identity(
 # ## The matrix T
 #
 # **Definition.**  The new image of the point is $\mu_N \mathbf u_N = \mathbf P_N^* (\mathbf y - \mathbf y_0)$.  The
-# ray comes from the old image.  So $\tau \mathbf u_N = \mathbf T \mathbf u$ with $\tau = \mu_N / \mu$ and $\mathbf T
-# = \mathbf P_N^* \mathbf P$.
+# ray comes from the old image.  So $\tau \mathbf u_N = \mathbf T \mathbf u$ with $\tau = \mu_N / \mu$ and
+# $\mathbf T = \mathbf P_N^* \mathbf P$.
 
 # %%
 mu_normal = sympy.symbols("muN1 muN2 muN3")

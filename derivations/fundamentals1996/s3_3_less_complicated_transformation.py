@@ -495,8 +495,8 @@ section.identity(
 )
 
 # %% [markdown]
-# What is true: one projectivity for both images takes the second solution to the first.  Its divisor $1 + (k - 1)(u_1
-# + z_N u_2)$ is constant on every epipolar line.
+# What is true: one projectivity for both images takes the second solution to the first.  Its divisor
+# $1 + (k - 1)(u_1 + z_N u_2)$ is constant on every epipolar line.
 
 # %%
 relation = T.xreplace({tau1: k, tau2: 1 + (k - 1) * at_one[z_n]})

@@ -82,12 +82,15 @@ class SpaceDrawing:
         The names of the ends of each segment.
     triangles : sequence of triples of str
         The names of the corners of each triangle.
+    axes : sequence of three str
+        The names of the coordinates.
     """
 
     caption: str
     points: Mapping[str, Matrix]
     segments: Sequence[tuple[str, str]] = ()
     triangles: Sequence[tuple[str, str, str]] = ()
+    axes: Sequence[str] = ("y_1", "y_2", "y_3")
 
     def __repr__(self) -> str:
         return self.caption
@@ -108,7 +111,8 @@ class SpaceDrawing:
             for name, point in points.items():
                 axes.scatter(*point, color=_color(name), s=30, zorder=5, depthshade=False)
                 axes.text(*point, f"{GAP}{name}", color=_color(name), zorder=6)
-            axes.set(xlabel="$y_1$", ylabel="$y_2$", zlabel="$y_3$")
+            xlabel, ylabel, zlabel = (f"${name}$" for name in self.axes)
+            axes.set(xlabel=xlabel, ylabel=ylabel, zlabel=zlabel)
             axes.view_init(elev=18, azim=-58)
             return _svg(figure)
 
@@ -124,10 +128,13 @@ class ImageDrawing:
     images : mapping of str to pair of (mapping of str to Matrix, sequence of Matrix)
         By the title of the image: its points, two coordinates each, and its lines, as vectors of three components that
         take the quasihomogeneous points of a line to zero.
+    axes : sequence of two str
+        The names of the coordinates.
     """
 
     caption: str
     images: Mapping[str, tuple[Mapping[str, Matrix], Sequence[Matrix]]]
+    axes: Sequence[str] = ("u_1", "u_2")
 
     def __repr__(self) -> str:
         return self.caption
@@ -148,7 +155,7 @@ class ImageDrawing:
                 for name, point in points.items():
                     axes.scatter(*point, color=_color(name), s=18, zorder=5)
                     axes.text(*point, f"{GAP}{name}", color=_color(name), zorder=6)
-                axes.set(title=title, xlabel="$u_1$", ylabel="$u_2$", aspect="equal")
+                axes.set(title=title, xlabel=f"${self.axes[0]}$", ylabel=f"${self.axes[1]}$", aspect="equal")
                 axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
             return _svg(figure)
 

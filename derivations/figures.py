@@ -36,11 +36,14 @@ class QuadricDrawing:
         The symmetric matrix of four rows of numbers.
     points : mapping of str to Matrix
         Three coordinates each; names that begin with C are centers, with G basic points.
+    axes : sequence of three str
+        The names of the coordinates.
     """
 
     caption: str
     quadric: Matrix
     points: Mapping[str, Matrix]
+    axes: Sequence[str] = ("y_1", "y_2", "y_3")
 
     def __repr__(self) -> str:
         return self.caption
@@ -61,7 +64,8 @@ class QuadricDrawing:
             for name, point in points.items():
                 axes.scatter(*point, color=_color(name), s=36, zorder=5, depthshade=False)
                 axes.text(*point, f"{GAP}{name}", color=_color(name), zorder=6)
-            axes.set(xlabel="$y_1$", ylabel="$y_2$", zlabel="$y_3$")
+            xlabel, ylabel, zlabel = (f"${name}$" for name in self.axes)
+            axes.set(xlabel=xlabel, ylabel=ylabel, zlabel=zlabel)
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
             axes.set_box_aspect(np.clip((high - low) / (high - low).max(), 0.6, 1))
             axes.view_init(elev=22, azim=-58)

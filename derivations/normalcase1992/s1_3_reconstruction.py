@@ -184,7 +184,6 @@ section.identity(
     ),
     where=IMAGES,
     derived=vector(factor**2, factor**2).xreplace(IMAGES),
-    note="The scan has capitals in the denominator; x_N.x_N is meant.",
 )
 section.identity(
     "1.3/beyond/sign",
@@ -201,7 +200,7 @@ CENTER, POINT = vector(0, 0, 4), vector(sympy.Rational(3, 2), 1, 0)
 rays = {"C'": CENTER, "C''": CENTER + unit_base}
 seen = {name + "p": C0 + (POINT - C0) / 4 for name, C0 in rays.items()}
 SpaceDrawing(
-    "A point P, the two centers and its images p' and p'', here in the plane in front of the centers at the distance 1.",
+    "A point P, the two centers and its images p' and p'', here in front of the centers at the distance 1.",
     rays | {"P": POINT, "p'": seen["C'p"], "p''": seen["C''p"]},
     segments=[("C'", "P"), ("C''", "P"), ("C'", "C''")],
     axes=("X_1", "X_2", "X_3"),

@@ -475,9 +475,9 @@ section.rank(
 # %% [markdown]
 # ## Have eight points critical configurations of their own?
 #
-# **Example.**  The elliptic paraboloid $x^2 - x w + y^2 = z w$ contains both centers.  It has no terms of the kind
-# above, and it is not ruled: the determinant of its matrix is negative.  (The matrix below is twice that of the
-# quadric.)  $\det \mathbf G = 1$, so the second solution is no matrix of correlation; still the linear system is
+# **Example.**  The elliptic paraboloid $x^2 - x w + y^2 = z w$ contains both centers.  It has other terms than the
+# quadrics above, and it is not ruled: the determinant of its matrix is negative.  (The matrix below is twice that of
+# the quadric.)  $\det \mathbf G = 1$, so the second solution is no matrix of correlation; still the linear system is
 # singular.
 
 # %%

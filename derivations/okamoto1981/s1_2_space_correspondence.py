@@ -314,9 +314,9 @@ section.identity(
 # So let $\phi, \omega, \kappa$ be those of (2) and $\mu$ turn $Z$ towards $T$, and $\theta$ likewise.
 #
 # **Derivation.**  In the system of the picture, with $(u, v, w) = \mathbf R^T (\mathbf X - \mathbf X_o)$, the measured
-# point is, but for a constant, $\left(u,\ v,\ -\frac{T_o \cos\theta}{\sin\mu}\right)$ times $\frac{c}{\sin\mu}$ over $w
-# + T_o \cot\mu$, turned by $\mathbf D$.  Three changes of the parameters change nothing: a common turn about the axis
-# of $w$, and two that keep the two factors and $T_o \cot\mu - w_o$.
+# point is, but for a constant, $\left(u,\ v,\ -\frac{T_o \cos\theta}{\sin\mu}\right)$ times $\frac{c}{\sin\mu}$ over
+# $w + T_o \cot\mu$, turned by $\mathbf D$.  Three changes of the parameters change nothing: a common turn about the
+# axis of $w$, and two that keep the two factors and $T_o \cot\mu - w_o$.
 
 # %%
 Z_TO_T = (2, 3)

@@ -177,5 +177,5 @@ section.identity(
 )
 
 # %% [markdown]
-# **Meaning.**  Who adjusts seven pairs and five points finds one of three solutions, whichever is nearest to the
+# **Meaning.**  Who adjusts seven pairs and five points may find any of three solutions: it depends on the
 # approximations.  An eighth pair decides.

@@ -61,11 +61,8 @@ class QuadricDrawing:
             for direction in range(3):
                 for level in np.linspace(low[direction], high[direction], SECTIONS):
                     _draw_section(axes, matrix, low, high, direction, level)
-            for name, point in points.items():
-                axes.scatter(*point, color=_color(name), s=36, zorder=5, depthshade=False)
-                axes.text(*point, f"{GAP}{name}", color=_color(name), zorder=6)
-            xlabel, ylabel, zlabel = (f"${name}$" for name in self.axes)
-            axes.set(xlabel=xlabel, ylabel=ylabel, zlabel=zlabel)
+            _name_points(axes, points)
+            axes.set(**{f"{axis}label": f"${name}$" for axis, name in zip("xyz", self.axes, strict=True)})
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
             axes.set_box_aspect(np.clip((high - low) / (high - low).max(), 0.6, 1))
             axes.view_init(elev=22, azim=-58)
@@ -112,11 +109,8 @@ class SpaceDrawing:
             axes.add_collection3d(Poly3DCollection(corners, facecolor="#7a828e33", edgecolor="#7a828e", linewidth=0.6))
             for first, second in self.segments:
                 axes.plot(*zip(points[first], points[second], strict=True), color="#7a828e", linewidth=0.9, zorder=2)
-            for name, point in points.items():
-                axes.scatter(*point, color=_color(name), s=30, zorder=5, depthshade=False)
-                axes.text(*point, f"{GAP}{name}", color=_color(name), zorder=6)
-            xlabel, ylabel, zlabel = (f"${name}$" for name in self.axes)
-            axes.set(xlabel=xlabel, ylabel=ylabel, zlabel=zlabel)
+            _name_points(axes, points)
+            axes.set(**{f"{axis}label": f"${name}$" for axis, name in zip("xyz", self.axes, strict=True)})
             axes.view_init(elev=18, azim=-58)
             return _svg(figure)
 
@@ -156,16 +150,17 @@ class ImageDrawing:
                 low, high = _box(np.stack([*points.values()]))
                 for line in lines:
                     axes.plot(*_chord(np.array(list(line), dtype=float), low, high), color="#7a828e", linewidth=0.7)
-                for name, point in points.items():
-                    axes.scatter(*point, color=_color(name), s=18, zorder=5)
-                    axes.text(*point, f"{GAP}{name}", color=_color(name), zorder=6)
+                _name_points(axes, points)
                 axes.set(title=title, xlabel=f"${self.axes[0]}$", ylabel=f"${self.axes[1]}$", aspect="equal")
                 axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
             return _svg(figure)
 
 
-def _color(name: str) -> str:
-    return COLORS.get(name[0], "#1b1d21")
+def _name_points(axes: Any, points: Mapping[str, Numbers]) -> None:
+    for name, point in points.items():
+        color = COLORS.get(name[0], "#1b1d21")
+        axes.plot(*([coordinate] for coordinate in point), "o", color=color, markersize=5, zorder=5)
+        axes.text(*point, f"{GAP}{name}", color=color, zorder=6)
 
 
 def _chord(line: Numbers, low: Numbers, high: Numbers) -> Numbers:

@@ -712,3 +712,7 @@ def _epipoles_factors(
 _EPIPOLES_FACTORS = (
     "z11*z22 - z12*z21",
 )
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "5b28e8372d3e991f"
+DIGEST = "e5e7e0ada0411aee"
 """What identifies the C source that belongs to this package."""
 
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from .evaluation import Signature, evaluate, parts_of, require_count
+from .evaluation import Signature, evaluate, parts_of, placed
+from .wrapping import Wrapped
 
 __all__ = ["hypotheses"]
 
@@ -38,11 +39,11 @@ def hypotheses(function: Callable[..., Any]) -> Callable[..., dict[str, Any]]:
     body = names.get(f"_{function.__name__}_factors", lambda *entries: ())
     wanted = Signature(signature.name, signature.arguments, ((),) * len(factors), signature.block)
 
-    def values(*arguments: Any) -> dict[str, Any]:
-        require_count(signature, arguments)
+    def values(*arguments: Any, **named: Any) -> dict[str, Any]:
+        given = placed(signature, arguments, named)
         if not factors:
             return {}
-        computed = evaluate(wanted, body, arguments)
+        computed = evaluate(wanted, body, given)
         return dict(zip(factors, computed if len(factors) > 1 else (computed,), strict=True))
 
-    return values
+    return Wrapped(hypotheses, function, "The factors that must not be zero, by their names.", values)

@@ -107,8 +107,8 @@ def verifications(
     seconds : float
         How long an adversary attacks each function; 0 for no adversary.
     """
-    options = {"folder": folder, "size": size, "engine": engine, "package": package, "seconds": seconds}
-    return mapped(partial(_verify, **options), lowered, jobs)
+    verifying = partial(_verify, folder=folder, size=size, engine=engine, package=package, seconds=seconds)
+    return mapped(verifying, lowered, jobs)
 
 
 def mutated_claims(

@@ -25,7 +25,7 @@ from .namespace import is_foreign, is_traced, namespace
 
 __all__ = ["Signature", "evaluate"]
 
-EXTRA_DIGITS = {"cos_sin", "null_vector", "solve", "wide"}
+EXTRA_DIGITS = {"null_vector", "solve", "wide"}
 """What a body calls that computes with more digits than its arguments have."""
 
 BLOCK = 8192

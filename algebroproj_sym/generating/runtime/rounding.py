@@ -52,7 +52,7 @@ def rounded(function: Callable[..., Any]) -> Callable[..., Any]:
     >>> import algebroproj
     >>> scale = algebroproj.rounded(algebroproj.optics.scale)
     >>> float(scale(1.0, 2.0)), float(scale(x3=5e-324, f=1e-320))
-    (0.3333333333333333, 0.9995060508767596)
+    (0.3333333333333333, 0.9995061728395062)
     """
     signature, body = parts_of(function, "rounded")
     called = {"arctan2", "cos_sin"}.intersection(body.__code__.co_names)

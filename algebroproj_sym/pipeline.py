@@ -86,6 +86,7 @@ def verifications(
     engine: str = "flint",
     jobs: int = 1,
     package: str = PACKAGE,
+    seconds: float = 0.0,
 ) -> Iterator[Verification]:
     """Verify the generated functions of some kernels.
 
@@ -103,8 +104,11 @@ def verifications(
         The number of processes.
     package : str
         The name of the package.
+    seconds : float
+        How long an adversary attacks each function; 0 for no adversary.
     """
-    return mapped(partial(_verify, folder=folder, size=size, engine=engine, package=package), lowered, jobs)
+    verifying = partial(_verify, folder=folder, size=size, engine=engine, package=package, seconds=seconds)
+    return mapped(verifying, lowered, jobs)
 
 
 def mutated_claims(
@@ -135,5 +139,7 @@ def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine
     return mutate_kernel(lowered, load_package(folder), limit, size, engine)
 
 
-def _verify(lowered: Lowered, folder: Path | None, size: int, engine: str, package: str) -> Verification:
-    return verify(lowered, load_package(folder, package), size, engine)
+def _verify(
+    lowered: Lowered, folder: Path | None, size: int, engine: str, package: str, seconds: float
+) -> Verification:
+    return verify(lowered, load_package(folder, package), size, engine, seconds)

@@ -97,6 +97,8 @@ def classify(Q: ArrayLike, error: ArrayLike = 0) -> Classification:  # noqa: N80
     ------
     ValueError
         If Q lacks its core shape, is not real, finite and symmetric, or if an error is negative or not finite.
+    TypeError
+        If Q has a mask.
 
     Examples
     --------
@@ -116,6 +118,8 @@ def classify(Q: ArrayLike, error: ArrayLike = 0) -> Classification:  # noqa: N80
 
 
 def _forms_and_errors(Q: ArrayLike, error: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:  # noqa: N803
+    if isinstance(Q, np.ma.MaskedArray):
+        raise TypeError("classify: expected an array without a mask for Q, got a masked array")
     forms, errors = np.asarray(Q), np.asarray(error)
     if forms.shape[-2:] != (4, 4):
         raise ValueError(f"classify: expected Q of shape (..., 4, 4), got shape {forms.shape}")

@@ -2,11 +2,14 @@
 
 import sys
 import tracemalloc
+from fractions import Fraction
 from itertools import product
 
 import array_api_strict
+import mpmath
 import numpy as np
 import pytest
+import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -121,6 +124,84 @@ def test_a_single_point_fills_its_array():
     out = np.empty(3)
     assert optics.image_point(0.15, [1.0, 2.0, 3.0], out=out) is out
     np.testing.assert_array_equal(out, optics.image_point(0.15, [1.0, 2.0, 3.0]))
+
+
+def test_the_same_array_for_two_results_is_refused():
+    matrices, out = drawn((5, 3, 3), 4), np.empty((5, 4))
+    with pytest.raises(ValueError, match="epipoles: expected arrays of their own as out, got some that share memory"):
+        correlation.epipoles(matrices, out=(out[:, :2], out[:, 1:3]))
+    correlation.epipoles(matrices, out=(out[:, ::2], out[:, 1::2]))
+    np.testing.assert_array_equal(out[:, 1::2], correlation.epipoles(matrices)[1])
+
+
+@pytest.mark.parametrize("wrapper", ["dd", "bounds", "hypotheses", "plain", "rounded", None])
+def test_masked_arrays_are_refused_by_the_name_of_the_argument(wrapper):
+    function = getattr(algebroproj, wrapper)(optics.scale) if wrapper else optics.scale
+    masked = np.ma.array([1.0, 2.0], mask=[True, False])
+    with pytest.raises(TypeError, match="scale: expected an array without a mask for x3, got a masked array"):
+        function(np.ones(2), masked)
+
+
+def test_a_masked_array_for_the_result_is_refused():
+    with pytest.raises(TypeError, match="scale: expected an array without a mask as out, got a masked array"):
+        optics.scale(np.ones(2), np.ones(2), out=np.ma.array([1.0, 2.0]))
+
+
+def test_masked_quadrics_are_refused():
+    with pytest.raises(TypeError, match="classify: expected an array without a mask for Q, got a masked array"):
+        algebroproj.critical.classify(np.ma.array(np.eye(4)))
+
+
+# Integers among objects
+
+
+def test_integers_among_objects_stay_exact():
+    scale = optics.scale
+    assert scale(10**30, 3 * 10**30) == Fraction(1, 4)
+    assert scale(np.array([1, 2], object), 2).tolist() == [Fraction(1, 3), Fraction(1, 2)]
+    assert scale(np.array(1, object), np.int64(2)) == Fraction(1, 3)
+    assert scale(Fraction(1), True) == Fraction(1, 2)
+    assert scale(mpmath.mpf(1), 2) == mpmath.mpf(1) / 3
+    assert scale(sympy.Symbol("f"), 2).subs("f", 1) == sympy.Rational(1, 3)
+    assert all(type(value) is Fraction for value in optics.lens_matrix(np.array(2, object)).flat)
+
+
+def test_what_is_exact_goes_exactly_from_function_to_function():
+    exact = np.vectorize(Fraction, otypes=[object])
+    y0, u3 = exact([0.5, 0.25, 2.0]), exact([0.25, 0.5])
+    matrix = correlation.correlation_from_cameras(y0, u3, exact([0.25, 0.75, 1.5]), exact([0.5, 0.125]))
+    _, mu_left, mu_right = normal_case.from_correlation(matrix)
+    for tau in (mu_left, mu_right):
+        mapped = normal_case.map_points(tau, np.array([1, 2], object))
+        assert all(isinstance(value, Fraction) for value in (*tau, *mapped))
+
+
+# What a compiler may do
+
+
+class DynamicJaxprTracer:
+    """Stands for a number where ``jax.jit`` compiles."""
+
+    dtype, shape, ndim = np.dtype(np.float64), (), 0
+
+    def __array_namespace__(self, **_):
+        return array_api_strict
+
+
+class LinearizeTracer(DynamicJaxprTracer):
+    """Stands for a number of which there is a derivative."""
+
+    primal = DynamicJaxprTracer()
+
+
+@pytest.mark.parametrize("tracer", [DynamicJaxprTracer, LinearizeTracer])
+def test_jit_is_refused_where_it_would_compile_the_extra_digits_away(tracer, monkeypatch):
+    for kind in (DynamicJaxprTracer, LinearizeTracer):
+        monkeypatch.setattr(kind, "__module__", "jax._src.interpreters.partial_eval")
+    with pytest.raises(TypeError, match=r"tau: expected arrays, got a tracer: jax\.jit would compile"):
+        normal_case.tau(tracer(), tracer())
+    with pytest.raises(Exception, match=r"^(?!.*jit)"):
+        algebroproj.plain(normal_case.tau)(tracer(), tracer())
 
 
 @pytest.mark.parametrize(

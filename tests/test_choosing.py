@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import sympy
 
+import algebroproj
 from algebroproj_sym.declaring import DeclarationError
 from algebroproj_sym.declaring.kernel import declared_kernel
 from algebroproj_sym.expressions import Matrix, evaluate, over, vector
@@ -15,7 +16,7 @@ from algebroproj_sym.generating import LoweringError, lower, run
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.factored import factored
 from algebroproj_sym.generating.lowering import lowered_form
-from algebroproj_sym.generating.samples import stratified
+from algebroproj_sym.generating.samples import on_sum, stratified
 
 x, y, z = sympy.symbols("x y z")
 a, b = sympy.symbols("a b")
@@ -142,3 +143,26 @@ def test_no_form_is_chosen_where_results_are_not_exact_on_fractions(lowered):
     staged = lowered("metric.rotation_left")
     assert staged.forms == 1
     assert replace(staged.kernel, alternatives=(staged.kernel,)).stages
+
+
+def test_a_form_that_keeps_exact_zeros_is_taken():
+    """Of x/y - x z/y and x (1 - z)/y only the product is zero for z = 1, whatever x/y is rounded to."""
+    low = lower(kernel(over(x, y + z) - over(x * z, y + z) + over(x - x * z, (y + z) ** 2)))
+    samples = on_sum(1 - z, low.kernel.symbols, 200)
+    assert len(samples) == 200
+    for sample in samples:
+        assert run(low.program, sample.values) == (0,)
+
+
+def test_an_entry_of_a_derivative_is_zero_where_its_numerator_is():
+    """The numerator of the entry is u30 (1 - uN32)."""
+    generator = np.random.default_rng(5)
+    u3, normal = generator.uniform(-4, 4, (2, 10_000, 2))
+    normal[:, 1] = 1
+    assert not np.any(algebroproj.normal_case.tau_jacobian(u3, normal)[:, 0, 2])
+    normal[:, 1] = 1 + generator.integers(1, 9, 10_000) * 2.0**-52
+    computed = algebroproj.normal_case.tau_jacobian(u3, normal)[:, 0, 2]
+    for (a, b), (c, d), value in zip(u3.tolist(), normal.tolist(), computed.tolist(), strict=True):
+        a, b, c, d = map(Fraction, (a, b, c, d))
+        exact = (1 - a - b) * (1 - d) / (a * (1 - c - d) ** 2)
+        assert abs(Fraction(value) - exact) <= 2 * Fraction(ulp(float(exact)))

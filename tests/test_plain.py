@@ -138,11 +138,8 @@ def test_the_interface_is_that_of_the_function(name):
     function = function_of(KERNELS[name], algebroproj)
     plain = algebroproj.plain(function)
     assert inspect.signature(plain) == inspect.signature(function)
-    assert (plain.__name__, plain.__module__, plain.__doc__) == (
-        function.__name__,
-        function.__module__,
-        function.__doc__,
-    )
+    assert (plain.__name__, plain.__module__) == (function.__name__, function.__module__)
+    assert function.__doc__ in plain.__doc__
 
 
 @pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.correlation_matrix"])

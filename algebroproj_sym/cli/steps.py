@@ -48,10 +48,16 @@ def require_room(files: Mapping[str, str], folder: Path, sources: Sequence[str])
 
 
 def verified(
-    lowered: Sequence[Lowered], folder: Path | None, samples: int, engine: str, jobs: int, package: str = PACKAGE
+    lowered: Sequence[Lowered],
+    folder: Path | None,
+    samples: int,
+    engine: str,
+    jobs: int,
+    package: str = PACKAGE,
+    seconds: float = 0.0,
 ) -> list[Verification]:
     """Verify the generated functions in a folder, or those of the installed package."""
-    found = pipeline.verifications(lowered, folder, samples, engine, jobs, package)
+    found = pipeline.verifications(lowered, folder, samples, engine, jobs, package, seconds)
     return list(progressing(found, len(lowered), "verifying"))
 
 

@@ -28,6 +28,13 @@ from algebroproj_sym.verifying import BOUND, verification_record
 )
 @options.package_name
 @options.samples
+@click.option(
+    "--attack",
+    type=click.FloatRange(min=0),
+    default=0,
+    metavar="SECONDS",
+    help="Also climb to large errors, for so long in each function.",
+)
 @options.engine
 @options.jobs
 @click.option(
@@ -44,6 +51,7 @@ def verify(
     folder: Path | None,
     package: str,
     samples: int,
+    attack: float,
     engine: str,
     jobs: int,
     out: Path | None,
@@ -56,9 +64,12 @@ def verify(
 
     Three things are checked.  The source is run on rational functions, and must give the derivation.  The values are
     compared with 50 digits of the derivation.  On singular input the result must not be finite.
+
+    With --attack an adversary changes bits of the inputs, and keeps what makes the error larger.  The largest error
+    found is reported beside that of the samples.
     """
     lowered = lowered_kernels(kernels(functions, sources), sources, engine, jobs)
-    verifications = verified(lowered, folder, samples, engine, jobs, package)
+    verifications = verified(lowered, folder, samples, engine, jobs, package, attack)
     record = verification_record(verifications)
     if out is not None:
         write_json(record, out / "accuracy.json")

@@ -4,7 +4,7 @@ A derivation may offer several forms of a kernel, and there is the factored form
 lowered with quotients as written, or with the reciprocals of shared divisors; with twice the digits where sums may
 cancel, or throughout, for long products, where roundings add up; and with the last sums rounded once or twice.  All are
 proved equal to the derivation.  On stratified samples they differ: their errors are those of the program on machine
-numbers against its value on fractions.
+numbers against its value on fractions.  Where a factor of a result is zero, a product is zero, and a sum may not be.
 """
 
 from __future__ import annotations
@@ -15,16 +15,18 @@ from fractions import Fraction
 from typing import Any, TypeAlias
 
 import numpy as np
+import sympy
 from numpy.typing import NDArray
 
 from algebroproj_sym.declaring import Kernel
+from algebroproj_sym.expressions import entries, over
 from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.generating.compensation import compensated, with_sums_rounded_twice
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.factored import factored
 from algebroproj_sym.generating.lowering import Lowered, lowered_form, program_of
 from algebroproj_sym.generating.program import Program, named, run
-from algebroproj_sym.generating.samples import Sample, stratified
+from algebroproj_sym.generating.samples import Sample, on_sum, stratified
 
 Numbers: TypeAlias = "NDArray[np.float64]"
 
@@ -45,6 +47,7 @@ class _Candidate:
     lowered: Lowered
     cost: int
     ulps: Numbers
+    loses_zeros: bool
 
     @property
     def median_ulp(self) -> float:
@@ -54,9 +57,10 @@ class _Candidate:
 def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     """Lower a kernel, prove the program, and choose it among those of equal forms.
 
-    The cheapest one is taken each of whose errors is small, or not much larger than the least one of any program there;
-    if there is none, the one that exceeds that least.  Programs with primitive functions, which are not exact on
-    fractions, cannot be compared: there the first form is taken.
+    The cheapest one is taken each of whose errors is small, or not much larger than the least one of any program there,
+    and of these one that keeps the zeros of the results, if any does.  If there is none, the one that exceeds that
+    least is taken.  Programs with primitive functions, which are not exact on fractions, cannot be compared: there the
+    first form is taken.
 
     Parameters
     ----------
@@ -80,9 +84,10 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     lowered = list(_distinct(kernel, engine))
     if len(lowered) == 1:
         return lowered[0]
-    entries = [entry for entry, output in enumerate(lowered[0].plain.outputs) if not isinstance(output, int)]
-    inputs, truths = _truths(lowered[0].plain, stratified(lowered[0], SAMPLES), entries)
-    candidates = [_measured(each, inputs, truths, entries) for each in lowered]
+    places = [place for place, output in enumerate(lowered[0].plain.outputs) if not isinstance(output, int)]
+    inputs, truths = _truths(lowered[0].plain, stratified(lowered[0], SAMPLES), places)
+    zeros = _truths(lowered[0].plain, _on_sums(kernel, engine), places)
+    candidates = [_measured(each, inputs, truths, zeros, places) for each in lowered]
     median = max(MEDIAN_ULP, min(candidate.median_ulp for candidate in candidates))
     most = np.fmax(MAX_ULP, NOT_WORSE * np.min([candidate.ulps for candidate in candidates], axis=0))
 
@@ -90,7 +95,10 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
         with np.errstate(invalid="ignore"):
             return float(np.fmax.reduce(candidate.ulps / most, initial=max(1, candidate.median_ulp / median)))
 
-    best = min(candidates, key=lambda candidate: (excess(candidate), candidate.cost, np.max(candidate.ulps)))
+    best = min(
+        candidates,
+        key=lambda candidate: (excess(candidate), candidate.loses_zeros, candidate.cost, np.max(candidate.ulps)),
+    )
     return replace(best.lowered, forms=len(lowered))
 
 
@@ -111,14 +119,33 @@ def _distinct(kernel: Kernel, engine: str) -> Iterator[Lowered]:
                     yield replace(lowered, program=program)
 
 
+def _on_sums(kernel: Kernel, engine: str) -> list[Sample]:
+    """Return samples at which a factor of a result is exactly zero that is a sum of inputs."""
+    form = factored(kernel, engine)
+    if form is None:
+        return []
+    names = dict(form.where)
+    numerators = [entry.args[0] for entry in entries(form.form) if isinstance(entry, over)]
+    bases = {power.as_base_exp()[0] for numerator in numerators for power in sympy.Mul.make_args(numerator)}
+    factors = {names.get(base, base) for base in bases}
+    sums = [factor for factor in factors if _is_sum(factor) and not factor.free_symbols & {*names}]
+    return [sample for factor in sorted(sums, key=str) for sample in on_sum(factor, kernel.symbols, SAMPLES)]
+
+
+def _is_sum(factor: sympy.Expr) -> bool:
+    """Whether an expression is a sum of symbols and numbers, with signs."""
+    return factor.is_Add and all((-term).is_Symbol or term.is_Symbol or term.is_Integer for term in factor.args)
+
+
 def _truths(
-    program: Program, samples: Sequence[Sample], entries: Sequence[int]
+    program: Program, samples: Sequence[Sample], places: Sequence[int]
 ) -> tuple[Mapping[str, Numbers], Numbers]:
     """Return the inputs for which a program has results, and exact entries of these, each as the sum of two numbers."""
-    results = [(sample.values, _results(program, sample)) for sample in samples]
-    known = [(values, exact) for values, exact in results if exact is not None]
+    found = [(sample.values, _results(program, sample)) for sample in samples]
+    known = [(values, results) for values, results in found if results is not None]
     inputs = {name: np.array([values[name] for values, _ in known]) for name in program.inputs}
-    return inputs, np.array([[_two_numbers(exact[entry]) for entry in entries] for _, exact in known])
+    exact = [[_two_numbers(results[place]) for place in places] for _, results in known]
+    return inputs, np.reshape(exact, (len(known), len(places), 2))
 
 
 def _results(program: Program, sample: Sample) -> tuple[Any, ...] | None:
@@ -134,14 +161,28 @@ def _two_numbers(exact: Any) -> tuple[float, float]:
     return nearest, float(fraction(exact - fmpq(Fraction(nearest))))
 
 
-def _measured(lowered: Lowered, inputs: Mapping[str, Numbers], truths: Numbers, entries: Sequence[int]) -> _Candidate:
-    """Measure the errors of some entries, in units in the last place of the exact ones."""
+def _measured(
+    lowered: Lowered,
+    inputs: Mapping[str, Numbers],
+    truths: Numbers,
+    zeros: tuple[Mapping[str, Numbers], Numbers],
+    places: Sequence[int],
+) -> _Candidate:
+    """Measure the errors of some entries, in units in the last place of the exact ones, and whether it loses zeros."""
     nearest, rest = truths[..., 0], truths[..., 1]
+    values = _computed(lowered, inputs, places, len(truths))
     with np.errstate(all="ignore"):
-        results = run(lowered.program, inputs)
-        values = np.stack([np.broadcast_to(results[entry], len(truths)) for entry in entries], axis=1)
         ulps = abs(values - nearest - rest) / np.spacing(abs(nearest))
     ulps[~np.isfinite(values)] = np.inf
+    at, exact = zeros
+    lost = (_computed(lowered, at, places, len(exact)) != 0) & (exact[..., 0] == 0)
     operations = expanded(lowered.program).operations()
     cost = sum(COSTLY.get(operator, 1) * count for operator, count in operations.items())
-    return _Candidate(lowered, cost, ulps.ravel())
+    return _Candidate(lowered, cost, ulps.ravel(), bool(lost.any()))
+
+
+def _computed(lowered: Lowered, inputs: Mapping[str, Numbers], places: Sequence[int], size: int) -> Numbers:
+    """Return some entries of the results of a program, a row for each input."""
+    with np.errstate(all="ignore"):
+        results = run(lowered.program, inputs)
+    return np.stack([np.broadcast_to(results[place], size) for place in places], axis=1)

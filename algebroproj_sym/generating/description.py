@@ -59,7 +59,8 @@ def singularities(low: Lowered, telling: str = "") -> list[str]:
     if low.kernel.solves_systems:
         sentences.append(
             "Where the linear system is singular, the result is not finite. "
-            "If rounding hides the singularity, the result may be finite and very large."
+            "If rounding hides the singularity, the result may be finite and very large: "
+            "the least pivot, which `hypotheses` computes, is then zero."
         )
     if not sentences:
         sentences.append(

@@ -73,9 +73,23 @@ def on_factor(factor: Scalar, symbols: Sequence[sympy.Symbol], size: int) -> tup
     found: list[dict[str, float]] = []
     for _ in range(100 * size):
         point = {symbol: Fraction(generator.choice((-3, -2, -1, 1, 2, 3)), 2) for symbol in symbols}
-        moved = _moved(_value_of(factor), factor.free_symbols, point, Fraction(0), generator)
+        moved = moved_to(value_of(factor), factor.free_symbols, point, Fraction(0), generator)
         if moved is not None and all(_is_short(value) for value in moved.values()):
             found.append({symbol.name: float(value) for symbol, value in moved.items()})
+        if len(found) == size:
+            break
+    return tuple(found)
+
+
+def on_sum(factor: Scalar, symbols: Sequence[sympy.Symbol], size: int) -> tuple[Sample, ...]:
+    """Return inputs on which a sum of inputs is zero, exactly; the others have all digits of a machine number."""
+    generator = random.Random(seed_of(factor))
+    found: list[Sample] = []
+    for _ in range(10 * size):
+        point = {symbol: Fraction(_ordinary([symbol], generator)[symbol.name]) for symbol in symbols}
+        moved = moved_to(value_of(factor), factor.free_symbols, point, Fraction(0), generator)
+        if moved is not None and all(Fraction(float(value)) == value for value in moved.values()):
+            found.append(_sample(f"on {factor}", moved))
         if len(found) == size:
             break
     return tuple(found)
@@ -91,7 +105,7 @@ def _badly_scaled(symbols: Sequence[sympy.Symbol], generator: random.Random) -> 
 
 def _near(factor: Scalar, stratum: str, symbols: Sequence[sympy.Symbol], generator: random.Random) -> Iterator[Sample]:
     """Yield samples near the zeros of a factor."""
-    points = _points_near(_value_of(factor), factor.free_symbols, symbols, generator)
+    points = _points_near(value_of(factor), factor.free_symbols, symbols, generator)
     return (_sample(stratum, point) for point in points)
 
 
@@ -109,7 +123,9 @@ def _near_results(lowered: Lowered, generator: random.Random) -> Iterator[Sample
         waiting = [points for points, point in found if point is not None]
 
 
-def _value_of(factor: Scalar) -> Callable[[Point], Fraction]:
+def value_of(factor: Scalar) -> Callable[[Point], Fraction]:
+    """Return the function that evaluates an expression at a point."""
+
     def value(point: Point) -> Fraction:
         return Fraction(evaluate(factor, point)[0])
 
@@ -139,7 +155,7 @@ def _points_near(
         for digits in generator.sample(DISTANCES, len(DISTANCES)):
             point = {symbol: Fraction(_ordinary([symbol], generator)[symbol.name]) for symbol in symbols}
             distance = Fraction(generator.choice((-1, 1)), 10**digits)
-            moved = _moved(value_at, variables, point, distance, generator)
+            moved = moved_to(value_at, variables, point, distance, generator)
             if moved is not None:
                 found = True
                 yield moved
@@ -157,7 +173,7 @@ def _near_several(
         for factor in generator.sample(factors, len(factors)):
             distance = Fraction(generator.choice((-1, 1)), 10 ** generator.choice(DISTANCES))
             free = factor.free_symbols - fixed
-            moved = _moved(_value_of(factor), free, point, distance, generator)
+            moved = moved_to(value_of(factor), free, point, distance, generator)
             if moved is not None:
                 point = moved
                 fixed |= factor.free_symbols
@@ -167,7 +183,7 @@ def _near_several(
             yield _sample(SEVERAL, point)
 
 
-def _moved(
+def moved_to(
     value_at: Callable[[Point], Fraction],
     variables: Collection[sympy.Symbol],
     point: Point,

@@ -194,8 +194,10 @@ def verification_table(verifications: Sequence[Verification], *, full: bool = Fa
             f"{max(errors.median_ulp for errors in overall):.2f}",
             f"{max(errors.max_ulp for errors in overall):.3g}",
             Text(f"{max(errors.max_ratio for errors in overall):.2f}", "green" if bounded else "bold red"),
+            *([f"{max(v.attack.accuracy.overall.max_ulp for v in group if v.attack):.3g}"] if group[0].attack else []),
         ]
 
-    numbers = ("samples", "median ULP", "max ULP", "max error/(cond u)")
+    attacked = any(v.attack for v in verifications)
+    numbers = ("samples", "median ULP", "max ULP", "max error/(cond u)", *(["adversary's ULP"] if attacked else []))
     table = table_of("function", "source", "singular input", numbers=numbers)
     return fill(table, verifications, lambda v: v.accuracy.function, cells, full=full)

@@ -20,7 +20,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._runtime.evaluation import Body, Signature, parts_of, require_count
+from algebroproj._runtime.evaluation import Body, Signature, parts_of, placed
 from algebroproj._runtime.pairs import DIGITS, DoubleDouble
 
 __all__ = [
@@ -216,7 +216,7 @@ def _aligned(
     signature: Signature, arithmetic: Arithmetic, numbers: Sequence[Numbers]
 ) -> tuple[list[Numbers], tuple[int, ...]]:
     """Return the arguments with as many leading dimensions each, and the shape that these broadcast to."""
-    require_count(signature, numbers)
+    placed(signature, numbers, {})
     leading = []
     for (name, core), argument in zip(signature.arguments, numbers, strict=True):
         split = argument.ndim - len(core)

@@ -88,6 +88,7 @@ def function_of(kernel: Kernel, package: ModuleType) -> Function:
 
 def without_twin(function: Function) -> Function:
     """Return a generated function that runs its NumPy source even where there is a compiled version."""
+    function = getattr(function, "compute", function)
     assert isinstance(function, FunctionType)
     constant = f"_{function.__name__.upper()}_SIGNATURE"
     names = dict(function.__globals__)

@@ -10,6 +10,7 @@ from algebroproj_sym.expressions import Scalar
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, as_record, measured, strata_record, truths
+from algebroproj_sym.verifying.adversary import Attack, attack, attack_record
 from algebroproj_sym.verifying.identity import is_identical
 from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved, plain_c_source_is_proved
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
@@ -35,6 +36,8 @@ class Verification:
         Whether the compiled version, where it was built, gives the same bits.
     silent : tuple of sympy.Expr
         Factors on whose zeros it stays finite.
+    attack : Attack, optional
+        The largest errors that an adversary found, if it was asked to look for some; nothing is asked of them yet.
     """
 
     accuracy: Accuracy
@@ -43,6 +46,7 @@ class Verification:
     c_source_proved: bool
     identical: bool
     silent: tuple[Scalar, ...]
+    attack: Attack | None = None
 
     @property
     def proved(self) -> bool:
@@ -55,7 +59,9 @@ class Verification:
         return self.proved and not self.silent and self.accuracy.within_bound
 
 
-def verify(lowered: Lowered, package: ModuleType, size: int, engine: str = "flint") -> Verification:
+def verify(
+    lowered: Lowered, package: ModuleType, size: int, engine: str = "flint", seconds: float = 0.0
+) -> Verification:
     """Verify the generated function of a kernel.
 
     Parameters
@@ -68,6 +74,8 @@ def verify(lowered: Lowered, package: ModuleType, size: int, engine: str = "flin
         Samples in each stratum.
     engine : {"flint", "sympy"}
         The polynomial arithmetic for the proof of the source.
+    seconds : float
+        How long an adversary looks for large errors; 0 for no adversary.
     """
     function = function_of(lowered.kernel, package)
     samples = stratified(lowered, size)
@@ -81,6 +89,7 @@ def verify(lowered: Lowered, package: ModuleType, size: int, engine: str = "flin
         c_source_proved=all(c_proofs),
         identical=is_identical(lowered, package, size),
         silent=silent_factors(lowered, package),
+        attack=attack(lowered, package, seconds) if seconds else None,
     )
 
 
@@ -90,6 +99,7 @@ def verification_record(verifications: list[Verification]) -> dict[str, Any]:
         {
             **as_record(v.accuracy),
             "plain": strata_record(v.plain),
+            **({"adversary": attack_record(v.attack)} if v.attack else {}),
             "source_proved": v.source_proved,
             "c_source_proved": v.c_source_proved,
             "identical": v.identical,

@@ -7,9 +7,9 @@ broadcast, and the dtype is kept.  On singular input NumPy warns as `numpy.errst
 
 If there was a C compiler at installation, compiled functions run.  They give the same bits: see `backend`.
 
-Four functions take a function of this package and change how it computes.  `dd` computes with twice the digits.
-`bounds` adds a guaranteed bound of the error.  `plain` is faster and loses digits where sums cancel.  `hypotheses`
-computes the factors that must not be zero.
+Five functions take a function of this package and change how it computes.  `dd` computes with twice the digits.
+`bounds` adds a guaranteed bound of the error.  `rounded` gives the machine numbers nearest to the exact results.
+`plain` is faster and loses digits where sums cancel.  `hypotheses` computes the factors that must not be zero.
 """
 
 from pathlib import Path
@@ -21,9 +21,10 @@ from ._runtime.hypotheses import hypotheses
 from ._runtime.pairs import DoubleDouble
 from ._runtime.plain import plain
 from ._runtime.precision import bounds, dd
+from ._runtime.rounding import rounded
 
 __version__ = "0.1.0"
-__all__ = ["DoubleDouble", "backend", "bounds", "dd", "hypotheses", "plain", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]
+__all__ = ["DoubleDouble", "backend", "bounds", "dd", "hypotheses", "plain", "rounded", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]
 
 tell_errors(Path(__file__).with_name("accuracy.json"), [affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space])
 del Path, tell_errors

@@ -362,3 +362,7 @@ def _space_coordinates_factors(
 _SPACE_COORDINATES_FACTORS = (
     "a factor of a denominator above, of 24 terms",
 )
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

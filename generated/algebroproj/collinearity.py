@@ -1101,3 +1101,7 @@ def _similarity(
 
 
 _SIMILARITY_SIGNATURE = Signature("similarity", (("X_model", (3,)), ("angles", (3,)), ("scale", ()), ("translation", (3,))), ((3,),))
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

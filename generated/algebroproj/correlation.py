@@ -517,7 +517,7 @@ def correlation_matrix(u_left: ArrayLike, u_right: ArrayLike, *, out: NDArray[An
         result[2, 2] = z22
 
     Where the linear system is singular, the result is not finite. If rounding hides the singularity, the result may
-    be finite and very large.
+    be finite and very large: the least pivot, which `hypotheses` computes, is then zero.
 
     Operations: 45 (2 additions, 20 subtractions, 20 multiplications, 2 negations, 1 solve).
     The derived expression takes 42 as written.
@@ -599,7 +599,7 @@ def general_correlation_matrix(v_left: ArrayLike, v_right: ArrayLike, *, out: ND
         result[2, 2] = c22
 
     Where the linear system is singular, the result is not finite. If rounding hides the singularity, the result may
-    be finite and very large.
+    be finite and very large: the least pivot, which `hypotheses` computes, is then zero.
 
     Operations: 33 (32 multiplications, 1 null_vector).
     The derived expression takes 32 as written.
@@ -712,3 +712,7 @@ def _epipoles_factors(
 _EPIPOLES_FACTORS = (
     "z11*z22 - z12*z21",
 )
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

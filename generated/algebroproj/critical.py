@@ -548,5 +548,10 @@ def _invariants(
 
 _INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)), twin=ufunc("critical_invariants"), plain_twin=ufunc("plain_critical_invariants"))
 
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
+
 # These call functions of this module, and are imported after them.
 from .drivers import classify  # noqa: E402

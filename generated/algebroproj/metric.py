@@ -1408,5 +1408,10 @@ _MODEL_COVARIANCE_FACTORS = (
     "xp - xpp",
 )
 
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
+
 # These call functions of this module, and are imported after them.
 from .drivers import adjust  # noqa: E402

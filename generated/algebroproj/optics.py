@@ -483,3 +483,7 @@ def _vanishing_line(
 
 
 _VANISHING_LINE_SIGNATURE = Signature("vanishing_line", (("mu", (3,)),), ((3,),), twin=ufunc("optics_vanishing_line"), plain_twin=ufunc("plain_optics_vanishing_line"))
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

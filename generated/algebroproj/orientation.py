@@ -405,3 +405,7 @@ def _intersect_factors(
 _INTERSECT_FACTORS = (
     "d03**2 + d13**2 + d23**2 + d33**2",
 )
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1064,3 +1064,7 @@ def _project_factors(
 _PROJECT_FACTORS = (
     "mu1*y1 + mu2*y2 + mu3*y3 - y1 - y2 - y3 + 1",
 )
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -314,3 +314,7 @@ def _map_plane_factors(
 _MAP_PLANE_FACTORS = (
     "mu0", "mu1", "mu2", "mu3",
 )
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -14,7 +14,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from .pairs import NEAREST, DoubleDouble, Pair, wide
+from .error_free import two_sum
+from .pairs import DoubleDouble, Pair, wide
 
 __all__ = ["Bounded", "bounded", "guaranteed"]
 
@@ -61,19 +62,23 @@ class Bounded:
         return Bounded(wide(self.value), self.error)
 
     def rounded(self) -> Bounded:
-        """Return the rounded number, whose bound grows by what is cut off."""
-        if isinstance(self.value, Pair) and self.value.overlap != NEAREST:
-            value = self.value.rounded()
-            return guaranteed(bounded(value, self.error + unit_of(value) * abs(value)))
-        return guaranteed(bounded(self.value.hi, self.error + tail(self.value)))
+        """Return the rounded number, whose bound grows by what is cut off; a double-double number stays one."""
+        if isinstance(self.value, DoubleDouble):
+            return self
+        return self._cut_to(self.value.rounded())
 
     def rounded_twice(self) -> Bounded:
         """Return the number rounded without the error of its first part, by which the bound grows too."""
         if isinstance(self.value, DoubleDouble):
-            return self.rounded()
-        value = self.value.rounded_twice()
-        left_out = unit_of(value) * (abs(self.value.hi) + abs(value))
-        return guaranteed(bounded(value, self.error + left_out))
+            return self
+        return self._cut_to(self.value.rounded_twice())
+
+    def _cut_to(self, value: Number) -> Bounded:
+        """Return a number near to the value, whose bound grows by the distance between the two."""
+        if _has_no_tail(self.value):
+            return guaranteed(Bounded(value, self.error))
+        nearest, rest = two_sum(self.value.hi, self.value.lo)
+        return guaranteed(bounded(value, self.error + abs(nearest - value) + abs(rest)))
 
     def __neg__(self) -> Bounded:
         return Bounded(-self.value, self.error)
@@ -206,7 +211,7 @@ def _rounding_of_quotient(a: Number, b: Number, quotient: Number) -> Number:
     if not hasattr(quotient, "hi"):
         return unit_of(quotient) * abs(quotient)
     if isinstance(quotient, DoubleDouble):
-        return _doubled(quotient)
+        return _doubled(quotient) + _tiny(quotient) / abs(high(b))
     b = separated(b)
     unit = unit_of(quotient)
     remainder = unit * (3 * abs(quotient.hi) * tail(b) + 2 * tail(a)) + tail(quotient) * tail(b) + _tiny(quotient)

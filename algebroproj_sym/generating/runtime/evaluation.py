@@ -7,11 +7,12 @@ libraries go through it whole.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
 from importlib import import_module
-from itertools import product
+from itertools import combinations, product
 from math import prod
 from types import FunctionType
 from typing import Any
@@ -20,9 +21,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .backend import calls
-from .namespace import is_foreign, namespace
+from .namespace import is_foreign, is_traced, namespace
 
 __all__ = ["Signature", "evaluate"]
+
+EXTRA_DIGITS = {"null_vector", "solve", "wide"}
+"""What a body calls that computes with more digits than its arguments have."""
 
 BLOCK = 8192
 """How many points of a batch are computed at once."""
@@ -50,6 +54,8 @@ class Signature:
         How many points of a batch are computed at once.
     twin, plain_twin : ufunc, optional
         The compiled versions of the body, with compensation and without.
+    plain : bool
+        Whether the body is to compute without compensation.
     """
 
     name: str
@@ -58,6 +64,7 @@ class Signature:
     block: int = BLOCK
     twin: Any = None
     plain_twin: Any = None
+    plain: bool = False
 
 
 def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = None) -> Any:
@@ -70,7 +77,8 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     body : callable
         From the entries of all arguments to the entries of all results.
     given : sequence of array_like
-        The arguments.  Integers become float64; Python scalars do not widen the dtype of arrays.
+        The arguments.  Integers become float64, and fractions among objects; Python scalars do not widen the dtype of
+        arrays.
     out : ndarray or tuple of ndarray, optional
         Where the results are written; it may share memory with the arguments.
 
@@ -81,9 +89,11 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     Raises
     ------
     ValueError
-        If an argument lacks its core shape, the leading shapes do not broadcast, or `out` has another shape.
+        If an argument lacks its core shape, the leading shapes do not broadcast, `out` has another shape, or arrays in
+        `out` share memory.
     TypeError
-        If an argument is not numeric, `out` has another dtype, or arrays of several libraries meet.
+        If an argument is not numeric or has a mask, `out` has another dtype, arrays of several libraries meet, or
+        ``jax.jit`` is to compile what needs extra digits.
 
     Examples
     --------
@@ -103,11 +113,14 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     if any(map(is_foreign, given)):
         return _of_other_library(signature, body, given, out)
     arrays = [np.asarray(value) for value in given]
-    batch = _batch(signature, [array.shape for array in arrays])
+    require_no_mask(signature, given)
+    batch = batch_of(signature, [array.shape for array in arrays])
     dtype = _dtype(signature, given, arrays)
     if signature.twin is not None and dtype in COMPILED:
         wanted = (None,) * len(signature.results) if out is None else _checked(signature, out, batch, dtype)
         return signature.twin(*(array.astype(dtype, copy=False) for array in arrays), out=wanted)
+    if dtype.kind == "O":
+        arrays, body = _exact(arrays, body)
     results = _allocated(signature, batch, dtype) if out is None else _checked(signature, out, batch, dtype)
     if not batch:
         values = _of_a_point(signature, body, arrays, dtype)
@@ -128,11 +141,12 @@ def parts_of(function: Callable[..., Any], asked: str) -> tuple[Signature, Body]
     The function may be of another generated package, whose numbers are not those of this one.  Its body then calls the
     functions of this runtime.
     """
-    names = getattr(function, "__globals__", {})
     name = getattr(function, "__name__", repr(function))
+    names = getattr(function, "__globals__", {})
     signature: Any = names.get(f"_{name.upper()}_SIGNATURE")
     if type(signature).__name__ != Signature.__name__:
-        raise TypeError(f"{asked}: expected a generated function, got {name}")
+        got = repr(function) if hasattr(function, "compute") else name
+        raise TypeError(f"{asked}: expected a generated function, got {got}")
     body: Body = names[f"_{name}"]
     return signature, body if isinstance(signature, Signature) else _brought_here(body)
 
@@ -148,11 +162,54 @@ def _brought_here(body: FunctionType) -> Body:
     return FunctionType(body.__code__, names, body.__name__)
 
 
-def require_count(signature: Signature, arguments: Sequence[Any]) -> None:
-    """Refuse arguments that are too few or too many."""
-    if len(arguments) != len(signature.arguments):
-        expected = ", ".join(name for name, _ in signature.arguments)
-        raise TypeError(f"{signature.name}: expected the arguments {expected}, got {len(arguments)}")
+def placed(signature: Signature, arguments: Sequence[Any], named: Mapping[str, Any]) -> list[Any]:
+    """Return the arguments in their order; refuse what are too few or too many, or have other names."""
+    names = [name for name, _ in signature.arguments]
+    left = names[len(arguments) :]
+    if len(arguments) > len(names) or named.keys() != {*left}:
+        got = ", ".join([str(len(arguments)), *named])
+        raise TypeError(f"{signature.name}: expected the arguments {', '.join(names)}, got {got}")
+    return [*arguments, *(named[name] for name in left)]
+
+
+def reals(signature: Signature, given: Sequence[Any]) -> list[NDArray[Any]]:
+    """Return arguments as arrays of the dtype of the results; refuse what are no real machine numbers."""
+    require_no_mask(signature, given)
+    arrays = [np.asarray(value) for value in given]
+    for array in arrays:
+        if array.dtype.kind not in "fiub":
+            raise TypeError(f"{signature.name}: expected real machine numbers, got dtype {array.dtype}")
+    dtype = _dtype(signature, given, arrays)
+    return [array.astype(dtype, copy=False) for array in arrays]
+
+
+def require_no_mask(signature: Signature, given: Sequence[Any]) -> None:
+    """Refuse masked arrays, whose masks would be lost."""
+    for (name, _), value in zip(signature.arguments, given, strict=True):
+        if isinstance(value, np.ma.MaskedArray):
+            raise TypeError(f"{signature.name}: expected an array without a mask for {name}, got a masked array")
+
+
+def _exact(arrays: Sequence[NDArray[Any]], body: Body) -> tuple[list[NDArray[Any]], Body]:
+    """Return arguments in which integers are numbers of the kind of the others, and a body of which this is true.
+
+    Among integers alone they are fractions.  The quotient of two integers would be rounded.
+    """
+    others = (entry for array in arrays for entry in array.astype(object).flat if not _is_integer(entry))
+    zero: Any = next((value for entry in others if (value := entry * 0) == 0), Fraction(0))
+
+    def exact(entry: Any) -> Any:
+        return zero + int(entry) if _is_integer(entry) else entry
+
+    def exactly(*entries: Any) -> tuple[Any, ...]:
+        return tuple(map(exact, body(*entries)))
+
+    convert = np.frompyfunc(exact, 1, 1)
+    return [np.asarray(convert(array.astype(object)), dtype=object) for array in arrays], exactly
+
+
+def _is_integer(entry: Any) -> bool:
+    return isinstance(entry, int | np.integer | np.bool_)
 
 
 def _are_alike(given: Sequence[Any]) -> bool:
@@ -176,7 +233,7 @@ def _is_fitting(signature: Signature, given: Sequence[Any], out: Any) -> bool:
     )
 
 
-def _batch(signature: Signature, shapes: Sequence[Shape]) -> Shape:
+def batch_of(signature: Signature, shapes: Sequence[Shape]) -> Shape:
     """Return the shape that the leading dimensions of the arguments broadcast to."""
     batches = []
     for (name, core), shape in zip(signature.arguments, shapes, strict=True):
@@ -243,6 +300,10 @@ def _checked(signature: Signature, out: Any, batch: Shape, dtype: np.dtype[Any])
             raise TypeError(f"{signature.name}: expected out of dtype {dtype}, got dtype {array.dtype}")
         if not array.flags.writeable:
             raise ValueError(f"{signature.name}: expected out to be writeable, got a read-only array")
+        if isinstance(array, np.ma.MaskedArray):
+            raise TypeError(f"{signature.name}: expected an array without a mask as out, got a masked array")
+    if any(np.shares_memory(*pair) for pair in combinations(results, 2)):
+        raise ValueError(f"{signature.name}: expected arrays of their own as out, got some that share memory")
     return results
 
 
@@ -303,6 +364,11 @@ def _of_other_library(signature: Signature, body: Body, given: Sequence[Any], ou
     if any(is_foreign(value) and namespace([value]) is not xp for value in given):
         kinds = sorted({type(value).__name__ for value in given if is_foreign(value)})
         raise TypeError(f"{signature.name}: expected arrays of one library, got {', '.join(kinds)}")
+    if any(map(is_traced, given)) and not signature.plain and EXTRA_DIGITS.intersection(body.__code__.co_names):
+        raise TypeError(
+            f"{signature.name}: expected arrays, got a tracer: jax.jit would compile away the digits that keep sums "
+            f"accurate; call the function outside of jit, or plain({signature.name}) within"
+        )
     if out is not None:
         raise TypeError(f"{signature.name}: expected no out with arrays of {xp.__name__}, got one")
     arrays = [
@@ -312,7 +378,7 @@ def _of_other_library(signature: Signature, body: Body, given: Sequence[Any], ou
     if not xp.isdtype(dtype, ("real floating", "complex floating")):
         dtype = xp.asarray(0.0).dtype
     arrays = [xp.asarray(array, dtype=dtype) for array in arrays]
-    batch = _batch(signature, [tuple(array.shape) for array in arrays])
+    batch = batch_of(signature, [tuple(array.shape) for array in arrays])
     cores = [core for _, core in signature.arguments]
     entries = body(*(entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)))
     whole = [xp.broadcast_to(xp.asarray(entry, dtype=dtype), batch) for entry in entries]

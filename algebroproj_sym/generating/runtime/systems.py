@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from .bounded_systems import null_vector_with_bounds, solution_with_bounds
-from .elimination import null_vector_of, solution_of
+from .elimination import least_pivot_of, null_vector_of, solution_of
 from .error_bounds import Bounded
 from .namespace import namespace
 from .pairs import DoubleDouble, Pair, double_double
@@ -20,7 +20,7 @@ Rows: TypeAlias = Sequence[Sequence[Any]]
 Function: TypeAlias = Callable[..., Any]
 Prepared: TypeAlias = Callable[[Rows], tuple[Rows, Rows | None]]
 
-__all__ = ["null_vector", "null_vector_once", "solve", "solve_once"]
+__all__ = ["least_pivot", "null_vector", "null_vector_once", "solve", "solve_once"]
 
 
 def solve(*rows: Sequence[Any]) -> tuple[Any, ...]:
@@ -81,6 +81,12 @@ def null_vector(*rows: Sequence[Any]) -> tuple[Any, ...]:
 def null_vector_once(*rows: Sequence[Any]) -> tuple[Any, ...]:
     """Span null spaces as `null_vector` does, without refinement."""
     return _spanned(rows, null_vector_once, solve_once, _without_rests)
+
+
+def least_pivot(primitive: str, rows: Rows) -> Any:
+    """Return the least pivot in what `solve` or `null_vector` does, 0 where rounding could have made it."""
+    heads, _ = _with_rests(rows)
+    return least_pivot_of([row[:-1] for row in heads] if primitive == "solve" else [*zip(*heads, strict=True)])
 
 
 def _solved(rows: Rows, solve: Function, prepared: Prepared) -> tuple[Any, ...]:

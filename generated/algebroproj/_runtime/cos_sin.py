@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from .error_bounds import Bounded, bounded, magnitude, of_library
+from .error_bounds import Bounded, bounded, high, magnitude, of_library
 from .error_free import two_sum
 from .namespace import is_foreign, namespace
 from .pairs import DoubleDouble, Pair, chosen, double_double
@@ -27,9 +27,6 @@ HALF_PI = Fraction(
     10**110,
 )
 TERMS = 18
-
-FARTHEST = 1e8
-"""Of larger angles nothing is said."""
 
 
 def cos_sin(angle: Any) -> tuple[Any, Any]:
@@ -47,14 +44,15 @@ def _with_bounds(angle: Bounded) -> tuple[Bounded, Bounded]:
     """Return cosine and sine, whose slopes are at most 1."""
     cosine, sine = cos_sin(angle.value)
     error = angle.error + of_library(cosine)
-    error = np.where(magnitude(angle.value) < FARTHEST, error, np.inf)
+    error = np.where(magnitude(angle.value) < _farthest(high(angle.value)), error, np.inf)
     return bounded(cosine, error), bounded(sine, error)
 
 
 def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
-    """Return cosine and sine of an angle in radians, to about twice the digits below 1e8 in absolute value.
+    """Return cosine and sine of an angle in radians, to about twice the digits.
 
-    Those of a complex angle have no more digits than its first part.
+    Those of a complex angle have no more digits than its first part.  An angle whose last digit is worth half a radian
+    or more has no direction, and they are not a number.
 
     Examples
     --------
@@ -66,6 +64,8 @@ def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
     if _dtype(angle.hi).kind == "c":
         return DoubleDouble(xp.cos(angle.hi)), DoubleDouble(xp.sin(angle.hi))
     first, second, third = (_like(angle.hi, part) for part in _parts(HALF_PI, 3, _dtype(angle.hi)))
+    far = abs(angle.hi) >= _farthest(angle.hi)
+    angle = DoubleDouble(xp.where(far, _like(angle.hi, np.inf), angle.hi), angle.lo)
     quarters = xp.round(angle.hi / first)
     rest = angle - DoubleDouble(quarters) * first - DoubleDouble(quarters) * second - DoubleDouble(quarters) * third
     square = rest * rest
@@ -77,6 +77,11 @@ def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
         _signed(chosen(swapped, sine, cosine), (turn == 1) | (turn == 2)),
         _signed(chosen(swapped, cosine, sine), turn >= 2),
     )
+
+
+def _farthest(angle: Any) -> Any:
+    """Return the least absolute value of angles whose last digit is worth half a radian."""
+    return 0.5 / np.finfo(_dtype(angle)).eps
 
 
 def _series(square: DoubleDouble, odd: int) -> DoubleDouble:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["is_foreign", "namespace"]
+__all__ = ["is_foreign", "is_traced", "namespace"]
 
 
 def is_foreign(value: Any) -> bool:
@@ -27,6 +27,19 @@ def is_foreign(value: Any) -> bool:
     return _is_tensor(value) or (
         hasattr(value, "__array_namespace__") and not isinstance(value, np.ndarray | np.generic)
     )
+
+
+def is_traced(value: Any) -> bool:
+    """Whether a value stands for the numbers of a program that ``jax.jit`` compiles.
+
+    Examples
+    --------
+    >>> is_traced(np.ones(3))
+    False
+    """
+    while type(value).__module__.startswith("jax.") and (hasattr(value, "primal") or hasattr(value, "val")):
+        value = value.primal if hasattr(value, "primal") else value.val
+    return type(value).__module__.startswith("jax.") and type(value).__name__.endswith("JaxprTracer")
 
 
 def namespace(values: Iterable[Any]) -> Any:

@@ -183,14 +183,53 @@ class DoubleDouble(Pair):
     Examples
     --------
     >>> tenth = DoubleDouble(1.0) / 10.0
-    >>> tenth.hi, tenth.lo
-    (0.1, -5.551115123125783e-18)
+    >>> tenth
+    DoubleDouble(0.1, -5.551115123125783e-18)
+    >>> tenth < 0.1, float(tenth)
+    (True, 0.1)
     """
 
     __slots__ = ()
+    __hash__ = None  # type: ignore[assignment]
 
     def __init__(self, hi: Number, lo: Number = None) -> None:
         super().__init__(hi, lo)
+
+    def __repr__(self) -> str:
+        return f"DoubleDouble({self.hi!r}, {self._second!r})"
+
+    def __float__(self) -> float:
+        return float(self.hi)
+
+    def __getitem__(self, place: Any) -> DoubleDouble:
+        return DoubleDouble(self.hi[place], None if self.lo is None else self.lo[place])
+
+    @property
+    def _second(self) -> Number:
+        """The second part, 0 for a number that has none."""
+        return 0 if self.lo is None else self.lo
+
+    def __eq__(self, other: Any) -> Any:
+        other = double_double(other)
+        return (self.hi == other.hi) & (self._second == other._second)
+
+    def __ne__(self, other: Any) -> Any:
+        other = double_double(other)
+        return (self.hi != other.hi) | (self._second != other._second)
+
+    def __lt__(self, other: Any) -> Any:
+        other = double_double(other)
+        return (self.hi < other.hi) | ((self.hi == other.hi) & (self._second < other._second))
+
+    def __gt__(self, other: Any) -> Any:
+        return double_double(other) < self
+
+    def __le__(self, other: Any) -> Any:
+        other = double_double(other)
+        return (self.hi < other.hi) | ((self.hi == other.hi) & (self._second <= other._second))
+
+    def __ge__(self, other: Any) -> Any:
+        return double_double(other) <= self
 
     def rounded(self) -> DoubleDouble:
         """Return the number itself."""

@@ -13,6 +13,7 @@ from typing import Any
 
 from .evaluation import BLOCK, parts_of
 from .pairs import DIGITS
+from .wrapping import Wrapped
 
 __all__ = ["plain"]
 
@@ -47,13 +48,16 @@ def plain(function: Callable[..., Any]) -> Callable[..., Any]:
     0.3333333333333333
     """
     signature, body = parts_of(function, "plain")
+    function = getattr(function, "function", function)
     assert isinstance(function, FunctionType)
     assert isinstance(body, FunctionType)
     names = function.__globals__ | dict.fromkeys(DIGITS, _unchanged)
     names |= {name: _once(names[name]) for name in ("solve", "null_vector") if name in names}
     names[body.__name__] = _with_names(body, names)
-    names[f"_{function.__name__.upper()}_SIGNATURE"] = replace(signature, block=BLOCK, twin=signature.plain_twin)
-    return _with_names(function, names)
+    names[f"_{function.__name__.upper()}_SIGNATURE"] = replace(
+        signature, block=BLOCK, twin=signature.plain_twin, plain=True
+    )
+    return Wrapped(plain, function, "The same without compensation of sums that cancel.", _with_names(function, names))
 
 
 def _unchanged(number: Any) -> Any:
@@ -69,6 +73,4 @@ def _with_names(function: FunctionType, names: dict[str, Any]) -> FunctionType:
     """Return a function of the same code that finds other meanings of global names."""
     copy = FunctionType(function.__code__, names, function.__name__, function.__defaults__, function.__closure__)
     copy.__kwdefaults__ = function.__kwdefaults__
-    copy.__annotations__, copy.__doc__ = function.__annotations__, function.__doc__
-    copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
     return copy

@@ -13,9 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from .error_bounds import Bounded, guaranteed
-from .evaluation import Body, Signature, evaluate, parts_of, require_count
+from .error_bounds import Bounded, guaranteed, high
+from .evaluation import Body, Signature, evaluate, parts_of, placed, reals
 from .pairs import DoubleDouble
+from .wrapping import Wrapped
 
 __all__ = ["bounds", "dd"]
 
@@ -51,17 +52,17 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
     rests = tuple((name, core) for name, (_, core) in zip(names, signature.arguments, strict=True))
     both = Signature(signature.name, (*signature.arguments, *rests), signature.results * 2)
 
-    def with_twice_the_digits(*arguments: Any) -> Any:
-        require_count(signature, arguments)
-        pairs = [number if isinstance(number, DoubleDouble) else DoubleDouble(number) for number in arguments]
-        heads = [_real(signature, pair.hi) for pair in pairs]
+    def with_twice_the_digits(*arguments: Any, **named: Any) -> Any:
+        given = placed(signature, arguments, named)
+        pairs = [number if isinstance(number, DoubleDouble) else DoubleDouble(number) for number in given]
+        heads = reals(signature, [pair.hi for pair in pairs])
         tails = [0 * head if pair.lo is None else pair.lo for head, pair in zip(heads, pairs, strict=True)]
         parts = evaluate(both, _on_pairs(body), [*heads, *tails])
         count = len(signature.results)
         results = tuple(map(DoubleDouble, parts[:count], parts[count:]))
         return results[0] if count == 1 else results
 
-    return with_twice_the_digits
+    return Wrapped(dd, function, "The same with twice the digits: `DoubleDouble` numbers.", with_twice_the_digits)
 
 
 def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -94,15 +95,15 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
     signature, body = parts_of(function, "bounds")
     both = Signature(signature.name, signature.arguments, signature.results * 2)
 
-    def with_bounds(*arguments: Any) -> Any:
-        require_count(signature, arguments)
+    def with_bounds(*arguments: Any, **named: Any) -> Any:
+        given = reals(signature, placed(signature, arguments, named))
         with np.errstate(all="ignore"):
-            parts = evaluate(both, _on_bounded(body), [_real(signature, argument) for argument in arguments])
+            parts = evaluate(both, on_bounded(body), given)
         count = len(signature.results)
         results = tuple(zip(parts[:count], parts[count:], strict=True))
         return results[0] if count == 1 else results
 
-    return with_bounds
+    return Wrapped(bounds, function, "Pairs of each result and a bound of its absolute error.", with_bounds)
 
 
 @lru_cache(maxsize=256)
@@ -116,17 +117,12 @@ def _on_pairs(body: Body) -> Body:
     return on_pairs
 
 
-def _on_bounded(body: Body) -> Body:
-    def on_bounded(*entries: Any) -> tuple[Any, ...]:
-        results = body(*(Bounded(entry, 0 * entry) for entry in entries))
+def on_bounded(body: Body) -> Body:
+    """Return a body that gives all values, and then all bounds of their errors."""
+
+    def with_errors(*entries: Any) -> tuple[Any, ...]:
+        results = body(*(Bounded(entry, 0 * high(entry)) for entry in entries))
         numbers = [guaranteed(result) if isinstance(result, Bounded) else Bounded(result, 0) for result in results]
         return (*(number.value for number in numbers), *(number.error for number in numbers))
 
-    return on_bounded
-
-
-def _real(signature: Signature, value: Any) -> Any:
-    array = np.asarray(value)
-    if array.dtype.kind not in "fiub":
-        raise TypeError(f"{signature.name}: expected real machine numbers, got dtype {array.dtype}")
-    return array if array.dtype.kind == "f" else array.astype(np.float64)
+    return with_errors

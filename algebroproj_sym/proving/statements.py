@@ -37,6 +37,7 @@ def prove(
     witness: Witness | None = None,
     engine: str = "flint",
     properties: Mapping[Any, Any] | None = None,
+    letters: Mapping[str, str] | None = None,
 ) -> Proof:
     """Decide whether ``lhs == rhs`` wherever both are defined and the hypotheses hold.
 
@@ -60,6 +61,8 @@ def prove(
         Which polynomial arithmetic to use.
     properties : mapping of MatrixSymbol, or name, to str or tuple of str, optional
         What letters are: rotation, orthogonal, symmetric, skew, unit, positive definite, diagonal or idempotent.
+    letters : mapping of name to str, optional
+        The vectors and matrices in text, with their properties, such as ``{"R": "3x3 rotation", "t": "3x1"}``.
 
     Returns
     -------
@@ -68,6 +71,7 @@ def prove(
         certificate), ``"refuted"`` (at a real point) or ``"open"``.
         What SymPy assumes of symbols is in `Proof.assumptions`: every point satisfies it.
         The hypotheses of a statement with functions are text: what must hold for both sides to be real.
+        Those of a statement in letters that is text are text, too.
 
     Raises
     ------
@@ -118,26 +122,27 @@ def prove(
         if isinstance(given, str) or not isinstance(given, Sequence):
             raise TypeError(f"{argument}: expected a sequence of expressions, got {_kind(given)}")
     forms = (lhs, rhs, *constraints, *nonzero)
-    if properties or _speaks_of_letters(forms):
-        if assumptions:
-            raise ValueError("assumptions: expected none for a statement in letters")
-        return _of_letters(lhs, rhs, constraints, nonzero, properties, witness, engine)
+    if letters is not None or properties or speaks_of_letters(forms):
+        for argument, unused in {"assumptions": not assumptions, "witness": witness is None}.items():
+            if not unused:
+                raise ValueError(f"{argument}: expected none for a statement in letters")
+        return _of_letters(lhs, rhs, constraints, nonzero, properties, letters, engine)
     if assumptions or any(isinstance(form, str) and "pi" in form and "pi" in names_in(form) for form in forms):
         return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
     try:
         return _rational(lhs, rhs, constraints, nonzero, witness, engine)
     except (ParseError, NotRationalError):
-        if not any(map(_has_functions, forms)):
+        if not any(map(has_functions, forms)):
             raise
     return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
 
 
-def _has_functions(form: Any) -> bool:
-    """Whether a form is rational in nothing but functions, roots and powers."""
-    from algebroproj_sym.replaying.reals.terms import has_functions
+def has_functions(form: Any) -> bool:
+    """Whether a form that is not rational has functions, roots or powers."""
+    from algebroproj_sym.replaying.reals import terms
 
     if isinstance(form, str):
-        return has_functions(form)
+        return terms.has_functions(form)
     return isinstance(form, sympy.Expr) and bool(form.has(sympy.Function, sympy.pi, sympy.E) or _has_roots(form))
 
 
@@ -169,7 +174,7 @@ def _rational(
     return decided(left, right, constraints=zeros, nonzero=units, witness=witness, engine=engine)
 
 
-def _speaks_of_letters(values: Iterable[Any]) -> bool:
+def speaks_of_letters(values: Iterable[Any]) -> bool:
     """Whether some expressions have matrices that are not written out."""
     seen: set[Any] = set()
     waiting = [value for value in values if isinstance(value, sympy.Basic)]
@@ -189,15 +194,17 @@ def _of_letters(
     constraints: Sequence[Any],
     nonzero: Sequence[Any],
     properties: Mapping[Any, Any] | None,
-    witness: Witness | None,
+    letters: Mapping[str, str] | None,
     engine: str,
 ) -> Proof:
     """Decide a statement in letters; what that needs is imported for it alone."""
-    from algebroproj_sym.proving.letters import prove_letters
+    from algebroproj_sym.proving.letters import prove_letters, prove_texts
 
-    if witness is not None:
-        raise ValueError("witness: expected none for a statement in letters")
-    return prove_letters(lhs, rhs, constraints=constraints, nonzero=nonzero, properties=properties, engine=engine)
+    if letters is None:
+        return prove_letters(lhs, rhs, constraints=constraints, nonzero=nonzero, properties=properties, engine=engine)
+    if properties:
+        raise ValueError("properties: expected none beside letters, which have their own")
+    return prove_texts(lhs, rhs, letters, constraints=constraints, nonzero=nonzero, engine=engine)
 
 
 def _kind(given: Any) -> str:

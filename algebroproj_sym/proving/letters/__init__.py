@@ -16,7 +16,16 @@ from algebroproj_sym.proving.letters.properties import PROPERTIES, declared_lett
 from algebroproj_sym.proving.letters.statements import Statement
 from algebroproj_sym.proving.prove import Proof
 
-__all__ = ["PROPERTIES", "Found", "Point", "prove_letters", "prove_texts"]
+__all__ = [
+    "PROPERTIES",
+    "Found",
+    "Point",
+    "declared_in",
+    "prove_letters",
+    "prove_texts",
+    "require_statement",
+    "shape_in_text",
+]
 
 _DECLARED = re.compile(r"([0-9]+|[a-wyz])x([0-9]+|[a-wyz])(?: (.+))?")
 
@@ -67,7 +76,7 @@ def prove_letters(
     sides = [reading.term(side, name) for side, name in ((lhs, "lhs"), (rhs, "rhs"))]
     zeros = [reading.term(term, f"constraints[{place}]") for place, term in enumerate(constraints)]
     units = [reading.term(term, f"nonzero[{place}]") for place, term in enumerate(nonzero)]
-    shapes = {name: Reading().term(letter, name).shape for name, letter in reading.letters.items()}
+    shapes = _shapes(reading)
     statement = _statement(sides, zeros, units, shapes, _named(properties or {}, reading), reading.scalars)
     found = decide(statement, engine)
     try:
@@ -131,12 +140,46 @@ def _parsed(text: Any, shapes: Mapping[str, Shape], argument: str) -> Term:
     return parse_letters(text, shapes, argument)
 
 
+def require_statement(
+    lhs: str, rhs: str, letters: Mapping[str, str], constraints: Sequence[str] = (), nonzero: Sequence[str] = ()
+) -> None:
+    """Reject a statement in letters that is not well formed; one that is may be asked, see `prove_texts`."""
+    _read(lhs, rhs, letters, constraints, nonzero)
+
+
+def declared_in(reading: Reading, properties: Mapping[Any, Any]) -> dict[str, str]:
+    """Return what the letters that were read are, as text, in the order of their names.
+
+    Examples
+    --------
+    >>> reading, R = Reading(), sympy.MatrixSymbol("R", 3, 3)
+    >>> _ = reading.term(R.T, "lhs")
+    >>> declared_in(reading, {R: "rotation"})
+    {'R': '3x3 rotation'}
+    """
+    shapes, named = _shapes(reading), _named(properties, reading)
+    declared_letters(shapes, named)
+    found = {}
+    for name, (rows, columns) in sorted(shapes.items()):
+        given = named.get(name, ())
+        listed = given if isinstance(given, str) else ", ".join(given)
+        found[name] = f"{rows}x{columns}" + (f" {listed}" if listed else "")
+    return found
+
+
+def shape_in_text(name: str, text: str) -> Shape:
+    """Return the shape of a letter that is declared as text."""
+    return _declared(name, text)[0]
+
+
+def _shapes(reading: Reading) -> dict[str, Shape]:
+    return {name: Reading().term(letter, name).shape for name, letter in reading.letters.items()}
+
+
 def _declared(name: str, text: str) -> tuple[Shape, tuple[str, ...]]:
     match = _DECLARED.fullmatch(text) if isinstance(text, str) else None
     if match is None:
-        raise LetterError(
-            f"letters, {name}: expected a shape and properties such as '3x3 rotation', got {text!r}"
-        )
+        raise LetterError(f"letters, {name}: expected a shape and properties such as '3x3 rotation', got {text!r}")
     rows, columns, listed = match.groups()
     return (_size(rows), _size(columns)), tuple(listed.split(", ")) if listed else ()
 

@@ -5,9 +5,9 @@ import json
 
 import pytest
 import sympy
-from sympy import Eq, Identity, MatrixSymbol, cos, pi, sin, sqrt, tan
+from sympy import Eq, Identity, Matrix, MatrixSymbol, cos, pi, sin, sqrt, tan
 
-from algebroproj_sym import Section
+from algebroproj_sym import Section, prove
 from algebroproj_sym.declaring import DeclarationError, judge
 from algebroproj_sym.exporting.files import exported
 from algebroproj_sym.expressions import NotRationalError, TextForm
@@ -28,6 +28,11 @@ R, E, A = (MatrixSymbol(name, 3, 3) for name in "REA")
 a, b, t = (MatrixSymbol(name, 3, 1) for name in "abt")
 Q, v, w = MatrixSymbol("Q", n, n), MatrixSymbol("v", n, 1), MatrixSymbol("w", n, 1)
 ESSENTIAL = {"constraints": [Eq(E, Skew(t) * R)], "properties": {R: "rotation"}}
+
+
+def turn(angle):
+    return Matrix([[cos(angle), -sin(angle)], [sin(angle), cos(angle)]])
+
 
 CLAIMS = {
     "words": {"printed": v.T * w, "derived": (Q * v).T * (Q * w), "properties": {Q: "orthogonal"}},
@@ -63,6 +68,13 @@ CLAIMS = {
         "expect": "error",
     },
     "branch": {"printed": "sqrt(x^2)", "derived": x, "expect": "false", "instead": "1.1"},
+    "matrix": {"printed": Matrix([[tan(x) * cos(x), 1]]), "derived": Matrix([[sin(x), cos(y) ** 2 + sin(y) ** 2]])},
+    "turned": {
+        "printed": turn(x) * turn(y),
+        "derived": turn(x - y),
+        "corrected": turn(x) * turn(y).T,
+        "expect": "misprint",
+    },
 }
 IN_LETTERS = {name for name, claim in CLAIMS.items() if [*CLAIMS].index(name) < [*CLAIMS].index("domain")}
 
@@ -208,6 +220,17 @@ FORGERIES = {
     "a contradiction": ("range", set_to({"steps": [], "end": "contradiction"}, "certificate", "proof")),
     "a refutation that is missing": ("misprint", dropped("certificate", "refutation")),
     "a refutation by a proof": ("author", lambda r: r["certificate"].update(refutation=dict(r["certificate"]))),
+    "a condition of an entry is dropped": ("matrix", set_to([], "hypotheses")),
+    "an entry is another": ("matrix", set_to("Matrix([[tan(x)*cos(x), 2]])", "printed")),
+    "an entry is not proved": ("matrix", lambda r: r["certificate"]["entries"].pop()),
+    "an entry twice": ("matrix", lambda r: r["certificate"]["entries"].append(r["certificate"]["entries"][0])),
+    "a shape is another": ("matrix", set_to("Matrix([[tan(x)*cos(x)], [1]])", "printed")),
+    "a matrix becomes a number": ("matrix", set_to("tan(x)*cos(x)", "printed")),
+    "an entry that agrees": ("turned", set_to(7, "certificate", "refutation", "entry")),
+    "the corrected matrix is another": (
+        "turned",
+        lambda r: r.update(corrected=r["corrected"].replace("cos(x)", "sin(x)", 1)),
+    ),
     "hypotheses of what is false": ("false", set_to(["det(R)"], "hypotheses")),
 }  # fmt: skip
 
@@ -238,7 +261,7 @@ def test_no_certificate_proves_what_is_refuted(records):
             found = {"certificate": certificate, "hypotheses": other["hypotheses"], "instead": None}
             own = forged({**record, **changes, **found}, lambda record: None)
             assert replay_claim(own).status == "rejected", (record["title"], other["title"])
-            witness = certificate["witness"] | record["counterexample"]
+            witness = certificate.get("witness", {}) | record["counterexample"]
             own["certificate"] = {**certificate, "witness": {name: witness[name] for name in record["counterexample"]}}
             assert replay_claim(own).status == "rejected", (record["title"], other["title"])
 
@@ -257,7 +280,11 @@ def test_an_open_entry_is_not_replayable():
 
 
 ERRORS = {
-    "rank": (lambda s: s.rank("1.1", "t", printed=2, derived=A), UnsupportedError, "expected rational forms for a claim"),
+    "rank": (
+        lambda s: s.rank("1.1", "t", printed=2, derived=A),
+        UnsupportedError,
+        "claim demo:1.1: expected rational forms for a claim of kind rank, got letters",
+    ),
     "limit": (
         lambda s: s.limit("1.1", "t", printed=sin(x), derived=sin(x), variable=x),
         UnsupportedError,
@@ -408,6 +435,28 @@ def test_a_claim_has_no_theorem_for_a_plain_reason(records):
     assert exported(records["words"]).reason == "no theorem is written yet for a claim in letters"
     assert exported(records["domain"]).reason == "no theorem is written yet for a claim with real functions"
     assert exported(forged(records["domain"], set_to([], "hypotheses"))).refused
+
+
+JOINT = {
+    "nowhere together": ("Matrix([[sqrt(x), sqrt(-x - 1)]])", "Matrix([[sqrt(x), sqrt(-x - 1)]])", "open"),
+    "differs where another entry is not real": ("Matrix([[sqrt(x), x]])", "Matrix([[sqrt(x), abs(x)]])", "proved"),
+    "differs where all are real": ("Matrix([[sqrt(x), y]])", "Matrix([[sqrt(x), abs(y)]])", "refuted"),
+    "nowhere defined": ("Matrix([[sin(x), 1/(x - x)]])", "Matrix([[sin(x), 1/(x - x)]])", "open"),
+}
+
+
+@pytest.mark.parametrize(("lhs", "rhs", "verdict"), JOINT.values(), ids=JOINT)
+def test_entries_have_the_domain_of_the_whole_matrix(lhs, rhs, verdict):
+    proof = prove(lhs, rhs)
+    assert proof.verdict == verdict
+    if verdict == "proved":
+        assert proof.hypotheses == ("x >= 0",)
+
+
+@pytest.mark.parametrize("other", ["sin(x)", "Matrix([[sin(x)], [1]])", "Matrix([[sin(x), 1], [1]])", "Matrix([[1, ])"])
+def test_matrices_of_other_shapes_are_refused(other):
+    with pytest.raises(NotRationalError, match=r"shape|rows|bracket"):
+        prove("Matrix([[sin(x), 1]])", other)
 
 
 def test_orthogonality_needs_no_entries():

@@ -103,14 +103,14 @@ def _formed(fields: Mapping[str, Any], letters: tuple[tuple[str, str], ...] | No
 
 
 def _with_functions(given: Given) -> dict[str, Any]:
-    from algebroproj_sym.proving.reals.reading import assumed_of, condition_of, term_of
-    from algebroproj_sym.replaying.reals.terms import written
+    from algebroproj_sym.proving.reals.matrices import real_text
+    from algebroproj_sym.proving.reals.reading import assumed_of, condition_of
 
     relations = [side for each in given.assumptions if isinstance(each, sympy.Rel) for side in each.args]
     conditions = [condition_of(each, f"assumptions[{place}]") for place, each in enumerate(given.assumptions)]
     forms = [side for form in given.values for side in (form.args if isinstance(form, sympy.Eq) else (form,))]
-    symbols = symbols_of([form for form in (*forms, *relations) if isinstance(form, sympy.Expr)])
-    fields = _fields(given, lambda value, name: written(term_of(value, name)))
+    symbols = symbols_of([form for form in (*forms, *relations) if isinstance(form, sympy.Expr | sympy.MatrixBase)])
+    fields = _fields(given, real_text)
     return _formed({**fields, "assumptions": [*conditions, *assumed_of(symbols)]}, None)
 
 

@@ -15,6 +15,7 @@ from algebroproj_sym.expressions import (
     parse,
     parse_zero,
     require_bounded,
+    symbols_of,
 )
 from algebroproj_sym.proving.prove import Proof, Witness
 from algebroproj_sym.proving.prove import prove as decided
@@ -45,7 +46,7 @@ def prove(
     ----------
     lhs, rhs : str, sympy.Expr, sympy matrix, int or Fraction
         Rational expressions over Q of equal shape, or text in the grammar of `algebroproj_sym.expressions.parsing`;
-        matrices are compared entry by entry.  Scalars may also have roots, rational powers, pi, and elementary
+        matrices are compared entry by entry.  They may also have roots, rational powers, pi, and elementary
         functions of real variables, with principal values; see `algebroproj_sym.replaying.reals.terms`.
     relation : {"="}
         Other relations are not decided yet.
@@ -143,10 +144,11 @@ def has_functions(form: Any) -> bool:
 
     if isinstance(form, str):
         return terms.has_functions(form)
-    return isinstance(form, sympy.Expr) and bool(form.has(sympy.Function, sympy.pi, sympy.E) or _has_roots(form))
+    is_expression = isinstance(form, sympy.Expr | sympy.MatrixBase)
+    return is_expression and bool(form.has(sympy.Function, sympy.pi, sympy.E) or _has_roots(form))
 
 
-def _has_roots(form: sympy.Expr) -> bool:
+def _has_roots(form: Any) -> bool:
     return any(not isinstance(part.exp, sympy.Integer) for part in form.atoms(sympy.Pow))
 
 
@@ -158,9 +160,16 @@ def _real(
     assumptions: Sequence[Any],
     witness: Witness | None,
 ) -> Proof:
+    from algebroproj_sym.proving.reals.matrices import proof_of_matrix
     from algebroproj_sym.proving.reals.prove import proof_of
+    from algebroproj_sym.proving.reals.reading import assumed_of
+    from algebroproj_sym.replaying.reals.matrices import is_matrix
 
-    return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness)
+    if not any(isinstance(side, sympy.MatrixBase) or is_matrix(side) for side in (lhs, rhs)):
+        return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness)
+    given = [form for side in (lhs, rhs) if isinstance(side, sympy.MatrixBase) for form in side.flat()]
+    conditions = [*assumptions, *assumed_of(symbols_of(given))]
+    return proof_of_matrix(lhs, rhs, lambda a, b: proof_of(a, b, constraints, nonzero, conditions, witness))
 
 
 def _rational(

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from algebroproj_sym.replaying.letters import require_in_letters
-from algebroproj_sym.replaying.reals import require_real
+from algebroproj_sym.replaying.reals import require_real_form
 from algebroproj_sym.replaying.rejection import require
 
 LANGUAGES = frozenset({"assumptions", "letters"})
@@ -40,4 +40,4 @@ def _require(record: Mapping[str, Any], form: str, certificate: Mapping[str, Any
     if "letters" in setting:
         require_in_letters(statement)
     else:
-        require_real({"relation": "=", **statement})
+        require_real_form({"relation": "=", **statement})

@@ -2,11 +2,12 @@ r"""Text with real functions, or in letters, as LaTeX: with the parts in the ord
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, TypeAlias
 
 from algebroproj_sym.expressions import TextForm
+from algebroproj_sym.replaying.reals.matrices import is_matrix, rows_of
 from algebroproj_sym.replaying.reals.statement import COMPARISON
 from algebroproj_sym.replaying.reals.terms import Term, read
 from algebroproj_sym.showing.names import latex_name
@@ -36,6 +37,8 @@ def latex_of_text(form: TextForm) -> str:
     >>> print(latex_of_text(TextForm("E - skew(t)*R.T", (("E", "3x3"), ("R", "3x3"), ("t", "3x1")))))
     E - \left[t\right]_{\times} R^{T}
     """
+    if form.letters is None and is_matrix(form.text):
+        return _matrix([map(_with_functions, row) for row in rows_of(form.text)])
     parts = COMPARISON.split(form.text)
     side = _with_functions if form.letters is None else _reader(dict(form.letters))
     shown = (_RELATIONS.get(part, part) if place % 2 else side(part) for place, part in enumerate(parts))
@@ -49,6 +52,11 @@ def _inside(written: Written, level: int) -> str:
 
 def _bracketed(text: str) -> str:
     return rf"\left({text}\right)"
+
+
+def _matrix(rows: Sequence[Iterable[str]]) -> str:
+    content = r" \\ ".join(" & ".join(row) for row in rows)
+    return rf"\left[\begin{{matrix}} {content} \end{{matrix}}\right]"
 
 
 def _number(value: Fraction) -> Written:
@@ -166,8 +174,7 @@ def _in_letters(term: Any) -> Written:
         return f"{_inside(_in_letters(parts[0]), ATOM)}_{{{value[0] + 1},{value[1] + 1}}}", POWER
     if kind == "block":
         texts, width = [_in_letters(part)[0] for part in parts], value[0]
-        rows = r" \\ ".join(" & ".join(texts[place : place + width]) for place in range(0, len(texts), width))
-        return rf"\left[\begin{{matrix}} {rows} \end{{matrix}}\right]", ATOM
+        return _matrix([texts[place : place + width] for place in range(0, len(texts), width)]), ATOM
     if kind in _OPERATORS:
         return _OPERATORS[kind].join(_inside(_in_letters(part), ATOM) for part in parts), PRODUCT
     inner = ", ".join(_in_letters(part)[0] for part in parts)

@@ -189,7 +189,7 @@ def speaks_of_letters(values: Iterable[Any]) -> bool:
     waiting = [value for value in values if isinstance(value, sympy.Basic)]
     while waiting:
         node = waiting.pop()
-        if isinstance(node, sympy.MatrixExpr):
+        if isinstance(node, sympy.MatrixExpr) and not isinstance(node, sympy.MatrixBase):
             return True
         if node not in seen:
             seen.add(node)

@@ -11,7 +11,7 @@ from algebroproj_sym import Section, prove
 from algebroproj_sym.declaring import DeclarationError, judge
 from algebroproj_sym.exporting.files import exported
 from algebroproj_sym.expressions import NotRationalError, TextForm
-from algebroproj_sym.expressions.letters import Cross, Dot, Skew
+from algebroproj_sym.expressions.letters import Cross, Dot, Norm, Skew
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving.statements import UnsupportedError
 from algebroproj_sym.replaying import declaration_digest, replay_claim
@@ -310,6 +310,11 @@ ERRORS = {
         DeclarationError,
         "assumptions: expected none for a statement in letters",
     ),
+    "witness": (
+        lambda s: s.identity("1.1", "t", printed=A, derived=A.T, witness={"A": 1}),
+        DeclarationError,
+        "witness: expected none for a statement in letters, got one",
+    ),
     "shapes": (
         lambda s: s.identity("1.1", "t", printed=A, derived=a),
         DeclarationError,
@@ -353,6 +358,20 @@ ERRORS = {
 def test_what_cannot_be_declared_is_named(declare, error, message):
     with pytest.raises(error) as caught:
         declare(Section("demo", "1", "Demo"))
+    assert message in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"printed": Norm(a) * A, "derived": A}, "claim demo:1.1, norm: expected norm(a)**2"),
+        ({"printed": sin(x), "derived": sin(x), "witness": {x: 0.5}}, "claim demo:1.1, witness, x: expected"),
+    ],
+)
+def test_what_the_prover_does_not_take_names_the_claim(options, message):
+    claim = Section("demo", "1", "Demo").identity("1.1", "t", **options)
+    with pytest.raises(DeclarationError) as caught:
+        judge(claim)
     assert message in str(caught.value)
 
 

@@ -86,6 +86,8 @@ def _of_text(about: Mapping[str, Any], given: Given, options: dict[str, Any], wh
         raise DeclarationError(
             f"{where}, where: expected none beside letters or real functions; say what a symbol is by a constraint"
         )
+    if given.in_letters and options.get("witness") is not None:
+        raise DeclarationError(f"{where}, witness: expected none for a statement in letters, got one")
     fields: dict[str, Any] = {name: given.forms.get(name) for name in ("printed", "derived", "corrected")}
     return Claim(**about, **fields | text_fields(given, about["kind"], where), **options)
 

@@ -9,7 +9,7 @@ from typing import Any, Unpack
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim
+from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kind import Declaring, Kind, Options
 from algebroproj_sym.expressions import Scalar, TextForm
 from algebroproj_sym.proving import Proof, prove
@@ -46,17 +46,20 @@ def decided(claim: Claim, left: Any, right: Any, engine: str, nonzero: Sequence[
 
 
 def _of_text(claim: Claim, left: TextForm, right: TextForm, engine: str) -> Proof:
-    """Decide an equality with real functions, or in letters."""
-    proof = prove_any(
-        left.text,
-        right.text,
-        constraints=[form.text for form in claim.constraints],
-        nonzero=[form.text for form in claim.nonzero],
-        assumptions=[form.text for form in claim.assumptions],
-        witness=claim.witness,
-        engine=engine,
-        letters=None if left.letters is None else dict(claim.letters),
-    )
+    """Decide an equality with real functions, or in letters; what the prover does not take is named."""
+    try:
+        proof = prove_any(
+            left.text,
+            right.text,
+            constraints=[form.text for form in claim.constraints],
+            nonzero=[form.text for form in claim.nonzero],
+            assumptions=[form.text for form in claim.assumptions],
+            witness=claim.witness,
+            engine=engine,
+            letters=None if left.letters is None else dict(claim.letters),
+        )
+    except (ValueError, TypeError) as error:
+        raise DeclarationError(f"claim {claim.paper}:{claim.number}, {error}") from error
     point = proof.counterexample
     return replace(
         proof,

@@ -19,8 +19,8 @@ section = Section("bridges", "8", "In letters and angles")
 # ## The essential matrix
 #
 # $\mathbf E = [\mathbf t]_\times \mathbf R$.  The paper of 1992 has $\mathbf C = \mathbf R'^T \mathbf B \mathbf R''$,
-# with $\mathbf B$ for the cross product with the base.  The rotation of the right image in the system of the left one is
-# $\mathbf R''^T \mathbf R'$, and its base is $-\mathbf R''^T \mathbf b$.
+# with $\mathbf B$ for the cross product with the base.  In the system of the left image the rotation of the right one
+# is $\mathbf R''^T \mathbf R'$, and its base is $-\mathbf R''^T \mathbf b$.
 
 # %%
 E, R, Rp, Rpp = (MatrixSymbol(name, 3, 3) for name in ("E", "R", "Rp", "Rpp"))
@@ -54,8 +54,8 @@ section.identity(
 # (1.4.5) of 1996 is $\mu \mathbf v = \mathbf A_v \mathbf M \mathbf A_X^{-1} \mathbf X$.  The affine frame of the object
 # points has the first one, $\mathbf g$, as its origin and differences of points as columns of $\mathbf B$.  With
 # $\mathbf P = \mathbf A_v^{-1} \mathbf R^T \mathbf B$ the matrix of the image is
-# $\mathbf M = (-\mathbf P \mathbf z, \mathbf P)$, where $\mathbf z$ is the center of projection in the affine frame.  The
-# left side must be the ray from that center, in the image system.
+# $\mathbf M = (-\mathbf P \mathbf z, \mathbf P)$, where $\mathbf z$ is the center of projection in the affine frame.
+# The left side must be the ray from that center, in the image system.
 
 # %%
 A_v, B, P = (MatrixSymbol(name, 3, 3) for name in ("A_v", "B", "P"))

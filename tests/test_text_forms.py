@@ -399,7 +399,8 @@ IN_WORDS = {
     "E = skew(t)*R.T": r"E = \left[t\right]_{\times} R^{T}",
     "(R + E)**-1*t": r"\left(R + E\right)^{-1} t",
     "cross(t, R*t) - 2*dot(t, t)*t": r"t \times \left(R t\right) - 2 \left(t \cdot t\right) t",
-    "det(R)*trace(E)/2": r"\det\left(R\right) \operatorname{tr}\left(E\right) \frac{1}{2}",
+    "det(R)*trace(E)/2": r"\frac{1}{2} \det\left(R\right) \operatorname{tr}\left(E\right)",
+    "-2/3*R": r"-\frac{2}{3} R",
     "block([R, t])": r"\left[\begin{matrix} R & t \end{matrix}\right]",
     "outer(t, t)[0, 1]": r"\left(t t^{T}\right)_{1,2}",
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
+from math import prod
 from typing import Any, TypeAlias
 
 from algebroproj_sym.expressions import TextForm
@@ -196,7 +197,8 @@ def _signed_letters(term: Any) -> tuple[bool, str]:
         return True, _number(-term.value)[0]
     if term.kind != "product":
         return False, _inside(_in_letters(term), PRODUCT)
-    first, *others = _factors(term)
-    minus = first.kind == "number" and first.value < 0
-    numbers = [] if minus and first.value == -1 else [_number(-first.value)] if minus else [_in_letters(first)]
-    return minus, _multiplied([_inside(each, POWER) for each in (*numbers, *map(_in_letters, others))])[0]
+    factors = _factors(term)
+    value = prod((part.value for part in factors if part.kind == "number"), start=Fraction(1))
+    others = [_inside(_in_letters(part), POWER) for part in factors if part.kind != "number"]
+    numbers = [] if abs(value) == 1 and others else [_number(abs(value))[0]]
+    return value < 0, _multiplied([*numbers, *others])[0]

@@ -74,6 +74,7 @@ def require_real_form(record: Mapping[str, Any]) -> None:
     if not is_matrix(record["lhs"]):
         require_real(record)
         return
+    require(record["relation"] == "=", "matrices are equal, or are not compared")
     statements, certificate = entries_of(record), record["certificate"]
     if record["verdict"] == "refuted":
         require_keys(certificate, {"method", "bits", "entry"})

@@ -11,7 +11,7 @@ from algebroproj_sym import Section, prove
 from algebroproj_sym.declaring import DeclarationError, judge
 from algebroproj_sym.exporting.files import exported
 from algebroproj_sym.expressions import NotRationalError, TextForm
-from algebroproj_sym.expressions.letters import Cross, Dot, Norm, Skew
+from algebroproj_sym.expressions.letters import Adjugate, Cross, Dot, Norm, Skew
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving.statements import UnsupportedError
 from algebroproj_sym.replaying import declaration_digest, replay_claim
@@ -54,6 +54,15 @@ CLAIMS = {
         "expect": "false",
         "instead": "1.1",
     },
+    "scale": {"printed": Adjugate(A) * a, "derived": A.I * a, "scale": True},
+    "scaled constraint": {"printed": sympy.Symbol("k") * Skew(t) * R, "derived": E, "scale": True, **ESSENTIAL},
+    "scaled misprint": {
+        "printed": Adjugate(A).T,
+        "corrected": Adjugate(A),
+        "derived": A.I,
+        "expect": "misprint",
+        "scale": True,
+    },
     "domain": {"printed": tan(x) * cos(x), "derived": sin(x)},
     "assumption": {"printed": "sqrt(x^2)", "derived": x, "assumptions": [x >= 0]},
     "range": {"printed": sqrt(1 - sin(x) ** 2), "derived": cos(x), "assumptions": ["-pi/2 <= x <= pi/2"]},
@@ -79,8 +88,10 @@ CLAIMS = {
 IN_LETTERS = {name for name, claim in CLAIMS.items() if [*CLAIMS].index(name) < [*CLAIMS].index("domain")}
 
 
-def declared(name, number="1.1", **changes):
-    return Section("demo", "1", "Demo").identity(number, name, **{**CLAIMS[name], **changes})
+def declared(name):
+    section, options = Section("demo", "1", "Demo"), dict(CLAIMS[name])
+    declare = section.up_to_scale if options.pop("scale", False) else section.identity
+    return declare("1.1", name, **options)
 
 
 @pytest.fixture(scope="module")
@@ -190,6 +201,23 @@ FORGERIES = {
     ),
     "a kind with constraints": ("domain", set_to("identity under constraints", "kind")),
     "a kind without constraints": ("constraint", set_to("identity", "kind")),
+    "equal, and not up to scale": ("scale", set_to("identity", "kind")),
+    "no point of neither zero": ("scale", dropped("certificate", "nonzero at")),
+    "a point of a zero side": (
+        "scale",
+        together(
+            set_to([["0"], ["0"], ["0"]], "certificate", "nonzero at", "point", "a"),
+            *(set_to([["0"]] * 9, "certificate", "nonzero at", side) for side in ("left", "right")),
+        ),
+    ),
+    "another value at the point": ("scale", set_to([["1"]] * 9, "certificate", "nonzero at", "left")),
+    "a side is zero": ("scale", set_to("0*a", "printed")),
+    "not proportional": ("scale", set_to("adj(A).T*a", "printed")),
+    "a form that is two": ("scale", set_to("a, a), kron(a", "printed")),
+    "a constraint of proportion": ("scaled constraint", set_to(["E = skew(t)*R.T"], "setting", "constraints")),
+    "a determinant that may vanish": ("scale", set_to([], "hypotheses")),
+    "the right form up to scale": ("scaled misprint", set_to("2*adj(A)", "printed")),
+    "the wrong form up to scale": ("scaled misprint", set_to("adj(A).T", "corrected")),
     "another kind": ("words", set_to("identity up to scale", "kind")),
     "a definition": ("domain", set_to("definition", "kind")),
     "no language": ("domain", dropped("setting", "assumptions")),
@@ -266,6 +294,11 @@ def test_no_certificate_proves_what_is_refuted(records):
             assert replay_claim(own).status == "rejected", (record["title"], other["title"])
 
 
+def test_nothing_is_proportional_to_zero():
+    claim = Section("demo", "1", "Demo").up_to_scale("1.1", "zero", printed=Cross(a, a), derived=a)
+    assert judge(claim).verdict == "open"
+
+
 def test_an_open_entry_is_not_replayable():
     claim = Section("demo", "1", "Demo").identity("1.1", "open", printed=sin(sin(x)), derived=sin(sin(x) + 0 * y))
     assert judge(claim).verdict == "proved"
@@ -291,9 +324,9 @@ ERRORS = {
         "of kind limit, got real functions; only identity, identity under constraints takes them",
     ),
     "scale": (
-        lambda s: s.up_to_scale("1.1", "t", printed=A * a, derived=a),
+        lambda s: s.up_to_scale("1.1", "t", printed=sin(x), derived=x),
         UnsupportedError,
-        "of kind identity up to scale, got letters",
+        "of kind identity up to scale, got real functions",
     ),
     "vanishing": (
         lambda s: s.vanishing("1.1", "t", printed=[sin(x)], derived=sin(2 * x)),

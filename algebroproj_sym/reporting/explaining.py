@@ -245,7 +245,7 @@ def sides_at_counterexample(judgement: Judgement) -> list[tuple[Fraction, Fracti
     if not point or not KINDS[claim.kind].is_equality or claim.printed is None or claim.derived is None:
         return []
     if isinstance(claim.derived, TextForm):
-        return [*_recorded_sides(judgement)]
+        return [] if claim.kind == "identity up to scale" else [*_recorded_sides(judgement)]
     sides = evaluate(in_derived_terms(claim.printed, claim.where), point), evaluate(claim.derived, point)
     return list(zip(*sides, strict=True))
 

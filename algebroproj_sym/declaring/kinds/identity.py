@@ -27,7 +27,7 @@ def decided(claim: Claim, left: Any, right: Any, engine: str, nonzero: Sequence[
     A counterexample of a claim is rational: what differs at irrational points only stays open.
     """
     if isinstance(left, TextForm):
-        return _of_text(claim, left, right, engine)
+        return decided_text(claim, left, right.text, engine)
     proof = prove(
         left,
         right,
@@ -45,12 +45,12 @@ def decided(claim: Claim, left: Any, right: Any, engine: str, nonzero: Sequence[
     return replace(proof, verdict="open", certificate={"method": "none", "reason": reason}, counterexample=None)
 
 
-def _of_text(claim: Claim, left: TextForm, right: TextForm, engine: str) -> Proof:
+def decided_text(claim: Claim, left: TextForm, right: str, engine: str) -> Proof:
     """Decide an equality with real functions, or in letters; what the prover does not take is named."""
     try:
         proof = prove_any(
             left.text,
-            right.text,
+            right,
             constraints=[form.text for form in claim.constraints],
             nonzero=[form.text for form in claim.nonzero],
             assumptions=[form.text for form in claim.assumptions],

@@ -22,12 +22,13 @@ def require_form(record: Mapping[str, Any], form: str, certificate: Mapping[str,
         return
     require("nonzero at" in certificate, "no point shows that neither side is zero everywhere")
     own = {key: value for key, value in certificate.items() if key != "nonzero at"}
-    _require(record, *_proportional(record, form), own, **proved)
+    left, right = _proportional(record, form)
+    _require(record, left, right, own, **proved)
     require_keys(certificate["nonzero at"], {"point", "left", "right"})
     point, *values = (certificate["nonzero at"][key] for key in ("point", "left", "right"))
     differing = {"method": "counterexample", "left": values[0], "right": values[1]}
     nonzero = {"verdict": "refuted", "hypotheses": [], "counterexample": point}
-    _require(record, _proportional(record, form)[0], "0", differing, **nonzero)
+    _require(record, left, "0", differing, **nonzero)
 
 
 def require_no_form(record: Mapping[str, Any], form: str, certificate: Mapping[str, Any]) -> None:

@@ -33,9 +33,10 @@ def require_form(record: Mapping[str, Any], form: str, certificate: Mapping[str,
 
 def require_no_form(record: Mapping[str, Any], form: str, certificate: Mapping[str, Any]) -> None:
     """Check the point at which a form differs from the derived one, whatever the scale."""
-    sides = _proportional(record, form) if record["kind"] == UP_TO_SCALE else (record[form], record["derived"])
+    up_to_scale = record["kind"] == UP_TO_SCALE
+    left, right = _proportional(record, form) if up_to_scale else (record[form], record["derived"])
     refuted = {"verdict": "refuted", "hypotheses": [], "counterexample": record["counterexample"]}
-    _require(record, *sides, certificate, **refuted)
+    _require(record, left, right, certificate, **refuted)
 
 
 def _proportional(record: Mapping[str, Any], form: str) -> tuple[str, str]:

@@ -2,6 +2,7 @@ r"""Text with real functions, or in letters, as LaTeX: with the parts in the ord
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from math import prod
@@ -9,7 +10,6 @@ from typing import Any, TypeAlias
 
 from algebroproj_sym.expressions import TextForm
 from algebroproj_sym.replaying.reals.matrices import is_matrix, rows_of
-from algebroproj_sym.replaying.reals.statement import COMPARISON
 from algebroproj_sym.replaying.reals.terms import Term, read
 from algebroproj_sym.showing.names import latex_name
 
@@ -17,6 +17,7 @@ SUM, PRODUCT, POWER, ATOM = range(4)
 Written: TypeAlias = tuple[str, int]
 """LaTeX, and how tightly it binds."""
 
+_COMPARISON = re.compile("(<=|>=|!=|==|<|>|=)")
 _RELATIONS = {"!=": r"\neq", "<=": r"\leq", ">=": r"\geq", "==": "="}
 _NAMES = {
     **{name: rf"\{name}" for name in ("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth")},
@@ -40,7 +41,7 @@ def latex_of_text(form: TextForm) -> str:
     """
     if form.letters is None and is_matrix(form.text):
         return _matrix([map(_with_functions, row) for row in rows_of(form.text)])
-    parts = COMPARISON.split(form.text)
+    parts = _COMPARISON.split(form.text)
     side = _with_functions if form.letters is None else _reader(dict(form.letters))
     shown = (_RELATIONS.get(part, part) if place % 2 else side(part) for place, part in enumerate(parts))
     return " ".join(shown)

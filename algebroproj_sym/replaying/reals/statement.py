@@ -23,7 +23,7 @@ DEEPEST = 12
 CASES = ((">", "=", "<"), (">=", "<"), (">", "<="), ("!=", "="))
 """Ways to tell all real numbers apart."""
 
-COMPARISON = re.compile(r"(<=|>=|!=|==|<|>|=)")
+_COMPARISON = re.compile(r"(<=|>=|!=|==|<|>|=)")
 _REVERSED = {"<": ">", "<=": ">="}
 
 Condition = tuple[str, Term]
@@ -37,7 +37,7 @@ def comparisons(text: str) -> tuple[Condition, ...]:
     >>> [(relation, written(term)) for relation, term in comparisons("0 < x <= pi")]
     [('>', 'x - 0'), ('>=', 'pi - x')]
     """
-    parts = COMPARISON.split(text)
+    parts = _COMPARISON.split(text)
     if len(parts) < 3:
         raise UnreadableError(len(text.rstrip()), "a comparison", "the end")
     sides, found, position = [], list[Condition](), 0

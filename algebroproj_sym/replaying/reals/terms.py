@@ -293,7 +293,7 @@ def _written(term: Term) -> tuple[str, int]:
         text = _within(first, 2)
         for part in others:
             minus = part.kind == "-"
-            text += f" - {_unsigned(part.args[0])}" if minus else f" + {_unsigned(part)}"
+            text += f" - {_within(part.args[0], 3)}" if minus else f" + {_within(part, 3)}"
         return text, 1
     if term.kind == "-":
         return f"-{_within(term.args[0], 4)}", 2
@@ -308,13 +308,9 @@ def _written(term: Term) -> tuple[str, int]:
 
 def _within(term: Term, level: int) -> str:
     text, own = _written(term)
+    if level == 3:  # after a sign a product needs none, and another sign does
+        return text if own >= 2 and not text.startswith("-") else f"({text})"
     return text if own >= level else f"({text})"
-
-
-def _unsigned(term: Term) -> str:
-    """Return a term that stands after a sign."""
-    text, own = _written(term)
-    return text if own >= 2 and not text.startswith("-") else f"({text})"
 
 
 def expanded(term: Term) -> tuple[Term, tuple[tuple[str, Term], ...]]:

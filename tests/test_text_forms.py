@@ -20,6 +20,7 @@ from algebroproj_sym.reporting.ledger import claim_record
 from algebroproj_sym.reporting.site.comparison import comparison, conditions
 from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.showing import markdown
+from algebroproj_sym.showing.notebook import _latex
 from algebroproj_sym.showing.text_latex import latex_of_text
 
 x, y = sympy.symbols("x y")
@@ -466,6 +467,21 @@ def test_a_notebook_shows_functions_assumptions_and_the_domain(judgements):
         r"holds wherever $\cos\left(x\right) \neq 0$",
     ]
     assert r"assumed: $x \geq 0$" in markdown(judgements["assumption"])
+
+
+@pytest.mark.parametrize(
+    ("form", "shown"),
+    [
+        (Skew(t) * R, r"$$ \left[t\right]_{\times} R $$"),
+        (
+            sympy.ImmutableMatrix([[sin(x), 1]]),
+            r"$$ \left[\begin{matrix} \sin\left(x\right) & 1 \end{matrix}\right] $$",
+        ),
+        (x + 1, "$$ x + 1 $$"),
+    ],
+)
+def test_a_form_at_the_end_of_a_cell_is_shown(form, shown):
+    assert _latex(form) == shown
 
 
 @pytest.mark.parametrize("name", CLAIMS)

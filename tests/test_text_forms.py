@@ -10,7 +10,7 @@ from sympy import Eq, Identity, Matrix, MatrixSymbol, cos, pi, sin, sqrt, tan
 from algebroproj_sym import Section, prove
 from algebroproj_sym.declaring import DeclarationError, judge
 from algebroproj_sym.exporting.files import exported
-from algebroproj_sym.expressions import NotRationalError, TextForm
+from algebroproj_sym.expressions import NotRationalError, TextForm, over
 from algebroproj_sym.expressions.letters import Adjugate, Cross, Dot, Norm, Skew
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving.statements import UnsupportedError
@@ -373,6 +373,11 @@ ERRORS = {
         lambda s: s.identity("1.1", "t", printed=sympy.gamma(x), derived=sin(x)),
         DeclarationError,
         "printed: expected + - * /, powers and the functions",
+    ),
+    "float beside a quotient": (
+        lambda s: s.rank("1.1", "t", printed=1, derived=Matrix([[0.5 * over(x, y)]])),
+        NotRationalError,
+        "claim demo:1.1, derived: expected",
     ),
     "float": (lambda s: s.identity("1.1", "t", printed=0.5 * sin(x), derived=sin(x)), DeclarationError, "got 0.5"),
     "kernel with functions": (

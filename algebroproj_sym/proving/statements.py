@@ -12,6 +12,7 @@ from algebroproj_sym.expressions import (
     ParseError,
     free_symbols,
     names_in,
+    over,
     parse,
     parse_zero,
     require_bounded,
@@ -144,8 +145,10 @@ def has_functions(form: Any) -> bool:
 
     if isinstance(form, str):
         return terms.has_functions(form)
-    is_expression = isinstance(form, sympy.Expr | sympy.MatrixBase)
-    return is_expression and bool(form.has(sympy.Function, sympy.pi, sympy.E) or _has_roots(form))
+    if not isinstance(form, sympy.Expr | sympy.MatrixBase):
+        return False
+    functions = any(not isinstance(part, over) for part in form.atoms(sympy.Function))
+    return bool(functions or form.has(sympy.pi, sympy.E) or _has_roots(form))
 
 
 def _has_roots(form: Any) -> bool:

@@ -154,7 +154,7 @@ def test_witnesses_count_towards_the_time_limit(tmp_path):
     path.write_text(json.dumps([item]), encoding="utf-8")
     result = CliRunner().invoke(main, ["check", str(path)])
     assert result.exit_code == 2
-    assert "key 'witness', entry 'x', position 1: expected an operator" in result.output
+    assert "witness, x, position 1: expected an operator" in result.output
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,7 @@ from algebroproj_sym.expressions.letters import (
     parse_letters,
 )
 from algebroproj_sym.proving import Question, UndefinedError
-from algebroproj_sym.proving.letters import decide_texts
+from algebroproj_sym.proving.letters import prove_texts
 from algebroproj_sym.proving.letters.deciding import _Question
 from algebroproj_sym.proving.letters.properties import PROPERTIES, declared_letters
 from algebroproj_sym.proving.letters.rules import RULES
@@ -402,7 +402,7 @@ def test_a_changed_statement_is_rejected_or_as_true(true_records, data):
     side = data.draw(st.sampled_from(["lhs", "rhs"]))
     changed = record | {side: data.draw(st.sampled_from([*changes_of(record[side]), record[side]]))}
     if replay_identity(changed).status == "replayed":
-        found = decide_texts(changed["lhs"], changed["rhs"], changed["letters"], constraints=changed["constraints"])
+        found = prove_texts(changed["lhs"], changed["rhs"], changed["letters"], constraints=changed["constraints"])
         assert found.verdict == record["verdict"]
 
 
@@ -571,7 +571,7 @@ ERRORS = {
         "expected other names: A_11 is also that of a coordinate of a letter",
     ),
     "a size beyond entries": (
-        lambda: decide_texts("vec(A)", "vec(A.T.T)", {"A": "7x7"}),
+        lambda: prove_texts("vec(A)", "vec(A.T.T)", {"A": "7x7"}),
         "A: expected a size of at most 6 for a proof by entries, got 7x7",
     ),
 }  # fmt: skip
@@ -586,36 +586,36 @@ def test_bad_input_gets_a_named_error(ask, message):
 def test_every_property_has_examples_and_is_needed():
     for name in PROPERTIES:
         shape = "3x1" if name == "unit" else "3x3"
-        found = decide_texts("A", "2*A", {"A": f"{shape} {name}"})
+        found = prove_texts("A", "2*A", {"A": f"{shape} {name}"})
         assert found.verdict == "refuted", name
 
 
 @pytest.mark.parametrize("shape", ["nxn", "2x2"])
 def test_a_constraint_that_says_nothing_changes_nothing(shape):
     letters = {"A": shape, "B": shape}
-    assert decide_texts("A", "B", letters, constraints=["A - A"]).verdict == "refuted"
-    assert decide_texts("A + B", "B + A", letters, constraints=["A*B - A*B"]).verdict == "proved"
+    assert prove_texts("A", "B", letters, constraints=["A - A"]).verdict == "refuted"
+    assert prove_texts("A + B", "B + A", letters, constraints=["A*B - A*B"]).verdict == "proved"
 
 
 def test_rotations_of_four_dimensions_are_decided_in_words_or_stay_open():
-    assert decide_texts("adj(R)", "R.T", {"R": "4x4 rotation"}).verdict == "proved"
-    assert decide_texts("R.T", "R", {"R": "4x4 rotation"}).verdict == "refuted"
-    found = decide_texts("vec(R.T*R)", "vec(eye(4))", {"R": "4x4 rotation"})
+    assert prove_texts("adj(R)", "R.T", {"R": "4x4 rotation"}).verdict == "proved"
+    assert prove_texts("R.T", "R", {"R": "4x4 rotation"}).verdict == "refuted"
+    found = prove_texts("vec(R.T*R)", "vec(eye(4))", {"R": "4x4 rotation"})
     assert (found.verdict, "up to 3x3 only" in found.certificate["reason"]) == ("open", True)
 
 
 def test_a_statement_about_nothing_is_not_proved():
-    found = decide_texts("A", "B", {"A": "2x2", "B": "2x2"}, constraints=["A*A.T + eye(2)"])
+    found = prove_texts("A", "B", {"A": "2x2", "B": "2x2"}, constraints=["A*A.T + eye(2)"])
     assert found.verdict == "open"
-    found = decide_texts("A", "2*A", {"A": "2x2"}, nonzero=["trace(A) - trace(A.T)"])
+    found = prove_texts("A", "2*A", {"A": "2x2"}, nonzero=["trace(A) - trace(A.T)"])
     assert found.verdict == "open"
 
 
 def test_a_constraint_on_a_size_chooses_the_size():
     letters = {"v": "nx1"}
-    assert decide_texts("n*v", "trace(eye(n))*v", letters, constraints=["n = 3"]).verdict == "proved"
-    assert decide_texts("n*v", "2*v", letters, constraints=["n = 3"]).point.sizes == {"n": 3}
-    assert decide_texts("n*v", "v/2", letters, constraints=["n = 1/2"]).verdict == "open"
+    assert prove_texts("n*v", "trace(eye(n))*v", letters, constraints=["n = 3"]).verdict == "proved"
+    assert prove_texts("n*v", "2*v", letters, constraints=["n = 3"]).counterexample[sympy.Symbol("n")] == 3
+    assert prove_texts("n*v", "v/2", letters, constraints=["n = 1/2"]).verdict == "open"
 
 
 def test_sizes_keep_their_assumptions_and_are_one_symbol_by_name():
@@ -628,7 +628,7 @@ def test_sizes_keep_their_assumptions_and_are_one_symbol_by_name():
 
 def test_pi_is_no_symbol_of_a_statement_in_letters():
     with pytest.raises(LetterError, match="expected another name than pi"):
-        decide_texts("x*v", "0", {"v": "3x1"}, constraints=["(pi - 1)*x"])
+        prove_texts("x*v", "0", {"v": "3x1"}, constraints=["(pi - 1)*x"])
     v = sympy.MatrixSymbol("v", 3, 1)
     with pytest.raises(LetterError, match="expected another name than pi"):
         prove(sympy.Symbol("pi") * v, v)
@@ -638,8 +638,8 @@ def test_pi_is_no_symbol_of_a_statement_in_letters():
 
 
 def test_an_entry_beyond_a_size_says_nothing():
-    assert decide_texts("A[5, 0]", "A.T[0, 5]", {"A": "nxn"}).verdict == "open"
-    assert decide_texts("A[1, 0]", "A[0, 1]", {"A": "nxn"}).verdict == "refuted"
+    assert prove_texts("A[5, 0]", "A.T[0, 5]", {"A": "nxn"}).verdict == "open"
+    assert prove_texts("A[1, 0]", "A[0, 1]", {"A": "nxn"}).verdict == "refuted"
 
 
 def test_a_statement_without_letters_imports_nothing_for_them():
@@ -693,10 +693,10 @@ def test_the_command_decides_and_replays_a_file(tmp_path, repository):
     [
         ({"letters": ["A"]}, "key 'letters': expected an object, got a list"),
         ({"letters": {"A": 3}}, "key 'letters', entry 'A': expected text, got a number"),
-        ({"letters": {"A": "3 by 3"}}, "key 'letters', A: expected a shape and properties such as '3x3 rotation', got"),
+        ({"letters": {"A": "3 by 3"}}, "letters, A: expected a shape and properties such as '3x3 rotation', got"),
         ({"letters": {"A": "3x3 rotaton"}}, "properties, A: expected one of rotation"),
-        ({"lhs": "A*"}, "key 'lhs', position 2: expected a number, a name or '(', got the end"),
-        ({"lhs": "foo(A)"}, "key 'lhs': expected one of the functions adj, conj"),
+        ({"lhs": "A*"}, "lhs, position 2: expected a number, a name or '(', got the end"),
+        ({"lhs": "foo(A)"}, "lhs: expected one of the functions adj, conj"),
         ({"lhs": "A*a"}, "expected two sides of one shape, got 3x1 and 3x3"),
         ({"witness": {"x": "1"}}, "key 'witness': expected none beside the key 'letters'"),
         ({"lhs": "(" * 5000}, "levels of nesting"),

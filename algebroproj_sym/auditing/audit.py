@@ -12,7 +12,7 @@ from typing import Any, Literal, get_args
 import sympy
 
 from algebroproj_sym.declaring import Claim, Quotations, Quote
-from algebroproj_sym.expressions import entries, remembered, shape, vector
+from algebroproj_sym.expressions import TextForm, entries, remembered, shape, vector
 from algebroproj_sym.proving import prove
 from algebroproj_sym.reading import Side, Symbols, UnreadableError, read_formula
 
@@ -68,6 +68,9 @@ def audited(claim: Claim, quotations: Quotations, symbols: Symbols, printed_toge
         return Finding(claim, "unquoted", reason) if reason else Finding(claim, "failed", "no quote, and no reason")
     if quote.unparsed:
         return Finding(claim, "quoted", quote.unparsed, quote)
+    if isinstance(claim.printed, TextForm):
+        wrong = "expected a reason why the quote is not parsed: letters and real functions are not compared with it"
+        return Finding(claim, "failed", wrong, quote)
     if isinstance(claim.printed, Decimal):
         wrong = _missing_numbers(quote, printed_together or (claim,))
         return Finding(claim, "failed", wrong, quote) if wrong else Finding(claim, "number", "", quote)

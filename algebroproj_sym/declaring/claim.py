@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
-from typing import Literal, TypeAlias, get_args
+from typing import Any, Literal, TypeAlias, get_args
 
 import sympy
 
@@ -15,6 +15,7 @@ from algebroproj_sym.declaring.source import Source
 from algebroproj_sym.expressions import (
     Expression,
     Rounding,
+    TextForm,
     remembered,
     text,
 )
@@ -28,7 +29,7 @@ Grade = Literal["results", "formula", "slip"]
 GRADES: tuple[Grade, ...] = get_args(Grade)
 """How much a finding matters: results are wrong, a formula or statement changes, or nobody is misled for long."""
 
-Statement: TypeAlias = "Expression | tuple[sympy.Expr, ...] | Decimal"
+Statement: TypeAlias = "Expression | TextForm | tuple[sympy.Expr, ...] | Decimal"
 
 
 class DeclarationError(ValueError):
@@ -47,9 +48,9 @@ class Claim:
         What it says, in a few words.
     kind : str
         How the printed form is compared with the derived one: the name of a `Kind`.
-    printed : Expression, tuple of Expr, Decimal, or None
+    printed : Expression, TextForm, tuple of Expr, Decimal, or None
         The paper's form, transcribed as printed; None if the scan does not preserve it.
-    derived : Expression or None
+    derived : Expression, TextForm or None
         What follows from the definitions; None for a definition.
     corrected : like `printed`
         The corrected form of a misprint, or the reconstruction of an illegible formula.
@@ -57,8 +58,12 @@ class Claim:
         The verdict that the declaration expects.
     where : mapping of Symbol to Expr
         What symbols of the printed form stand for in the terms of the derived one.
-    constraints, nonzero : tuple of sympy.Expr
+    constraints, nonzero : tuple of sympy.Expr, or of TextForm
         What is zero, and what is not, wherever the statement is made.
+    assumptions : tuple of TextForm
+        What else holds there, for a statement with real functions.
+    letters : tuple of (str, str)
+        For a statement in letters: its vectors and matrices, and what they are.
     witness : mapping of Symbol, or name, to rational number, or None
         A point that satisfies the constraints.
     variable : sympy.Symbol or None
@@ -93,12 +98,14 @@ class Claim:
     title: str
     kind: str
     printed: Statement | None
-    derived: Expression | None
+    derived: Expression | TextForm | None
     corrected: Statement | None = None
     expected: Verdict = "proved"
     where: Mapping[sympy.Symbol, sympy.Expr] = field(default_factory=dict)
-    constraints: tuple[sympy.Expr, ...] = ()
-    nonzero: tuple[sympy.Expr, ...] = ()
+    constraints: tuple[Any, ...] = ()
+    nonzero: tuple[Any, ...] = ()
+    assumptions: tuple[TextForm, ...] = ()
+    letters: tuple[tuple[str, str], ...] = ()
     witness: Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str] | None = None
     variable: sympy.Symbol | None = None
     variables: tuple[sympy.Symbol, ...] = ()
@@ -131,7 +138,7 @@ def grade_of(claim: Claim) -> Grade:
 
 
 def expressions_of(form: Statement | None) -> tuple[Expression, ...]:
-    """Return the expressions of a printed, derived or corrected form; a decimal number or a missing form has none."""
+    """Return the expressions of a printed, derived or corrected form; numbers, text and missing forms have none."""
     if not isinstance(form, tuple | sympy.Expr | sympy.MatrixBase):
         return ()
     return form if isinstance(form, tuple) else (form,)
@@ -148,7 +155,7 @@ def in_derived_terms(statement: Statement, where: Mapping[sympy.Symbol, sympy.Ex
     >>> in_derived_terms(x / y, {x: y})
     y*over(1, y)
     """
-    if isinstance(statement, Decimal) or not where:
+    if isinstance(statement, Decimal | TextForm) or not where:
         return statement
     values = {symbol: remembered(value) for symbol, value in where.items()}
     if isinstance(statement, tuple):
@@ -172,4 +179,6 @@ def statement_text(statement: Statement | None) -> str | None:
         return None
     if isinstance(statement, tuple):
         return f"({', '.join(map(text, statement))}{',' if len(statement) == 1 else ''})"
+    if isinstance(statement, TextForm):
+        return statement.text
     return f"{statement:f}" if isinstance(statement, Decimal) else text(statement)

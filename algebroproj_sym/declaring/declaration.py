@@ -21,9 +21,12 @@ from algebroproj_sym.declaring.claim import (
 )
 from algebroproj_sym.declaring.kind import FIELDS
 from algebroproj_sym.declaring.kinds import KINDS
+from algebroproj_sym.declaring.text_forms import Given, text_fields
 from algebroproj_sym.expressions import (
     ROUNDINGS,
+    NotRationalError,
     SymbolError,
+    TextForm,
     TooLargeError,
     assumed,
     assumption,
@@ -51,35 +54,62 @@ def declared(
         If the number is not of the form of the contract, a misprint or an illegible formula has no corrected form,
         or a false statement does not say what is true instead.
     NotRationalError
-        If a form is not a rational expression over Q.
+        If a form is no rational expression over Q, and has no real functions or letters either.
+    UnsupportedError
+        If it has such, and claims of the kind do not take them.
     """
     where = f"claim {paper}:{number}"
     expected = options.pop("expect", KINDS[kind].when_it_holds)
+    forms = {"printed": printed, "derived": derived, "corrected": options.pop("corrected", None)}
+    given = Given(
+        forms={name: form for name, form in forms.items() if form is not None},
+        constraints=_sequence(options, "constraints", where),
+        nonzero=_sequence(options, "nonzero", where),
+        assumptions=_sequence(options, "assumptions", where),
+        properties=options.pop("properties", {}),
+    )
+    about = {"paper": paper, "section": section, "number": number, "title": title, "kind": kind, "expected": expected}
+    try:
+        claim = None if given.properties or given.assumptions else _rational(about, given, dict(options), where)
+    except NotRationalError:
+        if not given.is_text:
+            raise
+        claim = None
+    claim = claim or _of_text(about, given, options, where)
+    _require_complete(claim, where)
+    return claim
+
+
+def _of_text(about: Mapping[str, Any], given: Given, options: dict[str, Any], where: str) -> Claim:
+    """Return a claim with real functions, or in letters."""
+    if options.pop("where", {}):
+        raise DeclarationError(
+            f"{where}, where: expected none beside letters or real functions; say what a symbol is by a constraint"
+        )
+    if given.in_letters and options.get("witness") is not None:
+        raise DeclarationError(f"{where}, witness: expected none for a statement in letters, got one")
+    fields: dict[str, Any] = {name: given.forms.get(name) for name in ("printed", "derived", "corrected")}
+    return Claim(**about, **fields | text_fields(given, about["kind"], where), **options)
+
+
+def _rational(about: Mapping[str, Any], given: Given, options: dict[str, Any], where: str) -> Claim:
+    """Return a claim about rational expressions, with plain symbols."""
     symbols: set[sympy.Symbol] = set()
 
     def read(value: Any, name: str) -> Any:
         return _read(value, f"{where}, {name}", symbols)
 
     claim = Claim(
-        paper=paper,
-        section=section,
-        number=number,
-        title=title,
-        kind=kind,
-        printed=read(printed, "printed"),
-        derived=read(derived, "derived"),
-        corrected=read(options.pop("corrected", None), "corrected"),
-        expected=expected,
+        **about,
+        **{name: read(given.forms.get(name), name) for name in ("printed", "derived", "corrected")},
         where={s: read(value, "where") for s, value in options.pop("where", {}).items()},
-        constraints=tuple(read(value, "constraints") for value in _sequence(options, "constraints", where)),
-        nonzero=tuple(read(value, "nonzero") for value in _sequence(options, "nonzero", where)),
+        constraints=tuple(read(value, "constraints") for value in given.constraints),
+        nonzero=tuple(read(value, "nonzero") for value in given.nonzero),
         variables=tuple(options.pop("variables", ())),
         kernel=tuple(read(vector, "kernel") for vector in options.pop("kernel", ())),
         **options,
     )
-    claim = _with_plain_symbols(claim, symbols, where)
-    _require_complete(claim, where)
-    return claim
+    return _with_plain_symbols(claim, symbols, where)
 
 
 def _read(value: Any, where: str, symbols: set[sympy.Symbol]) -> Any:
@@ -189,6 +219,8 @@ def _require_witness(claim: Claim, where: str) -> None:
         raise DeclarationError(f"{where}, witness: expected a mapping, got {type(claim.witness).__name__}")
     forms = (claim.printed, claim.derived, claim.corrected, claim.constraints, claim.nonzero, (*claim.where.values(),))
     known = {s.name for form in forms for expression in expressions_of(form) for s in free_symbols(expression)}
+    texts = (claim.printed, claim.derived, claim.corrected, *claim.constraints, *claim.nonzero, *claim.assumptions)
+    known |= {name for form in texts if isinstance(form, TextForm) for name in form.names}
     unknown = [key for key in claim.witness if isinstance(key, str) and key not in known]
     if unknown:
         raise DeclarationError(f"{where}, witness: expected symbols that occur in the claim, got {unknown[0]!r}")

@@ -13,7 +13,7 @@ import sympy
 
 from algebroproj_sym.declaring.claim import CORRECTED, Claim, Statement, Verdict, expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
-from algebroproj_sym.expressions import free_symbols, symbols_of, values_of
+from algebroproj_sym.expressions import TextForm, free_symbols, symbols_of, values_of
 from algebroproj_sym.processes import mapped
 from algebroproj_sym.proving import Proof, UndefinedError
 
@@ -28,12 +28,12 @@ class Judgement:
         What was judged.
     verdict : str
         One of the six verdicts.
-    hypotheses : tuple of sympy.Expr
-        The factors of all denominators.
+    hypotheses : tuple of sympy.Expr, or of TextForm
+        The factors of all denominators; with real functions, what must hold for both sides to be real.
     certificate : mapping or None
         The evidence for the printed form, or for the corrected form if the printed form is refuted.
     counterexample : mapping of Symbol to Fraction, or None
-        A point where the printed form fails.
+        A point where the printed form fails; in letters it has exact matrices, and the sizes as integers.
     engine : str
         The library for polynomials that was used.
     seconds : float
@@ -42,9 +42,9 @@ class Judgement:
 
     claim: Claim
     verdict: Verdict
-    hypotheses: tuple[sympy.Expr, ...]
+    hypotheses: tuple[Any, ...]
     certificate: Mapping[str, Any] | None
-    counterexample: Mapping[sympy.Symbol, Fraction] | None
+    counterexample: Mapping[sympy.Symbol, Any] | None
     engine: str
     seconds: float
 
@@ -116,7 +116,7 @@ def _compared(claim: Claim, form: Statement | None, engine: str) -> Proof | None
 def _with_whole_witness(
     claim: Claim, verdict: Verdict, certificate: Mapping[str, Any] | None
 ) -> Mapping[str, Any] | None:
-    if certificate is None or "witness" not in certificate:
+    if certificate is None or "witness" not in certificate or isinstance(claim.derived, TextForm):
         return certificate
     form = claim.corrected if verdict in (*CORRECTED, "illegible") else claim.printed
     witness = {sympy.Symbol(name): value for name, value in certificate["witness"].items()}

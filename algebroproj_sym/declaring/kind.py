@@ -13,7 +13,9 @@ from algebroproj_sym.declaring.claim import Claim, Grade, Verdict
 from algebroproj_sym.expressions import Rounding
 from algebroproj_sym.proving import Proof
 
-Field = Literal["constraints", "nonzero", "variable", "variables", "kernel", "rounding", "assumed"]
+Field = Literal[
+    "constraints", "nonzero", "assumptions", "letters", "variable", "variables", "kernel", "rounding", "assumed"
+]  # fmt: skip
 FIELDS: tuple[Field, ...] = get_args(Field)
 """What only some kinds of claims use."""
 
@@ -26,6 +28,8 @@ class Options(TypedDict, total=False):
     where: Mapping[sympy.Symbol, Any]
     constraints: Sequence[sympy.Expr]
     nonzero: Sequence[sympy.Expr]
+    assumptions: Sequence[Any]
+    properties: Mapping[Any, Any]
     witness: Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str]
     variable: sympy.Symbol
     variables: Sequence[sympy.Symbol]

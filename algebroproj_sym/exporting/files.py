@@ -27,6 +27,11 @@ CHECKING = ("-silent", "-o", "-bytecode-compiler", "yes")
 
 ABOUT = ("paper", "number", "section", "title", "kind", "verdict")
 NO_STEPS = "no steps are written for claims of this kind"
+NO_THEOREM = {
+    "assumptions": "no theorem is written yet for a claim with real functions",
+    "letters": "no theorem is written yet for a claim in letters",
+}
+"""Why a claim has no theorem, by the entry of its setting that says what it is about."""
 LONGEST_NAME = 200
 HEADER = f"""From Coq Require Import Reals QArith List.
 From {LIBRARY} Require Import Formulas Linear.
@@ -116,6 +121,9 @@ def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
 
 def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     """Return the theorems of a claim whose evidence was replayed."""
+    setting = record["setting"]
+    if reason := next((why for language, why in NO_THEOREM.items() if language in setting), ""):
+        return _exported(record, reason=reason)
     definitions: tuple[Definition, ...] = ()
     missing = made if isinstance(made, str) else ""
     found: Proved = {}

@@ -38,6 +38,7 @@ from algebroproj_sym.expressions.rounding import ROUNDINGS, Rounding, decimals, 
 from algebroproj_sym.expressions.size import size
 from algebroproj_sym.expressions.steps import in_steps
 from algebroproj_sym.expressions.symbols import SymbolError, admits, assumed, assumption, is_plain, values_of
+from algebroproj_sym.expressions.text_form import TextForm
 from algebroproj_sym.expressions.writing import written
 
 __all__ = [
@@ -49,6 +50,7 @@ __all__ = [
     "Rounding",
     "Scalar",
     "SymbolError",
+    "TextForm",
     "TooLargeError",
     "adjugate",
     "admits",

@@ -5,9 +5,10 @@ from __future__ import annotations
 import sympy
 
 from algebroproj_sym.expressions.grammar import Expression, entries
+from algebroproj_sym.expressions.text_form import TextForm
 
 
-def size(expression: Expression, most: int = 400) -> int:
+def size(expression: Expression | TextForm, most: int = 400) -> int:
     """Return how many symbols and numbers an expression has; counting ends soon after `most`.
 
     Examples
@@ -16,6 +17,8 @@ def size(expression: Expression, most: int = 400) -> int:
     >>> size(x**2 + 3 * x * y)
     5
     """
+    if isinstance(expression, TextForm):
+        return expression.size
     count, pending = 0, [*entries(expression)] if isinstance(expression, sympy.MatrixBase) else [expression]
     while pending and count <= most:
         node = pending.pop()

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import sympy
 
 from algebroproj_sym.declaring import Claim, Statement
-from algebroproj_sym.expressions import entries, over, written
+from algebroproj_sym.expressions import TextForm, entries, over, written
 
 _ENTRYWISE = ("identity", "identity under constraints", "identity up to scale", "limit")
 
@@ -49,6 +49,8 @@ def mutants(claim: Claim) -> list[Mutant]:
 
 
 def _changes(claim: Claim, printed: Any) -> Iterator[tuple[str, Any]]:
+    if isinstance(printed, TextForm):
+        return
     if isinstance(printed, Decimal):
         yield from _of_decimal(printed)
     elif claim.kind in ("rank", "count"):

@@ -117,3 +117,20 @@ def _vanish(constraints: Sequence[sympy.Expr], point: Point) -> bool:
         return all(evaluate(constraint, point)[0] == 0 for constraint in constraints)
     except ZeroDivisionError:
         return False
+
+
+def point_record(point: Mapping[Any, Any]) -> dict[str, Any]:
+    """Return a point by name, as the ledger keeps it: texts of numbers, rows of matrices, sizes as they are.
+
+    Examples
+    --------
+    >>> point_record({sympy.MatrixSymbol("v", 1, 2): sympy.Matrix([[1, 2]]), sympy.Symbol("n"): 2})
+    {'v': [['1', '2']], 'n': 2}
+    """
+    return {symbol.name: _recorded(value) for symbol, value in point.items()}
+
+
+def _recorded(value: Any) -> Any:
+    if isinstance(value, sympy.MatrixBase):
+        return [[*map(str, row)] for row in value.tolist()]
+    return value if isinstance(value, int) else str(value)

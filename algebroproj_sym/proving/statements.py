@@ -12,9 +12,11 @@ from algebroproj_sym.expressions import (
     ParseError,
     free_symbols,
     names_in,
+    over,
     parse,
     parse_zero,
     require_bounded,
+    symbols_of,
 )
 from algebroproj_sym.proving.prove import Proof, Witness
 from algebroproj_sym.proving.prove import prove as decided
@@ -37,6 +39,7 @@ def prove(
     witness: Witness | None = None,
     engine: str = "flint",
     properties: Mapping[Any, Any] | None = None,
+    letters: Mapping[str, str] | None = None,
 ) -> Proof:
     """Decide whether ``lhs == rhs`` wherever both are defined and the hypotheses hold.
 
@@ -44,7 +47,7 @@ def prove(
     ----------
     lhs, rhs : str, sympy.Expr, sympy matrix, int or Fraction
         Rational expressions over Q of equal shape, or text in the grammar of `algebroproj_sym.expressions.parsing`;
-        matrices are compared entry by entry.  Scalars may also have roots, rational powers, pi, and elementary
+        matrices are compared entry by entry.  They may also have roots, rational powers, pi, and elementary
         functions of real variables, with principal values; see `algebroproj_sym.replaying.reals.terms`.
     relation : {"="}
         Other relations are not decided yet.
@@ -60,6 +63,8 @@ def prove(
         Which polynomial arithmetic to use.
     properties : mapping of MatrixSymbol, or name, to str or tuple of str, optional
         What letters are: rotation, orthogonal, symmetric, skew, unit, positive definite, diagonal or idempotent.
+    letters : mapping of name to str, optional
+        The vectors and matrices in text, with their properties, such as ``{"R": "3x3 rotation", "t": "3x1"}``.
 
     Returns
     -------
@@ -68,6 +73,7 @@ def prove(
         certificate), ``"refuted"`` (at a real point) or ``"open"``.
         What SymPy assumes of symbols is in `Proof.assumptions`: every point satisfies it.
         The hypotheses of a statement with functions are text: what must hold for both sides to be real.
+        Those of a statement in letters that is text are text, too.
 
     Raises
     ------
@@ -118,30 +124,34 @@ def prove(
         if isinstance(given, str) or not isinstance(given, Sequence):
             raise TypeError(f"{argument}: expected a sequence of expressions, got {_kind(given)}")
     forms = (lhs, rhs, *constraints, *nonzero)
-    if properties or _speaks_of_letters(forms):
-        if assumptions:
-            raise ValueError("assumptions: expected none for a statement in letters")
-        return _of_letters(lhs, rhs, constraints, nonzero, properties, witness, engine)
+    if letters is not None or properties or speaks_of_letters(forms):
+        for argument, unused in {"assumptions": not assumptions, "witness": witness is None}.items():
+            if not unused:
+                raise ValueError(f"{argument}: expected none for a statement in letters")
+        return _of_letters(lhs, rhs, constraints, nonzero, properties, letters, engine)
     if assumptions or any(isinstance(form, str) and "pi" in form and "pi" in names_in(form) for form in forms):
         return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
     try:
         return _rational(lhs, rhs, constraints, nonzero, witness, engine)
     except (ParseError, NotRationalError):
-        if not any(map(_has_functions, forms)):
+        if not any(map(has_functions, forms)):
             raise
     return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
 
 
-def _has_functions(form: Any) -> bool:
-    """Whether a form is rational in nothing but functions, roots and powers."""
-    from algebroproj_sym.replaying.reals.terms import has_functions
+def has_functions(form: Any) -> bool:
+    """Whether a form that is not rational has functions, roots or powers."""
+    from algebroproj_sym.replaying.reals import terms
 
     if isinstance(form, str):
-        return has_functions(form)
-    return isinstance(form, sympy.Expr) and bool(form.has(sympy.Function, sympy.pi, sympy.E) or _has_roots(form))
+        return terms.has_functions(form)
+    if not isinstance(form, sympy.Expr | sympy.MatrixBase):
+        return False
+    functions = any(not isinstance(part, over) for part in form.atoms(sympy.Function))
+    return bool(functions or form.has(sympy.pi, sympy.E) or _has_roots(form))
 
 
-def _has_roots(form: sympy.Expr) -> bool:
+def _has_roots(form: Any) -> bool:
     return any(not isinstance(part.exp, sympy.Integer) for part in form.atoms(sympy.Pow))
 
 
@@ -153,9 +163,16 @@ def _real(
     assumptions: Sequence[Any],
     witness: Witness | None,
 ) -> Proof:
+    from algebroproj_sym.proving.reals.matrices import proof_of_matrix
     from algebroproj_sym.proving.reals.prove import proof_of
+    from algebroproj_sym.proving.reals.reading import assumed_of
+    from algebroproj_sym.replaying.reals.matrices import is_matrix
 
-    return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness)
+    if not any(isinstance(side, sympy.MatrixBase) or is_matrix(side) for side in (lhs, rhs)):
+        return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness)
+    given = [form for side in (lhs, rhs) if isinstance(side, sympy.MatrixBase) for form in side.flat()]
+    conditions = [*assumptions, *assumed_of(symbols_of(given))]
+    return proof_of_matrix(lhs, rhs, lambda a, b: proof_of(a, b, constraints, nonzero, conditions, witness))
 
 
 def _rational(
@@ -169,13 +186,13 @@ def _rational(
     return decided(left, right, constraints=zeros, nonzero=units, witness=witness, engine=engine)
 
 
-def _speaks_of_letters(values: Iterable[Any]) -> bool:
+def speaks_of_letters(values: Iterable[Any]) -> bool:
     """Whether some expressions have matrices that are not written out."""
     seen: set[Any] = set()
     waiting = [value for value in values if isinstance(value, sympy.Basic)]
     while waiting:
         node = waiting.pop()
-        if isinstance(node, sympy.MatrixExpr):
+        if isinstance(node, sympy.MatrixExpr) and not isinstance(node, sympy.MatrixBase):
             return True
         if node not in seen:
             seen.add(node)
@@ -189,15 +206,17 @@ def _of_letters(
     constraints: Sequence[Any],
     nonzero: Sequence[Any],
     properties: Mapping[Any, Any] | None,
-    witness: Witness | None,
+    letters: Mapping[str, str] | None,
     engine: str,
 ) -> Proof:
     """Decide a statement in letters; what that needs is imported for it alone."""
-    from algebroproj_sym.proving.letters import prove_letters
+    from algebroproj_sym.proving.letters import prove_letters, prove_texts
 
-    if witness is not None:
-        raise ValueError("witness: expected none for a statement in letters")
-    return prove_letters(lhs, rhs, constraints=constraints, nonzero=nonzero, properties=properties, engine=engine)
+    if letters is None:
+        return prove_letters(lhs, rhs, constraints=constraints, nonzero=nonzero, properties=properties, engine=engine)
+    if properties:
+        raise ValueError("properties: expected none beside letters, which have their own")
+    return prove_texts(lhs, rhs, letters, constraints=constraints, nonzero=nonzero, engine=engine)
 
 
 def _kind(given: Any) -> str:

@@ -45,13 +45,14 @@ class Question:
     witness: Mapping[str, str] | None = None
     variables: tuple[str, ...] | None = None
     assumptions: tuple[str, ...] = ()
+    letters: Mapping[str, str] | None = None
 
     @property
-    def texts(self) -> tuple[str, ...]:
-        """All that is stated."""
-        return (self.lhs, self.rhs, *self.constraints, *self.nonzero, *self.assumptions)
-
-    letters: Mapping[str, str] | None = None
+    def named_texts(self) -> Iterator[tuple[str, str]]:
+        """All that is stated, with the name of each part."""
+        yield from (("lhs", self.lhs), ("rhs", self.rhs))
+        for name in ("constraints", "nonzero", "assumptions"):
+            yield from ((f"{name}[{place}]", text) for place, text in enumerate(getattr(self, name)))
 
 
 @dataclass(frozen=True)
@@ -180,7 +181,7 @@ class _Worker:
 
 
 def _serve(connection: Any, engine: str) -> None:
-    import algebroproj_sym.proving.prove  # noqa: F401 - what takes long to import is no part of the time of a question
+    import algebroproj_sym.proving.statements  # noqa: F401 - what takes long to import is no part of the time of a question
 
     with suppress(ImportError, ValueError, OSError):
         import resource
@@ -197,131 +198,58 @@ def _serve(connection: Any, engine: str) -> None:
 
 
 def _decided(question: Question, engine: str) -> Outcome:
-    from algebroproj_sym.expressions import ParseError
-    from algebroproj_sym.proving.prove import prove
+    from algebroproj_sym.proving.points import point_record
+    from algebroproj_sym.proving.prove import UndefinedError
+    from algebroproj_sym.proving.statements import prove
 
-    if question.letters is not None:
-        return _decided_in_letters(question, question.letters, engine)
     start = monotonic()
     try:
-        if _has_pi(question) or question.assumptions:
-            return _real(question, start)
-        try:
-            statement = _read(question)
-        except ParseError:
-            from algebroproj_sym.replaying.reals.terms import has_functions
-
-            if not any(map(has_functions, question.texts)):
-                raise
-            return _real(question, start)
-    except (ParseError, _UnreadableError) as error:
+        _require_variables(question)
+        proof = prove(
+            question.lhs,
+            question.rhs,
+            constraints=question.constraints,
+            nonzero=question.nonzero,
+            assumptions=question.assumptions,
+            witness=question.witness,
+            engine=engine,
+            letters=question.letters,
+        )
+    except UndefinedError:
+        raise
+    except (ValueError, TypeError) as error:
         return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
-    proof = prove(**statement, engine=engine)
     certificate = dict(proof.certificate or {})
-    point = certificate.pop("point", proof.counterexample)
-    if "witness" in certificate:
+    if question.letters is None and "witness" in certificate:
         certificate["witness"] = _whole(certificate["witness"], question)
+    point = certificate.pop("point", None) or (proof.counterexample and point_record(proof.counterexample))
     return Outcome(
         proof.verdict,
         str(certificate.get("method", "none")),
         monotonic() - start,
         str(certificate.get("reason", "")),
         tuple(map(str, proof.hypotheses)),
-        None if point is None else _whole(point, question),
+        _whole(point, question) if point is not None and question.letters is None else point,
         certificate,
     )
 
 
-def _has_pi(question: Question) -> bool:
+def _require_variables(question: Question) -> None:
     from algebroproj_sym.expressions import names_in
-
-    return any("pi" in text and "pi" in names_in(text) for text in question.texts)
-
-
-def _real(question: Question, start: float) -> Outcome:
-    from algebroproj_sym.expressions import ParseError, names_in
-    from algebroproj_sym.proving.reals.prove import proof_of
     from algebroproj_sym.replaying.reals.terms import FUNCTIONS
 
-    names = {name for text in question.texts for name in names_in(text)} - FUNCTIONS - {"pi"}
-    variables = names if question.variables is None else {*question.variables}
-    for name in sorted(names - variables):
-        raise _UnreadableError(f"expected one of the variables {', '.join(sorted(variables))}, got {name!r}")
-    try:
-        proof = proof_of(
-            question.lhs, question.rhs, question.constraints, question.nonzero, question.assumptions, question.witness
-        )
-    except ParseError as error:
-        raise _UnreadableError(f"key {error}") from None
-    certificate = dict(proof.certificate or {})
-    point = proof.counterexample
-    return Outcome(
-        proof.verdict,
-        str(certificate.get("method", "none")),
-        monotonic() - start,
-        str(certificate.get("reason", "")),
-        proof.hypotheses,
-        None if point is None else {str(symbol): str(value) for symbol, value in point.items()},
-        certificate,
-    )
-
-
-def _decided_in_letters(question: Question, letters: Mapping[str, str], engine: str) -> Outcome:
-    from algebroproj_sym.expressions.letters import LetterError
-    from algebroproj_sym.proving.letters import decide_texts
-
-    start = monotonic()
-    conditions = {"constraints": question.constraints, "nonzero": question.nonzero}
-    try:
-        found = decide_texts(question.lhs, question.rhs, letters, **conditions, engine=engine)
-    except LetterError as error:
-        return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
-    return Outcome(
-        found.verdict,
-        str(found.certificate["method"]),
-        monotonic() - start,
-        str(found.certificate.get("reason", "")),
-        found.conditions,
-        None if found.point is None else found.point.record(),
-        found.certificate,
-    )
+    if question.variables is None:
+        return
+    for argument, text in question.named_texts:
+        for name in sorted(names_in(text) - FUNCTIONS - {"pi", *question.variables}):
+            known = ", ".join(sorted(question.variables))
+            raise ValueError(f"{argument}: expected one of the variables {known}, got {name!r}")
 
 
 def _whole(point: Mapping[Any, Any], question: Question) -> dict[str, str]:
-    """Return a point as text, with a value also for names that cancel."""
+    """Return a point with a value also for names that cancel."""
     from algebroproj_sym.expressions import names_in
+    from algebroproj_sym.replaying.reals.terms import FUNCTIONS
 
-    texts = (question.lhs, question.rhs, *question.constraints, *question.nonzero)
-    names = sorted({name for text in texts for name in names_in(text)})
-    return dict.fromkeys(names, "1") | {str(symbol): str(value) for symbol, value in point.items()}
-
-
-class _UnreadableError(ValueError):
-    pass
-
-
-def _read(question: Question) -> dict[str, Any]:
-    """Return the arguments of `prove`."""
-    from algebroproj_sym.expressions import parse, parse_zero, shape, symbols_of
-
-    names = question.variables
-    left, right = (parse(getattr(question, key), f"key {key!r}", names) for key in ("lhs", "rhs"))
-    if shape(left) != shape(right):
-        raise _UnreadableError(f"key 'rhs': expected the shape of 'lhs', got {shape(left)} and {shape(right)}")
-    zeros = [parse_zero(text, f"key 'constraints', entry {i}", names) for i, text in enumerate(question.constraints)]
-    units = [parse(text, f"key 'nonzero', entry {i}", names) for i, text in enumerate(question.nonzero)]
-    for place, unit in enumerate(units):
-        if shape(unit) != ():
-            raise _UnreadableError(f"key 'nonzero', entry {place}: expected a scalar, got a matrix")
-    point = None
-    if question.witness is not None:
-        point = {name: parse(value, f"key 'witness', entry {name!r}") for name, value in question.witness.items()}
-        known = {symbol.name for symbol in symbols_of((left, right, *zeros, *units))}
-        for name, value in point.items():
-            if name not in known:
-                raise _UnreadableError(f"key 'witness': expected names that occur, got {name!r}")
-            if not value.is_Rational:
-                raise _UnreadableError(
-                    f"key 'witness', entry {name!r}: expected a rational number as text, got {value}"
-                )
-    return {"lhs": left, "rhs": right, "constraints": zeros, "nonzero": units, "witness": point}
+    names = {name for _, text in question.named_texts for name in names_in(text)} - FUNCTIONS - {"pi"}
+    return dict.fromkeys(sorted(names), "1") | dict(point)

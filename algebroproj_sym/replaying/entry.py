@@ -17,10 +17,11 @@ DECLARED = (
 FOUND = ("declaration", "verdict", "hypotheses", "counterexample", "certificate", "engine")
 VERDICTS = ("proved", "misprint", "error", "false", "illegible", "definition", "open")
 _CONSTRAINED = {"constraints", "nonzero"}
+_LANGUAGES = {"assumptions", "letters"}
 SETTINGS: Mapping[str, set[str]] = {
-    "identity": {"nonzero"},
-    "identity under constraints": _CONSTRAINED,
-    "identity up to scale": _CONSTRAINED,
+    "identity": {"nonzero", *_LANGUAGES},
+    "identity under constraints": {*_CONSTRAINED, *_LANGUAGES},
+    "identity up to scale": {*_CONSTRAINED, "letters"},
     "structure": set(),
     "vanishing": {"nonzero"},
     "rank": set(),

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing import get_context
 from typing import Any, Literal, cast
 
@@ -16,6 +17,7 @@ from algebroproj_sym.replaying.identities import require_identity
 from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 from algebroproj_sym.replaying.statement import Statement
+from algebroproj_sym.replaying.text_forms import LANGUAGES, require_form, require_no_form
 
 SCHEMA = 1
 MOST_LEVELS = 200
@@ -167,17 +169,25 @@ def _follow(record: Mapping[str, Any]) -> None:
         ("refutation" in certificate) == (verdict in CORRECTED),
         "a corrected claim must have a refutation, and no other claim may",
     )
-    statement.require_meanings()
+    if LANGUAGES & record["setting"].keys():
+        proves, refutes = partial(require_form, record), partial(require_no_form, record)
+    else:
+        statement.require_meanings()
+        proves, refutes = partial(PROOFS[kind], statement), partial(REFUTATIONS.get(kind, _no_refutation), statement)
     proof = {key: value for key, value in certificate.items() if key != "refutation"}
     if verdict in ("proved", "definition"):
-        PROOFS[kind](statement, "printed", proof)
+        proves("printed", proof)
         return
     if verdict in (*CORRECTED, "illegible"):
-        PROOFS[kind](statement, "corrected", proof)
+        proves("corrected", proof)
     if verdict in (*CORRECTED, "false"):
         refutation = certificate["refutation"] if verdict in CORRECTED else certificate
         require(verdict in CORRECTED or record["hypotheses"] == [], "a false claim must not have hypotheses")
-        REFUTATIONS[kind](statement, "printed", refutation)
+        refutes("printed", refutation)
+
+
+def _no_refutation(statement: Statement, form: str, certificate: Mapping[str, Any]) -> None:
+    raise Rejected(f"a claim of kind {statement.kind} is never refuted")
 
 
 def replay(ledger: Mapping[str, Any], jobs: int = 1) -> Iterator[Replayed]:

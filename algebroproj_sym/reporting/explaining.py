@@ -11,7 +11,7 @@ import sympy
 from rich.text import Text
 
 from algebroproj_sym.declaring import KINDS, Claim, Judgement, Quote, in_derived_terms, statement_text
-from algebroproj_sym.expressions import evaluate, size
+from algebroproj_sym.expressions import TextForm, evaluate, size
 from algebroproj_sym.proving import reduced
 from algebroproj_sym.reporting.tables import verdict_text
 from algebroproj_sym.showing import (
@@ -244,8 +244,19 @@ def sides_at_counterexample(judgement: Judgement) -> list[tuple[Fraction, Fracti
     claim, point = judgement.claim, judgement.counterexample
     if not point or not KINDS[claim.kind].is_equality or claim.printed is None or claim.derived is None:
         return []
+    if isinstance(claim.derived, TextForm):
+        return [] if claim.kind == "identity up to scale" else [*_recorded_sides(judgement)]
     sides = evaluate(in_derived_terms(claim.printed, claim.where), point), evaluate(claim.derived, point)
     return list(zip(*sides, strict=True))
+
+
+def _recorded_sides(judgement: Judgement) -> Iterator[tuple[Fraction, Fraction]]:
+    """Yield the values of both sides in letters, which the evidence has; values of real functions are not exact."""
+    certificate = judgement.certificate or {}
+    refutation = certificate.get("refutation", certificate)
+    if "left" in refutation:
+        sides = ([Fraction(entry) for row in refutation[side] for entry in row] for side in ("left", "right"))
+        yield from zip(*sides, strict=True)
 
 
 def _values(judgement: Judgement, full: bool) -> Iterator[str]:

@@ -12,9 +12,10 @@ from typing import Any, TypeAlias
 
 from algebroproj_sym.declaring import VERDICTS, Claim, Judgement, Quote, statement_text
 from algebroproj_sym.declaring.claim import expressions_of
-from algebroproj_sym.expressions import free_symbols, text
+from algebroproj_sym.expressions import TextForm, free_symbols
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.processes import mapped
+from algebroproj_sym.proving import point_record
 from algebroproj_sym.replaying import declaration_digest
 
 SCHEMA = 1
@@ -59,8 +60,8 @@ def claim_record(judgement: Judgement, quotes: Quotes | None = None, *, timed: b
     counterexample = judgement.counterexample
     record = declaration(claim, (quotes or {}).get((claim.paper, claim.number))) | {
         "verdict": judgement.verdict,
-        "hypotheses": [text(factor) for factor in judgement.hypotheses],
-        "counterexample": None if counterexample is None else {s.name: str(v) for s, v in counterexample.items()},
+        "hypotheses": [*map(statement_text, judgement.hypotheses)],
+        "counterexample": None if counterexample is None else point_record(counterexample),
         "certificate": judgement.certificate,
         "engine": judgement.engine,
     }
@@ -103,9 +104,13 @@ def _setting(claim: Claim) -> dict[str, Any]:
     """Return what a claim declares beside its forms."""
     setting: dict[str, Any] = {}
     if claim.constraints:
-        setting["constraints"] = [text(constraint) for constraint in claim.constraints]
+        setting["constraints"] = [*map(statement_text, claim.constraints)]
     if claim.nonzero:
-        setting["nonzero"] = [text(unit) for unit in claim.nonzero]
+        setting["nonzero"] = [*map(statement_text, claim.nonzero)]
+    if isinstance(claim.derived, TextForm) and claim.derived.letters is None:
+        setting["assumptions"] = [*map(statement_text, claim.assumptions)]
+    if claim.letters:
+        setting["letters"] = dict(claim.letters)
     if claim.variable is not None:
         setting["variable"] = claim.variable.name
     if claim.variables:

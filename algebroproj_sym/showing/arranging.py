@@ -16,7 +16,7 @@ import sympy
 
 from algebroproj_sym.declaring.claim import Claim, Statement
 from algebroproj_sym.declaring.source import Source
-from algebroproj_sym.expressions import columns, entries, over, rows, shape, size, vector, written
+from algebroproj_sym.expressions import TextForm, columns, entries, over, rows, shape, size, vector, written
 
 Part = Literal["printed", "derived", "corrected"]
 REMEMBERED = 1 << 16
@@ -40,7 +40,7 @@ def as_declared(claim: Claim, part: Part) -> Statement | None:
     (-3*x + 3*y, '-3*x + 3*y')
     """
     statement: Statement | None = getattr(claim, part)
-    if statement is None or isinstance(statement, Decimal):
+    if statement is None or isinstance(statement, Decimal | TextForm):
         return statement
     node = claim.source.argument(part) if claim.source else None
     if claim.source is None or node is None or (not isinstance(statement, tuple) and size(statement, LONG) > LONG):
@@ -60,7 +60,7 @@ def arranged(statement: Any) -> Any:
     """Return a form whose parts are stored in the order in which SymPy shows them; a long one stays as it is."""
     if isinstance(statement, tuple):
         return tuple(map(arranged, statement))
-    if isinstance(statement, Decimal) or size(statement, LONG) > LONG:
+    if isinstance(statement, Decimal | TextForm) or size(statement, LONG) > LONG:
         return statement
     if isinstance(statement, sympy.MatrixBase):
         return sympy.ImmutableDenseMatrix(*statement.shape, list(map(_arranged, statement.flat())))
@@ -86,6 +86,8 @@ def shown(form: Any) -> str:
         return f"({', '.join(map(shown, form))})"
     if isinstance(form, sympy.MatrixBase):
         return ", ".join(f"[{', '.join(map(shown, form.row(i)))}]" for i in range(form.rows))
+    if isinstance(form, TextForm):
+        return form.text
     return f"{form:f}" if isinstance(form, Decimal) else written(_as_quotient(form), ordered=False)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from algebroproj_sym.declaring.claim import Claim, in_derived_terms
-from algebroproj_sym.expressions import Scalar, entries, shape
+from algebroproj_sym.expressions import Scalar, TextForm, entries, shape
 from algebroproj_sym.proving import prove, reduced
 
 
@@ -35,7 +35,7 @@ def differing_entries(claim: Claim) -> tuple[tuple[int, Scalar, Scalar], ...]:
     if claim.kind != "identity" or claim.printed is None or claim.derived is None:
         return ()
     printed = in_derived_terms(claim.printed, claim.where)
-    if isinstance(printed, tuple | Decimal) or shape(printed) == ():
+    if isinstance(printed, tuple | Decimal | TextForm) or shape(printed) == ():
         return ()
     pairs = enumerate(zip(entries(printed), entries(claim.derived), strict=True))
     return tuple((place, p, reduced(d)) for place, (p, d) in pairs if prove(p, d).verdict == "refuted")

@@ -12,7 +12,7 @@ import sympy
 from algebroproj_sym.declaring.claim import CORRECTED, Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement
 from algebroproj_sym.declaring.kinds import KINDS
-from algebroproj_sym.expressions import Expression, assumption, decimals, evaluate, leading, size
+from algebroproj_sym.expressions import Expression, TextForm, assumption, decimals, evaluate, leading, size
 from algebroproj_sym.showing.arranging import Part, arranged, as_declared, shown
 from algebroproj_sym.showing.forms import derived_form
 from algebroproj_sym.showing.latex import latex
@@ -80,6 +80,8 @@ def evidence_lines(
     if judgement.certificate:
         method = judgement.certificate["method"]
         about = f": {_rounding(judgement)}" if method == "exact rounding" else ""
+        scope = judgement.certificate.get("scope")
+        about = f"{about}, {scope}" if scope else about
         lines.append(f"undecided: {judgement.certificate['reason']}" if method == "none" else f"by {method}{about}")
     if judgement.hypotheses:
         lines.append(f"holds wherever {_are('not zero', judgement.hypotheses, show, most)}")
@@ -103,7 +105,27 @@ def conditions(claim: Claim, show: Callable[[object], str], most: int | None = N
     """Return under which conditions a claim is made, a line each; without them its formula may be false."""
     given = (("zero", claim.constraints), ("not zero", claim.nonzero))
     lines = [f"claimed wherever {_are(what, factors, show, most)}" for what, factors in given if factors]
-    return [*lines, f"assumed: {'; '.join(map(assumption, claim.assumed))}"] if claim.assumed else lines
+    assumed = [*map(show, claim.assumptions), *map(assumption, claim.assumed)]
+    letters = [f"{show(sympy.Symbol(name))} is {described_letter(text)}" for name, text in claim.letters]
+    return [
+        *([f"in letters: {_listed(letters, most)}"] if letters else []),
+        *lines,
+        *([f"assumed: {'; '.join(assumed)}"] if assumed else []),
+    ]
+
+
+def described_letter(text: str) -> str:
+    """Return what a letter is, in words.
+
+    Examples
+    --------
+    >>> described_letter("3x3 rotation"), described_letter("nx1")
+    ('a 3x3 matrix (rotation)', 'a vector of n components')
+    """
+    shape, _, properties = text.partition(" ")
+    rows, _, columns = shape.partition("x")
+    noun = f"a vector of {rows} components" if columns == "1" else f"a {shape} matrix"
+    return f"{noun} ({properties})" if properties else noun
 
 
 def folded(text: str, most: int) -> str:
@@ -123,6 +145,8 @@ def folded(text: str, most: int) -> str:
 
 
 def _are(what: str, factors: Sequence[object], show: Callable[[object], str], most: int | None) -> str:
+    if all(isinstance(factor, TextForm) and factor.is_relation for factor in factors):
+        return _listed(list(map(show, factors)), most)
     return f"{'this is' if len(factors) == 1 else 'these are'} {what}: {_listed(list(map(show, factors)), most)}"
 
 
@@ -135,6 +159,8 @@ def _listed(items: Sequence[str], most: int | None) -> str:
 
 
 def _whole(value: object) -> str:
+    if isinstance(value, sympy.MatrixBase):
+        return f"[{shown(value)}]"
     return shown(arranged(value)) if isinstance(value, sympy.Expr) else str(value)
 
 
@@ -143,7 +169,8 @@ def _shortened(value: object) -> str:
 
 
 def _in_line(expression: object) -> str:
-    return f"${_latex(arranged(sympy.sympify(expression)))}$"
+    form = expression if isinstance(expression, TextForm) else arranged(sympy.sympify(expression))
+    return f"${_latex(form)}$"
 
 
 def _escaped(text: str) -> str:

@@ -13,9 +13,10 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import over
+from algebroproj_sym.expressions import TextForm, over
 from algebroproj_sym.showing.arranging import arranged
 from algebroproj_sym.showing.names import latex_name, parts
+from algebroproj_sym.showing.text_latex import latex_of_text
 
 MARK = "differs"
 _TIMES = " "
@@ -56,7 +57,7 @@ def latex(expression: Any, marks: Marks = NOTHING, *, ordered: bool = True) -> s
 
     Parameters
     ----------
-    expression : sympy.Expr or sympy matrix
+    expression : sympy.Expr, sympy matrix or TextForm
         What to write.
     marks : Marks
         What to mark in it.
@@ -69,6 +70,8 @@ def latex(expression: Any, marks: Marks = NOTHING, *, ordered: bool = True) -> s
     >>> print(latex(-x / y), latex(sympy.Matrix([[x, y**2]])))
     -\frac{x}{u^{\prime}_{31}} \left[\begin{matrix} x & \left(u^{\prime}_{31}\right)^{2} \end{matrix}\right]
     """
+    if isinstance(expression, TextForm):
+        return _marked(latex_of_text(expression), marks.whole)
     form = arranged(expression) if ordered else expression
     return _matrix(form, marks) if isinstance(form, sympy.MatrixBase) else _scalar(form, marks)
 

@@ -13,6 +13,8 @@ from weakref import WeakKeyDictionary
 import sympy
 
 from algebroproj_sym.declaring import Claim, Section, judge
+from algebroproj_sym.declaring.text_forms import Given, text_fields
+from algebroproj_sym.expressions import NotRationalError
 from algebroproj_sym.proving import reduced
 from algebroproj_sym.showing.arranging import arranged
 from algebroproj_sym.showing.display import markdown
@@ -54,7 +56,13 @@ def show_claims_of_cells() -> None:
 
 def _latex(form: sympy.Expr | sympy.MatrixBase) -> str:
     """Return a derived form, which a cell ends with, as the claims show it."""
-    return f"$$ {latex(arranged(reduced(form)))} $$"
+    try:
+        return f"$$ {latex(arranged(reduced(form)))} $$"
+    except NotRationalError:
+        given = Given({"derived": form}, (), (), (), {})
+        if not given.is_text:
+            raise
+    return f"$$ {latex(text_fields(given, 'identity', 'form')['derived'])} $$"
 
 
 def _publish(claim: Claim) -> None:

@@ -7,10 +7,13 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, Unpack
 
-from algebroproj_sym.declaring.claim import Claim
+import sympy
+
+from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kind import Declaring, Kind, Options
-from algebroproj_sym.expressions import Scalar
+from algebroproj_sym.expressions import Scalar, TextForm
 from algebroproj_sym.proving import Proof, prove
+from algebroproj_sym.proving.statements import prove as prove_any
 
 
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
@@ -23,6 +26,8 @@ def decided(claim: Claim, left: Any, right: Any, engine: str, nonzero: Sequence[
 
     A counterexample of a claim is rational: what differs at irrational points only stays open.
     """
+    if isinstance(left, TextForm):
+        return decided_text(claim, left, right.text, engine)
     proof = prove(
         left,
         right,
@@ -40,6 +45,29 @@ def decided(claim: Claim, left: Any, right: Any, engine: str, nonzero: Sequence[
     return replace(proof, verdict="open", certificate={"method": "none", "reason": reason}, counterexample=None)
 
 
+def decided_text(claim: Claim, left: TextForm, right: str, engine: str) -> Proof:
+    """Decide an equality with real functions, or in letters; what the prover does not take is named."""
+    try:
+        proof = prove_any(
+            left.text,
+            right,
+            constraints=[form.text for form in claim.constraints],
+            nonzero=[form.text for form in claim.nonzero],
+            assumptions=[form.text for form in claim.assumptions],
+            witness=claim.witness,
+            engine=engine,
+            letters=None if left.letters is None else dict(claim.letters),
+        )
+    except (ValueError, TypeError) as error:
+        raise DeclarationError(f"claim {claim.paper}:{claim.number}, {error}") from error
+    point = proof.counterexample
+    return replace(
+        proof,
+        hypotheses=tuple(TextForm(hypothesis, left.letters) for hypothesis in proof.hypotheses),
+        counterexample=None if point is None else {sympy.Symbol(key.name): value for key, value in point.items()},
+    )
+
+
 def identity(
     section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
 ) -> Claim:
@@ -53,7 +81,7 @@ IDENTITY = Kind(
     identity,
     compare,
     "Both sides are equal wherever they are defined.",
-    takes=("nonzero", "assumed"),
+    takes=("nonzero", "assumptions", "letters", "assumed"),
     one_shape=True,
     is_equality=True,
     is_marked=True,
@@ -62,5 +90,5 @@ CONSTRAINED = replace(
     IDENTITY,
     name="identity under constraints",
     says="Both sides are equal wherever the constraints hold.",
-    takes=("constraints", "nonzero", "assumed"),
+    takes=("constraints", "nonzero", "assumptions", "letters", "assumed"),
 )

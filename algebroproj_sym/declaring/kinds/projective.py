@@ -9,9 +9,9 @@ from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kind import Declaring, Kind, Options
-from algebroproj_sym.declaring.kinds.identity import decided
-from algebroproj_sym.expressions import Scalar, entries, evaluate, vector
-from algebroproj_sym.proving import Point, Proof
+from algebroproj_sym.declaring.kinds.identity import decided, decided_text
+from algebroproj_sym.expressions import Scalar, TextForm, entries, evaluate, vector
+from algebroproj_sym.proving import Point, Proof, point_record
 
 
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
@@ -21,6 +21,8 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     all entries are compared, and a point shows that neither side is zero everywhere.  A refutation is a point at which
     p_i d_k and p_k d_i differ.
     """
+    if isinstance(printed, TextForm):
+        return _in_letters(claim, printed, claim.derived, engine)
     p, d = entries(printed), entries(claim.derived)
     found = (_is_zero(claim, entry, engine) for entry in d)
     zeros = list(takewhile(lambda proof: proof.verdict != "refuted", found))
@@ -57,6 +59,21 @@ def _under_constraints(claim: Claim, p: Sequence[Scalar], d: Sequence[Scalar], p
     return replace(proof, certificate={**(proof.certificate or {}), "pivot": pivot, "nonzero at": point})
 
 
+def _in_letters(claim: Claim, printed: TextForm, derived: Any, engine: str) -> Proof:
+    """Decide it through the products of all entries of one side with all of the other, in both orders."""
+    products = TextForm(f"kron({printed}, {derived})", printed.letters)
+    proof = decided_text(claim, products, f"kron({derived}, {printed})", engine)
+    if proof.verdict != "proved":
+        return proof
+    nonzero = decided_text(claim, products, "0", engine)
+    if nonzero.counterexample is None:
+        reason = "no point was found at which neither side is zero"
+        return replace(proof, verdict="open", certificate={"method": "none", "reason": reason})
+    evidence = {key: (nonzero.certificate or {})[key] for key in ("left", "right")}
+    at = {"point": point_record(nonzero.counterexample), **evidence}
+    return replace(proof, certificate={**(proof.certificate or {}), "nonzero at": at})
+
+
 def _differing_at(p: Sequence[Scalar], d: Sequence[Scalar], point: Point) -> dict[str, Any]:
     """Return the evidence that two lists are not proportional at a point."""
     printed, derived = (evaluate(vector(*side), point) for side in (p, d))
@@ -86,7 +103,7 @@ PROJECTIVE = Kind(
     up_to_scale,
     compare,
     "Both sides are equal up to a common factor.",
-    takes=("constraints", "nonzero", "assumed"),
+    takes=("constraints", "nonzero", "letters", "assumed"),
     one_shape=True,
     is_equality=True,
     is_marked=True,

@@ -16,7 +16,16 @@ from algebroproj_sym.proving.letters.properties import PROPERTIES, declared_lett
 from algebroproj_sym.proving.letters.statements import Statement
 from algebroproj_sym.proving.prove import Proof
 
-__all__ = ["PROPERTIES", "Found", "Point", "decide_texts", "prove_letters"]
+__all__ = [
+    "PROPERTIES",
+    "Found",
+    "Point",
+    "declared_in",
+    "prove_letters",
+    "prove_texts",
+    "require_statement",
+    "shape_in_text",
+]
 
 _DECLARED = re.compile(r"([0-9]+|[a-wyz])x([0-9]+|[a-wyz])(?: (.+))?")
 
@@ -67,7 +76,7 @@ def prove_letters(
     sides = [reading.term(side, name) for side, name in ((lhs, "lhs"), (rhs, "rhs"))]
     zeros = [reading.term(term, f"constraints[{place}]") for place, term in enumerate(constraints)]
     units = [reading.term(term, f"nonzero[{place}]") for place, term in enumerate(nonzero)]
-    shapes = {name: Reading().term(letter, name).shape for name, letter in reading.letters.items()}
+    shapes = _shapes(reading)
     statement = _statement(sides, zeros, units, shapes, _named(properties or {}, reading), reading.scalars)
     found = decide(statement, engine)
     try:
@@ -78,14 +87,14 @@ def prove_letters(
         found.verdict,
         tuple(map(reading.expression, found.hypotheses)),
         found.certificate,
-        None if found.point is None else _shown(found.point, reading),
+        None if found.point is None else _by_symbol(found.point, reading.letters, reading.scalars),
         engine,
         tuple(symbol for symbol in stated if not is_plain(symbol)),
         found.scope,
     )
 
 
-def decide_texts(
+def prove_texts(
     lhs: str,
     rhs: str,
     letters: Mapping[str, str],
@@ -93,7 +102,7 @@ def decide_texts(
     constraints: Sequence[str] = (),
     nonzero: Sequence[str] = (),
     engine: str = "flint",
-) -> Found:
+) -> Proof:
     """Decide a statement that is given as text, with letters such as ``{"R": "3x3 rotation", "v": "nx1"}``.
 
     Raises
@@ -103,24 +112,74 @@ def decide_texts(
 
     Examples
     --------
-    >>> decide_texts("dot(R*a, R*b)", "dot(a, b)", {"R": "3x3 rotation", "a": "3x1", "b": "3x1"}).verdict
+    >>> prove_texts("dot(R*a, R*b)", "dot(a, b)", {"R": "3x3 rotation", "a": "3x1", "b": "3x1"}).verdict
     'proved'
     """
+    if engine not in ENGINES:
+        raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
+    statement = _read(lhs, rhs, letters, constraints, nonzero)
+    found = decide(statement, engine)
+    point = None if found.point is None else _by_symbol(found.point, {}, {})
+    return Proof(found.verdict, found.conditions, found.certificate, point, engine, (), found.scope)
+
+
+def _read(
+    lhs: str, rhs: str, letters: Mapping[str, str], constraints: Sequence[str], nonzero: Sequence[str]
+) -> Statement:
     declared = {name: _declared(name, text) for name, text in letters.items()}
     shapes = {name: shape for name, (shape, _) in declared.items()}
-    sides = [parse_letters(text, shapes, key) for key, text in (("key 'lhs'", lhs), ("key 'rhs'", rhs))]
-    zeros = [_difference(text, shapes, f"key 'constraints', entry {i}") for i, text in enumerate(constraints)]
-    units = [parse_letters(text, shapes, f"key 'nonzero', entry {i}") for i, text in enumerate(nonzero)]
-    properties = {name: listed for name, (_, listed) in declared.items()}
-    return decide(_statement(sides, zeros, units, shapes, properties, {}), engine)
+    sides = [_parsed(text, shapes, argument) for argument, text in (("lhs", lhs), ("rhs", rhs))]
+    zeros = [_difference(text, shapes, f"constraints[{place}]") for place, text in enumerate(constraints)]
+    units = [_parsed(text, shapes, f"nonzero[{place}]") for place, text in enumerate(nonzero)]
+    return _statement(sides, zeros, units, shapes, {name: listed for name, (_, listed) in declared.items()}, {})
+
+
+def _parsed(text: Any, shapes: Mapping[str, Shape], argument: str) -> Term:
+    if not isinstance(text, str):
+        raise LetterError(f"{argument}: expected text, because letters are declared by name, got {text!r:.80}")
+    return parse_letters(text, shapes, argument)
+
+
+def require_statement(
+    lhs: str, rhs: str, letters: Mapping[str, str], constraints: Sequence[str] = (), nonzero: Sequence[str] = ()
+) -> None:
+    """Reject a statement in letters that is not well formed; one that is may be asked, see `prove_texts`."""
+    _read(lhs, rhs, letters, constraints, nonzero)
+
+
+def declared_in(reading: Reading, properties: Mapping[Any, Any]) -> dict[str, str]:
+    """Return what the letters that were read are, as text, in the order of their names.
+
+    Examples
+    --------
+    >>> reading, R = Reading(), sympy.MatrixSymbol("R", 3, 3)
+    >>> _ = reading.term(R.T, "lhs")
+    >>> declared_in(reading, {R: "rotation"})
+    {'R': '3x3 rotation'}
+    """
+    shapes, named = _shapes(reading), _named(properties, reading)
+    declared_letters(shapes, named)
+    found = {}
+    for name, (rows, columns) in sorted(shapes.items()):
+        given = named.get(name, ())
+        listed = given if isinstance(given, str) else ", ".join(given)
+        found[name] = f"{rows}x{columns}" + (f" {listed}" if listed else "")
+    return found
+
+
+def shape_in_text(name: str, text: str) -> Shape:
+    """Return the shape of a letter that is declared as text."""
+    return _declared(name, text)[0]
+
+
+def _shapes(reading: Reading) -> dict[str, Shape]:
+    return {name: Reading().term(letter, name).shape for name, letter in reading.letters.items()}
 
 
 def _declared(name: str, text: str) -> tuple[Shape, tuple[str, ...]]:
     match = _DECLARED.fullmatch(text) if isinstance(text, str) else None
     if match is None:
-        raise LetterError(
-            f"key 'letters', {name}: expected a shape and properties such as '3x3 rotation', got {text!r}"
-        )
+        raise LetterError(f"letters, {name}: expected a shape and properties such as '3x3 rotation', got {text!r}")
     rows, columns, listed = match.groups()
     return (_size(rows), _size(columns)), tuple(listed.split(", ")) if listed else ()
 
@@ -129,9 +188,9 @@ def _size(text: str) -> Size:
     return int(text) if text.isdecimal() else text
 
 
-def _difference(text: str, shapes: Mapping[str, Shape], argument: str) -> Term:
-    left, equal, right = text.partition("=")
-    first = parse_letters(left, shapes, argument)
+def _difference(text: Any, shapes: Mapping[str, Shape], argument: str) -> Term:
+    left, equal, right = text.partition("=") if isinstance(text, str) else (text, "", "")
+    first = _parsed(left, shapes, argument)
     if not equal:
         return first
     second = parse_letters(right, shapes, argument)
@@ -174,12 +233,15 @@ def _named(properties: Mapping[Any, Any], reading: Reading) -> dict[str, Any]:
     return found
 
 
-def _shown(point: Point, reading: Reading) -> dict[Any, Any]:
-    """Return a point by symbol: matrices for letters, fractions for numbers."""
+def _by_symbol(
+    point: Point, letters: Mapping[str, sympy.MatrixSymbol], scalars: Mapping[str, sympy.Symbol]
+) -> dict[Any, Any]:
+    """Return a point by symbol: matrices for letters, fractions for numbers, integers for sizes."""
     matrices = {
-        reading.letters[name]: sympy.ImmutableMatrix(
+        letters.get(name, sympy.MatrixSymbol(name, len(rows), len(rows[0]))): sympy.ImmutableMatrix(
             [[sympy.Rational(entry.numerator, entry.denominator) for entry in row] for row in rows]
         )
         for name, rows in point.letters.items()
     }
-    return matrices | {reading.scalars[name]: value for name, value in point.scalars.items()}
+    numbers = {**point.scalars, **point.sizes}
+    return matrices | {scalars.get(name, sympy.Symbol(name)): value for name, value in numbers.items()}

@@ -71,6 +71,12 @@ def stated(record: Mapping[str, Any]) -> Statement:
     return Statement(left, right, letters, constraints, nonzero)
 
 
+def read_alone(setting: Mapping[str, Any], *texts: str) -> None:
+    """Reject texts that are no forms of one shape by themselves, before they become parts of another text."""
+    shapes = {name: declared(text).shape for name, text in setting["letters"].items()}
+    require(len({read(text, shapes).shape for text in texts}) == 1, "the two sides have not the same shape")
+
+
 def without_lengths(statement: Statement) -> Statement:
     """Put scalar products for squares of lengths; sides that are lengths or positive numbers are squared."""
     unit = {name for name, letter in statement.letters.items() if "unit" in letter.properties}

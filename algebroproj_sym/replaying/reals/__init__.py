@@ -3,6 +3,7 @@
 The prover of such statements works on the same facts and laws: it calls proved only what `require_real` accepts.
 """
 
+from algebroproj_sym.replaying.reals.matrices import require_real_form
 from algebroproj_sym.replaying.reals.statement import KEYS, Statement, require_real
 
-__all__ = ["KEYS", "Statement", "require_real"]
+__all__ = ["KEYS", "Statement", "require_real", "require_real_form"]

@@ -308,7 +308,9 @@ def _written(term: Term) -> tuple[str, int]:
 
 def _within(term: Term, level: int) -> str:
     text, own = _written(term)
-    return text if own >= level and not (level == 3 and text.startswith("-")) else f"({text})"
+    if level == 3:  # after a sign a product needs none, and another sign does
+        return text if own >= 2 and not text.startswith("-") else f"({text})"
+    return text if own >= level else f"({text})"
 
 
 def expanded(term: Term) -> tuple[Term, tuple[tuple[str, Term], ...]]:

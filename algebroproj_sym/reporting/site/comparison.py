@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from algebroproj_sym.declaring import KINDS, Claim, Judgement
 from algebroproj_sym.declaring.claim import CORRECTED
-from algebroproj_sym.expressions import assumption, evaluate, shape, size
+from algebroproj_sym.expressions import TextForm, assumption, evaluate, shape, size
 from algebroproj_sym.reporting.explaining import apart, plain_rows
 from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.formulas import (
@@ -25,10 +25,12 @@ from algebroproj_sym.reporting.site.formulas import (
     inline,
     is_formula,
     named,
+    symbol,
 )
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
 from algebroproj_sym.showing import Part, arranged, as_declared, derived_form, differing_entries, in_names
+from algebroproj_sym.showing.display import described_letter
 from algebroproj_sym.showing.latex import NOTHING, WHOLE, Marks, latex
 
 MOST = 6
@@ -98,7 +100,7 @@ def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, M
             return {**none, "printed": WHOLE}
         printed, corrected = digits_that_differ(claim.printed, claim.corrected)
         return {**none, "printed": printed, "corrected": corrected}
-    if not KINDS[claim.kind].is_marked:
+    if not KINDS[claim.kind].is_marked or isinstance(claim.printed, TextForm):
         return none
     right: Part = "derived" if claim.corrected is None else "corrected"
     left_marks, right_marks = difference(forms["printed"], forms[right])
@@ -128,6 +130,8 @@ def _table(judgement: Judgement, forms: Mapping[Part, Any]) -> Table | None:
 
 def place_of(claim: Claim, place: int) -> str:
     """Return where an entry of a form stands."""
+    if isinstance(claim.derived, TextForm):
+        return f"value {place + 1}"
     if not shape(claim.derived):
         return "value"
     row, column = divmod(place, claim.derived.cols)  # type: ignore[union-attr]
@@ -146,17 +150,28 @@ def _cells(printed: Any, right: Any) -> tuple[Markup, ...]:
 def conditions(judgement: Judgement) -> Markup:
     """Return in a line under which conditions a verdict stands: what is zero there, and what is not."""
     claim = judgement.claim
-    given = [_condition(constraint, "=") for constraint in claim.constraints]
+    scope = (judgement.certificate or {}).get("scope")
+    given = [Markup("{}").format(scope)] if scope else []
+    given += [Markup("{} is {}").format(symbol(name), described_letter(text)) for name, text in claim.letters]
+    given += [_condition(constraint, "=") for constraint in (*claim.constraints, *claim.assumptions)]
     given += [_condition(factor, "≠") for factor in dict.fromkeys((*claim.nonzero, *judgement.hypotheses))]
-    given += [Markup("{}").format(assumption(symbol)) for symbol in claim.assumed]
+    given += [Markup("{}").format(assumption(assumed)) for assumed in claim.assumed]
     if not given:
         return Markup()
     more = [Markup("and {} more conditions").format(len(given) - MOST)] if len(given) > MOST else []
     return Markup('<span class="conditions">{}</span>').format(Markup(", ").join([*given[:MOST], *more]))
 
 
+def these_are(what: str, forms: Sequence[Any]) -> str:
+    """Return what is said of some conditions before they are listed; nothing if they say it by themselves."""
+    return "" if any(isinstance(form, TextForm) and form.is_relation for form in forms) else f": these are {what}"
+
+
 def _condition(expression: Any, relation: str) -> Markup:
     shown = inline(expression)
+    if isinstance(expression, TextForm) and expression.is_relation:
+        shown = shown or Markup("<code>{}</code>").format(expression.text)
+        return in_line(shown, focusable=size(expression) > SMALL)
     if shown is None:
         return Markup("{} {} 0").format(described(expression), relation)
     return in_line(Markup("{} {} 0").format(shown, relation), focusable=size(expression) > SMALL)
@@ -164,4 +179,4 @@ def _condition(expression: Any, relation: str) -> Markup:
 
 def where(claim: Claim) -> list[tuple[Markup, Markup]]:
     """Return what symbols of the printed form stand for."""
-    return [(math(latex(symbol)), block(value)) for symbol, value in claim.where.items()]
+    return [(math(latex(name)), block(value)) for name, value in claim.where.items()]

@@ -9,9 +9,9 @@ from typing import Any
 
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import Judgement
+from algebroproj_sym.declaring import Judgement, statement_text
 from algebroproj_sym.declaring.claim import CORRECTED
-from algebroproj_sym.expressions import text
+from algebroproj_sym.proving import point_record
 from algebroproj_sym.reporting.explaining import sides_at_counterexample
 from algebroproj_sym.reporting.site.comparison import place_of
 from algebroproj_sym.reporting.site.formulas import folded, symbol
@@ -36,6 +36,11 @@ METHODS = {
     "counterexample": "It fails at a rational point, computed exactly.",
     "leading coefficients": "The limit is the quotient of the coefficients of the lowest powers.",
     "kernel vectors": "Independent vectors in the kernel bound the rank from above.",
+    "words": "Both sides are equal in the algebra of words: matrices are multiplied as letters, by rules that hold for "
+    "matrices of every size that fits. The rules and sums are below.",
+    "entries": "Both sides are equal entry by entry, with the entries below for the letters.",
+    "real laws": "Both sides are equal by the laws of real functions below, wherever the conditions hold.",
+    "enclosures": "Both sides were enclosed at a rational point, in intervals that do not meet.",
     "divergence": "The expression has a pole where the variable goes to zero.",
 }
 _SHOWN_ELSEWHERE = ("method", "reason", "refutation", "entries", "left", "right", "witness", "point", "instance")
@@ -77,7 +82,7 @@ def _counterexample(judgement: Judgement) -> list[Table]:
     point = judgement.counterexample
     if not point:
         return []
-    rows = [(symbol(key.name), _fraction(value)) for key, value in point.items()]
+    rows = [(symbol(name), _value(value)) for name, value in point_record(point).items()]
     tables = [Table("Counterexample: a point at which it fails", ("symbol", "value"), rows)]
     values = _values(judgement)
     if values:
@@ -98,6 +103,11 @@ def _fraction(value: Fraction, marked: bool = False) -> Markup | str:
     return Markup('<mark class="differs">{}</mark>').format(value) if marked else str(value)
 
 
+def _value(value: Any) -> str:
+    """Return a number, or the rows of a matrix, as text."""
+    return f"[{', '.join(map(_value, value))}]" if isinstance(value, list) else str(value)
+
+
 def _points(certificate: Mapping[str, Any]) -> list[Table]:
     captions = {
         "witness": "Witness: a point that satisfies constraints and hypotheses",
@@ -105,14 +115,18 @@ def _points(certificate: Mapping[str, Any]) -> list[Table]:
         "instance": "Instance",
     }
     return [
-        Table(caption, ("symbol", "value"), [(symbol(name), value) for name, value in certificate[key].items()])
+        Table(caption, ("symbol", "value"), [(symbol(name), _value(value)) for name, value in certificate[key].items()])
         for key, caption in captions.items()
         if certificate.get(key)
     ]
 
 
 def _cofactors(certificate: Mapping[str, Any]) -> list[Table]:
-    entries = [(f"entry {k}", entry) for k, entry in enumerate(certificate.get("entries", ()), 1)]
+    listed = certificate.get("entries", ())
+    if isinstance(listed, Mapping):
+        letters = [(symbol(name), _code(text)) for name, text in listed.items()]
+        return [Table("Entries of the letters", ("letter", "entries"), letters)]
+    entries = [(f"entry {k}", entry) for k, entry in enumerate(listed, 1)]
     rows = [
         (f"{name}, constraint {int(i) + 1}", str(entry["exponent"]), _code(entry["multiplier"]), _code(cofactor))
         for name, entry in entries
@@ -126,7 +140,7 @@ def _cofactors(certificate: Mapping[str, Any]) -> list[Table]:
 
 
 def _rest(certificate: Mapping[str, Any], judgement: Judgement) -> Mapping[str, Any]:
-    known = {text(factor) for factor in judgement.hypotheses}
+    known = {*map(statement_text, judgement.hypotheses)}
     return {
         key: value
         for key, value in certificate.items()

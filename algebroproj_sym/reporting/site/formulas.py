@@ -11,7 +11,7 @@ import sympy
 from markupsafe import Markup, escape
 
 from algebroproj_sym.declaring import Claim, Statement
-from algebroproj_sym.expressions import decimals, entries, leading, size
+from algebroproj_sym.expressions import TextForm, decimals, entries, leading, size
 from algebroproj_sym.reporting.explaining import plain_rows, shared_out
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.showing import Named, latex_of_name, named_latex
@@ -187,6 +187,8 @@ def described(statement: Statement | None) -> str:
         return f"{statement.rows} × {statement.cols} matrix"
     if isinstance(statement, tuple):
         return f"{len(statement)} factors"
+    if isinstance(statement, TextForm):
+        return statement.text
     if isinstance(statement, sympy.Add):
         return f"a sum of {len(statement.args)} terms"
     return "a long expression"

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from algebroproj_sym.declaring import Claim
-from algebroproj_sym.expressions import symbols_of
+from algebroproj_sym.expressions import TextForm, symbols_of
 from algebroproj_sym.reporting.site.catalogue import Catalogue
 from algebroproj_sym.showing.names import plain_name
 
@@ -28,7 +28,7 @@ def search_index(catalogue: Catalogue) -> list[list[str]]:
         for entry in catalogue.entries
     ]
     functions = [
-        [f.page, "function", f.name, f.lowered.kernel.summary, "", _spelled(f.lowered.kernel.symbols)]
+        [f.page, "function", f.name, f.lowered.kernel.summary, "", _spelled(s.name for s in f.lowered.kernel.symbols)]
         for f in catalogue.functions
     ]
     return claims + functions
@@ -41,14 +41,15 @@ def search_script(catalogue: Catalogue) -> str:
 
 
 def _symbols(claim: Claim) -> str:
-    forms = [form for form in (claim.printed, claim.corrected, claim.derived) if _has_symbols(form)]
-    return _spelled(symbols_of(forms)) if forms else ""
+    return _spelled(name for form in (claim.printed, claim.corrected, claim.derived) for name in _names(form))
 
 
-def _has_symbols(form: Any) -> bool:
-    return hasattr(form, "free_symbols")
+def _names(form: Any) -> list[str]:
+    if isinstance(form, TextForm):
+        return form.names
+    return [symbol.name for symbol in symbols_of([form])] if hasattr(form, "free_symbols") else []
 
 
-def _spelled(symbols: Iterable[Any]) -> str:
-    names = sorted({symbol.name for symbol in symbols})[:MOST_SYMBOLS]
-    return " ".join(dict.fromkeys(spelling for name in names for spelling in (name, plain_name(name))))
+def _spelled(names: Iterable[str]) -> str:
+    known = sorted({*names})[:MOST_SYMBOLS]
+    return " ".join(dict.fromkeys(spelling for name in known for spelling in (name, plain_name(name))))

@@ -10,7 +10,7 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.reporting.site import addresses
-from algebroproj_sym.reporting.site.comparison import conditions
+from algebroproj_sym.reporting.site.comparison import conditions, these_are
 from algebroproj_sym.reporting.site.formulas import block, bullet
 
 FONT = "stix-two-math.woff2"
@@ -34,7 +34,12 @@ _TEMPLATES = Environment(
     keep_trailing_newline=True,
 )
 _TEMPLATES.globals.update(
-    addresses=addresses, verdict_meaning=VERDICT_MEANING, conditions=conditions, block=block, bullet=bullet
+    addresses=addresses,
+    verdict_meaning=VERDICT_MEANING,
+    conditions=conditions,
+    these_are=these_are,
+    block=block,
+    bullet=bullet,
 )
 
 

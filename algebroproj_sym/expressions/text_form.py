@@ -1,0 +1,51 @@
+"""Forms that are no rational expressions, with real functions or in letters: text, which has readers of its own."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+_RELATION = re.compile("[<>=]")
+_NAME = re.compile(r"(?<![\w.])[^\W\d]\w*'*(?![\w'(])")
+_PART = re.compile(r"\w+")
+
+
+@dataclass(frozen=True)
+class TextForm:
+    """A side or a condition of a statement with real functions, or in letters.
+
+    Attributes
+    ----------
+    text : str
+        As the prover and the replay read it.
+    letters : tuple of (str, str), or None
+        The vectors and matrices of the statement and what they are, such as ``("R", "3x3 rotation")``; None for a
+        statement with real functions.
+
+    Examples
+    --------
+    >>> form = TextForm("R.T*R", (("R", "3x3 rotation"),))
+    >>> str(form), form.names, form.is_relation
+    ('R.T*R', ['R'], False)
+    """
+
+    text: str
+    letters: tuple[tuple[str, str], ...] | None = None
+
+    def __str__(self) -> str:
+        return self.text
+
+    @property
+    def names(self) -> list[str]:
+        """The names of numbers and letters that occur, in the order of the alphabet."""
+        return sorted({*_NAME.findall(self.text)} - {"pi"})
+
+    @property
+    def is_relation(self) -> bool:
+        """Whether it says by itself how its sides compare, such as ``cos(x) != 0``."""
+        return bool(_RELATION.search(self.text))
+
+    @property
+    def size(self) -> int:
+        """How many names and numbers it has."""
+        return len(_PART.findall(self.text))

@@ -1,0 +1,67 @@
+"""Decide matrices with real functions entry by entry; the domain of each entry is that of the whole matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions import NotRationalError
+from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.proving.reals.reading import term_of
+from algebroproj_sym.replaying.reals.matrices import END, START, entries_of, is_matrix, rows_of
+from algebroproj_sym.replaying.reals.terms import written
+from algebroproj_sym.replaying.rejection import Rejected
+
+
+def real_text(value: Any, argument: str) -> str:
+    """Return text, a number, an expression or a matrix of such as text.
+
+    Examples
+    --------
+    >>> x = sympy.Symbol("x")
+    >>> real_text(sympy.Matrix([[sympy.cos(x), 0]]), "lhs")
+    'Matrix([[cos(x), 0]])'
+    """
+    if isinstance(value, sympy.MatrixBase):
+        rows: list[list[Any]] = value.tolist()
+    elif is_matrix(value):
+        try:
+            rows = rows_of(value)
+        except Rejected as error:
+            raise NotRationalError(f"{argument}: {error}") from None
+    else:
+        return written(term_of(value, argument))
+    texts = (f"[{', '.join(written(term_of(entry, argument)) for entry in row)}]" for row in rows)
+    return f"{START}{', '.join(texts)}{END}"
+
+
+def proof_of_matrix(lhs: Any, rhs: Any, prove: Callable[[str, str], Proof]) -> Proof:
+    """Decide whether two matrices are equal, by what decides two scalars that are text.
+
+    Raises
+    ------
+    NotRationalError
+        If only one side is a matrix, or the shapes differ.
+    """
+    sides = {"lhs": real_text(lhs, "lhs"), "rhs": real_text(rhs, "rhs")}
+    if not all(map(is_matrix, sides.values())):
+        raise NotRationalError("prove: expected two sides of one shape, got a matrix and a scalar")
+    try:
+        entries = entries_of(sides)
+    except Rejected as error:
+        raise NotRationalError(f"prove: {error}") from None
+    proofs = list[Proof]()
+    for place, entry in enumerate(entries):
+        proof = prove(entry["lhs"], entry["rhs"])
+        if proof.verdict == "refuted":
+            return replace(proof, certificate={**_evidence(proof), "entry": place})
+        proofs.append(proof)
+    undecided = next((proof for proof in proofs if proof.verdict == "open"), None)
+    return undecided or replace(proofs[0], certificate={"method": "real laws", "entries": [*map(_evidence, proofs)]})
+
+
+def _evidence(proof: Proof) -> Mapping[str, Any]:
+    return proof.certificate or {}

@@ -1,0 +1,205 @@
+r"""Text with real functions, or in letters, as LaTeX: with the parts in the order in which they are written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
+from math import prod
+from typing import Any, TypeAlias
+
+from algebroproj_sym.expressions import TextForm
+from algebroproj_sym.replaying.reals.matrices import is_matrix, rows_of
+from algebroproj_sym.replaying.reals.terms import Term, read
+from algebroproj_sym.showing.names import latex_name
+
+SUM, PRODUCT, POWER, ATOM = range(4)
+Written: TypeAlias = tuple[str, int]
+"""LaTeX, and how tightly it binds."""
+
+_COMPARISON = re.compile("(<=|>=|!=|==|<|>|=)")
+_RELATIONS = {"!=": r"\neq", "<=": r"\leq", ">=": r"\geq", "==": "="}
+_NAMES = {
+    **{name: rf"\{name}" for name in ("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth")},
+    "exp": r"\exp",
+    "log": r"\log",
+    "asin": r"\arcsin",
+    "acos": r"\arccos",
+    "atan": r"\arctan",
+}
+
+
+def latex_of_text(form: TextForm) -> str:
+    r"""Return a form as LaTeX.
+
+    Examples
+    --------
+    >>> print(latex_of_text(TextForm("sqrt(1 - sin(x)^2)/2")))
+    \frac{\sqrt{1 - \sin^{2}\left(x\right)}}{2}
+    >>> print(latex_of_text(TextForm("E - skew(t)*R.T", (("E", "3x3"), ("R", "3x3"), ("t", "3x1")))))
+    E - \left[t\right]_{\times} R^{T}
+    """
+    if form.letters is None and is_matrix(form.text):
+        return _matrix([map(_with_functions, row) for row in rows_of(form.text)])
+    parts = _COMPARISON.split(form.text)
+    side = _with_functions if form.letters is None else _reader(dict(form.letters))
+    shown = (_RELATIONS.get(part, part) if place % 2 else side(part) for place, part in enumerate(parts))
+    return " ".join(shown)
+
+
+def _inside(written: Written, level: int) -> str:
+    text, own = written
+    return text if own >= level else _bracketed(text)
+
+
+def _bracketed(text: str) -> str:
+    return rf"\left({text}\right)"
+
+
+def _matrix(rows: Sequence[Iterable[str]]) -> str:
+    content = r" \\ ".join(" & ".join(row) for row in rows)
+    return rf"\left[\begin{{matrix}} {content} \end{{matrix}}\right]"
+
+
+def _number(value: Fraction) -> Written:
+    size = str(abs(value)) if value.denominator == 1 else rf"\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
+    return (f"-{size}", SUM) if value < 0 else (size, ATOM if value.denominator == 1 else POWER)
+
+
+def _added(terms: list[tuple[bool, str]]) -> Written:
+    """Return a sum of terms, each with whether it is subtracted."""
+    (minus, first), *others = terms
+    rest = "".join(f" {'-' if minus else '+'} {text}" for minus, text in others)
+    return f"{'-' if minus else ''}{first}{rest}", SUM
+
+
+def _multiplied(factors: list[str]) -> Written:
+    first, *others = factors
+    return first + "".join(rf" \cdot {text}" if text[0].isdigit() else f" {text}" for text in others), PRODUCT
+
+
+# -- real functions
+
+
+def _with_functions(text: str) -> str:
+    return _real(read(text))[0]
+
+
+def _real(term: Term) -> Written:
+    kind, args = term.kind, term.args
+    if kind == "number":
+        return _number(term.value)
+    if kind == "symbol":
+        return latex_name(term.value), ATOM
+    if kind == "pi":
+        return r"\pi", ATOM
+    if kind == "+":
+        return _added([_signed(part) for part in args])
+    if kind == "-":
+        return f"-{_inside(_real(args[0]), PRODUCT)}", SUM
+    if kind == "*":
+        minus, first = _signed(args[0])
+        text = _multiplied([first, *(_inside(_real(part), PRODUCT) for part in args[1:])])[0]
+        return (f"-{text}", SUM) if minus else (text, PRODUCT)
+    if kind == "/":
+        above, below = (_real(part)[0] for part in args)
+        return rf"\frac{{{above}}}{{{below}}}", POWER
+    if kind == "^":
+        return _power(args[0], term.value)
+    return _function(kind, args)
+
+
+def _signed(term: Term) -> tuple[bool, str]:
+    if term.kind == "-":
+        return True, _inside(_real(term.args[0]), PRODUCT)
+    text, level = _real(term)
+    minus = term.kind == "*" and text.startswith("-")
+    return minus, text.removeprefix("-") if minus else _inside((text, level), PRODUCT)
+
+
+def _power(base: Term, exponent: Fraction) -> Written:
+    if exponent == Fraction(1, 2):
+        return rf"\sqrt{{{_real(base)[0]}}}", ATOM
+    above = str(exponent)
+    if base.kind in _NAMES and exponent > 1 and exponent.denominator == 1 and base.kind not in ("exp", "log"):
+        return f"{_NAMES[base.kind]}^{{{above}}}{_bracketed(_real(base.args[0])[0])}", POWER
+    return f"{_inside(_real(base), ATOM)}^{{{above}}}", POWER
+
+
+def _function(name: str, args: tuple[Term, ...]) -> Written:
+    inner = ", ".join(_real(part)[0] for part in args)
+    if name == "sqrt":
+        return rf"\sqrt{{{inner}}}", ATOM
+    if name == "abs":
+        return rf"\left|{inner}\right|", ATOM
+    return _NAMES.get(name, rf"\operatorname{{{name}}}") + _bracketed(inner), POWER
+
+
+# -- letters
+
+
+def _reader(letters: Mapping[str, str]) -> Callable[[str], str]:
+    """Return what reads text with some letters; what that needs is imported for it alone."""
+    from algebroproj_sym.expressions.letters import parse_letters
+    from algebroproj_sym.proving.letters import shape_in_text
+
+    shapes = {name: shape_in_text(name, text) for name, text in letters.items()}
+    return lambda text: _in_letters(parse_letters(text, shapes))[0]
+
+
+_OPERATORS = {"cross": r" \times ", "dot": r" \cdot ", "kron": r" \otimes ", "qmul": r" \circ "}
+_AROUND = {"skew": r"\left[%s\right]_{\times}", "norm": r"\left\|%s\right\|", "conj": r"\overline{%s}"}
+_CALLED = {"det": r"\det", "trace": r"\operatorname{tr}", "rotation": r"\operatorname{rot}"}
+
+
+def _in_letters(term: Any) -> Written:
+    kind, parts, value = term.kind, term.parts, term.value
+    if kind == "number":
+        return _number(value)
+    if kind in ("symbol", "letter"):
+        return latex_name(value), ATOM
+    if kind == "sum":
+        return _added([_signed_letters(part) for part in parts])
+    if kind == "product":
+        minus, text = _signed_letters(term)
+        return (f"-{text}", SUM) if minus else (text, PRODUCT)
+    if kind == "power":
+        return f"{_inside(_in_letters(parts[0]), ATOM)}^{{{value}}}", POWER
+    if kind == "transpose":
+        return f"{_inside(_in_letters(parts[0]), ATOM)}^{{T}}", POWER
+    if kind == "outer":
+        first, second = (_inside(_in_letters(part), ATOM) for part in parts)
+        return f"{first} {second}^{{T}}", PRODUCT
+    if kind in ("eye", "zeros"):
+        return (f"I_{{{value[0]}}}" if kind == "eye" else "0"), ATOM
+    if kind == "entry":
+        return f"{_inside(_in_letters(parts[0]), ATOM)}_{{{value[0] + 1},{value[1] + 1}}}", POWER
+    if kind == "block":
+        texts, width = [_in_letters(part)[0] for part in parts], value[0]
+        return _matrix([texts[place : place + width] for place in range(0, len(texts), width)]), ATOM
+    if kind in _OPERATORS:
+        return _OPERATORS[kind].join(_inside(_in_letters(part), ATOM) for part in parts), PRODUCT
+    inner = ", ".join(_in_letters(part)[0] for part in parts)
+    if kind in _AROUND:
+        return _AROUND[kind] % inner, ATOM
+    if kind == "vee":
+        return rf"{_inside(_in_letters(parts[0]), ATOM)}^{{\vee}}", POWER
+    return _CALLED.get(kind, rf"\operatorname{{{kind}}}") + _bracketed(inner), POWER
+
+
+def _factors(term: Any) -> list[Any]:
+    """Return the factors of a product, and of products in it."""
+    return [factor for part in term.parts for factor in (_factors(part) if part.kind == "product" else [part])]
+
+
+def _signed_letters(term: Any) -> tuple[bool, str]:
+    """Return whether a term of a sum is subtracted, and what follows the sign."""
+    if term.kind == "number" and term.value < 0:
+        return True, _number(-term.value)[0]
+    if term.kind != "product":
+        return False, _inside(_in_letters(term), PRODUCT)
+    factors = _factors(term)
+    value = prod((part.value for part in factors if part.kind == "number"), start=Fraction(1))
+    others = [_inside(_in_letters(part), POWER) for part in factors if part.kind != "number"]
+    numbers = [] if abs(value) == 1 and others else [_number(abs(value))[0]]
+    return value < 0, _multiplied([*numbers, *others])[0]

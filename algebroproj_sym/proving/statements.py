@@ -112,8 +112,6 @@ def prove(
     """
     if relation not in RELATIONS:
         raise ValueError(f"relation: expected one of {', '.join(RELATIONS)}, got {relation!r}")
-    if relation != "=":
-        raise UnsupportedError(f"relation: expected '=', because other relations are not decided yet, got {relation!r}")
     for argument, given in {"constraints": constraints, "nonzero": nonzero, "assumptions": assumptions}.items():
         if isinstance(given, str) or not isinstance(given, Sequence):
             raise TypeError(f"{argument}: expected a sequence of expressions, got {_kind(given)}")
@@ -121,15 +119,21 @@ def prove(
     if properties or _speaks_of_letters(forms):
         if assumptions:
             raise ValueError("assumptions: expected none for a statement in letters")
+        if relation != "=":
+            raise UnsupportedError(f"relation: expected '=' for a statement in letters, got {relation!r}")
         return _of_letters(lhs, rhs, constraints, nonzero, properties, witness, engine)
-    if assumptions or any(isinstance(form, str) and "pi" in form and "pi" in names_in(form) for form in forms):
-        return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
+    if (
+        relation != "="
+        or assumptions
+        or any(isinstance(form, str) and "pi" in form and "pi" in names_in(form) for form in forms)
+    ):
+        return _real(lhs, rhs, relation, constraints, nonzero, assumptions, witness)
     try:
         return _rational(lhs, rhs, constraints, nonzero, witness, engine)
     except (ParseError, NotRationalError):
         if not any(map(_has_functions, forms)):
             raise
-    return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
+    return _real(lhs, rhs, relation, constraints, nonzero, assumptions, witness)
 
 
 def _has_functions(form: Any) -> bool:
@@ -138,7 +142,9 @@ def _has_functions(form: Any) -> bool:
 
     if isinstance(form, str):
         return has_functions(form)
-    return isinstance(form, sympy.Expr) and bool(form.has(sympy.Function, sympy.pi, sympy.E) or _has_roots(form))
+    return isinstance(form, sympy.Expr) and bool(
+        form.has(sympy.Function, sympy.Derivative, sympy.pi, sympy.E) or _has_roots(form)
+    )
 
 
 def _has_roots(form: sympy.Expr) -> bool:
@@ -148,6 +154,7 @@ def _has_roots(form: sympy.Expr) -> bool:
 def _real(
     lhs: Any,
     rhs: Any,
+    relation: str,
     constraints: Sequence[Any],
     nonzero: Sequence[Any],
     assumptions: Sequence[Any],
@@ -155,7 +162,7 @@ def _real(
 ) -> Proof:
     from algebroproj_sym.proving.reals.prove import proof_of
 
-    return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness)
+    return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness, relation)
 
 
 def _rational(

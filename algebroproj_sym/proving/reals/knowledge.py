@@ -23,8 +23,7 @@ from algebroproj_sym.proving.reals.samples import Sample
 from algebroproj_sym.proving.reals.simplex import weights
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.polynomial import BITS, Polynomial
-from algebroproj_sym.replaying.reals.laws import apply
-from algebroproj_sym.replaying.reals.statement import assume
+from algebroproj_sym.replaying.reals.proofs import apply, assume
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
@@ -55,6 +54,7 @@ class Knowledge:
         self.samples = list(samples)
         self.steps: list[Mapping[str, Any]] = []
         self.wanted: list[Polynomial] = []
+        self.cuts: list[Polynomial] = []
         self._made: dict[int, tuple[Polynomial, int, Any]] = {}
         self._names: dict[int, tuple[Any, set[int]]] = {}
         self._rules: dict[Any, list[Rule]] = {}
@@ -63,9 +63,9 @@ class Knowledge:
 
     def case(self, relation: str, text: str) -> Knowledge:
         """Return the same knowledge, without its steps, where something more is assumed."""
-        wanted = {">": 1, "=": 0, "<": -1}[relation]
+        wanted = {">": (1,), "=": (0,), "<": (-1,), ">=": (0, 1)}[relation]
         element = self.theory.polynomial(text)
-        kept = [sample.branch() for sample in self.samples if sample.sign(self.theory, element) == wanted]
+        kept = [sample.branch() for sample in self.samples if sample.sign(self.theory, element) in wanted]
         found = Knowledge(self.theory.branch(), kept, self.effort)
         assume(found.theory, relation, text)
         return found
@@ -240,7 +240,7 @@ class Knowledge:
         return False
 
     def _rewritten(self, goal: Any) -> bool:
-        self._spend(1)
+        self.spend(1)
         reduced = reduced_by(goal, self.rules(goal))
         return reduced is not None and reduced[0] == 0 and self.follows(goal, End(1, goal**0, reduced[1]))
 
@@ -266,7 +266,7 @@ class Knowledge:
         polynomials = [zero for _, zero in zeros]
         units = self._units([goal, *polynomials])
         key = (tuple(place for place, _ in zeros), len(self.theory.field.places), tuple(map(str, units)))
-        self._spend(4)
+        self.spend(4)
         try:
             if key not in self._systems:
                 known = Elimination(self.context, [*polynomials], [*range(len(zeros))], units).advanced()
@@ -390,6 +390,17 @@ class Knowledge:
         if 1 not in seen and self.positive(-element):
             return "<" if self.theory.holds(">", -element) else "<="
         return None
+
+    def related(self, relation: str, element: Element) -> bool:
+        """Show that something is ``>``, ``>=`` or ``!=`` zero; whether that was found."""
+        if relation == "!=":
+            return (
+                self.theory.holds("!=", element)
+                or self.nonzero(self.signed(element))
+                or self.positive(element, True)
+                or self.positive(-element, True)
+            )
+        return self.positive(element, relation == ">")
 
     def positive(self, element: Element, strict: bool = False) -> bool:
         """Show that something is not negative, or positive where that is found; whether it is what was asked."""
@@ -611,7 +622,8 @@ class Knowledge:
             cofactors={place: self.text(part) for place, part in cofactors.items() if part != 0},
         )
 
-    def _spend(self, effort: int) -> None:
+    def spend(self, effort: int) -> None:
+        """Count what was spent; raise `EffortExceededError` if it is too much."""
         self.effort[0] -= effort
         if self.effort[0] < 0:
             raise EffortExceededError
@@ -630,7 +642,7 @@ class Knowledge:
         kept, rows = _useful(maps, target, doubles)
         if len(rows) > MOST_ROWS or not rows >= target.keys():
             return None
-        self._spend(2)
+        self.spend(2)
         found = weights([maps[place] for place in kept], target)
         if found is None:
             return None

@@ -23,14 +23,6 @@ MOST_BITS = 4096
 Step = Mapping[str, Any]
 
 
-def apply(theory: Theory, step: Step) -> None:
-    """Add what follows by a law."""
-    require(isinstance(step, Mapping) and step.get("law") in LAWS, f"there is no law for {step!r:.80}")
-    law, entries = LAWS[step["law"]]
-    require(step.keys() == {"law", *entries}, f"{step['law']}: expected the entries {sorted(entries)}")
-    law(theory, step)
-
-
 def _product(theory: Theory, powers: Mapping[str, Any], relations: Sequence[str], *, even: bool = False) -> Element:
     """Return a product of facts of some relations; what is only not zero must have an even power, if so asked."""
     found = theory.number(1)

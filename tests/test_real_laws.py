@@ -159,6 +159,13 @@ CASES = [
     ]),
     (["x < 0"], ["sign(x)"], {"law": "sign function", "target": "_1"}, ("=", "_1 + 1"), []),
     (["x = 0"], ["sign(x)"], {"law": "sign function", "target": "_1"}, ("=", "_1"), []),
+    (["x > 0"], ["sqrt(x)"], {"law": "strict bounds", "target": "_1"}, (">", "sqrt(x)"), [
+        {"law": "strict bounds", "target": "x"}, {"law": "strict bounds", "target": "_2"},
+    ]),
+    (["x != 0"], ["exp(x)"], {"law": "strict bounds", "target": "_1"}, (">", "exp(x) - 1 - x"), []),
+    (["x != 0"], ["exp(x)"], {"law": "strict bounds", "target": "_1"}, (">", "1 - exp(x)*(1 - x)"), []),
+    (["x != 1"], ["log(x)"], {"law": "strict bounds", "target": "_1"}, (">", "x - 1 - log(x)"), []),
+    (["x != 1"], ["log(x)"], {"law": "strict bounds", "target": "_1"}, (">", "x*log(x) - x + 1"), []),
     (["x >= 0"], ["y"], mean_value("x**2", "0", ["x >= 0"]), (">=", "x**2"), [
         mean_value("x**2", "1", ["x >= 0"]), mean_value("x**2", "-1", ["x >= 0"]), mean_value("x**2", "x", ["x >= 0"]),
         mean_value("x**2", "0", ["x > 0"]), mean_value("x**2", "0", ["x >= 1"]), mean_value("x**2", "0", ["x <= 9"]),

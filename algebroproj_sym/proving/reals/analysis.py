@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from math import ceil, floor, lcm, pi
+from math import ceil, floor, lcm, log, pi
 from typing import Any
 
 import flint
@@ -32,7 +32,7 @@ BITS = 64
 PRECISION = 160
 NEARLY_ZERO = 1e-25
 MOST_HALVINGS = 9
-GRAIN = 64
+GRAIN = 2**20
 SIMPLE = 24
 HALVINGS = 60
 PARTS = (1, 4, 10, 20, 32, 45, 55, 68, 80, 90, 96, 99)
@@ -301,8 +301,9 @@ class Function:
         """Show that the function is positive by its values on pieces of the range."""
         if self.scope.low is None or self.scope.high is None:
             return False
-        low = Fraction(floor(self.scope.low.value * GRAIN), GRAIN)
-        high = Fraction(ceil(self.scope.high.value * GRAIN), GRAIN)
+        low, high = self.scope.low.value, self.scope.high.value
+        low = low if low.denominator < GRAIN else Fraction(floor(low * GRAIN), GRAIN)
+        high = high if high.denominator < GRAIN else Fraction(ceil(high * GRAIN), GRAIN)
         pieces = [low]
         waiting = [high]
         if self._sign(self.whole, low) != 1 or self._sign(self.whole, high) != 1:
@@ -354,8 +355,11 @@ class Function:
         for _ in range(HALVINGS):
             middle = (left + right) / 2
             left, right = (middle, right) if self._sign(self.slope, middle) in (-1, 0) else (left, middle)
-        turns = left / Fraction(pi)
-        for text in (str(left.limit_denominator(SIMPLE)), f"{turns.limit_denominator(SIMPLE)}*pi"):
+        number = float(left)
+        kinds = [("{}", number), ("{}*pi", number / pi), ("sqrt({})", number * abs(number))]
+        kinds += [("exp({})", log(number))] if number > 0 else []
+        for form, value in kinds:
+            text = form.format(Fraction(value).limit_denominator(SIMPLE))
             if self._sign(self.whole, read(text)) == 0:
                 return text
         return None

@@ -119,12 +119,14 @@ class Search:
         if knowledge.related(relation, goal):
             return True
         normalised(knowledge)
+        _turns_bounded(knowledge)
+        _bounds_strict(knowledge)
         _signs_decided(knowledge)
         _unified(knowledge)
-        _turns_bounded(knowledge)
         return (
             knowledge.theory.contradictory
             or knowledge.related(relation, goal)
+            or _by_conjugates(knowledge, relation, goal)
             or Analysis(self._nested, _are_equal, knowledge, self.level).related(relation, goal)
         )
 
@@ -195,6 +197,77 @@ def _turns_bounded(knowledge: Knowledge) -> None:
                         "sign", polynomial=side, relation=">=", scale=2, multiplier={},
                         sum=[["1", side, {}], ["1", other, {}]], cofactors={str(place): "-1"},
                     )  # fmt: skip
+
+
+def _bounds_strict(knowledge: Knowledge) -> None:
+    """Make bounds of roots, exponentials and logarithms strict where they are."""
+    theory = knowledge.theory
+    for name, known in [*theory.applications.items()]:
+        if known.function in ("root", "exp", "log"):
+            u = known.args[0]
+            strict = (
+                knowledge.positive(u, True)
+                if known.function == "root"
+                else knowledge.related("!=", u if known.function == "exp" else u - theory.number(1))
+            )
+            if strict:
+                knowledge.step("strict bounds", target=name)
+
+
+def _by_conjugates(knowledge: Knowledge, relation: str, goal: Element, depth: int = 0) -> bool:
+    """Show a sign by those of a*r - b and of their product, for factors a*r + b with a square root r."""
+    roots = {
+        knowledge.theory.field.places[name]: known.args[0]
+        for name, known in knowledge.theory.applications.items()
+        if known.function == "root" and known.degree == 2 and not known.args[0].exponents
+    }
+    if not roots or depth > 2:
+        return False
+    for factor, _ in knowledge.signed(goal).factor()[1]:
+        element = knowledge.back(factor)
+        seen = knowledge.seen(element) - {0}
+        if len(seen) == 1 and not knowledge.related(relation, element if seen == {1} else -element):
+            own = factor * max(seen)
+            found = (
+                _by_conjugate(knowledge, relation, own, place, roots[place], depth)
+                for place, degree in enumerate(own.degrees())
+                if place in roots and degree == 1
+            )
+            if not any(found):
+                return False
+    return knowledge.related(relation, goal)
+
+
+def _by_conjugate(
+    knowledge: Knowledge, relation: str, polynomial: Any, place: int, radicand: Element, depth: int
+) -> bool:
+    theory, root = knowledge.theory, knowledge.context.gens()[place]
+    slope = polynomial.derivative(place)
+    rest = polynomial - slope * root
+    above = knowledge.into(radicand.numerator)
+    product = slope**2 * above - rest**2 * radicand.denominator
+    other = slope * root - rest
+    side = knowledge.back(other)
+    if not knowledge.positive(side, True):
+        side, other, product = -side, -other, -product
+        if not knowledge.positive(side, True):
+            knowledge.want(rest, other)
+            return False
+    sign = 1 if other == slope * root - rest else -1
+    value = knowledge.back(product)
+    strict = relation != ">="
+    if (
+        product != 0
+        and not knowledge.positive(value, strict)
+        and not _by_conjugates(knowledge, relation, value, depth + 1)
+    ):
+        return False
+    zero = root**2 * radicand.denominator - above
+    fact = theory.fact("=", knowledge.back(zero))
+    if fact not in theory.known:
+        return False
+    cofactor = divmod(zero * slope**2 * sign, knowledge.into(fact.polynomial))[0]
+    return knowledge.signed_by(polynomial, side, radicand.denominator, value, {theory.facts.index(fact): cofactor})
 
 
 def _turn_decided(knowledge: Knowledge, sin: Element, angle: Element) -> None:

@@ -28,6 +28,7 @@ from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
 DEEPEST = 5
 MOST_TERMS = 40
+EFFORT = 15
 BITS = 64
 PRECISION = 160
 NEARLY_ZERO = 1e-25
@@ -182,7 +183,7 @@ class Function:
 
     def is_shown(self) -> bool:
         """Look for the proof; note where to cut the range if that would help."""
-        self.knowledge.spend(2)
+        self.knowledge.spend(EFFORT)
         points = self.scope.points()
         if -1 in [self._sign(self.whole, point) for point in points]:
             return False

@@ -413,7 +413,10 @@ class Knowledge:
         if self._failed.get(key) == len(self.theory.facts):
             return False
         polynomial = self.signed(element)
-        found = len(polynomial) <= MOST_TERMS and self._positive(polynomial, element, strict)
+        try:
+            found = len(polynomial) <= MOST_TERMS and self._positive(polynomial, element, strict)
+        except LookupError:  # a sign is known from two facts, neither of which says it
+            found = False
         if not found:
             self._failed[key] = len(self.theory.facts)
         return found

@@ -298,7 +298,7 @@ class Theory:
     # -- what holds for each function wherever it is defined
 
     def _facts_of_root(self, root: Element, u: Element, degree: int) -> None:
-        self.add(">=", root)
+        self.add(">" if self.holds(">", u) else ">=", root)
         self.add("=", root**degree - u)
 
     def _facts_of_sin(self, sin: Element, u: Element) -> None:

@@ -38,16 +38,16 @@ def prove(
     engine: str = "flint",
     properties: Mapping[Any, Any] | None = None,
 ) -> Proof:
-    """Decide whether ``lhs == rhs`` wherever both are defined and the hypotheses hold.
+    """Decide whether a relation of two sides holds wherever both are defined and the hypotheses hold.
 
     Parameters
     ----------
     lhs, rhs : str, sympy.Expr, sympy matrix, int or Fraction
         Rational expressions over Q of equal shape, or text in the grammar of `algebroproj_sym.expressions.parsing`;
-        matrices are compared entry by entry.  Scalars may also have roots, rational powers, pi, and elementary
-        functions of real variables, with principal values; see `algebroproj_sym.replaying.reals.terms`.
-    relation : {"="}
-        Other relations are not decided yet.
+        matrices are compared entry by entry.  Scalars may also have roots, rational powers, pi, derivatives, and
+        elementary functions of real variables, with principal values; see `algebroproj_sym.replaying.reals.terms`.
+    relation : {"=", "!=", "<", "<=", ">", ">="}
+        Between the sides; with another one than equality they are scalars, and the symbols are real numbers.
     constraints : sequence of str or sympy.Expr
         Expressions that are zero; text may also be an equation ``left = right``.
     nonzero : sequence of str or sympy.Expr
@@ -84,7 +84,7 @@ def prove(
     UndefinedError
         If a denominator is identically zero.
     UnsupportedError
-        If the relation is no equality.
+        If the relation of a statement in letters is no equality.
     LetterError
         If letters do not fit together, are not declared, or have a property that is unknown.
     ValueError
@@ -106,6 +106,10 @@ def prove(
     ('proved', {x: Fraction(-2, 1)})
     >>> prove("tan(x)*cos(x)", "sin(x)").hypotheses
     ('cos(x) != 0',)
+    >>> prove("x + 1/x", "2", relation=">=", assumptions=["x > 0"]).verdict
+    'proved'
+    >>> prove("diff(log(x), x)", "1/x").hypotheses
+    ('x > 0',)
     >>> R, t = sympy.MatrixSymbol("R", 3, 3), sympy.MatrixSymbol("t", 3, 1)
     >>> prove((R * t).T * (R * t), t.T * t, properties={R: "rotation"}).scope
     'for every size'

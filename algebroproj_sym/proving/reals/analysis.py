@@ -28,7 +28,7 @@ from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
 DEEPEST = 5
 MOST_TERMS = 40
-EFFORT = 15
+EFFORT = 10
 BITS = 64
 PRECISION = 160
 NEARLY_ZERO = 1e-25
@@ -79,6 +79,16 @@ class Range:
         return [-step for step in AWAY[::-1]] + AWAY
 
 
+@dataclass(frozen=True)
+class Rise:
+    """A function of a variable, from where it is said to rise, or fall on the other side, and what is given there."""
+
+    name: str
+    whole: Term
+    start: str
+    given: list[str]
+
+
 class Analysis:
     """A search for the signs of functions of one variable.
 
@@ -120,8 +130,13 @@ class Analysis:
     def _signed(self, element: Element, strict: bool) -> bool:
         """Show that a function of one variable has one sign, which may be zero if that is not asked for."""
         whole = read(spelled(self.knowledge.theory, self.knowledge.theory.text(element)))
-        if len(whole.symbols()) != 1 or kinds(whole) & {"sign", "atan2"}:
+        if not whole.symbols() or kinds(whole) & {"sign", "atan2"}:
             return False
+        if len(whole.symbols()) > 1:
+            self.knowledge.spend(EFFORT)
+            if -1 in self.knowledge.seen(element):
+                element, whole = -element, negative(whole)
+            return self._risen_from_others(element, whole, strict)
         (name,) = whole.symbols()
         scope = self._range(name)
         if scope is None:
@@ -131,6 +146,98 @@ class Analysis:
         if function.sign_at(points[len(points) // 2]) == -1:
             function = Function(self, negative(whole), -element, scope, strict)
         return function.is_shown()
+
+    def risen(self, element: Element, rise: Rise, samples: Sequence[Sample], strict: bool) -> bool:
+        """Show the sign of a function by that at a start, and that of the derivative from there."""
+        knowledge = self.knowledge
+        text = written(replaced(rise.whole, rise.name, read(rise.start)))
+        if not knowledge.step("defined", term=text):
+            return False
+        beginning = knowledge.theory.read(text)
+        if not self._is_shown_there(beginning):
+            return False
+        step = {
+            "variable": rise.name,
+            "function": written(rise.whole),
+            "from": rise.start,
+            "given": rise.given,
+            "relation": ">" if strict and not knowledge.theory.holds(">", beginning) else ">=",
+        }
+        try:
+            inner, (*needed, last) = between(knowledge.theory, step)
+        except (Rejected, NotReplayable):
+            return False
+        proof = self.nested(inner, [*needed, *conditions(last[1]), last], samples, knowledge.effort)
+        return (
+            proof is not None
+            and knowledge.step("mean value", **step, proof=proof)
+            and self._added(element, strict, element - beginning, beginning)
+        )
+
+    def _risen_from_others(self, element: Element, whole: Term, strict: bool) -> bool:
+        """Show the sign of a function of several variables that is zero where two sides of an assumption are equal."""
+        knowledge, theory = self.knowledge, self.knowledge.theory
+        places = {theory.field.places[name]: name for name in theory.symbols()}
+        facts = [fact for _, fact in knowledge.facts(">", ">=") if knowledge.names(fact) <= places.keys()]
+        for fact in facts:
+            for place in sorted(knowledge.names(fact)) if len(knowledge.names(fact)) > 1 else ():
+                slope = fact.derivative(place)
+                if not slope.is_constant() or int(fact.degrees()[place]) != 1:
+                    continue
+                end = (slope * knowledge.context.gens()[place] - fact) / slope.leading_coefficient()
+                others = [fact, *(other for other in facts if place not in knowledge.names(other))]
+                given = [self._said(other) for other in others]
+                rise = Rise(places[place], whole, theory.text(knowledge.back(end)), given)
+                if self.risen(element, rise, (), strict):
+                    return True
+        return False
+
+    def _said(self, fact: Any) -> str:
+        element = self.knowledge.back(fact)
+        relation = ">" if self.knowledge.theory.holds(">", element) else ">="
+        return f"{self.knowledge.theory.text(element)} {relation} 0"
+
+    def _is_shown_there(self, value: Element) -> bool:
+        """Show that a number is positive or zero."""
+        theory = self.knowledge.theory
+        if value.is_zero or theory.holds(">", value) or self.knowledge.value(value):
+            return True
+        return self.equal(self.knowledge, value, theory.number(0))
+
+    def _added(self, whole: Element, strict_asked: bool, *parts: Element) -> bool:
+        """Show the sign as that of a sum of parts whose signs are known."""
+        knowledge, theory = self.knowledge, self.knowledge.theory
+        total, cofactors, strict = list[Any](), dict[str, Any](), False
+        for part in parts:
+            weight = Fraction(part.numerator.content() or 0, part.denominator)
+            if part.is_zero:
+                continue
+            if part.exponents:
+                return knowledge.positive(whole, strict_asked)
+            if part.numerator.is_constant():
+                total.append([weight, "1", {}])
+                strict = True
+                continue
+            relation = next(relation for relation in ("=", ">", ">=") if theory.holds(relation, part))
+            fact = theory.fact(relation, part)
+            if fact not in theory.known:
+                return knowledge.positive(whole, strict_asked)
+            place = str(theory.facts.index(fact))
+            if relation == "=":
+                cofactors[place] = weight
+            else:
+                total.append([abs(weight), "1", {place: 1}])
+                strict |= relation == ">"
+        number = lcm(*(Fraction(weight).denominator for weight in (*cofactors.values(), *(each[0] for each in total))))
+        return knowledge.step(
+            "sign",
+            polynomial=theory.text(whole),
+            relation=">" if strict else ">=",
+            scale=number,
+            multiplier={},
+            sum=[[str(weight * number), root, powers] for weight, root, powers in total],
+            cofactors={place: str(weight * number) for place, weight in cofactors.items()},
+        ) and knowledge.positive(whole, strict_asked)
 
     def _range(self, name: str) -> Range | None:
         """Return the range of a variable that facts give; None if it is empty."""
@@ -226,77 +333,12 @@ class Function:
         """Show the sign by that at an end, and that of the derivative from there."""
         if start is None or self._sign(self.whole, read(start.text)) not in (0, 1):
             return False
-        knowledge, name = self.knowledge, self.scope.name
-        text = written(replaced(self.whole, name, read(start.text)))
-        if not knowledge.step("defined", term=text):
-            return False
+        knowledge = self.knowledge
         if self.scope.low and self.scope.high:
             knowledge.value(knowledge.theory.read(self.scope.high.text) - knowledge.theory.read(self.scope.low.text))
-        beginning = knowledge.theory.read(text)
-        if not self._is_shown_there(beginning):
-            return False
-        strict = self.strict and not knowledge.theory.holds(">", beginning)
-        step = {
-            "variable": name,
-            "function": written(self.whole),
-            "from": start.text,
-            "given": self.scope.given(),
-            "relation": ">" if strict else ">=",
-        }
-        try:
-            inner, (*needed, last) = between(knowledge.theory, step)
-        except (Rejected, NotReplayable):
-            return False
-        goals = [*needed, *conditions(last[1]), last]
-        samples = samples_at({name: point} for point in self.scope.points())
-        proof = self.analysis.nested(inner, goals, samples, knowledge.effort)
-        return (
-            proof is not None
-            and knowledge.step("mean value", **step, proof=proof)
-            and self._added(self.element - beginning, beginning)
-        )
-
-    def _is_shown_there(self, value: Element) -> bool:
-        """Show that a number is positive or zero."""
-        theory = self.knowledge.theory
-        if value.is_zero or theory.holds(">", value) or self.knowledge.value(value):
-            return True
-        return self.analysis.equal(self.knowledge, value, theory.number(0))
-
-    def _added(self, *parts: Element) -> bool:
-        """Show the sign as that of a sum of parts whose signs are known."""
-        knowledge, theory = self.knowledge, self.knowledge.theory
-        total, cofactors, strict = list[Any](), dict[str, Any](), False
-        for part in parts:
-            weight = Fraction(part.numerator.content() or 0, part.denominator)
-            if part.is_zero:
-                continue
-            if part.exponents:
-                return knowledge.positive(self.element, self.strict)
-            if part.numerator.is_constant():
-                total.append([weight, "1", {}])
-                strict = True
-                continue
-            relation = next(relation for relation in ("=", ">", ">=") if theory.holds(relation, part))
-            fact = theory.fact(relation, part)
-            if fact not in theory.known:
-                return knowledge.positive(self.element, self.strict)
-            place = str(theory.facts.index(fact))
-            if relation == "=":
-                cofactors[place] = weight
-            else:
-                total.append([abs(weight), "1", {place: 1}])
-                strict |= relation == ">"
-        number = lcm(*(Fraction(weight).denominator for weight in (*cofactors.values(), *(each[0] for each in total))))
-        return knowledge.step(
-            "sign",
-            polynomial=theory.text(self.element),
-            relation=">" if strict else ">=",
-            scale=number,
-            multiplier={},
-            sum=[[str(weight * number), root, powers] for weight, root, powers in total],
-            cofactors={place: str(weight * number) for place, weight in cofactors.items()},
-        ) and knowledge.positive(self.element, self.strict)
+        samples = samples_at({self.scope.name: point} for point in self.scope.points())
+        rise = Rise(self.scope.name, self.whole, start.text, self.scope.given())
+        return self.analysis.risen(self.element, rise, samples, self.strict)
 
     def _on_a_range(self) -> bool:
         """Show that the function is positive by its values on pieces of the range."""

@@ -31,7 +31,7 @@ MOST_COLUMNS = 160
 MOST_ROWS = 60
 MOST_TERMS = 400
 LONGER = 12
-EFFORT = 900
+EFFORT = 1200
 """What a search may spend on rewriting, linear programs and eliminations."""
 
 STEPS = 600

@@ -113,6 +113,12 @@ def test_nothing_is_said_where_there_is_no_derivative(text):
     assert prove(text, text, constraints=["x"]).verdict == "open"
 
 
+def test_a_derivative_of_a_derivative_needs_the_function_nearby():
+    text = "diff(sqrt(y) + x, x, y)"
+    assert prove(text, "0").hypotheses == ("y > 0",)
+    assert prove(text, "0", constraints=["y"]).verdict == "open"
+
+
 def test_a_derivative_across_a_cut_is_not_said_to_exist():
     assert prove("diff(atan2(y, x), y)", "7", constraints=["y", "x + 1"]).verdict == "open"
     assert prove("diff(atan2(y, x), y)", "1/x", constraints=["y"], assumptions=["x > 0"]).verdict == "proved"
@@ -126,6 +132,11 @@ def test_derivatives_of_sympy_are_read():
     assert prove(sympy.Derivative(f, x), y * sympy.cos(x * y)).verdict == "proved"
     assert prove(sympy.Derivative(f, x, y), sympy.cos(x * y)).verdict == "refuted"
     assert prove(sympy.Derivative(x**4, (x, 2)), 12 * x**2).verdict == "proved"
+
+
+def test_a_derivative_of_unknown_order_is_refused():
+    with pytest.raises(TypeError, match="expected"):
+        prove(sympy.Derivative(sympy.sin(x), (x, sympy.Symbol("n"))), x)
 
 
 def test_a_jacobian_is_proved_by_its_entries():
@@ -147,6 +158,7 @@ def test_a_jacobian_is_proved_by_its_entries():
         ("diff(x, x, 13)", "expected an order from 1 to 12"),
         ("diff(x, pi)", "expected a symbol by which to differentiate"),
         ("diff(x, sin)", "expected a symbol by which to differentiate"),
+        ("diff(diff(x, x, 7), x, 6)", "expected an order from 1 to 12"),
         ("diff(x, x, 1.5)", "expected an order from 1 to 12"),
     ],
 )

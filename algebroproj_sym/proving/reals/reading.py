@@ -116,7 +116,7 @@ def _term(node: Any, argument: str) -> Term:
         if isinstance(node.exp, sympy.Rational):
             return power(base, Fraction(int(node.exp.p), int(node.exp.q)))
         return function("exp", times(_term(node.exp, argument), function("log", base)))
-    if isinstance(node, sympy.Derivative):
+    if isinstance(node, sympy.Derivative) and all(order.is_Integer for _, order in node.variable_count):
         found = _term(node.expr, argument)
         for symbol, order in node.variable_count:
             for _ in range(int(order)):

@@ -155,6 +155,8 @@ def smoothness(term: Term, name: str) -> Iterator[Condition]:
     """
     if name not in term.symbols():
         return
+    if term.kind == "diff":
+        yield from smoothness(term.args[0], name)
     definition = derivative(*_by(term)) if term.kind == "diff" else expanded(term)[0]
     if definition is not term:
         yield from smoothness(definition, name)

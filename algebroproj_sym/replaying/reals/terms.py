@@ -87,6 +87,10 @@ class Term(NamedTuple):
         own = frozenset({self.value}) if self.kind in ("symbol", "diff") else frozenset()
         return own.union(*(part.symbols() for part in self.args))
 
+    def order(self) -> int:
+        """Return how many derivatives are within one another."""
+        return (self.kind == "diff") + max((part.order() for part in self.args), default=0)
+
 
 PI = Term("pi")
 
@@ -247,7 +251,7 @@ class _Reader:
         return function(name, *args)
 
     def derivative(self, found: Term) -> Term:
-        count = 0
+        count, whole = found.order(), found
         while self.take(","):
             kind, name, _ = self.tokens[self.place]
             if kind != "name" or name == "pi" or name in FUNCTIONS:
@@ -264,7 +268,7 @@ class _Reader:
                 raise self.wrong(f"an order from 1 to {MOST_DERIVATIVES}")
             for _ in range(order):
                 found = Term("diff", name, (found,))
-        if not count:
+        if found is whole:
             raise self.wrong("','")
         self.expect(")")
         return found

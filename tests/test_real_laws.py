@@ -294,3 +294,50 @@ def test_intervals_enclose_what_mpmath_computes():
                 assert mpmath.mpf(int(low)) <= true <= mpmath.mpf(int(high))
                 checked += 1
     assert checked > 1000
+
+
+WIDE = [
+    "sin(x)", "cos(3*x)", "exp(x)", "log(x + 3)", "atan(x)", "asin(x/4)", "sqrt(x + 3)", "(x + 1)^4", "x^3 - x", "abs(x)",
+    "1/(x^2 + 1/2)", "sin(x)*exp(-x) - cos(x)", "atan2(x, 1 - x)", "tanh(x)*x - 1/10", "x^(-2)", "tan(x)", "sign(x)",
+]  # fmt: skip
+PLAIN = {"sign": mpmath.sign, "abs": abs, "atan2": mpmath.atan2} | {
+    name: getattr(mpmath, name) for name in ("sin", "cos", "exp", "log", "atan", "asin", "sqrt", "tan", "tanh")
+}
+
+
+def plain(text, x):
+    return eval(text.replace("^", "**"), {"__builtins__": {}, "x": x, **PLAIN})
+
+
+@pytest.mark.parametrize("text", WIDE)
+def test_what_is_enclosed_on_a_range_are_all_values_there(text):
+    from algebroproj_sym.replaying.reals.proofs import is_positive
+    from algebroproj_sym.replaying.reals.values import value_of
+
+    generator, seen, positive = random.Random(text), 0, 0
+    term = read(text)
+    for _ in range(80):
+        low = Fraction(generator.randint(-250, 250), 100)
+        high = low + Fraction(generator.randint(1, 150), generator.choice((100, 1000)))
+        inside = [low + (high - low) * Fraction(part, 16) for part in range(17)]
+        values = []
+        for x in inside:
+            with mpmath.workdps(30):
+                try:
+                    values.append(plain(text, mpmath.mpf(x.numerator) / x.denominator))
+                except ZeroDivisionError:
+                    values.append(mpmath.nan)
+        if is_positive(term, "x", low, high, 64):
+            positive += 1
+            assert all(value > 0 for value in values)
+        numbers = Intervals(64)
+        try:
+            found = value_of(term, {"x": (numbers.enclosed(low)[0], numbers.enclosed(high)[1])}, numbers)
+        except (UndefinedError, UndecidedError):
+            continue
+        seen += 1
+        bottom, top = numbers.lifted(found)
+        with mpmath.workdps(30):
+            assert all(bottom - 1 <= value * 2**64 <= top + 1 for value in values)
+    assert seen > 10
+    assert positive

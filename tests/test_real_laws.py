@@ -7,9 +7,9 @@ import mpmath
 import pytest
 
 from algebroproj_sym.replaying import NotReplayable, Rejected
+from algebroproj_sym.replaying.reals.comparisons import comparisons
 from algebroproj_sym.replaying.reals.intervals import Intervals
-from algebroproj_sym.replaying.reals.laws import LAWS, apply
-from algebroproj_sym.replaying.reals.statement import comparisons
+from algebroproj_sym.replaying.reals.proofs import ALL_LAWS, apply
 from algebroproj_sym.replaying.reals.terms import read, written
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError
@@ -47,6 +47,20 @@ def nonzero(polynomial, factor, multiplier):
         "law": "nonzero", "polynomial": polynomial, "factor": factor, "scale": 1, "multiplier": multiplier,
         "cofactors": {},
     }  # fmt: skip
+
+
+GOAL = {"steps": [], "end": "goal"}
+
+
+def mean_value(function, start, given, relation=">", variable="x", proof=GOAL):
+    return {
+        "law": "mean value", "variable": variable, "function": function, "from": start, "given": given,
+        "relation": relation, "proof": proof,
+    }  # fmt: skip
+
+
+def on_a_range(function, *ends, variable="x", bits=64):
+    return {"law": "on a range", "variable": variable, "function": function, "ends": [*ends], "bits": bits}
 
 
 # law: what is given, each needed; the terms that are defined; the step; what follows; steps that are wrong
@@ -145,6 +159,36 @@ CASES = [
     ]),
     (["x < 0"], ["sign(x)"], {"law": "sign function", "target": "_1"}, ("=", "_1 + 1"), []),
     (["x = 0"], ["sign(x)"], {"law": "sign function", "target": "_1"}, ("=", "_1"), []),
+    (["x > 0"], ["sqrt(x)"], {"law": "strict bounds", "target": "_1"}, (">", "sqrt(x)"), [
+        {"law": "strict bounds", "target": "x"}, {"law": "strict bounds", "target": "_2"},
+    ]),
+    (["x != 0"], ["exp(x)"], {"law": "strict bounds", "target": "_1"}, (">", "exp(x) - 1 - x"), []),
+    (["x != 0"], ["exp(x)"], {"law": "strict bounds", "target": "_1"}, (">", "1 - exp(x)*(1 - x)"), []),
+    (["x != 1"], ["log(x)"], {"law": "strict bounds", "target": "_1"}, (">", "x - 1 - log(x)"), []),
+    (["x != 1"], ["log(x)"], {"law": "strict bounds", "target": "_1"}, (">", "x*log(x) - x + 1"), []),
+    (["x >= 0"], ["y"], mean_value("x**2", "0", ["x >= 0"]), (">=", "x**2"), [
+        mean_value("x**2", "1", ["x >= 0"]), mean_value("x**2", "-1", ["x >= 0"]), mean_value("x**2", "x", ["x >= 0"]),
+        mean_value("x**2", "0", ["x > 0"]), mean_value("x**2", "0", ["x >= 1"]), mean_value("x**2", "0", ["x <= 9"]),
+        mean_value("x**2", "0", ["x**2 >= 0"]), mean_value("x**2", "0", ["x >= 0"], relation="="),
+        mean_value("x**2", "0", ["x >= 0"], relation="<"), mean_value("-x**2", "0", ["x >= 0"]),
+        mean_value("x**2", "0", ["x >= 0"], variable="y"), mean_value("x**2", "0", ["x >= 0"], variable="pi"),
+        mean_value("x + sign(x - 3)", "0", ["x >= 0"]), mean_value("x - 1/(x - 3)", "0", ["x >= 0"]),
+        mean_value("x + sqrt(2 - x)", "0", ["x >= 0"]), mean_value("x - sqrt((x - 2)**2)", "0", ["x >= 0"]),
+        mean_value("x + y", "0", ["x >= 0", "y > 0"]), mean_value("x + atan2(x, -1)", "0", ["x >= 0"]),
+        mean_value("diff(x**2, x)", "0", ["x >= 0"]), mean_value("x + log(-x)", "0", ["x >= 0"]),
+        mean_value("x + 0*sqrt(-x)", "0", ["x >= 0"]), mean_value("x + 1/x", "0", ["x >= 0"]),
+        mean_value("x**2", "0", ["x >= 0"], proof={"steps": [], "end": "contradiction"}),
+    ]),
+    (["x > 0"], [], mean_value("x**2", "0", ["x > 0"]), (">", "x**2"), []),
+    (["x < y"], [], mean_value("-2*x", "y", []), (">", "2*y - 2*x"), [mean_value("2*x", "y", [])]),
+    (["x >= 0", "x <= 2"], ["y"], on_a_range("x**2 - 2*x + 2", "0", "1", "2"), (">", "x**2 - 2*x + 2"), [
+        on_a_range("x**2 - 2*x + 2", "1/10", "1", "2"), on_a_range("x**2 - 2*x + 2", "0", "1", "19/10"),
+        on_a_range("x**2 - 2*x + 2", "0", "3", "2"), on_a_range("x**2 - 2*x + 2", "2"), on_a_range("x - 1", "0", "2"),
+        on_a_range("x**2 - 2*x + 1", "0", "1", "2"), on_a_range("1/(x - 1)**2", "0", "1/2", "2"),
+        on_a_range("sqrt(x - 1) + 9", "0", "2"), on_a_range("y**2 + 1", "0", "2"), on_a_range("x + y + 9", "0", "2"),
+        on_a_range("y**2 + 1", "0", "2", variable="y"), on_a_range("x**2 - 2*x + 2", "0", "1", "2", bits=0),
+        on_a_range("abs(x - 1) - 1/100", "0", "2"), on_a_range("sign(x - 1/2) + 9/10", "0", "1", "2"),
+    ]),
 ]  # fmt: skip
 
 
@@ -182,7 +226,7 @@ def _read(known, conclusion):
 
 
 def test_every_law_is_tested():
-    assert {case[2]["law"] for case in CASES} == {*LAWS}
+    assert {case[2]["law"] for case in CASES} == {*ALL_LAWS}
 
 
 def test_a_range_that_is_not_strict_gives_no_strict_sign():
@@ -250,3 +294,51 @@ def test_intervals_enclose_what_mpmath_computes():
                 assert mpmath.mpf(int(low)) <= true <= mpmath.mpf(int(high))
                 checked += 1
     assert checked > 1000
+
+
+WIDE = [
+    "sin(x)", "cos(3*x)", "exp(x)", "log(x + 3)", "atan(x)", "asin(x/4)", "sqrt(x + 3)", "(x + 1)^4", "x^3 - x",
+    "abs(x)",
+    "1/(x^2 + 1/2)", "sin(x)*exp(-x) - cos(x)", "atan2(x, 1 - x)", "tanh(x)*x - 1/10", "x^(-2)", "tan(x)", "sign(x)",
+]  # fmt: skip
+PLAIN = {"sign": mpmath.sign, "abs": abs, "atan2": mpmath.atan2} | {
+    name: getattr(mpmath, name) for name in ("sin", "cos", "exp", "log", "atan", "asin", "sqrt", "tan", "tanh")
+}
+
+
+def plain(text, x):
+    return eval(text.replace("^", "**"), {"__builtins__": {}, "x": x, **PLAIN})
+
+
+@pytest.mark.parametrize("text", WIDE)
+def test_what_is_enclosed_on_a_range_are_all_values_there(text):
+    from algebroproj_sym.replaying.reals.proofs import is_positive
+    from algebroproj_sym.replaying.reals.values import value_of
+
+    generator, seen, positive = random.Random(text), 0, 0
+    term = read(text)
+    for _ in range(80):
+        low = Fraction(generator.randint(-250, 250), 100)
+        high = low + Fraction(generator.randint(1, 150), generator.choice((100, 1000)))
+        inside = [low + (high - low) * Fraction(part, 16) for part in range(17)]
+        values = []
+        for x in inside:
+            with mpmath.workdps(30):
+                try:
+                    values.append(plain(text, mpmath.mpf(x.numerator) / x.denominator))
+                except ZeroDivisionError:
+                    values.append(mpmath.nan)
+        if is_positive(term, "x", low, high, 64):
+            positive += 1
+            assert all(value > 0 for value in values)
+        numbers = Intervals(64)
+        try:
+            found = value_of(term, {"x": (numbers.enclosed(low)[0], numbers.enclosed(high)[1])}, numbers)
+        except (UndefinedError, UndecidedError):
+            continue
+        seen += 1
+        bottom, top = numbers.lifted(found)
+        with mpmath.workdps(30):
+            assert all(bottom - 1 <= value * 2**64 <= top + 1 for value in values)
+    assert seen > 10
+    assert positive

@@ -41,16 +41,16 @@ def prove(
     properties: Mapping[Any, Any] | None = None,
     letters: Mapping[str, str] | None = None,
 ) -> Proof:
-    """Decide whether ``lhs == rhs`` wherever both are defined and the hypotheses hold.
+    """Decide whether a relation of two sides holds wherever both are defined and the hypotheses hold.
 
     Parameters
     ----------
     lhs, rhs : str, sympy.Expr, sympy matrix, int or Fraction
         Rational expressions over Q of equal shape, or text in the grammar of `algebroproj_sym.expressions.parsing`;
-        matrices are compared entry by entry.  They may also have roots, rational powers, pi, and elementary
-        functions of real variables, with principal values; see `algebroproj_sym.replaying.reals.terms`.
-    relation : {"="}
-        Other relations are not decided yet.
+        matrices are compared entry by entry.  They may also have roots, rational powers, pi, derivatives, and
+        elementary functions of real variables, with principal values; see `algebroproj_sym.replaying.reals.terms`.
+    relation : {"=", "!=", "<", "<=", ">", ">="}
+        Between the sides; with another one than equality they are scalars, and the symbols are real numbers.
     constraints : sequence of str or sympy.Expr
         Expressions that are zero; text may also be an equation ``left = right``.
     nonzero : sequence of str or sympy.Expr
@@ -90,7 +90,7 @@ def prove(
     UndefinedError
         If a denominator is identically zero.
     UnsupportedError
-        If the relation is no equality.
+        If the relation of a statement in letters is no equality.
     LetterError
         If letters do not fit together, are not declared, or have a property that is unknown.
     ValueError
@@ -112,14 +112,16 @@ def prove(
     ('proved', {x: Fraction(-2, 1)})
     >>> prove("tan(x)*cos(x)", "sin(x)").hypotheses
     ('cos(x) != 0',)
+    >>> prove("x + 1/x", "2", relation=">=", assumptions=["x > 0"]).verdict
+    'proved'
+    >>> prove("diff(log(x), x)", "1/x").hypotheses
+    ('x > 0',)
     >>> R, t = sympy.MatrixSymbol("R", 3, 3), sympy.MatrixSymbol("t", 3, 1)
     >>> prove((R * t).T * (R * t), t.T * t, properties={R: "rotation"}).scope
     'for every size'
     """
     if relation not in RELATIONS:
         raise ValueError(f"relation: expected one of {', '.join(RELATIONS)}, got {relation!r}")
-    if relation != "=":
-        raise UnsupportedError(f"relation: expected '=', because other relations are not decided yet, got {relation!r}")
     for argument, given in {"constraints": constraints, "nonzero": nonzero, "assumptions": assumptions}.items():
         if isinstance(given, str) or not isinstance(given, Sequence):
             raise TypeError(f"{argument}: expected a sequence of expressions, got {_kind(given)}")
@@ -128,15 +130,21 @@ def prove(
         for argument, unused in {"assumptions": not assumptions, "witness": witness is None}.items():
             if not unused:
                 raise ValueError(f"{argument}: expected none for a statement in letters")
+        if relation != "=":
+            raise UnsupportedError(f"relation: expected '=' for a statement in letters, got {relation!r}")
         return _of_letters(lhs, rhs, constraints, nonzero, properties, letters, engine)
-    if assumptions or any(isinstance(form, str) and "pi" in form and "pi" in names_in(form) for form in forms):
-        return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
+    if (
+        relation != "="
+        or assumptions
+        or any(isinstance(form, str) and "pi" in form and "pi" in names_in(form) for form in forms)
+    ):
+        return _real(lhs, rhs, relation, constraints, nonzero, assumptions, witness)
     try:
         return _rational(lhs, rhs, constraints, nonzero, witness, engine)
     except (ParseError, NotRationalError):
         if not any(map(has_functions, forms)):
             raise
-    return _real(lhs, rhs, constraints, nonzero, assumptions, witness)
+    return _real(lhs, rhs, relation, constraints, nonzero, assumptions, witness)
 
 
 def has_functions(form: Any) -> bool:
@@ -148,7 +156,7 @@ def has_functions(form: Any) -> bool:
     if not isinstance(form, sympy.Expr | sympy.MatrixBase):
         return False
     functions = any(not isinstance(part, over) for part in form.atoms(sympy.Function))
-    return bool(functions or form.has(sympy.pi, sympy.E) or _has_roots(form))
+    return bool(functions or form.has(sympy.Derivative, sympy.pi, sympy.E) or _has_roots(form))
 
 
 def _has_roots(form: Any) -> bool:
@@ -158,6 +166,7 @@ def _has_roots(form: Any) -> bool:
 def _real(
     lhs: Any,
     rhs: Any,
+    relation: str,
     constraints: Sequence[Any],
     nonzero: Sequence[Any],
     assumptions: Sequence[Any],
@@ -169,7 +178,9 @@ def _real(
     from algebroproj_sym.replaying.reals.matrices import is_matrix
 
     if not any(isinstance(side, sympy.MatrixBase) or is_matrix(side) for side in (lhs, rhs)):
-        return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness)
+        return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness, relation)
+    if relation != "=":
+        raise UnsupportedError(f"relation: expected '=' between matrices, got {relation!r}")
     given = [form for side in (lhs, rhs) if isinstance(side, sympy.MatrixBase) for form in side.flat()]
     conditions = [*assumptions, *assumed_of(symbols_of(given))]
     return proof_of_matrix(lhs, rhs, lambda a, b: proof_of(a, b, constraints, nonzero, conditions, witness))

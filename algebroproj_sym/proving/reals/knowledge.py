@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from itertools import combinations_with_replacement
+from itertools import combinations, combinations_with_replacement
 from math import gcd, lcm
 from typing import Any
 
@@ -23,8 +23,7 @@ from algebroproj_sym.proving.reals.samples import Sample
 from algebroproj_sym.proving.reals.simplex import weights
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.polynomial import BITS, Polynomial
-from algebroproj_sym.replaying.reals.laws import apply
-from algebroproj_sym.replaying.reals.statement import assume
+from algebroproj_sym.replaying.reals.proofs import apply, assume
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
@@ -32,7 +31,7 @@ MOST_COLUMNS = 160
 MOST_ROWS = 60
 MOST_TERMS = 400
 LONGER = 12
-EFFORT = 900
+EFFORT = 1200
 """What a search may spend on rewriting, linear programs and eliminations."""
 
 STEPS = 600
@@ -55,6 +54,7 @@ class Knowledge:
         self.samples = list(samples)
         self.steps: list[Mapping[str, Any]] = []
         self.wanted: list[Polynomial] = []
+        self.cuts: list[Polynomial] = []
         self._made: dict[int, tuple[Polynomial, int, Any]] = {}
         self._names: dict[int, tuple[Any, set[int]]] = {}
         self._rules: dict[Any, list[Rule]] = {}
@@ -63,9 +63,9 @@ class Knowledge:
 
     def case(self, relation: str, text: str) -> Knowledge:
         """Return the same knowledge, without its steps, where something more is assumed."""
-        wanted = {">": 1, "=": 0, "<": -1}[relation]
+        wanted = {">": (1,), "=": (0,), "<": (-1,), ">=": (0, 1)}[relation]
         element = self.theory.polynomial(text)
-        kept = [sample.branch() for sample in self.samples if sample.sign(self.theory, element) == wanted]
+        kept = [sample.branch() for sample in self.samples if sample.sign(self.theory, element) in wanted]
         found = Knowledge(self.theory.branch(), kept, self.effort)
         assume(found.theory, relation, text)
         return found
@@ -240,7 +240,7 @@ class Knowledge:
         return False
 
     def _rewritten(self, goal: Any) -> bool:
-        self._spend(1)
+        self.spend(1)
         reduced = reduced_by(goal, self.rules(goal))
         return reduced is not None and reduced[0] == 0 and self.follows(goal, End(1, goal**0, reduced[1]))
 
@@ -266,7 +266,7 @@ class Knowledge:
         polynomials = [zero for _, zero in zeros]
         units = self._units([goal, *polynomials])
         key = (tuple(place for place, _ in zeros), len(self.theory.field.places), tuple(map(str, units)))
-        self._spend(4)
+        self.spend(4)
         try:
             if key not in self._systems:
                 known = Elimination(self.context, [*polynomials], [*range(len(zeros))], units).advanced()
@@ -391,6 +391,18 @@ class Knowledge:
             return "<" if self.theory.holds(">", -element) else "<="
         return None
 
+    def related(self, relation: str, element: Element) -> bool:
+        """Show that something is ``>``, ``>=`` or ``!=`` zero; whether that was found."""
+        if relation == "!=":
+            polynomial = self.signed(element)
+            if self.theory.holds("!=", element) or self.nonzero(polynomial):
+                return True
+            factors = polynomial.factor()[1] if polynomial != 0 else []
+            if len(factors) > 1 or (factors and factors[0][1] > 1):
+                return all(self.related("!=", self.back(factor)) for factor, _ in factors) and self.nonzero(polynomial)
+            return self.positive(element, True) or self.positive(-element, True)
+        return self.positive(element, relation == ">")
+
     def positive(self, element: Element, strict: bool = False) -> bool:
         """Show that something is not negative, or positive where that is found; whether it is what was asked."""
         if self._is_positive(element, strict):
@@ -401,7 +413,10 @@ class Knowledge:
         if self._failed.get(key) == len(self.theory.facts):
             return False
         polynomial = self.signed(element)
-        found = len(polynomial) <= MOST_TERMS and self._positive(polynomial, element, strict)
+        try:
+            found = len(polynomial) <= MOST_TERMS and self._positive(polynomial, element, strict)
+        except LookupError:  # a sign is known from two facts, neither of which says it
+            found = False
         if not found:
             self._failed[key] = len(self.theory.facts)
         return found
@@ -456,6 +471,37 @@ class Knowledge:
             multiplier={},
             sum=[[str(int((weight * number).p)), "1", powers]],
             cofactors={str(place): self.text(part * number) for place, part in cofactors.items()},
+        )
+
+    def signed_by(
+        self, polynomial: Any, multiplier: Element, scale: int, value: Element, cofactors: Mapping[int, Any]
+    ) -> bool:
+        """Show the sign of a polynomial: times what is positive, and a scale, it is a value plus what is zero."""
+        fact = self.theory.fact(">", multiplier)
+        total, strict = list[list[Any]](), False
+        if value.numerator.is_constant():
+            strict = not value.is_zero
+            total += [[str(Fraction(value.numerator.content(), value.denominator)), "1", {}]] if strict else []
+        else:
+            strict = self.theory.holds(">", value)
+            own = self.theory.fact(">" if strict else ">=", value)
+            if own not in self.theory.known:
+                return False
+            weight = Fraction(abs(value.numerator.content()), value.denominator)
+            total.append([str(weight), "1", {str(self.theory.facts.index(own)): 1}])
+        if fact not in self.theory.known:
+            return False
+        content = content_of(self.into(multiplier.numerator))
+        number = lcm(1, *(int(value.q) for part in cofactors.values() for value in part.coeffs()))
+        weights = [[str(Fraction(weight) * number), root, powers] for weight, root, powers in total]
+        return self.step(
+            "sign",
+            polynomial=self.text(polynomial),
+            relation=">" if strict else ">=",
+            scale=int(abs(content).p) * scale * number,
+            multiplier={str(self.theory.facts.index(fact)): 1},
+            sum=weights,
+            cofactors={str(place): self.text(part * number) for place, part in cofactors.items() if part != 0},
         )
 
     def is_number(self, polynomial: Any) -> bool:
@@ -570,19 +616,34 @@ class Knowledge:
         one = self.context.constant(1)
         goal = polynomial * factor
         degree = 2 if contradiction else int(goal.total_degree())
-        columns: list[tuple[str, Any, Any]] = [("+", one, {})]
-        columns += [("+", fact, {place: 1}) for place, fact in signs]
+        columns: list[tuple[str, Any, Any]] = [("+", one, (one, {}))]
+        columns += [("+", fact, (one, {place: 1})) for place, fact in signs]
         columns += [("=", sign * zero, (place, sign * one, sign)) for place, zero in zeros for sign in (1, -1)]
         if degree > 1:
             near = [fact for fact in signs if len(fact[1]) < 6][:12]
             for (i, left), (j, right) in combinations_with_replacement(near, 2):
                 if int((left * right).total_degree()) <= degree + 1:
-                    columns.append(("+", left * right, {i: 2} if i == j else {i: 1, j: 1}))
+                    columns.append(("+", left * right, (one, {i: 2} if i == j else {i: 1, j: 1})))
             gens = [self.context.gens()[place] for place in sorted(names)]
             for place, zero in zeros:
                 if int(zero.total_degree()) < degree + 1:
                     columns += [("=", s * zero * x, (place, s * x, s)) for x in gens for s in (1, -1)]
-            columns += [("+", root * root, root) for root in self._roots(goal)]
+            columns += [("+", root * root, (root, {})) for root in self._roots(goal)]
+            if degree > 2:
+                apart = [a - b for a, b in combinations(gens[:4], 2)]
+                columns += [
+                    ("+", fact * root**2, (root, {place: 1}))
+                    for place, fact in near
+                    for root in (*apart, *gens[:4])
+                    if int(fact.total_degree()) + 2 <= degree
+                ]
+                columns += [
+                    ("=", s * zero * x * y, (place, s * x * y, s))
+                    for place, zero in zeros
+                    if int(zero.total_degree()) + 2 <= degree
+                    for x, y in combinations_with_replacement(gens[:4], 2)
+                    for s in (1, -1)
+                ]
         columns = columns[:MOST_COLUMNS]
         found_weights = None if contradiction else self._weights(columns, goal, strict=False)
         if contradiction or found_weights is not None:
@@ -597,9 +658,8 @@ class Knowledge:
                 zero, part, _ = how
                 cofactors[str(zero)] = cofactors.get(str(zero), one * 0) + part * weight * number
                 continue
-            is_fact = isinstance(how, dict)
-            powers = {str(i): n for i, n in how.items()} if is_fact else {}
-            total.append([str(int(weight * number)), "1" if is_fact else self.text(how), powers])
+            root, facts = how
+            total.append([str(int(weight * number)), self.text(root), {str(i): n for i, n in facts.items()}])
             strict |= self._is_strict(columns[place])
         return self.step(
             "sign",
@@ -611,7 +671,8 @@ class Knowledge:
             cofactors={place: self.text(part) for place, part in cofactors.items() if part != 0},
         )
 
-    def _spend(self, effort: int) -> None:
+    def spend(self, effort: int) -> None:
+        """Count what was spent; raise `EffortExceededError` if it is too much."""
         self.effort[0] -= effort
         if self.effort[0] < 0:
             raise EffortExceededError
@@ -630,7 +691,7 @@ class Knowledge:
         kept, rows = _useful(maps, target, doubles)
         if len(rows) > MOST_ROWS or not rows >= target.keys():
             return None
-        self._spend(2)
+        self.spend(2)
         found = weights([maps[place] for place in kept], target)
         if found is None:
             return None
@@ -642,7 +703,7 @@ class Knowledge:
 
     def _is_strict(self, column: tuple[str, Any, Any]) -> bool:
         kind, _, how = column
-        return kind == "+" and isinstance(how, dict) and all(self.theory.facts[i].relation == ">" for i in how)
+        return kind == "+" and how[0].is_constant() and all(self.theory.facts[i].relation == ">" for i in how[1])
 
     def _roots(self, polynomial: Any) -> list[Any]:
         """Return polynomials whose squares may add up to a polynomial: roots of monomials, and their differences."""

@@ -385,7 +385,7 @@ def _rooted(knowledge: Knowledge, radicand: Element, degree: int) -> Element | N
     number, parts = factors(knowledge, radicand)
     value, negative = theory.number(1), number < 0
     left: Element | None = None
-    split = len(parts) > 1 or any(abs(power) >= degree for _, power in parts) or abs(number) != 1
+    split = len(parts) != 1 or any(abs(power) >= degree for _, power in parts) or abs(number) != 1
     if not split:
         return None
     for polynomial, power in parts:

@@ -14,7 +14,7 @@ from algebroproj_sym.proving.reals.balls import Balls
 from algebroproj_sym.replaying.reals import Statement
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.terms import written
-from algebroproj_sym.replaying.reals.values import Numbers, UndecidedError, UndefinedError
+from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError
 
 Point = Mapping[str, Fraction]
 
@@ -25,10 +25,10 @@ FURTHER = [Fraction(p, q) for p, q in ((1, 10), (9, 10), (9, 2), (7, 1), (10, 1)
 
 @dataclass(frozen=True)
 class Place:
-    """A point where a statement is defined, and whether the sides are seen to differ there."""
+    """A point where a statement says something, and whether it is seen to fail there."""
 
     point: Point
-    differs: bool
+    fails: bool
 
 
 def places(statement: Statement, tries: int, precisions: Sequence[int] = FIRST) -> Iterator[Place]:
@@ -59,29 +59,22 @@ def _points(names: list[str], seed: int) -> Iterator[Point]:
 
 
 def judged(statement: Statement, point: Point, precisions: Sequence[int] = FIRST) -> Place | None:
-    """Return whether the sides differ at a point; None where the statement says nothing, or that is not decided."""
+    """Return whether a statement fails at a point; None where it says nothing, or that is not decided."""
     numbers, kept, found = Balls(), flint.ctx.prec, None
     try:
         for bits in precisions:
             flint.ctx.prec = bits
             try:
-                found = Place(point, _differ(*statement.sides_at(point, numbers), numbers))
+                found = Place(point, statement.fails_at(point, numbers))
             except UndecidedError:
                 continue
             except UndefinedError:
                 return None
-            if found.differs:
+            if found.fails:
                 return found
         return found
     finally:
         flint.ctx.prec = kept
-
-
-def _differ(left: object, right: object, numbers: Numbers) -> bool:
-    try:
-        return numbers.sign(numbers.operation("plus", left, numbers.operation("times", Fraction(-1), right))) != 0
-    except UndecidedError:
-        return False
 
 
 def bits_for(statement: Statement, place: Place) -> int | None:
@@ -89,9 +82,9 @@ def bits_for(statement: Statement, place: Place) -> int | None:
     for bits in (128, 512, 2048, 4096):
         numbers = Intervals(bits)
         try:
-            left, right = statement.sides_at(place.point, numbers)
+            fails = statement.fails_at(place.point, numbers)
         except (UndecidedError, UndefinedError):
             continue
-        if not place.differs or _differ(left, right, numbers):
+        if fails or not place.fails:
             return bits
     return None

@@ -14,6 +14,7 @@ from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.prove import Proof
 from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places
 from algebroproj_sym.proving.reals.reading import assumed_of, condition_of, term_of, witness_of, zero_of
+from algebroproj_sym.proving.reals.samples import samples_at
 from algebroproj_sym.proving.reals.search import Search
 from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.reals import require_real
@@ -27,7 +28,7 @@ FEW = 4
 ALL_TRIES = 1_500
 
 NOWHERE = "no point was found at which both sides are defined and real and the assumptions hold"
-UNDECIDED = "no proof was found, and no rational point at which the sides differ"
+UNDECIDED = "no proof was found, and no rational point at which it fails"
 
 
 def proof_of(
@@ -37,6 +38,7 @@ def proof_of(
     nonzero: Sequence[Any],
     assumptions: Sequence[Any],
     witness: Mapping[Any, Any] | None = None,
+    relation: str = "=",
 ) -> Proof:
     """Decide a statement that is given as text or SymPy expressions."""
     given = [value for value in (lhs, rhs, *constraints, *nonzero) if isinstance(value, sympy.Expr)]
@@ -45,7 +47,7 @@ def proof_of(
     record = {
         "lhs": written(term_of(lhs, "lhs")),
         "rhs": written(term_of(rhs, "rhs")),
-        "relation": "=",
+        "relation": relation,
         "assumptions": [*conditions, *assumed_of(symbols_of([*given, *related]))],
         "constraints": [zero_of(value, f"constraints[{place}]") for place, value in enumerate(constraints)],
         "nonzero": [written(term_of(value, f"nonzero[{place}]")) for place, value in enumerate(nonzero)],
@@ -80,19 +82,19 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
     met = list[Place]()
     own = judged(statement, witness, ALL) if witness and witness.keys() == statement.symbols() else None
     for place in (*([own] if own else []), *islice(places(statement, FIRST_TRIES), ENOUGH)):
-        if place.differs:
+        if place.fails:
             return _refuted(record, statement, place)
         met.append(place)
     if not met:
         met += islice(places(statement, ALL_TRIES, ALL), 1)
         if not met:
             return _open(record, NOWHERE)
-        if met[0].differs:
+        if met[0].fails:
             return _refuted(record, statement, met[0])
     found = _proved(record, statement, met)
     if found is not None:
         return found
-    refuting = next((place for place in places(statement, ALL_TRIES, ALL) if place.differs), None)
+    refuting = next((place for place in places(statement, ALL_TRIES, ALL) if place.fails), None)
     return _open(record, UNDECIDED) if refuting is None else _refuted(record, statement, refuting)
 
 
@@ -105,7 +107,7 @@ def may_agree(lhs: str, rhs: str) -> bool:
     (True, False)
     """
     found = [*islice(_places(lhs, rhs), FEW)]
-    return bool(found) and not any(place.differs for place in found)
+    return bool(found) and not any(place.fails for place in found)
 
 
 def often_agree(lhs: str, rhs: str) -> bool:
@@ -117,7 +119,7 @@ def often_agree(lhs: str, rhs: str) -> bool:
     (True, False)
     """
     found = [place for place in _places(lhs, rhs) if all(value > 0 for value in place.point.values())]
-    return 3 * sum(not place.differs for place in found) > len(found)
+    return 3 * sum(not place.fails for place in found) > len(found)
 
 
 def _places(lhs: str, rhs: str) -> Iterator[Place]:
@@ -128,7 +130,7 @@ def _places(lhs: str, rhs: str) -> Iterator[Place]:
 def _proved(record: Mapping[str, Any], statement: Any, met: Sequence[Place]) -> dict[str, Any] | None:
     begin()
     try:
-        proof = Search(statement, [place.point for place in met]).proof()
+        proof = Search(statement.theory(), [statement.goal], samples_at(place.point for place in met)).proof()
     except (EffortExceededError, NotReplayable, Rejected):
         return None
     bits = None if proof is None else bits_for(statement, met[0])

@@ -11,8 +11,8 @@ from sympy.core.function import AppliedUndef
 
 from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError, admits, assumption, is_plain, over
 from algebroproj_sym.expressions.symbols import is_name
+from algebroproj_sym.replaying.reals.comparisons import comparisons
 from algebroproj_sym.replaying.reals.intervals import Intervals
-from algebroproj_sym.replaying.reals.statement import comparisons
 from algebroproj_sym.replaying.reals.terms import (
     ALIASES,
     ARITY,
@@ -116,13 +116,20 @@ def _term(node: Any, argument: str) -> Term:
         if isinstance(node.exp, sympy.Rational):
             return power(base, Fraction(int(node.exp.p), int(node.exp.q)))
         return function("exp", times(_term(node.exp, argument), function("log", base)))
+    if isinstance(node, sympy.Derivative) and all(order.is_Integer for _, order in node.variable_count):
+        found = _term(node.expr, argument)
+        for symbol, order in node.variable_count:
+            for _ in range(int(order)):
+                found = Term("diff", symbol.name, (found,))
+        return found
     name = type(node).__name__
     name = ALIASES.get(name, name)
     is_own = isinstance(node, sympy.Function) and not isinstance(node, AppliedUndef)
     if is_own and ARITY.get(name) == len(node.args):
         return function(name, *(_term(part, argument) for part in node.args))
+    known = ", ".join(sorted(ARITY))
     raise NotRationalError(
-        f"{argument}: expected + - * /, powers and the functions {', '.join(sorted(ARITY))}, got {str(node)[:80]}"
+        f"{argument}: expected + - * /, powers, derivatives and the functions {known}, got {str(node)[:80]}"
     )
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from fractions import Fraction
 
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.polynomial import BITS, Polynomial
@@ -86,3 +87,8 @@ class Sample:
         for place, power in element.exponents.items():
             total *= self._polynomial(theory, theory.field.factors[place])[0] ** power
         return total
+
+
+def samples_at(points: Iterable[Mapping[str, Fraction]]) -> list[Sample]:
+    """Return samples at rational points."""
+    return [Sample({name: float(value) for name, value in point.items()}) for point in points]

@@ -6,13 +6,15 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
+from algebroproj_sym.proving.reals.analysis import Analysis
 from algebroproj_sym.proving.reals.constants import constant_zero
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.normal import normalised
-from algebroproj_sym.proving.reals.points import Point
 from algebroproj_sym.proving.reals.samples import Sample
 from algebroproj_sym.replaying.field import Element
-from algebroproj_sym.replaying.reals import Statement
+from algebroproj_sym.replaying.reals.definitions import Condition
+from algebroproj_sym.replaying.reals.terms import Term, written
+from algebroproj_sym.replaying.reals.theory import Theory
 
 DEEPEST = 3
 MOST_CASES = 30
@@ -23,16 +25,36 @@ Node = dict[str, Any]
 
 
 class Search:
-    """A search for a proof of a statement, within a number of cases."""
+    """A search for a proof of relations of terms to zero, within a number of cases.
 
-    def __init__(self, statement: Statement, points: Sequence[Point] = ()) -> None:
-        self.statement = statement
-        self.samples = [Sample({name: float(value) for name, value in point.items()}) for point in points]
+    Parameters
+    ----------
+    theory : Theory
+        What is known.
+    goals : sequence of (relation, Term)
+        What is to be shown, one after the other.
+    samples : list of Sample
+        Points at which what is known holds.
+    level : int
+        Within how many proofs about derivatives this is.
+    effort : list of int, optional
+        What may still be spent.
+    """
+
+    def __init__(
+        self,
+        theory: Theory,
+        goals: Sequence[Condition],
+        samples: Sequence[Sample] = (),
+        level: int = 0,
+        effort: list[int] | None = None,
+    ) -> None:
+        self.theory, self.goals, self.samples, self.level, self.effort = theory, goals, samples, level, effort
         self.cases = 0
 
     def proof(self) -> Node | None:
         """Return a proof; None if none was found."""
-        return self._node(Knowledge(self.statement.theory(), self.samples), 0, ())
+        return self._node(Knowledge(self.theory, self.samples, self.effort), 0, ())
 
     def _node(self, knowledge: Knowledge, depth: int, split: tuple[str, ...]) -> Node | None:
         self.cases += 1
@@ -43,10 +65,10 @@ class Search:
             return {"steps": knowledge.steps, "end": end}
         if depth >= DEEPEST:
             return None
-        for polynomial in self._choices(knowledge, split)[:3]:
+        for polynomial, relations in self._choices(knowledge, split)[:3]:
             text = knowledge.text(polynomial)
             parts = []
-            for relation in (">", "=", "<"):
+            for relation in relations:
                 part = self._node(knowledge.case(relation, text), depth + 1, (*split, text))
                 if part is None:
                     break
@@ -55,14 +77,19 @@ class Search:
                 return {"steps": knowledge.steps, "cases": {"of": text, "parts": parts}}
         return None
 
-    def _choices(self, knowledge: Knowledge, split: tuple[str, ...]) -> list[Any]:
-        """Return polynomials whose sign was looked for and not found, the simplest first."""
+    def _choices(self, knowledge: Knowledge, split: tuple[str, ...]) -> list[tuple[Any, tuple[str, ...]]]:
+        """Return polynomials whose sign was looked for and not found, the simplest first, and the cases for each.
+
+        Where the sign of a function was looked for on a range, the range is cut first.
+        """
+        if knowledge.cuts:
+            return [(knowledge.into(cut), (">=", "<")) for cut in knowledge.cuts]
         found: dict[str, Any] = {}
         for polynomial in knowledge.wanted:
             if len(polynomial.terms) <= 6:
                 here = knowledge.into(polynomial)
                 found[knowledge.text(here)] = here
-        for name in sorted(self.statement.symbols()):
+        for name in sorted(knowledge.theory.symbols()):
             if {"root", "sign", "atan", "atan2", "asin"} & {
                 known.function for known in knowledge.theory.applications.values()
             }:
@@ -75,26 +102,57 @@ class Search:
             and not polynomial.is_constant()
             and knowledge.sign(knowledge.back(polynomial)) in (None, ">=", "<=")
         ]
-        return [polynomial for _, polynomial in sorted(free, key=lambda pair: (len(pair[0]), pair[0]))]
+        found_first = sorted(free, key=lambda pair: (len(pair[0]), pair[0]))
+        return [(polynomial, (">", "=", "<")) for _, polynomial in found_first]
 
     def _reached(self, knowledge: Knowledge) -> bool:
-        left, right = (knowledge.theory.term(side) for side in (self.statement.left, self.statement.right))
-        goal = left - right
-        if knowledge.zero(goal, quick=True):
+        return all(self._shown(knowledge, *goal) for goal in self.goals) or knowledge.theory.contradictory
+
+    def _shown(self, knowledge: Knowledge, relation: str, term: Term) -> bool:
+        if not knowledge.step("defined", term=written(term)):
+            return False
+        if relation == "=":
+            return _are_equal(
+                knowledge, *(knowledge.theory.term(side) for side in (term.args[0], term.args[1].args[0]))
+            )
+        goal = knowledge.theory.term(term)
+        if knowledge.related(relation, goal):
             return True
         normalised(knowledge)
-        if knowledge.theory.contradictory or knowledge.zero(goal):
-            return True
+        _turns_bounded(knowledge)
+        _bounds_strict(knowledge)
         _signs_decided(knowledge)
         _unified(knowledge)
-        if knowledge.zero(goal):
-            return True
         return (
-            constant_zero(knowledge, goal)
-            or _by_powers(knowledge, left, right)
-            or _by_angle(knowledge, goal)
-            or _by_logarithms(knowledge, goal)
+            knowledge.theory.contradictory
+            or knowledge.related(relation, goal)
+            or _by_conjugates(knowledge, relation, goal)
+            or Analysis(self._nested, _are_equal, knowledge, self.level).related(relation, goal)
         )
+
+    def _nested(
+        self, theory: Theory, goals: Sequence[Condition], samples: Sequence[Sample], effort: list[int]
+    ) -> Node | None:
+        return Search(theory, goals, samples, self.level + 1, effort).proof()
+
+
+def _are_equal(knowledge: Knowledge, left: Element, right: Element) -> bool:
+    goal = left - right
+    if knowledge.zero(goal, quick=True):
+        return True
+    normalised(knowledge)
+    if knowledge.theory.contradictory or knowledge.zero(goal):
+        return True
+    _signs_decided(knowledge)
+    _unified(knowledge)
+    if knowledge.zero(goal):
+        return True
+    return (
+        constant_zero(knowledge, goal)
+        or _by_powers(knowledge, left, right)
+        or _by_angle(knowledge, goal)
+        or _by_logarithms(knowledge, goal)
+    )
 
 
 def _contradicts(knowledge: Knowledge, depth: int) -> bool:
@@ -124,9 +182,98 @@ def _signs_decided(knowledge: Knowledge) -> None:
             _turn_decided(knowledge, symbol, known.args[0])
 
 
+def _turns_bounded(knowledge: Knowledge) -> None:
+    """Bound sines and cosines by 1: twice the distance is a sum of two squares."""
+    theory = knowledge.theory
+    for name, known in [*theory.applications.items()]:
+        if known.function in ("sin", "cos"):
+            found = theory.named("cos" if known.function == "sin" else "sin", known.args[0])
+            assert found is not None
+            other = theory.text(found)
+            place = theory.facts.index(theory.fact("=", theory.polynomial(f"{name}**2 + {other}**2 - 1")))
+            for side in (f"1 - {name}", f"1 + {name}"):
+                if not theory.holds(">=", theory.polynomial(side)):
+                    knowledge.step(
+                        "sign", polynomial=side, relation=">=", scale=2, multiplier={},
+                        sum=[["1", side, {}], ["1", other, {}]], cofactors={str(place): "-1"},
+                    )  # fmt: skip
+
+
+def _bounds_strict(knowledge: Knowledge) -> None:
+    """Make bounds of roots, exponentials and logarithms strict where they are."""
+    theory = knowledge.theory
+    for name, known in [*theory.applications.items()]:
+        if known.function in ("root", "exp", "log"):
+            u = known.args[0]
+            strict = (
+                knowledge.positive(u, True)
+                if known.function == "root"
+                else knowledge.related("!=", u if known.function == "exp" else u - theory.number(1))
+            )
+            if strict:
+                knowledge.step("strict bounds", target=name)
+
+
+def _by_conjugates(knowledge: Knowledge, relation: str, goal: Element, depth: int = 0) -> bool:
+    """Show a sign by those of a*r - b and of their product, for factors a*r + b with a square root r."""
+    roots = {
+        knowledge.theory.field.places[name]: known.args[0]
+        for name, known in knowledge.theory.applications.items()
+        if known.function == "root" and known.degree == 2 and not known.args[0].exponents
+    }
+    if not roots or depth > 2:
+        return False
+    for factor, _ in knowledge.signed(goal).factor()[1]:
+        element = knowledge.back(factor)
+        seen = knowledge.seen(element) - {0}
+        if len(seen) == 1 and not knowledge.related(relation, element if seen == {1} else -element):
+            own = factor * max(seen)
+            found = (
+                _by_conjugate(knowledge, relation, own, place, roots[place], depth)
+                for place, degree in enumerate(own.degrees())
+                if place in roots and degree == 1
+            )
+            if not any(found):
+                return False
+    return knowledge.related(relation, goal)
+
+
+def _by_conjugate(
+    knowledge: Knowledge, relation: str, polynomial: Any, place: int, radicand: Element, depth: int
+) -> bool:
+    theory, root = knowledge.theory, knowledge.context.gens()[place]
+    slope = polynomial.derivative(place)
+    rest = polynomial - slope * root
+    above = knowledge.into(radicand.numerator)
+    product = slope**2 * above - rest**2 * radicand.denominator
+    other = slope * root - rest
+    side = knowledge.back(other)
+    if not knowledge.positive(side, True):
+        side, other, product = -side, -other, -product
+        if not knowledge.positive(side, True):
+            knowledge.want(rest, other)
+            return False
+    sign = 1 if other == slope * root - rest else -1
+    value = knowledge.back(product)
+    strict = relation != ">="
+    if (
+        product != 0
+        and not knowledge.positive(value, strict)
+        and not _by_conjugates(knowledge, relation, value, depth + 1)
+    ):
+        return False
+    zero = root**2 * radicand.denominator - above
+    fact = theory.fact("=", knowledge.back(zero))
+    if fact not in theory.known:
+        return False
+    cofactor = divmod(zero * slope**2 * sign, knowledge.into(fact.polynomial))[0]
+    return knowledge.signed_by(polynomial, side, radicand.denominator, value, {theory.facts.index(fact): cofactor})
+
+
 def _turn_decided(knowledge: Knowledge, sin: Element, angle: Element) -> None:
     """Give sine and cosine their signs where the range of the angle gives them."""
     theory = knowledge.theory
+    knowledge.step("defined", term="pi")
     cos, pi, two = theory.named("cos", angle), theory.pi, theory.number(2)
     if cos is None or not knowledge.samples or not knowledge.bounded(angle):
         return

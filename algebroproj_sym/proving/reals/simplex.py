@@ -1,13 +1,17 @@
-"""Exact linear programming: nonnegative weights that combine columns to a target."""
+"""Linear programming: nonnegative weights that combine columns to a target.
+
+Floating point finds which columns are of use, and exact arithmetic their weights.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import flint
 
 MOST_PIVOTS = 120
+TINY = 1e-9
 
 
 def weights(columns: Sequence[Mapping[Any, Any]], target: Mapping[Any, Any]) -> dict[int, Any] | None:
@@ -21,32 +25,72 @@ def weights(columns: Sequence[Mapping[Any, Any]], target: Mapping[Any, Any]) -> 
     True
     """
     rows = list(dict.fromkeys([*target, *(row for column in columns for row in column)]))
-    zero, count = flint.fmpq(0), len(columns)
+    useful = _useful(_table(columns, target, rows, float, 0.0))
+    if useful is None:
+        return None
+    table = _table([columns[place] for place in useful], target, rows, flint.fmpq, flint.fmpq(0))
+    found = _solved(table)
+    return None if found is None else {useful[place]: weight for place, weight in found.items() if weight != 0}
+
+
+def _table(
+    columns: Sequence[Mapping[Any, Any]],
+    target: Mapping[Any, Any],
+    rows: Sequence[Any],
+    number: Callable[[Any], Any],
+    zero: Any,
+) -> list[list[Any]]:
+    """Return the equations, with the target in the last column, where it is not negative."""
     table = []
     for row in rows:
-        right = flint.fmpq(target.get(row, 0))
-        values = [flint.fmpq(column.get(row, 0)) for column in columns] + [right]
-        table.append([-value for value in values] if right < 0 else values)
-    basis = [count] * len(rows)
-    costs = [sum((row[place] for row in table), zero) for place in range(count + 1)]
+        values = [number(each[row]) if row in each else zero for each in (*columns, target)]
+        table.append([-value for value in values] if values[-1] < 0 else values)
+    return table
+
+
+def _useful(rows: list[list[float]]) -> list[int] | None:
+    """Return which columns solve equations with nonnegative numbers, by the simplex method."""
+    import numpy as np
+
+    table = np.array([*rows, [0.0] * len(rows[0])])
+    table[-1] = table.sum(axis=0)
+    costs, basis = table[-1], [len(rows[0]) - 1] * len(rows)
     for pivots in range(MOST_PIVOTS):
-        if costs[count] == 0:
-            break
-        better = [place for place in range(count) if costs[place] > 0]
-        if not better:
+        if costs[-1] <= TINY:
+            return sorted({place for place in basis if place < len(rows[0]) - 1})
+        better = np.flatnonzero(costs[:-1] > TINY)
+        if not len(better):
             return None
-        entering = max(better, key=lambda place: costs[place]) if pivots < MOST_PIVOTS // 2 else better[0]
-        ratios = [(row[-1] / row[entering], number) for number, row in enumerate(table) if row[entering] > 0]
-        leaving = min(ratios, key=lambda ratio: (ratio[0], -basis[ratio[1]]))[1]
-        pivot = table[leaving][entering]
-        table[leaving] = pivoted = [value / pivot if value else value for value in table[leaving]]
-        for rest in (*(row for number, row in enumerate(table) if number != leaving), costs):
-            factor = rest[entering]
-            if factor:
-                for place, value in enumerate(pivoted):
-                    if value:
-                        rest[place] -= factor * value
+        entering = int(better[costs[better].argmax()] if pivots < MOST_PIVOTS // 2 else better[0])
+        candidates = [number for number in range(len(rows)) if table[number, entering] > TINY]
+        if not candidates:
+            return None
+        leaving = min(candidates, key=lambda each: (table[each, -1] / table[each, entering], -basis[each]))
+        table[leaving] /= table[leaving, entering]
+        factors = table[:, entering].copy()
+        factors[leaving] = 0.0
+        table -= factors[:, None] * table[leaving]
         basis[leaving] = entering
-    else:
+    return None
+
+
+def _solved(table: list[list[Any]]) -> dict[int, Any] | None:
+    """Return the one solution of equations; None if there is none that is not negative."""
+    width, free = len(table[0]) - 1, list(table)
+    pivots = dict[int, list[Any]]()
+    for place in range(width):
+        row = next((row for row in free if row[place] != 0), None)
+        if row is None:
+            continue
+        free = [other for other in free if other is not row]
+        pivot = row[place]
+        row[:] = [value / pivot if value else value for value in row]
+        for other in (*free, *pivots.values()):
+            if factor := other[place]:
+                for at, value in enumerate(row):
+                    if value:
+                        other[at] -= factor * value
+        pivots[place] = row
+    if any(row[-1] != 0 for row in free) or any(row[-1] < 0 for row in pivots.values()):
         return None
-    return {place: row[-1] for row, place in zip(table, basis, strict=True) if place < count and row[-1] != 0}
+    return {place: row[-1] for place, row in pivots.items()}

@@ -120,6 +120,13 @@ class Intervals(Numbers):
         return self._turned(value)[1]
 
     def _turned(self, value: Interval) -> tuple[Interval, Interval]:
+        """Return sine and cosine: those of an angle in the middle, from which they differ no more than the angles."""
+        middle = (value[0] + value[1]) >> 1
+        radius = max(middle - value[0], value[1] - middle)
+        found = self._turned_at((middle, middle))
+        return tuple(self._within_one((low - radius, high + radius)) for low, high in found)  # type: ignore[return-value]
+
+    def _turned_at(self, value: Interval) -> tuple[Interval, Interval]:
         """Return sine and cosine, by their series at a small part of the angle, which is doubled."""
         halvings = self._halvings(value)
         extra = 2 * halvings + 16
@@ -138,7 +145,7 @@ class Intervals(Numbers):
             square = fine.times(cos, cos)
             product = fine.times(sin, cos)
             sin, cos = (2 * product[0], 2 * product[1]), (2 * square[0] - fine.unit, 2 * square[1] - fine.unit)
-        return tuple(self._within_one(self._coarser(part, extra)) for part in (sin, cos))  # type: ignore[return-value]
+        return self._coarser(sin, extra), self._coarser(cos, extra)
 
     def _within_one(self, value: Interval) -> Interval:
         return max(value[0], -self.unit), min(value[1], self.unit)

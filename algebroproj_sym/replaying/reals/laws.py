@@ -23,14 +23,6 @@ MOST_BITS = 4096
 Step = Mapping[str, Any]
 
 
-def apply(theory: Theory, step: Step) -> None:
-    """Add what follows by a law."""
-    require(isinstance(step, Mapping) and step.get("law") in LAWS, f"there is no law for {step!r:.80}")
-    law, entries = LAWS[step["law"]]
-    require(step.keys() == {"law", *entries}, f"{step['law']}: expected the entries {sorted(entries)}")
-    law(theory, step)
-
-
 def _product(theory: Theory, powers: Mapping[str, Any], relations: Sequence[str], *, even: bool = False) -> Element:
     """Return a product of facts of some relations; what is only not zero must have an even power, if so asked."""
     found = theory.number(1)
@@ -301,6 +293,28 @@ def sign_function(theory: Theory, step: Step) -> None:
     raise Rejected("the sign of the argument is not known")
 
 
+def strict_bounds(theory: Theory, step: Step) -> None:
+    """Conclude sqrt(u) > 0 if u > 0, likewise for other roots.
+
+    Also exp u > 1 + u and 1 > (1 - u)*exp u if u != 0, and log u < u - 1 and u*log u > u - 1 if u != 1.
+    """
+    known = theory.applications.get(step["target"])
+    if known is None or known.function not in ("root", "exp", "log"):
+        raise Rejected(f"{step['target']!r:.40} is no root, exponential or logarithm")
+    value, u, one = theory.variable(step["target"]), known.args[0], theory.number(1)
+    if known.function == "root":
+        theory.require(">", u, "the radicand")
+        theory.add(">", value)
+    elif known.function == "exp":
+        theory.require("!=", u, "the exponent")
+        theory.add(">", value - one - u)
+        theory.add(">", one - value * (one - u))
+    else:
+        theory.require("!=", u - one, "the argument minus 1")
+        theory.add(">", u - one - value)
+        theory.add(">", u * value - u + one)
+
+
 LAWS: Mapping[str, tuple[Callable[[Theory, Step], None], frozenset[str]]] = {
     "defined": (defined, frozenset({"term"})),
     "follows": (follows, frozenset({"zero", "exponent", "scale", "multiplier", "cofactors"})),
@@ -318,5 +332,6 @@ LAWS: Mapping[str, tuple[Callable[[Theory, Step], None], frozenset[str]]] = {
     "cosine in range": (cosine_in_range, frozenset({"angle"})),
     "range of sine": (range_of_sine, frozenset({"angle"})),
     "range of cosine": (range_of_cosine, frozenset({"angle"})),
+    "strict bounds": (strict_bounds, frozenset({"target"})),
     "sign function": (sign_function, frozenset({"target"})),
 }

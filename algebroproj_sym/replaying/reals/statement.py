@@ -1,64 +1,27 @@
-"""Statements about real functions: what they say, and whether a proof or a point shows it.
-
-A proof is a tree: steps, each by a law, and at its end the goal, a contradiction, or cases.
-"""
+"""Statements about real functions: what they say, and whether a proof or a point shows it."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from algebroproj_sym.replaying.reals.comparisons import compared, comparisons
+from algebroproj_sym.replaying.reals.definitions import Condition, conditions
 from algebroproj_sym.replaying.reals.intervals import Intervals
-from algebroproj_sym.replaying.reals.laws import MOST_BITS, apply
-from algebroproj_sym.replaying.reals.terms import Term, UnreadableError, conditions, negative, plus, read, written
+from algebroproj_sym.replaying.reals.laws import MOST_BITS
+from algebroproj_sym.replaying.reals.proofs import require_proof
+from algebroproj_sym.replaying.reals.terms import Term, UnreadableError, read, written
 from algebroproj_sym.replaying.reals.theory import RESERVED, Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, holds, value_of
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 from algebroproj_sym.replaying.text import natural, number, texts
 
-DEEPEST = 12
-CASES = ((">", "=", "<"), (">=", "<"), (">", "<="), ("!=", "="))
-"""Ways to tell all real numbers apart."""
-
-_COMPARISON = re.compile(r"(<=|>=|!=|==|<|>|=)")
-_REVERSED = {"<": ">", "<=": ">="}
-
-Condition = tuple[str, Term]
-
-
-def comparisons(text: str) -> tuple[Condition, ...]:
-    """Read comparisons of terms, as relations to zero.
-
-    Examples
-    --------
-    >>> [(relation, written(term)) for relation, term in comparisons("0 < x <= pi")]
-    [('>', 'x - 0'), ('>=', 'pi - x')]
-    """
-    parts = _COMPARISON.split(text)
-    if len(parts) < 3:
-        raise UnreadableError(len(text.rstrip()), "a comparison", "the end")
-    sides, found, position = [], list[Condition](), 0
-    for place, part in enumerate(parts):
-        if place % 2 == 0:
-            try:
-                sides.append(read(part))
-            except UnreadableError as error:
-                raise UnreadableError(position + error.position, error.expected, error.got) from None
-        position += len(part)
-    for left, sign, right in zip(sides, parts[1::2], sides[1:], strict=False):
-        if sign in _REVERSED:
-            found.append((_REVERSED[sign], plus(right, negative(left))))
-        else:
-            found.append(("=" if sign == "==" else sign, plus(left, negative(right))))
-    return tuple(found)
-
 
 @dataclass(frozen=True)
 class Statement:
-    """Two sides that are equal wherever both are defined and the conditions hold.
+    """A relation of two sides, wherever both are defined and the conditions hold.
 
     Attributes
     ----------
@@ -66,11 +29,19 @@ class Statement:
         The sides.
     given : tuple of (relation, Term)
         What is assumed: relations to zero.
+    relation : {"=", "!=", "<", "<=", ">", ">="}
+        Between the sides.
     """
 
     left: Term
     right: Term
     given: tuple[Condition, ...] = ()
+    relation: str = "="
+
+    @property
+    def goal(self) -> Condition:
+        """What is stated, as a relation to zero."""
+        return compared(self.left, self.relation, self.right)
 
     def symbols(self) -> frozenset[str]:
         """Return the names that occur."""
@@ -78,8 +49,11 @@ class Statement:
 
     def hypotheses(self) -> list[str]:
         """Return what must hold for both sides to be defined, as text."""
-        found = [*conditions(self.left), *conditions(self.right)]
-        return [*dict.fromkeys(f"{written(term)} {relation} 0" for relation, term in found if term.symbols())]
+        asked = dict.fromkeys(
+            pair for side in (self.left, self.right) for pair in conditions(side) if pair[1].symbols()
+        )
+        weaker = {(relation, term) for strict, term in asked if strict == ">" for relation in (">=", "!=")}
+        return [*dict.fromkeys(f"{written(term)} {sign} 0" for sign, term in asked if (sign, term) not in weaker)]
 
     def theory(self) -> Theory:
         """Return what is known where the sides are defined and the conditions hold."""
@@ -90,22 +64,32 @@ class Statement:
             theory.term(side, granted=True)
         return theory
 
-    def sides_at(self, point: Mapping[str, Fraction], numbers: Any) -> tuple[Any, Any]:
-        """Return both sides at a point where the conditions hold; another point raises `UndefinedError`."""
+    def fails_at(self, point: Mapping[str, Fraction], numbers: Any) -> bool:
+        """Whether the numbers tell that the relation fails at a point.
+
+        A point at which a side is not defined, or a condition does not hold, raises `UndefinedError`.
+        """
         for relation, term in self.given:
             numbers.require(holds(relation, value_of(term, point, numbers), numbers))
-        return value_of(self.left, point, numbers), value_of(self.right, point, numbers)
+        for side in (self.left, self.right):
+            value_of(side, point, numbers)
+        relation, difference = self.goal
+        try:
+            return not holds(relation, value_of(difference, point, numbers), numbers)
+        except UndecidedError:
+            return False
 
 
+RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 KEYS = {"lhs", "rhs", "relation", "assumptions", "constraints", "nonzero"}
 
 
 def statement_of(record: Mapping[str, Any]) -> Statement:
     """Return the statement of a record."""
-    require(record["relation"] == "=", "only equalities are known")
+    require(record["relation"] in RELATIONS, f"there is no relation {record['relation']!r:.20}")
     try:
-        given = [*_given(record)]
-        statement = Statement(read(record["lhs"]), read(record["rhs"]), tuple(given))
+        given = (*_given(record),)
+        statement = Statement(read(record["lhs"]), read(record["rhs"]), given, record["relation"])
     except UnreadableError as error:
         raise Rejected(f"a text cannot be read: {error}") from None
     require(not any(map(RESERVED.fullmatch, statement.symbols())), "a symbol has a reserved name")
@@ -158,7 +142,7 @@ def require_real(record: Mapping[str, Any]) -> None:
         require(certificate.keys() == {"method", "bits"}, "expected method and bits")
         require(certificate["method"] == "enclosures", "expected the method 'enclosures'")
         require(record["hypotheses"] == [], "a counterexample needs no hypotheses")
-        require(_differ(statement, record["counterexample"], certificate["bits"]), "the sides are not told apart")
+        require(_fails(statement, record["counterexample"], certificate["bits"]), "the sides are not told apart")
         return
     require(record["counterexample"] is None, "what is proved has no counterexample")
     require(
@@ -167,10 +151,10 @@ def require_real(record: Mapping[str, Any]) -> None:
     )
     require(certificate["method"] == "real laws", "expected the method 'real laws'")
     require(record["hypotheses"] == statement.hypotheses(), "the hypotheses are not those of the text")
-    _sides(statement, certificate["witness"], certificate["bits"])
+    _fails(statement, certificate["witness"], certificate["bits"])
     theory = statement.theory()
     require(certificate["functions"] == functions_of(theory), "the functions are not those of the statement")
-    require_proof(theory, statement, certificate["proof"])
+    require_proof(theory, (statement.goal,), certificate["proof"])
 
 
 def functions_of(theory: Theory) -> dict[str, str]:
@@ -186,57 +170,13 @@ def _shown(theory: Theory, name: str) -> str:
     return f"{function if not degree else f'root{degree}'}({', '.join(map(theory.text, args))})"
 
 
-def require_proof(theory: Theory, statement: Statement, node: Mapping[str, Any], depth: int = 0) -> None:
-    """Reject a proof that does not reach the goal."""
-    if depth > DEEPEST:
-        raise NotReplayable("there are too many cases in cases")
-    require(isinstance(node["steps"], list), "expected a list of steps")
-    for step in node["steps"]:
-        apply(theory, step)
-    if "cases" in node:
-        require(node.keys() == {"steps", "cases"} and node["cases"].keys() == {"of", "parts"}, "expected cases")
-        parts = node["cases"]["parts"]
-        require(tuple(part["assumed"] for part in parts) in CASES, "the cases are not all there are")
-        for part in parts:
-            branch = theory.branch()
-            assume(branch, part["assumed"], node["cases"]["of"])
-            require_proof(branch, statement, {key: part[key] for key in part if key != "assumed"}, depth + 1)
-        return
-    require(node.keys() == {"steps", "end"}, "expected steps and an end")
-    if node["end"] == "contradiction":
-        require(theory.contradictory, "there is no contradiction")
-    else:
-        require(node["end"] == "goal", "expected the goal or a contradiction")
-        difference = theory.term(statement.left) - theory.term(statement.right)
-        require(theory.holds("=", difference), "the goal is not known")
-
-
-def assume(theory: Theory, relation: str, text: str) -> None:
-    """Enter what is assumed in a case."""
-    polynomial = theory.polynomial(text)
-    if relation in _REVERSED:
-        theory.add(_REVERSED[relation], -polynomial)
-    else:
-        theory.add(relation, polynomial)
-
-
-def _sides(statement: Statement, point: Any, bits: Any) -> tuple[Any, Any, Intervals]:
+def _fails(statement: Statement, point: Any, bits: Any) -> bool:
     require(isinstance(point, Mapping) and point.keys() == statement.symbols(), "expected a value for every symbol")
     require(0 < natural(bits) <= MOST_BITS, "too many bits")
-    numbers = Intervals(bits)
+    values = {name: number(text) for name, text in point.items()}
     try:
-        values = {name: number(text) for name, text in point.items()}
-        left, right = statement.sides_at(values, numbers)
+        return statement.fails_at(values, Intervals(bits))
     except UndefinedError:
         raise Rejected("something is not defined or not satisfied at the point") from None
     except UndecidedError:
         raise Rejected("the bits do not tell whether all is defined at the point") from None
-    return left, right, numbers
-
-
-def _differ(statement: Statement, point: Sequence[Any], bits: Any) -> bool:
-    left, right, numbers = _sides(statement, point, bits)
-    try:
-        return numbers.sign(numbers.operation("plus", left, numbers.operation("times", Fraction(-1), right))) != 0
-    except UndecidedError:
-        return False

@@ -8,7 +8,8 @@
     power    = atom [("**" | "^") sign]
     atom     = number | name | function "(" sum {"," sum} ")" | "(" sum ")"
 
-``pi`` is the number.  A power has a rational exponent, or is ``exp(b*log(a))``.
+``pi`` is the number.  A power has a rational exponent, or is ``exp(b*log(a))``.  A derivative is
+``diff(f, x)``, or ``diff(f, x, 2, y)`` for one of higher order.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ MOST_DIGITS = 400
 MOST_LEVELS = 48
 MOST_FACTORS = 100
 LARGEST_EXPONENT = 100
+MOST_DERIVATIVES = 12
 
 _TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]*)?|\.[0-9]+)|([^\W\d]\w*'*)|(\*\*|[-+*/^(),]))")
 
@@ -40,13 +42,14 @@ ALIASES = {
     "arcosh": "acosh",
     "artanh": "atanh",
     "sgn": "sign",
+    "Derivative": "diff",
 }
 ONE = (
     "sqrt abs sign exp log sin cos tan cot sec csc asin acos atan asec acsc "
     "sinh cosh tanh coth sech csch asinh acosh atanh acoth asech acsch"
 )
 ARITY = dict.fromkeys(ONE.split(), 1) | {"atan2": 2}
-FUNCTIONS = frozenset({*ARITY, *ALIASES})
+FUNCTIONS = frozenset({*ARITY, *ALIASES, "diff"})
 
 
 _CALL = re.compile(rf"(?<![\w'])(?:{'|'.join(sorted(FUNCTIONS))})\s*\(")
@@ -73,7 +76,7 @@ class UnreadableError(ValueError):
 
 
 class Term(NamedTuple):
-    """``number``, ``symbol``, ``+ * / -``, ``^`` with a rational exponent as value, or a function."""
+    """``number``, ``symbol``, ``+ * / -``, ``^`` with a rational exponent, ``diff`` by a symbol, or a function."""
 
     kind: str
     value: Any = None
@@ -81,8 +84,12 @@ class Term(NamedTuple):
 
     def symbols(self) -> frozenset[str]:
         """Return the names that occur."""
-        own = frozenset({self.value}) if self.kind == "symbol" else frozenset()
+        own = frozenset({self.value}) if self.kind in ("symbol", "diff") else frozenset()
         return own.union(*(part.symbols() for part in self.args))
+
+    def order(self) -> int:
+        """Return how many derivatives are within one another."""
+        return (self.kind == "diff") + max((part.order() for part in self.args), default=0)
 
 
 PI = Term("pi")
@@ -235,11 +242,36 @@ class _Reader:
         name = ALIASES.get(name, name)
         self.expect("(")
         args = [self.inner(self.sum)]
+        if name == "diff":
+            return self.derivative(args[0])
         while len(args) < ARITY[name]:
             self.expect(",")
             args.append(self.inner(self.sum))
         self.expect(")")
         return function(name, *args)
+
+    def derivative(self, found: Term) -> Term:
+        count, whole = found.order(), found
+        while self.take(","):
+            kind, name, _ = self.tokens[self.place]
+            if kind != "name" or name == "pi" or name in FUNCTIONS:
+                raise self.wrong("a symbol by which to differentiate")
+            self.place += 1
+            order = 1
+            kind, text, _ = self.tokens[self.place + 1]
+            if self.tokens[self.place][1] == "," and kind == "number":
+                order = int(text) if text.isdecimal() and len(text) < 3 else 0
+                self.place += 2
+            count += order
+            if not 0 < order <= count <= MOST_DERIVATIVES:
+                self.place -= 1
+                raise self.wrong(f"an order from 1 to {MOST_DERIVATIVES}")
+            for _ in range(order):
+                found = Term("diff", name, (found,))
+        if found is whole:
+            raise self.wrong("','")
+        self.expect(")")
+        return found
 
 
 def _tokens(text: str) -> Iterator[tuple[str, str, int]]:
@@ -303,7 +335,8 @@ def _written(term: Term) -> tuple[str, int]:
         exponent = str(term.value)
         plain = term.value.denominator == 1 and term.value >= 0
         return f"{_within(term.args[0], 5)}**{exponent if plain else f'({exponent})'}", 4
-    return f"{term.kind}({', '.join(map(written, term.args))})", 5
+    by = f", {term.value}" if term.kind == "diff" else ""
+    return f"{term.kind}({', '.join(map(written, term.args))}{by})", 5
 
 
 def _within(term: Term, level: int) -> str:
@@ -311,112 +344,3 @@ def _within(term: Term, level: int) -> str:
     if level == 3:  # after a sign a product needs none, and another sign does
         return text if own >= 2 and not text.startswith("-") else f"({text})"
     return text if own >= level else f"({text})"
-
-
-def expanded(term: Term) -> tuple[Term, tuple[tuple[str, Term], ...]]:
-    """Return what a derived function is defined as, and what is asked of its arguments beyond that.
-
-    Examples
-    --------
-    >>> written(expanded(read("tan(x)"))[0]), written(expanded(read("Abs(x)"))[0])
-    ('sin(x)/cos(x)', '(x**2)**(1/2)')
-    """
-    kind = term.kind
-    if kind not in _DEFINED:
-        return term, ()
-    u = term.args[0]
-    return _DEFINED[kind](u), tuple((relation, made(u)) for relation, made in _ASKED.get(kind, ()))
-
-
-def _one(sign: int, u: Term) -> Term:
-    return plus(constant(1), u if sign > 0 else negative(u))
-
-
-def _inverse(name: str) -> Callable[[Term], Term]:
-    return lambda u: function(name, over(constant(1), u))
-
-
-def _reciprocal(name: str) -> Callable[[Term], Term]:
-    return lambda u: over(constant(1), function(name, u))
-
-
-def _exponentials(sign: int, u: Term) -> Term:
-    """Return ``exp(u) + sign*exp(-u)``, with one exponential."""
-    exp = function("exp", u)
-    below = over(constant(1), exp)
-    return plus(exp, below if sign > 0 else negative(below))
-
-
-_TWO = constant(2)
-_DEFINED: dict[str, Callable[[Term], Term]] = {
-    "sqrt": lambda u: power(u, Fraction(1, 2)),
-    "abs": lambda u: power(power(u, 2), Fraction(1, 2)),
-    "tan": lambda u: over(function("sin", u), function("cos", u)),
-    "cot": lambda u: over(function("cos", u), function("sin", u)),
-    "sec": _reciprocal("cos"),
-    "csc": _reciprocal("sin"),
-    "acos": lambda u: plus(over(PI, _TWO), negative(function("asin", u))),
-    "asec": _inverse("acos"),
-    "acsc": _inverse("asin"),
-    "sinh": lambda u: over(_exponentials(-1, u), _TWO),
-    "cosh": lambda u: over(_exponentials(1, u), _TWO),
-    "tanh": lambda u: over(_exponentials(-1, u), _exponentials(1, u)),
-    "coth": lambda u: over(_exponentials(1, u), _exponentials(-1, u)),
-    "sech": lambda u: over(_TWO, _exponentials(1, u)),
-    "csch": lambda u: over(_TWO, _exponentials(-1, u)),
-    "asinh": lambda u: function("log", plus(u, power(plus(power(u, 2), constant(1)), Fraction(1, 2)))),
-    "acosh": lambda u: function("log", plus(u, power(plus(power(u, 2), constant(-1)), Fraction(1, 2)))),
-    "atanh": lambda u: times(ONE_HALF, function("log", over(_one(1, u), _one(-1, u)))),
-    "acoth": _inverse("atanh"),
-    "asech": _inverse("acosh"),
-    "acsch": _inverse("asinh"),
-}
-_ASKED: dict[str, tuple[tuple[str, Callable[[Term], Term]], ...]] = {
-    "acosh": ((">=", lambda u: plus(u, constant(-1))),),
-    "atanh": ((">", lambda u: _one(1, u)), (">", lambda u: _one(-1, u))),
-}
-
-
-def conditions(term: Term) -> Iterator[tuple[str, Term]]:
-    """Yield what must hold for a term to be defined and real, inside first: ``>=``, ``>`` or ``!=`` zero.
-
-    Examples
-    --------
-    >>> [(relation, written(part)) for relation, part in conditions(read("tan(x) + log(1/sqrt(y))"))]
-    [('!=', 'cos(x)'), ('>=', 'y'), ('!=', 'sqrt(y)'), ('>', '1/sqrt(y)')]
-    """
-    for part in term.args:
-        yield from conditions(part)
-    u = term.args[0] if term.args else term
-    one = constant(1)
-    if term.kind == "/":
-        yield "!=", term.args[1]
-    elif term.kind == "^":
-        if term.value.denominator > 1:
-            yield (">=" if term.value > 0 else ">"), u
-        elif term.value <= 0:
-            yield "!=", u
-    elif term.kind in ("tan", "sec"):
-        yield "!=", function("cos", u)
-    elif term.kind in ("cot", "csc"):
-        yield "!=", function("sin", u)
-    elif term.kind == "sqrt":
-        yield ">=", u
-    elif term.kind == "log":
-        yield ">", u
-    elif term.kind in ("asin", "acos"):
-        yield ">=", plus(one, negative(power(u, 2)))
-    elif term.kind == "atan2":
-        yield "!=", plus(power(u, 2), power(term.args[1], 2))
-    elif term.kind in ("coth", "csch", "acsch", "asec", "acsc", "acoth", "asech"):
-        yield "!=", u
-        if term.kind in ("asec", "acsc"):
-            yield ">=", plus(power(u, 2), negative(one))
-        elif term.kind == "acoth":
-            yield ">", plus(power(u, 2), negative(one))
-        elif term.kind == "asech":
-            yield from ((">", u), (">=", plus(one, negative(u))))
-    elif term.kind == "acosh":
-        yield ">=", plus(u, negative(one))
-    elif term.kind == "atanh":
-        yield ">", plus(one, negative(power(u, 2)))

@@ -15,8 +15,9 @@ from typing import Any, NamedTuple
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import BITS, Polynomial, constant
+from algebroproj_sym.replaying.reals.definitions import expanded
 from algebroproj_sym.replaying.reals.intervals import Intervals
-from algebroproj_sym.replaying.reals.terms import Term, UnreadableError, expanded, read
+from algebroproj_sym.replaying.reals.terms import Term, UnreadableError, read
 from algebroproj_sym.replaying.reals.values import Numbers, UndecidedError, UndefinedError
 from algebroproj_sym.replaying.rejection import Rejected, require
 from algebroproj_sym.replaying.text import parse_polynomial
@@ -47,6 +48,8 @@ class Theory:
     ----------
     symbols : iterable of str
         The symbols of a statement.
+    depth : int
+        Within how many cases, or proofs of something else, this is.
 
     Examples
     --------
@@ -56,9 +59,10 @@ class Theory:
     True
     """
 
-    def __init__(self, symbols: Iterable[str]) -> None:
+    def __init__(self, symbols: Iterable[str], depth: int = 0) -> None:
         names = sorted(symbols)
         require(not any(map(RESERVED.fullmatch, names)), "expected symbols other than pi and _1, _2, ...")
+        self.depth = depth
         self.field = Field(names)
         self.alive = set(names)
         self.facts: list[Fact] = []
@@ -70,7 +74,7 @@ class Theory:
     def branch(self) -> Theory:
         """Return a copy, for a case."""
         other = object.__new__(Theory)
-        other.field, other.contradictory = self.field, self.contradictory
+        other.field, other.contradictory, other.depth = self.field, self.contradictory, self.depth
         other.alive, other.known = set(self.alive), set(self.known)
         other.facts, other.applications = list(self.facts), dict(self.applications)
         other._terms = dict(self._terms)
@@ -129,6 +133,10 @@ class Theory:
         if name not in self.alive:
             raise Rejected(f"{name} is not known here")
         return self.field.symbol(name)
+
+    def symbols(self) -> set[str]:
+        """Return the symbols, without those that stand for applications."""
+        return {name for name in self.field.places if not RESERVED.fullmatch(name)}
 
     # -- facts
 
@@ -290,7 +298,7 @@ class Theory:
     # -- what holds for each function wherever it is defined
 
     def _facts_of_root(self, root: Element, u: Element, degree: int) -> None:
-        self.add(">=", root)
+        self.add(">" if self.holds(">", u) else ">=", root)
         self.add("=", root**degree - u)
 
     def _facts_of_sin(self, sin: Element, u: Element) -> None:

@@ -7,7 +7,8 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any
 
-from algebroproj_sym.replaying.reals.terms import Term, expanded
+from algebroproj_sym.replaying.reals.definitions import expanded
+from algebroproj_sym.replaying.reals.terms import Term
 
 MOST_BITS = 20_000
 

@@ -1,0 +1,167 @@
+"""Derivatives: what is stated of them, where they are said to exist, and whether other arithmetic agrees."""
+
+import json
+import random
+import re
+from pathlib import Path
+
+import mpmath
+import pytest
+import sympy
+
+from algebroproj_sym import prove
+from algebroproj_sym.expressions import ParseError
+from algebroproj_sym.proving.reals import decided
+from algebroproj_sym.replaying.reals import require_real
+from algebroproj_sym.replaying.reals.definitions import derivative, smoothness
+from algebroproj_sym.replaying.reals.intervals import Intervals
+from algebroproj_sym.replaying.reals.terms import read, written
+from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, value_of
+
+CORPUS = Path(__file__).resolve().parent / "corpus" / "derivatives.json"
+ITEMS = json.loads(CORPUS.read_text(encoding="utf-8"))
+QUICK = [item for place, item in enumerate(ITEMS) if place % 8 < 2]
+
+
+def judged(item):
+    sides = {key: item[key] for key in ("lhs", "rhs")}
+    given = {"assumptions": item.get("assumptions", []), "constraints": [], "nonzero": []}
+    found = decided({**sides, "relation": "=", **given})
+    require_real(json.loads(json.dumps(found)))
+    return found["verdict"]
+
+
+@pytest.mark.parametrize("item", QUICK, ids=[item["name"] for item in QUICK])
+def test_a_derivative_is_proved_and_a_false_one_refuted(item):
+    assert judged(item) == item["expected"]
+
+
+@pytest.mark.whole
+@pytest.mark.parametrize("item", ITEMS, ids=[item["name"] for item in ITEMS])
+def test_every_derivative_is_decided_as_declared(item):
+    assert judged(item) == item["expected"]
+
+
+def test_each_true_one_stands_beside_a_false_one():
+    verdicts = [item["expected"] for item in ITEMS]
+    assert len(ITEMS) >= 140
+    assert verdicts == ["proved", "refuted"] * (len(ITEMS) // 2)
+    assert not any("found" in item for item in ITEMS)
+
+
+FUNCTIONS = {"abs": abs, "sign": mpmath.sign} | {
+    name: getattr(mpmath, name)
+    for name in (
+        "sqrt", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "asec", "acsc",
+        "sinh", "cosh", "tanh", "coth", "sech", "csch", "asinh", "acosh", "atanh", "acoth", "asech", "acsch", "atan2",
+    )
+}  # fmt: skip
+
+
+def number(text, x):
+    code = re.sub(r"(?<!\w)[0-9]+", lambda found: f"mpf({found[0]})", text)
+    return eval(code, {"__builtins__": {}, "mpf": mpmath.mpf, "x": x, **FUNCTIONS})
+
+
+@pytest.mark.parametrize("name", [*FUNCTIONS, "power", "root"])
+def test_the_derivative_of_each_function_is_what_difference_quotients_tend_to(name):
+    argument = {"atan2": "x**2 - 2, x - 1"}.get(name, "x**3/9 + x/2 + 1/5")
+    text = {"power": f"({argument})**(-3)", "root": f"({argument})**(5/3)"}.get(name, f"{name}({argument})")
+    whole = read(text)
+    generator, seen = random.Random(5), 0
+    for _ in range(60):
+        x = generator.uniform(-3, 3)
+        point = {"x": read(f"{abs(x):.6f}").value * (1 if x > 0 else -1)}
+        numbers = Intervals(200)
+        try:
+            value_of(whole, point, numbers)
+            if not all(numbers.sign(value_of(part, point, numbers)) for _, part in smoothness(whole, "x")):
+                continue
+            found = value_of(derivative(whole, "x"), point, numbers)
+        except (UndefinedError, UndecidedError):
+            continue
+        with mpmath.workdps(50):
+            at = mpmath.mpf(point["x"].numerator) / point["x"].denominator
+            expected = mpmath.diff(lambda value: number(written(whole), value), at)
+            low, high = numbers.lifted(found)
+            assert abs(expected - mpmath.mpf(low + high) / 2 ** (numbers.bits + 1)) < 1e-15 * (1 + abs(expected))
+        seen += 1
+    assert seen > 5
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "conditions"),
+    [
+        ("diff(sqrt(x), x)", "1/(2*sqrt(x))", ("x > 0", "sqrt(x) != 0", "2*sqrt(x) != 0")),
+        ("diff(sqrt(y) + x, x)", "1", ("y >= 0",)),
+        ("diff(0*log(x), x)", "0", ("x > 0",)),
+        ("diff(asin(x), x)", "1/sqrt(1 - x^2)", ()),
+        ("diff(abs(x), x)", "sign(x)", ("x**2 > 0",)),
+    ],
+)
+def test_a_derivative_is_said_to_exist_where_it_does(lhs, rhs, conditions):
+    proof = prove(lhs, rhs)
+    assert proof.verdict == "proved"
+    if conditions:
+        assert {*proof.hypotheses} <= {*conditions}
+        assert conditions[0] in proof.hypotheses
+
+
+@pytest.mark.parametrize("text", ["diff(sqrt(x), x)", "diff(abs(x), x)", "diff(sign(x), x)", "diff(x^(3/2), x)"])
+def test_nothing_is_said_where_there_is_no_derivative(text):
+    assert prove(text, "7", constraints=["x"]).verdict == "open"
+    assert prove(text, text, constraints=["x"]).verdict == "open"
+
+
+def test_a_derivative_of_a_derivative_needs_the_function_nearby():
+    text = "diff(sqrt(y) + x, x, y)"
+    assert prove(text, "0").hypotheses == ("y > 0",)
+    assert prove(text, "0", constraints=["y"]).verdict == "open"
+
+
+def test_a_derivative_across_a_cut_is_not_said_to_exist():
+    assert prove("diff(atan2(y, x), y)", "7", constraints=["y", "x + 1"]).verdict == "open"
+    assert prove("diff(atan2(y, x), y)", "1/x", constraints=["y"], assumptions=["x > 0"]).verdict == "proved"
+
+
+x, y = sympy.symbols("x y")
+
+
+def test_derivatives_of_sympy_are_read():
+    f = sympy.sin(x * y)
+    assert prove(sympy.Derivative(f, x), y * sympy.cos(x * y)).verdict == "proved"
+    assert prove(sympy.Derivative(f, x, y), sympy.cos(x * y)).verdict == "refuted"
+    assert prove(sympy.Derivative(x**4, (x, 2)), 12 * x**2).verdict == "proved"
+
+
+def test_a_derivative_of_unknown_order_is_refused():
+    with pytest.raises(TypeError, match="expected"):
+        prove(sympy.Derivative(sympy.sin(x), (x, sympy.Symbol("n"))), x)
+
+
+def test_a_jacobian_is_proved_by_its_entries():
+    r, t = sympy.symbols("r t", positive=True)
+    place = sympy.Matrix([r * sympy.cos(t), r * sympy.sin(t)])
+    jacobian = place.jacobian([r, t])
+    for row, form in enumerate(place):
+        for column, symbol in enumerate((r, t)):
+            assert prove(sympy.Derivative(form, symbol), jacobian[row, column]).verdict == "proved"
+            assert prove(sympy.Derivative(form, symbol), jacobian[row, column] + r).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("diff(x)", "expected ','"),
+        ("diff(x, 2)", "expected a symbol by which to differentiate"),
+        ("diff(x, x, 0)", "expected an order from 1 to 12"),
+        ("diff(x, x, 13)", "expected an order from 1 to 12"),
+        ("diff(x, pi)", "expected a symbol by which to differentiate"),
+        ("diff(x, sin)", "expected a symbol by which to differentiate"),
+        ("diff(diff(x, x, 7), x, 6)", "expected an order from 1 to 12"),
+        ("diff(x, x, 1.5)", "expected an order from 1 to 12"),
+    ],
+)
+def test_a_derivative_that_is_none_is_refused_by_name(text, message):
+    with pytest.raises(ParseError, match=re.escape(message)):
+        prove(text, "1")

@@ -316,13 +316,9 @@ class _Search:
         if operator == "*":
             for a, b in product(self.pairs_of(operands[0]), self.pairs_of(operands[1])):
                 if a.second is b.second is None:
-                    size = _times(_head(a), _head(b))
-                    arguments = (number, a, b, error)
-                    self._remember(
-                        PairFact(
-                            "ProductOf", arguments, (a, b, fact), number, error, _product_error(a, b), size
-                        )
-                    )
+                    size, total = _times(_head(a), _head(b)), _product_error(a, b)
+                    given = (number, a, b, error)
+                    self._remember(PairFact("ProductOf", given, (a, b, fact), number, error, total, size))
 
     def _low(self, low: int, rest: int, error: int) -> None:
         """Conclude that a sum of a rest and an error is the second part of a sum or product."""
@@ -441,4 +437,3 @@ class _Search:
             roundings, terms = max(a.roundings, b.roundings), _merged(a.terms, b.terms, max)
             signs = (self.signs[operand] for operand in (first, second) if operand in self.signs)
             yield FactorFact("Mean", (number, roundings, terms), (a, b, *signs), roundings + 1, terms)
-

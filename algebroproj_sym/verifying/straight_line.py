@@ -45,10 +45,12 @@ class StraightLine:
 
 def numbered(program: Program) -> StraightLine:
     """Return the numbered operations of a program of single numbers, without calls."""
-    used = [*(operand for step in program.steps for operand in step.operands), *program.outputs]
+    used: list[Operand] = [operand for step in program.steps for operand in step.operands]
+    used += program.outputs
     constants = sorted({operand for operand in used if isinstance(operand, int)})
-    given = dict.fromkeys(name for name in program.inputs if name in used)
-    numbers: dict[Operand, int] = {operand: place for place, operand in enumerate((*constants, *given), start=1)}
+    given = [name for name in program.inputs if name in used]
+    first: list[Operand] = [*constants, *given]
+    numbers = {operand: place for place, operand in enumerate(first, start=1)}
     operations: dict[int, Operation] = {numbers[value]: ("constant", (value,)) for value in constants}
     operations |= {numbers[name]: ("input", (program.inputs.index(name),)) for name in given}
     for step in program.steps:
@@ -122,9 +124,7 @@ def _computed(operator: str, *operands: Any) -> Any:
             return first * others[0] - others[1]
 
 
-def magnitudes(
-    line: StraightLine, exact: Mapping[int, Fraction], arguments: Sequence[Fraction]
-) -> dict[int, Fraction]:
+def magnitudes(line: StraightLine, exact: Mapping[int, Fraction], arguments: Sequence[Fraction]) -> dict[int, Fraction]:
     """Return for each operation the value with absolute values of everything: of a sum, the sum of those of its terms."""
     sizes: dict[int, Fraction] = {}
     for number, (operator, operands) in line.operations.items():

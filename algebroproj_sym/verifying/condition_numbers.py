@@ -7,8 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from algebroproj_sym.verifying.a_priori import ONE, Analysis
-from algebroproj_sym.verifying.straight_line import StraightLine
+from algebroproj_sym.generating import Lowered
+from algebroproj_sym.verifying.a_priori import ONE, Analysis, analysis
+from algebroproj_sym.verifying.straight_line import StraightLine, is_rational, straight_line
 
 _Node: TypeAlias = "tuple[str, int]"
 """The exact value of an operation, or its magnitude."""
@@ -74,6 +75,11 @@ def as_record(found: Analysis) -> dict[str, Any]:
         for bound in found.bounds
     ]
     return {"results": results, "where": dict(written.where)}
+
+
+def a_priori_record(lowered: Lowered) -> dict[str, Any] | None:
+    """Return the bounds of a kernel as plain data; None if it is no rational function."""
+    return as_record(analysis(straight_line(lowered))) if is_rational(lowered) else None
 
 
 def _children(line: StraightLine, node: _Node) -> list[_Node]:

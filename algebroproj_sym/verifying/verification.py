@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
@@ -10,6 +11,7 @@ from algebroproj_sym.expressions import Scalar
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, as_record, measured, strata_record, truths
+from algebroproj_sym.verifying.condition_numbers import a_priori_record
 from algebroproj_sym.verifying.identity import is_identical
 from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved, plain_c_source_is_proved
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
@@ -35,6 +37,8 @@ class Verification:
         Whether the compiled version, where it was built, gives the same bits.
     silent : tuple of sympy.Expr
         Factors on whose zeros it stays finite.
+    a_priori : mapping, optional
+        What is known of its error for every input, if it is a rational function.
     """
 
     accuracy: Accuracy
@@ -43,6 +47,7 @@ class Verification:
     c_source_proved: bool
     identical: bool
     silent: tuple[Scalar, ...]
+    a_priori: Mapping[str, Any] | None = None
 
     @property
     def proved(self) -> bool:
@@ -81,6 +86,7 @@ def verify(lowered: Lowered, package: ModuleType, size: int, engine: str = "flin
         c_source_proved=all(c_proofs),
         identical=is_identical(lowered, package, size),
         silent=silent_factors(lowered, package),
+        a_priori=a_priori_record(lowered),
     )
 
 
@@ -95,6 +101,7 @@ def verification_record(verifications: list[Verification]) -> dict[str, Any]:
             "identical": v.identical,
             "silent_factors": [str(factor) for factor in v.silent],
             "passed": v.passed,
+            **({"a_priori": v.a_priori} if v.a_priori is not None else {}),
         }
         for v in verifications
     ]

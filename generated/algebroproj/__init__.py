@@ -9,12 +9,13 @@ If there was a C compiler at installation, compiled functions run.  They give th
 
 Four functions take a function of this package and change how it computes.  `dd` computes with twice the digits.
 `bounds` adds a guaranteed bound of the error.  `plain` is faster and loses digits where sums cancel.  `hypotheses`
-computes the factors that must not be zero.
+computes the factors that must not be zero.  `a_priori` tells what is known of the error before a call.
 """
 
 from pathlib import Path
 
 from . import affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space
+from ._runtime.a_priori import a_priori
 from ._runtime.accuracy import tell_errors
 from ._runtime.backend import backend
 from ._runtime.hypotheses import hypotheses
@@ -23,7 +24,7 @@ from ._runtime.plain import plain
 from ._runtime.precision import bounds, dd
 
 __version__ = "0.1.0"
-__all__ = ["DoubleDouble", "backend", "bounds", "dd", "hypotheses", "plain", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]
+__all__ = ["DoubleDouble", "a_priori", "backend", "bounds", "dd", "hypotheses", "plain", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]
 
 tell_errors(Path(__file__).with_name("accuracy.json"), [affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space])
 del Path, tell_errors

@@ -115,6 +115,31 @@ Proof.
   replace (- b - s) with (- (b + s)) in H by ring. rewrite RN_opp in H. unfold Rminus at 1. exact H.
 Qed.
 
+(** The same error from products of halves, which are exact (Dekker), in the order of operations of the C source. *)
+Definition splitter := 134217729.
+Definition upper_half x := RN (RN (splitter * x) - RN (RN (splitter * x) - x)).
+Definition lower_half x := RN (x - upper_half x).
+
+Lemma split_product_error a b :
+  is_float a -> is_float b -> a * b = 0 \/ smallest_exact_product <= Rabs (a * b) ->
+  let p := RN (a * b) in
+  RN (RN (RN (RN (RN (upper_half a * upper_half b) - p) + RN (upper_half a * lower_half b))
+    + RN (lower_half a * upper_half b)) + RN (lower_half a * lower_half b)) = a * b - p.
+Proof.
+  intros Ha Hb H p.
+  assert (D := proj1 (Dekker radix2 (-1074) 53 (fun z => negb (Z.even z)) ltac:(lia) ltac:(lia) a b Ha Hb
+    (or_introl eq_refl)) H).
+  fold exponent in D. change (Znearest (fun z : Z => negb (Z.even z))) with ZnearestE in D. fold RN in D.
+  replace (bpow radix2 (53 - Z.div2 53) + 1) with splitter in D by (unfold splitter; simpl; lra).
+  assert (E : forall x, RN (RN (x - RN (x * splitter)) + RN (x * splitter)) = upper_half x).
+  { intros x. unfold upper_half. rewrite (Rmult_comm splitter x).
+    replace (RN (x * splitter) - x) with (- (x - RN (x * splitter))) by ring. rewrite RN_opp. f_equal. ring. }
+  change (round radix2 exponent ZnearestE) with RN in D.
+  rewrite !E in D. unfold lower_half. unfold p.
+  replace (RN (upper_half a * upper_half b) - RN (a * b)) with (- RN (a * b) + RN (upper_half a * upper_half b)) by ring.
+  lra.
+Qed.
+
 (** ** Coefficients: multiples of 2^-20, rounded upwards *)
 
 Definition one : N := 1048576.

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 from dataclasses import replace
 from fractions import Fraction
+from types import FunctionType
 
 import numpy as np
 import pytest
@@ -138,6 +139,16 @@ def test_the_record_says_what_the_bounds_are():
     assert record["results"][0]["roundings"] == 5
     assert (first["coefficient"], first["kappa"]) == (5.0, "(1 + |y01| + |y02| + |y03|)/|1 - y01 - y02 - y03|")
     assert (second["coefficient"], second["kappa"]) == (2.0, "(1 + |u31| + |u32|)/|1 - u31 - u32|")
+
+
+def test_a_bound_is_that_of_the_package_of_the_function():
+    """A function of another package does not get the record of this one."""
+    assert str(algebroproj.a_priori(algebroproj.optics.scale)[0]) == "2 u"
+    names = {**algebroproj.optics.scale.__globals__, "__file__": "elsewhere/optics.py"}
+    other = FunctionType(algebroproj.optics.scale.__code__, names, "scale")
+    assert algebroproj.a_priori(other) == ()
+    with pytest.raises(TypeError, match="a_priori: expected a generated function"):
+        algebroproj.a_priori(math.sin)
 
 
 def mutants(found: Analysis):

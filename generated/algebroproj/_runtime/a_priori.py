@@ -64,7 +64,8 @@ def a_priori(function: Callable[..., Any]) -> tuple[AprioriBound | None, ...]:
         If the function is not a generated one.
     """
     parts_of(function, "a_priori")
-    entry = _entries().get(f"{function.__module__.rpartition('.')[2]}.{function.__name__}")
+    package = Path(function.__globals__["__file__"]).parent
+    entry = _entries(package).get(f"{function.__module__.rpartition('.')[2]}.{function.__name__}")
     found = entry and entry.get("a_priori")
     if not found:
         return ()
@@ -77,9 +78,9 @@ def _bound(record: Mapping[str, Any], where: Mapping[str, str]) -> AprioriBound:
 
 
 @cache
-def _entries() -> Mapping[str, Any]:
-    """Return what the file of the package records, by the names of functions."""
-    path = Path(__file__).parent.with_name(RECORD)
+def _entries(package: Path) -> Mapping[str, Any]:
+    """Return what the file of a package records, by the names of functions."""
+    path = package / RECORD
     if not path.is_file():
         return {}
     return {entry["function"]: entry for entry in json.loads(path.read_text(encoding="utf-8"))["functions"]}

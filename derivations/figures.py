@@ -36,11 +36,14 @@ class QuadricDrawing:
         The symmetric matrix of four rows of numbers.
     points : mapping of str to Matrix
         Three coordinates each; names that begin with C are centers, with G basic points.
+    axes : sequence of three str
+        The names of the coordinates.
     """
 
     caption: str
     quadric: Matrix
     points: Mapping[str, Matrix]
+    axes: Sequence[str] = ("y_1", "y_2", "y_3")
 
     def __repr__(self) -> str:
         return self.caption
@@ -59,7 +62,7 @@ class QuadricDrawing:
                 for level in np.linspace(low[direction], high[direction], SECTIONS):
                     _draw_section(axes, matrix, low, high, direction, level)
             _name_points(axes, points)
-            axes.set(xlabel="$y_1$", ylabel="$y_2$", zlabel="$y_3$")
+            axes.set(**{f"{axis}label": f"${name}$" for axis, name in zip("xyz", self.axes, strict=True)})
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
             axes.set_box_aspect(np.clip((high - low) / (high - low).max(), 0.6, 1))
             axes.view_init(elev=22, azim=-58)
@@ -80,15 +83,15 @@ class SpaceDrawing:
         The names of the ends of each segment.
     triangles : sequence of triples of str
         The names of the corners of each triangle.
-    letter : str
-        What the coordinates are called.
+    axes : sequence of three str
+        The names of the coordinates.
     """
 
     caption: str
     points: Mapping[str, Matrix]
     segments: Sequence[tuple[str, str]] = ()
     triangles: Sequence[tuple[str, str, str]] = ()
-    letter: str = "y"
+    axes: Sequence[str] = ("y_1", "y_2", "y_3")
 
     def __repr__(self) -> str:
         return self.caption
@@ -107,7 +110,7 @@ class SpaceDrawing:
             for first, second in self.segments:
                 axes.plot(*zip(points[first], points[second], strict=True), color="#7a828e", linewidth=0.9, zorder=2)
             _name_points(axes, points)
-            axes.set(**{f"{axis}label": f"${self.letter}_{i}$" for i, axis in enumerate("xyz", 1)})
+            axes.set(**{f"{axis}label": f"${name}$" for axis, name in zip("xyz", self.axes, strict=True)})
             axes.view_init(elev=18, azim=-58)
             return _svg(figure)
 
@@ -123,13 +126,13 @@ class ImageDrawing:
     images : mapping of str to pair of (mapping of str to Matrix, sequence of Matrix)
         By the title of the image: its points, two coordinates each, and its lines, as vectors of three components that
         take the quasihomogeneous points of a line to zero.
-    letter : str
-        What the coordinates are called.
+    axes : sequence of two str
+        The names of the coordinates.
     """
 
     caption: str
     images: Mapping[str, tuple[Mapping[str, Matrix], Sequence[Matrix]]]
-    letter: str = "u"
+    axes: Sequence[str] = ("u_1", "u_2")
 
     def __repr__(self) -> str:
         return self.caption
@@ -148,7 +151,7 @@ class ImageDrawing:
                 for line in lines:
                     axes.plot(*_chord(np.array(list(line), dtype=float), low, high), color="#7a828e", linewidth=0.7)
                 _name_points(axes, points)
-                axes.set(title=title, xlabel=f"${self.letter}_1$", ylabel=f"${self.letter}_2$", aspect="equal")
+                axes.set(title=title, xlabel=f"${self.axes[0]}$", ylabel=f"${self.axes[1]}$", aspect="equal")
                 axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
             return _svg(figure)
 

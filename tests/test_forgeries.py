@@ -449,12 +449,25 @@ def false_refutations():
         yield honest, changed(honest, {"nonzero": ["x - 1"]}, "setting")
 
 
+def other_readings():
+    """A damaged place that the quote has not, or a reading that is no text."""
+    for c in numbers():
+        edit = {"scan": f"\\xi_{c}", "read": f"x_{c}", "why": "the scan takes xi for x"}
+        honest = equal("x", "x", quote={"line": c, "latex": f"a = \\xi_{c} + 1", "read_as": [edit]})
+        for name, value in (("scan", f"\\eta_{c}"), ("scan", ""), ("scan", c), ("read", c), ("why", None)):
+            yield honest, changed(honest, value, "quote", "read_as", 0, name)
+        yield honest, changed(honest, "1", "quote", "read_as", 0, "line")
+        yield honest, changed(honest, [{"scan": f"\\xi_{c}", "read": ""}], "quote", "read_as")
+        for value in ([], {}, "", edit, [edit["scan"]]):
+            yield honest, changed(honest, value, "quote", "read_as")
+
+
 CLAIMS = (
     dividing_cofactors, dividing_generators, other_languages, hidden_hypotheses, needless_hypotheses, surplus_fields,
     overflowing_exponents, other_witnesses, contradictory_constraints, conditions_that_never_hold, other_numbers,
     factors_that_vanish, other_ranks, other_limits, other_zeros, several_components, other_shapes, other_meanings,
     other_numerals, listed_texts, nested_refutations, other_references, other_declarations, other_verdicts,
-    false_refutations,
+    false_refutations, other_readings,
 )  # fmt: skip
 
 

@@ -612,6 +612,26 @@ def test_a_ledger_is_compared_with_the_derivations(real, tmp_path):
         assert "the derivations declare something else" in compared.stdout
 
 
+def test_how_a_damaged_place_is_read_is_compared_with_the_derivations(tmp_path):
+    path = tmp_path / "ledger.json"
+    selector = "fundamentals1996:1.3.2"
+    book = json.loads(CliRunner().invoke(main, ["check", selector, "--format", "json"]).stdout)
+    (edit,) = next(claim["quote"]["read_as"] for claim in book["claims"] if claim["quote"].get("read_as"))
+    readings = [[{**edit, name: f"{edit[name]}0"}] for name in ("read", "why")]
+    readings += [[{**edit, "scan": edit["scan"][1:]}], [edit, edit], [{**edit, "read": ""}], None]
+    for reading in readings:
+        forged = copy.deepcopy(book)
+        for claim in forged["claims"]:
+            if claim["quote"].pop("read_as", None) and reading:
+                claim["quote"]["read_as"] = reading
+            claim["declaration"] = declaration_digest(claim)
+        path.write_text(json.dumps(forged), encoding="utf-8")
+        assert run(path).exit_code == 0, reading
+        compared = run(path, "--derivations", "--source", selector)
+        assert compared.exit_code == 1, reading
+        assert "the derivations declare something else" in compared.stdout
+
+
 @pytest.mark.parametrize("content", ["", "[]", "{}", '{"claims": 1}'])
 def test_what_is_no_ledger_is_wrong_usage(content, tmp_path):
     path = tmp_path / "ledger.json"

@@ -73,13 +73,29 @@ def require_entry(record: Mapping[str, Any]) -> None:
         quote.keys() - {"read_as"} == {"line", "latex"}
         and type(quote["line"]) is int
         and isinstance(quote["latex"], str)
-        and all(edit.keys() == {"scan", "read", "why"} for edit in quote.get("read_as", ()))
+        and ("read_as" not in quote or _are_edits(quote["read_as"], quote["latex"]))
     )
-    require(quoted, "quote: expected line, latex and how damaged places are read")
+    require(quoted, "quote: expected line, latex and how damaged places of it are read")
     require(setting.keys() <= SETTINGS[record["kind"]], f"setting: unknown entries in {sorted(setting)}")
     require(record["engine"] in ("flint", "sympy"), f"unknown engine {record['engine']!r}")
     require_seconds(record)
     require(record["declaration"] == declaration_digest(record), "the digest differs from that of the declaration")
+
+
+def _are_edits(readings: Any, latex: str) -> bool:
+    """Return whether places of a quote, at least one, are read as texts."""
+    return (
+        isinstance(readings, list)
+        and readings != []
+        and all(
+            isinstance(edit, Mapping)
+            and edit.keys() == {"scan", "read", "why"}
+            and all(isinstance(text, str) for text in edit.values())
+            and edit["scan"] != ""
+            and edit["scan"] in latex
+            for edit in readings
+        )
+    )
 
 
 def require_seconds(record: Mapping[str, Any]) -> None:

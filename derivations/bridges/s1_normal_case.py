@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 1 Calibrated images
 #
-# The paper of 1992 describes calibrated images by rotations, that of 1996 projective ones by their basic points.
-# Where both apply they agree: the calibrated image is an affine change of coordinates away.
+# The paper of 1992 describes calibrated images by rotations, that of 1996 projective ones by their basic points.  Do
+# they agree where both apply?  They do: the calibrated image is an affine change of coordinates away.
 #
 # 1992: image vector $\mathbf x = (x, y, -c)^T$, projector $\mathbf p = \mathbf R \mathbf x$, base $\mathbf b$ from the
 # left center to the right one.  1996: $\mathbf p = \mathbf P \mathbf u$ with $\mathbf u = (1, u_1, u_2)^T$.
@@ -27,16 +27,18 @@ from algebroproj_derivations.fundamentals1996.s2_2_correlation import (
     ordinates,
 )
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import T, tau1, tau2
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, cross, dot, homogeneous, over, rows, solve, vector
 
 section = Section("bridges", "1", "Calibrated images")
 
 # %% [markdown]
-# ## Image vectors
+# ## What is an image vector in affine coordinates?
 #
-# $\mathbf K$ takes rectangular coordinates with a leading 1 to the image vector of 1992, and the affine frame
-# $\mathbf A_v$ takes affine coordinates to rectangular ones.  Rows of $g$ are the images of the basic points.
+# **Definition.**  $\mathbf K$ takes rectangular coordinates with a leading 1 to the image vector of 1992, and the
+# affine frame $\mathbf A_v$ takes affine coordinates to rectangular ones.  Rows of $g$ are the images of the basic
+# points.
 
 # %%
 c = sympy.Symbol("c")
@@ -60,6 +62,11 @@ section.identity(
 )
 
 
+# %% [markdown]
+# **Result.**  $\mathbf P$ of 1996 is $\mathbf R$ of 1992 after the affine change $\mathbf K \mathbf A_v$.
+
+
+# %%
 def reconstruction(orientation: Matrix, points: Matrix) -> Matrix:
     """Return the matrix of reconstruction of 1996 of a calibrated image: its base vectors are projectors."""
     b0, b1, b2 = (orientation * image_vector(points.row(n).T) for n in range(3))
@@ -71,15 +78,14 @@ section.identity(
     "matrix of reconstruction of a calibrated image",
     printed=R_left * K * A_left,
     derived=reconstruction(R_left, g_left),
-    note="P of 1996 is R of 1992 after the affine change K A_v.",
 )
 
 # %% [markdown]
-# ## Correlation
+# ## Have both papers one matrix of correlation?
 #
-# Both papers form $(\mathbf p' \times \mathbf b) \cdot \mathbf p''$.  As a bilinear form in $\mathbf x'$ and
-# $\mathbf x''$ it has the matrix $\mathbf C = \mathbf R'^T \mathbf B \mathbf R''$ of 1992, as one in $\mathbf u'$ and
-# $\mathbf u''$ the matrix of 1996.
+# **Definition.**  Both papers form $(\mathbf p' \times \mathbf b) \cdot \mathbf p''$.  As a bilinear form in $\mathbf
+# x'$ and $\mathbf x''$ it has the matrix $\mathbf C = \mathbf R'^T \mathbf B \mathbf R''$ of 1992, as one in $\mathbf
+# u'$ and $\mathbf u''$ the matrix of 1996.
 
 
 # %%
@@ -88,13 +94,18 @@ def correlation(first: Matrix, second: Matrix, base: Matrix) -> Matrix:
 
 
 def for_images(first: Matrix, second: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
-    return dict(zip((*P_left, *P_right), (*first, *second), strict=True))
+    return given((*P_left, *P_right), (*first, *second))
 
 
 B = columns(*(cross(d, Matrix.eye(3).col(j)) for j in range(3)))
 C_1992 = correlation(R_left, R_right, d)
 of_calibrated = for_images(reconstruction(R_left, g_left), reconstruction(R_right, g_right))
 
+
+# %% [markdown]
+# **Result.**  They are the same but for the affine change: without a factor, and for any matrices $\mathbf R$.
+
+# %%
 section.identity(
     "1/correlation-1992",
     "matrix of correlation of calibrated images",
@@ -106,7 +117,6 @@ section.identity(
     "the matrices of correlation of 1992 and of 1996",
     printed=(K * A_left).T * C_1992 * (K * A_right),
     derived=C_1996.xreplace(of_calibrated),
-    note="Without a factor, and for any matrices R.",
 )
 
 # %% [markdown]
@@ -118,7 +128,7 @@ images_left, images_right = (
     rows(*(vector(x, y) for x, y in zip(abscissas, ordinates, strict=True)))
     for abscissas in (abscissas_left, abscissas_right)
 )
-along_base = dict(zip(d, (base_length, sympy.Integer(0), sympy.Integer(0)), strict=True))
+along_base = given(d, (base_length, sympy.Integer(0), sympy.Integer(0)))
 section.identity(
     "1/normal-case",
     "matrix of correlation of the normal case",
@@ -127,8 +137,9 @@ section.identity(
 )
 
 # %% [markdown]
-# The papers divide by different elements: 1992 by $c_{32}$, counted from 1, in the order $x, y, -c$; 1996 by
-# $c_{10}$, counted from 0, in the order $1, u_1, u_2$.
+# **Which element is the divisor?**  The papers choose different ones: 1992 by $c_{32}$, counted from 1, in the order
+# $x, y, -c$; 1996 by $c_{10}$, counted from 0, in the order $1, u_1, u_2$.  That of 1996 needs affine coordinates whose
+# first axis is not parallel to the base: in rectangular ones it vanishes in the normal case.
 
 # %%
 rectangular = K.T * C_1992 * K
@@ -137,21 +148,20 @@ section.identity(
     "the divisors of both papers, in rectangular coordinates",
     printed=-c * vector(C_1992[2, 1], C_1992[0, 2]),
     derived=vector(rectangular[0, 2], rectangular[1, 0]),
-    note="c32 of 1992 is c02 in the order of 1996, but for the factor -c, and c10 of 1996 is c13 of 1992.",
 )
 section.identity(
     "1/divisor#normal-case",
     "in rectangular coordinates the divisor of 1996 vanishes in the normal case",
     printed=0,
     derived=(K.T * B.xreplace(along_base) * K)[1, 0],
-    note="It needs affine coordinates whose first axis is not parallel to the base: 2.2/normal-case#divisor of 1996.",
 )
 
 # %% [markdown]
-# ## Epipoles
+# ## Have they the same epipoles?
 #
-# 1992 has $\lambda_0' \mathbf x_0' = \mathbf R'^T \mathbf b$, 1996 the solution of
+# **Definition.**  1992 has $\lambda_0' \mathbf x_0' = \mathbf R'^T \mathbf b$, 1996 the solution of
 # $\mathbf P' \mathbf u_0' = \mathbf d$.  Here $\mathbf R$ must be a rotation: the quaternion of section 1.4 of 1996.
+# Shown is the left image; the right one has $-\mathbf b$.
 
 # %%
 section.up_to_scale(
@@ -159,14 +169,14 @@ section.up_to_scale(
     "the epipoles of both papers",
     printed=rotation.T * d,
     derived=K * A_left * solve(reconstruction(rotation, g_left), d),
-    note="For either image; the right one has -b.",
 )
 
 # %% [markdown]
-# ## Rectification
+# ## And the same rectification?
 #
-# 1992: $\tau \mathbf x_N = \mathbf R \mathbf x$.  1996: $\tau \mathbf u_N = \mathbf T \mathbf u$, where both images are
-# referred to the basic points.  The images of these in the normal case have the factors $\tau_j$ of their own.
+# **Definition.**  1992: $\tau \mathbf x_N = \mathbf R \mathbf x$.  1996: $\tau \mathbf u_N = \mathbf T \mathbf u$,
+# where both images are referred to the basic points.  The images of these in the normal case have the factors $\tau_j$
+# of their own.  Divided by that of $G_0$, they are $\tau_1$ and $\tau_2$ of 1996.
 
 # %%
 rotated = [R_left * image_vector(g_left.row(n).T) for n in range(3)]
@@ -179,5 +189,4 @@ section.up_to_scale(
     printed=K * frame(g_normal) * T,
     where={tau1: over(factors[1], factors[0]), tau2: over(factors[2], factors[0])},
     derived=R_left * K * A_left,
-    note="tau_1 and tau_2 of 1996 are the factors of the basic points in (1.1.4) of 1992, divided by that of G0.",
 )

@@ -2,7 +2,8 @@
 # # 2 Collinearity
 #
 # Okamoto's general collinearity equations have eleven coefficients $A_1, \dots, A_{11}$; the matrix of projection of
-# 1996 has five parameters, referred to the basic points.  Affine frames of image and object make up the difference.
+# 1996 has five parameters, referred to the basic points.  Where are the other six?  In the affine frames of image and
+# object.
 
 # %%
 import sympy
@@ -11,6 +12,7 @@ from algebroproj_derivations.fundamentals1996.notation import mu0, mu1, mu2, mu3
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import y0_of_mu
 from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import coordinates, frame
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, homogeneous, over, rows, vector
 
@@ -20,9 +22,9 @@ core = M_star[:3, :]
 core_parameters = (mu1, mu2, mu3, u31, u32)
 
 # %% [markdown]
-# ## The equations as a matrix
+# ## Which matrix is it?
 #
-# With homogeneous vectors $(1, X, Y, Z)$ and $(1, x, y)$ the common denominator is the first row.
+# **Definition.**  With homogeneous vectors $(1, X, Y, Z)$ and $(1, x, y)$ the common denominator is the first row.
 
 
 # %%
@@ -49,10 +51,10 @@ section.identity(
 )
 
 # %% [markdown]
-# ## The core
+# ## What is left when frames are taken away?
 #
-# Rows of $G$ are four basic points.  In their affine system the camera is $\mathbf A \mathbf A_X$, whose columns give
-# the images of the basic points.
+# **Definition.**  Rows of $G$ are four basic points.  In their affine system the camera is $\mathbf A \mathbf A_X$,
+# whose columns give the images of the basic points.
 
 # %%
 G = Matrix(4, 3, sympy.symbols("G:4:3"))
@@ -71,14 +73,16 @@ section.identity(
 )
 
 # %% [markdown]
-# These images are the affine frame of the image, their denominators are the factors $\mu_j$.
+# **Result.**  These images are the affine frame of the image, and their denominators are the factors $\mu_j$:  $\mathbf
+# A_v \mathbf M^* = \mathbf A \mathbf A_X$ without a factor.  So the collinearity equations annihilate the center of
+# 1996 in the affine system, $\mathbf A_X \mathbf y_0$, with $\mu_j / \mu_0$ for its parameters.
 
 # %%
 affine_camera = Matrix(3, 4, sympy.symbols("b:3:4"))
 seen = images_of_basic_points(affine_camera)
 g = rows(*map(inhomogeneous, seen[:3]))
 u3 = coordinates(inhomogeneous(seen[3]), g)
-of_camera = dict(zip((mu0, mu1, mu2, mu3, u31, u32), (*(image[0] for image in seen), *u3), strict=True))
+of_camera = given((mu0, mu1, mu2, mu3, u31, u32), (*(image[0] for image in seen), *u3))
 
 section.identity(
     "2/core",
@@ -86,21 +90,19 @@ section.identity(
     printed=frame(g) * core,
     where=of_camera,
     derived=affine_camera,
-    note="With 2/object-frame: A_v M* = A A_X without a factor, if mu_j is the denominator at the basic point G_j.",
 )
 section.identity(
     "2/center",
     "the center of projection of both papers",
     printed=vector(0, 0, 0),
     derived=core * homogeneous(y0_of_mu.xreplace({m: over(m, mu0) for m in (mu1, mu2, mu3)})),
-    note="With mu_j / mu_0 for the parameters of 1996.  By 2/core the collinearity equations annihilate A_X y0 then.",
 )
 
 # %% [markdown]
-# ## Eleven parameters
+# ## How many parameters are these?
 #
-# Five parameters of the core and six of the affine frame of the image: in the affine system of the object they give
-# all eleven coefficients.
+# **Count.**  Five parameters of the core and six of the affine frame of the image: in the affine system of the object
+# they give all eleven coefficients.  $\mu_0 = 1$ belongs to the constant of the denominator.
 
 # %%
 g_any = Matrix(3, 2, sympy.symbols("g:3:2"))
@@ -111,15 +113,15 @@ section.count(
     printed=11,
     derived=vector(*in_affine_system[1:]),
     variables=(*core_parameters, *g_any),
-    note="The element that belongs to the constant 1 of the denominator is mu0 = 1.",
 )
 
 # %% [markdown]
-# ## The photogrammetric parameters
+# ## What do affine coordinates not notice?
 #
-# Okamoto's camera: rotation $(e_{ij})$ and center, principal distance $c$, then an orthogonal projection of the picture
-# to the comparator, with the rotation $(d_{ij})$.  The comparator sees the picture through an affine transformation,
-# which affine coordinates do not notice.
+# **Definition.**  Okamoto's camera: rotation $(e_{ij})$ and center, principal distance $c$, then an orthogonal
+# projection of the picture to the comparator, with the rotation $(d_{ij})$.  The comparator sees the picture through an
+# affine transformation, which affine coordinates do not notice.  Hence $\mathbf M^*$ needs neither the interior
+# orientation nor the inclination of the comparator.
 
 # %%
 e = Matrix(3, 3, sympy.symbols("e:3:3"))
@@ -157,8 +159,12 @@ section.identity(
     "the comparator does not change the affine coordinates of 1996",
     printed=coordinates(picture, picture_frame),
     derived=coordinates(comparator(picture), rows(*(comparator(picture_frame.row(n).T) for n in range(3)))),
-    note="Hence M* needs neither the interior orientation nor the inclination of the comparator.",
 )
+
+# %% [markdown]
+# **Result.**  (6) of Okamoto as a matrix; divided by its first element it is that of 2/collinearity.
+
+# %%
 L = Matrix([[0, 0, 1], [-c, 0, 0], [0, -c, 0]])
 photogrammetric = device * L * e * columns(-center, Matrix.eye(3))
 section.identity(
@@ -166,5 +172,4 @@ section.identity(
     "the collinearity equations from the photogrammetric parameters",
     printed=inhomogeneous(photogrammetric * homogeneous(point)),
     derived=comparator(picture_point),
-    note="The right side is (6) of Okamoto.  Divided by its first element the matrix is that of 2/collinearity.",
 )

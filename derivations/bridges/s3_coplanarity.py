@@ -1,8 +1,9 @@
 # %% [markdown]
 # # 3 Coplanarity
 #
-# Okamoto eliminates the object point from the four collinearity equations of two images: a determinant of four rows
-# is zero.  It is $\mathbf u'^T \mathbf C \mathbf u''$, and the factor can be given exactly.
+# Okamoto eliminates the object point from the four collinearity equations of two images: a determinant of four rows is
+# zero.  Is this the equation of correlation $\mathbf u'^T \mathbf C \mathbf u'' = 0$ of 1996?  It is, and the factor
+# can be given exactly.
 
 # %%
 import sympy
@@ -19,16 +20,17 @@ from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import (
     u_left,
     u_right,
 )
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, adjugate, columns, determinant, dot, linear_system, rows, vector
 
 section = Section("bridges", "3", "Coplanarity")
 
 # %% [markdown]
-# ## The determinant
+# ## Which determinant?
 #
-# The equations $u_i\, \mathbf m_0^T \mathbf X = \mathbf m_i^T \mathbf X$ for $i = 1, 2$, of both images.  Okamoto's
-# order of the unknowns is $X, Y, Z, 1$.
+# **Definition.**  The equations $u_i\, \mathbf m_0^T \mathbf X = \mathbf m_i^T \mathbf X$ for $i = 1, 2$, of both
+# images.  Okamoto's order of the unknowns is $X, Y, Z, 1$.
 
 # %%
 X, Y, Z = point = vector(*sympy.symbols("X Y Z"))
@@ -71,9 +73,10 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Minors
+# ## Which bilinear form?
 #
-# It is bilinear in $\mathbf u'$ and $\mathbf u''$; its coefficients are the determinants of two rows of each camera.
+# **Derivation.**  It is bilinear in $\mathbf u'$ and $\mathbf u''$; its coefficients are the determinants of two rows
+# of each camera.  The sign comes from the order $X, Y, Z, 1$ against $1, X, Y, Z$.
 
 
 # %%
@@ -96,32 +99,35 @@ section.identity(
     "the determinant is bilinear in the images, with minors of the cameras for coefficients",
     printed=-dot(u_left, minors(M_left, M_right) * u_right),
     derived=coplanarity_determinant(M_left, M_right),
-    note="The sign comes from the order X, Y, Z, 1 against 1, X, Y, Z.",
 )
 
 # %% [markdown]
-# ## The factor
+# ## With which factor?
 #
-# A camera of 1996 is $[-\mathbf P^* \mathbf y_0\;\; \mathbf P^*]$ but for a factor, and $\mathbf P$ is the inverse of
-# $\mathbf P^*$.  To keep polynomials, the adjugate stands for $\mathbf P$:
-# $\mathbf P = \operatorname{adj} \mathbf P^* / \det \mathbf P^*$, and $\mathbf C$ is linear in both matrices.
+# **Definition.**  A camera of 1996 is $[-\mathbf P^* \mathbf y_0\;\; \mathbf P^*]$ but for a factor, and $\mathbf P$ is
+# the inverse of $\mathbf P^*$.  To keep polynomials, the adjugate stands for $\mathbf P$:  $\mathbf P =
+# \operatorname{adj} \mathbf P^* / \det \mathbf P^*$, and $\mathbf C$ is linear in both matrices.
 
 # %%
 Ps_left, Ps_right = (Matrix(3, 3, sympy.symbols(f"{name}:3:3")) for name in ("psp", "pspp"))
-at_cameras = dict(zip((*P_left, *P_right), (*adjugate(Ps_left), *adjugate(Ps_right)), strict=True))
-at_cameras |= dict(zip(d, center_right - center_left, strict=True))
+at_cameras = given((*P_left, *P_right, *d), (*adjugate(Ps_left), *adjugate(Ps_right), *(center_right - center_left)))
 
 
 def camera(projection: Matrix, center: Matrix) -> Matrix:
     return columns(-projection * center, projection)
 
 
+# %% [markdown]
+# **Result.**  The minors are $\det \mathbf P'^* \det \mathbf P''^* \mathbf C$.  Let $k'$ and $k''$ scale the cameras so
+# that the constant of the denominator is 1, as Okamoto has it.  Then the factor is $-k'^2 k''^2 \det \mathbf P'^* \det
+# \mathbf P''^*$, and not zero, for both matrices are regular.
+
+# %%
 section.identity(
     "3/factor",
     "the minors of two cameras are the matrix of correlation",
     printed=C.xreplace(at_cameras),
     derived=minors(camera(Ps_left, center_left), camera(Ps_right, center_right)),
-    note="C formed with the adjugates of P'* and P''*: the minors are det(P'*) det(P''*) C.",
 )
 k_left, k_right = sympy.symbols("kp kpp")
 section.identity(
@@ -129,12 +135,11 @@ section.identity(
     "the determinant of Okamoto and the equation of correlation",
     printed=-(k_left**2) * k_right**2 * dot(u_left, C.xreplace(at_cameras) * u_right),
     derived=coplanarity_determinant(k_left * camera(Ps_left, center_left), k_right * camera(Ps_right, center_right)),
-    note="The factor is -k'^2 k''^2 det(P'*) det(P''*), where k' and k'' scale the cameras so that the constant of the "
-    "denominator is 1, as Okamoto has it.  It is not zero, for P'* and P''* are regular.",
 )
 
 # %% [markdown]
-# Affine frames of the images and of the object change the determinant by their own determinants.
+# **And in other frames?**  Affine frames of the images and of the object change the determinant by their own
+# determinants.  Shown are the left image and one element; each has two rows of either camera.
 
 # %%
 frame_left = frame(Matrix(3, 2, sympy.symbols("gp:3:2")))
@@ -144,12 +149,10 @@ section.identity(
     "the minors with another frame of the left image",
     printed=determinant(frame_left) * minors(M_left, M_right),
     derived=frame_left.T * minors(frame_left * M_left, M_right),
-    note="The right image in the same way.  As 2.2/C-bar of 1996, the factor included.",
 )
 section.identity(
     "3/object-frame",
     "the minors with another frame of the object",
     printed=determinant(frame_space) * minors(M_left, M_right)[0, 0],
     derived=minors(M_left * frame_space, M_right * frame_space)[0, 0],
-    note="One element for all: each has two rows of either camera.",
 )

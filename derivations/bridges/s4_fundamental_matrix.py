@@ -18,10 +18,12 @@ from algebroproj_sym.expressions import Matrix, adjugate, columns, cross, determ
 section = Section("bridges", "4", "The fundamental matrix")
 
 # %% [markdown]
-# ## From two cameras
+# ## What is $\mathbf F$ of two cameras?
 #
-# Minors of the stacked rows of two cameras, four rows each: $f_{ji} = (-1)^{i+j} \det(\dots)$ without row $i$ of the
-# left and row $j$ of the right camera.
+# **Definition.**  Minors of the stacked rows of two cameras, four rows each: $f_{ji} = (-1)^{i+j} \det(\dots)$ without
+# row $i$ of the left and row $j$ of the right camera.
+#
+# Shown are two images that are referred to the same basic points; for any cameras see 3/factor.
 
 # %%
 F = minors(M_left, M_right).T
@@ -32,7 +34,6 @@ section.up_to_scale(
     "the fundamental matrix is the transposed matrix of correlation",
     printed=F_of_core,
     derived=C_of_cameras.T,
-    note="Of two images referred to the same basic points; for any cameras see 3/factor.",
 )
 point = vector(*sympy.symbols("y:4"))
 section.identity(
@@ -43,9 +44,9 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Centers and epipoles
+# ## Where are centers and epipoles?
 #
-# The center of a camera is its null vector; the epipole is the image of the other center.
+# **Definition.**  The center of a camera is its null vector; the epipole is the image of the other center.
 
 
 # %%
@@ -74,11 +75,12 @@ section.identity(
 
 
 # %% [markdown]
-# ## Epipolar lines
+# ## Which lines does it make?
 #
-# $\mathbf F \mathbf x'$ is the line that joins the epipole and the homologous point.  For all points at once:
-# $\mathbf F \mathbf M' = [\mathbf e'']_\times \mathbf M''$, where the matrix of the vector product replaces the
-# product.  $\mathbf M'$ has a right inverse $\mathbf M'^+$, which gives the formula of the textbook.
+# **Result.**  $\mathbf F \mathbf x'$ is the line that joins the epipole and the homologous point.  For all points at
+# once: $\mathbf F \mathbf M' = [\mathbf e'']_\times \mathbf M''$, where the matrix of the vector product replaces the
+# product.  $\mathbf M'$ has a right inverse $\mathbf M'^+$, which gives the formula of the textbook, $\mathbf F =
+# [\mathbf e'']_\times \mathbf M'' \mathbf M'^+$, but for the determinant of $\mathbf M' \mathbf M'^T$.
 
 
 # %%
@@ -92,7 +94,6 @@ section.identity(
     "the epipolar line joins the epipole and the homologous point",
     printed=matrix_of(epipole_right) * M_right,
     derived=F * M_left,
-    note="Without a factor, for any object point.",
 )
 core_left, core_right = primed(M_star, "p")[:3, :], primed(M_star, "pp")[:3, :]
 pseudo_inverse = core_left.T * adjugate(core_left * core_left.T)
@@ -102,15 +103,15 @@ section.up_to_scale(
     "the fundamental matrix by the pseudo-inverse of the left camera",
     printed=matrix_of(epipole_of_core) * core_right * pseudo_inverse,
     derived=C_of_cameras.T,
-    note="F = [e'']x P'' P'^+, but for the determinant of P' P'^T.  For cameras of 1996.",
 )
 
 # %% [markdown]
-# ## Canonical cameras
+# ## Which cameras belong to $\mathbf F$?
 #
-# With $\mathbf M' = [\mathbf E\; \mathbf 0]$ and $\mathbf M'' = [\mathbf Q\; \mathbf q]$ the fundamental matrix is
-# $[\mathbf q]_\times \mathbf Q$.  Conversely $\mathbf F$ alone gives such a pair, but for a projective transformation
-# of space: the relative model of 1996.
+# **Definition.**  With $\mathbf M' = [\mathbf E\; \mathbf 0]$ and $\mathbf M'' = [\mathbf Q\; \mathbf q]$ the
+# fundamental matrix is $[\mathbf q]_\times \mathbf Q$.  Conversely $\mathbf F$ alone gives such a pair, but for a
+# projective transformation of space: the relative model of 1996.  $\mathbf F$ has rank 2, and its columns are
+# orthogonal to the epipole.
 
 # %%
 Q, q = Matrix(3, 3, sympy.symbols("f:3:3")), vector(*sympy.symbols("e:3"))
@@ -120,7 +121,6 @@ section.up_to_scale(
     "the fundamental matrix of canonical cameras",
     printed=matrix_of(q) * Q,
     derived=minors(canonical, columns(Q, q)).T,
-    note="But for the factor -1.",
 )
 
 first, second = vector(*sympy.symbols("a:3")), vector(*sympy.symbols("b:3"))
@@ -132,22 +132,29 @@ section.up_to_scale(
     "a pair of cameras from the fundamental matrix",
     printed=minors(canonical, columns(matrix_of(epipole) * F_singular, epipole)).T,
     derived=F_singular,
-    note="F has rank 2, its columns are orthogonal to the epipole e''.",
 )
+
+# %% [markdown]
+# Any projective transformation $\mathbf H$ of space changes $\mathbf F$ by the factor $\det \mathbf H$ alone.  Shown is
+# one element for all: each has two rows of either camera.
+
+# %%
 H = Matrix(4, 4, sympy.symbols("h:4:4"))
 section.identity(
     "4/projective-ambiguity",
     "projective transformations of space do not change the fundamental matrix",
     printed=determinant(H) * F[2, 2],
     derived=minors(M_left * H, M_right * H)[2, 2],
-    note="One element for all: each has two rows of either camera.  But for the factor det(H).",
 )
 
 # %% [markdown]
-# ## The eight-point algorithm
+# ## Which eight equations?
 #
-# The textbook solves $\mathbf A \mathbf f = \mathbf 0$, one row a point, for the nine elements of $\mathbf F$.  The
-# system of eight unknowns of 1996 is the same with $c_{10} = f_{01} = 1$: eight columns, and the ninth on the right.
+# **Definition.**  The textbook solves $\mathbf A \mathbf f = \mathbf 0$, one row a point, for the nine elements of
+# $\mathbf F$.  The system of eight unknowns of 1996 is the same with $c_{10} = f_{01} = 1$: eight columns, and the
+# ninth on the right.
+#
+# The elements of $\mathbf F$ are taken row by row, right coordinates first; $\mathbf F$ is the transposed $\mathbf Z$.
 
 # %%
 up1, up2, upp1, upp2 = sympy.symbols("up1 up2 upp1 upp2")
@@ -160,13 +167,11 @@ section.identity(
     "the row of the homogeneous system",
     printed=Matrix([[a * b for a in u_right for b in u_left]]),
     derived=homogeneous_row,
-    note="The elements of F row by row: right coordinates first.",
 )
 section.identity(
     "4/eight-points#1996",
     "the row of the system of eight unknowns",
     printed=columns(*linear_system([dot(u_right, Z_general.T * u_left)], unknowns)),
     derived=design,
-    note="F is the transposed Z here.  The textbook fixes the length of f instead of one element, and needs no element "
-    "to differ from zero.",
+    note="The textbook fixes the length of f instead of one element, and needs no element to differ from zero.",
 )

@@ -3,7 +3,7 @@
 #
 # For calibrated images the textbook has cameras $[\mathbf I\; \mathbf 0]$ and $[\mathbf R\; \mathbf t]$ in the system
 # of the left image, and $\mathbf E = [\mathbf t]_\times \mathbf R$.  The paper of 1992 has
-# $\mathbf C = \mathbf R'^T \mathbf B \mathbf R''$.
+# $\mathbf C = \mathbf R'^T \mathbf B \mathbf R''$.  Are they the same, and what does calibration add?
 
 # %%
 import sympy
@@ -11,19 +11,20 @@ import sympy
 from algebroproj_derivations.bridges.s1_normal_case import C_1992, R_left, R_right, d
 from algebroproj_derivations.bridges.s4_fundamental_matrix import matrix_of
 from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import rotation
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, determinant, dot, vector
 
 section = Section("bridges", "5", "The essential matrix")
 
 # %% [markdown]
-# ## From the parameters of 1992
+# ## What are $\mathbf R$ and $\mathbf t$ in the parameters of 1992?
 #
-# The left system has the axes $\mathbf R'$ and its origin in the left center: $\mathbf X = \mathbf R' \mathbf X'$.  In
-# the right system the point is $\mathbf R''^T (\mathbf R' \mathbf X' - \mathbf b)$.
+# **Definition.**  The left system has the axes $\mathbf R'$ and its origin in the left center: $\mathbf X = \mathbf R'
+# \mathbf X'$.  In the right system the point is $\mathbf R''^T (\mathbf R' \mathbf X' - \mathbf b)$.
 
 # %%
-turned = dict(zip(R_right, rotation, strict=True))
+turned = given(R_right, rotation)
 relative_rotation, relative_base = rotation.T * R_left, -rotation.T * d
 in_left_system = vector(*sympy.symbols("X Y Z"))
 
@@ -33,18 +34,24 @@ section.identity(
     printed=relative_rotation * in_left_system + relative_base,
     derived=rotation.T * (R_left * in_left_system - d),
 )
+
+# %% [markdown]
+# **Result.**  $\mathbf R = \mathbf R''^T \mathbf R'$ and $\mathbf t = -\mathbf R''^T \mathbf b$; $\mathbf E$ is
+# $\mathbf C^T$ without a factor.
+
+# %%
 section.identity(
     "5/E",
     "the essential matrix is the transposed matrix of correlation",
     printed=matrix_of(relative_base) * relative_rotation,
     derived=C_1992.xreplace(turned).T,
-    note="Without a factor: R = R''^T R' and t = -R''^T b.  R'' is a rotation.",
 )
 
 # %% [markdown]
-# ## Singular values
+# ## What does calibration add?
 #
-# Of its three singular values one is zero and two are equal, to the length of $\mathbf t$.
+# **Result.**  Of its three singular values one is zero and two are equal, to the length of $\mathbf t$.  It satisfies
+# nine cubic equations, $2 \mathbf E \mathbf E^T \mathbf E = \operatorname{tr}(\mathbf E \mathbf E^T)\, \mathbf E$.
 
 # %%
 translation = vector(*sympy.symbols("t:3"))
@@ -65,11 +72,10 @@ section.identity(
     "the cubic equations of the essential matrix",
     printed=Matrix.zeros(3, 3),
     derived=2 * gram * essential - gram.trace() * essential,
-    note="2 E E^T E = trace(E E^T) E, nine equations.",
 )
 
 # %% [markdown]
-# A general matrix of correlation does not satisfy them: they are what calibration adds.
+# A general matrix of correlation does not satisfy them.  This one has rank 2, and the singular values 2, 1, 0.
 
 # %%
 general = Matrix([[0, 0, 0], [0, 0, -1], [0, 2, 0]])
@@ -78,5 +84,4 @@ section.identity(
     "a matrix of correlation that is not essential",
     printed=Matrix([[0, 0, 0], [0, 0, 3], [0, 6, 0]]),
     derived=2 * general * general.T * general - (general * general.T).trace() * general,
-    note="It has rank 2, and singular values 2, 1, 0.",
 )

@@ -18,11 +18,11 @@ from algebroproj_sym.expressions import Matrix, adjugate, columns, cross, homoge
 section = Section("bridges", "6", "Frames and homographies")
 
 # %% [markdown]
-# ## The reduced camera
+# ## What is the matrix of projection in a projective frame?
 #
-# In barycentric coordinates the basic points are the unit vectors, in the image as in space.  With the image of the
-# fourth point as unit point of the image, the frame is projective, and the camera is the *reduced camera matrix* of
-# Hartley and Zisserman: four parameters, but for a factor.
+# **Definition.**  In barycentric coordinates the basic points are the unit vectors, in the image as in space.  With the
+# image of the fourth point as unit point of the image, the frame is projective, and the camera is the *reduced camera
+# matrix* of Hartley and Zisserman: four parameters, but for a factor.
 
 # %%
 U_space = Matrix([[1, -1, -1, -1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
@@ -30,13 +30,18 @@ barycentric = U * M_star[:3, :] * inverse(U_space)
 fourth = vector(u30, u31, u32).xreplace(BARYCENTRIC)
 a, b, c, d = sympy.symbols("ra rb rc rd")
 
+
+# %% [markdown]
+# **Result.**  The columns are the images of the four basic points.  The sign of the last column makes the center $(1/a,
+# 1/b, 1/c, 1/d)$.  No three of the images may be collinear: $u_{30} u_{31} u_{32}$ is not zero.
+
+# %%
 section.identity(
     "6/barycentric",
     "the matrix of projection in barycentric coordinates",
     printed=Matrix([[mu0, 0, 0, mu3 * u30], [0, mu1, 0, mu3 * u31], [0, 0, mu2, mu3 * u32]]),
     where=BARYCENTRIC,
     derived=barycentric,
-    note="The columns are the images of the four basic points.",
 )
 section.identity(
     "6/reduced-camera",
@@ -44,22 +49,23 @@ section.identity(
     printed=Matrix([[a, 0, 0, -d], [0, b, 0, -d], [0, 0, c, -d]]),
     where={a: mu0 / fourth[0], b: mu1 / fourth[1], c: mu2 / fourth[2], d: -mu3},
     derived=inverse(Matrix.diag(*fourth)) * barycentric,
-    note="The images of the four basic points are the unit vectors and the unit point: no three of them are collinear, "
-    "u30 u31 u32 is not zero.",
 )
 section.identity(
     "6/reduced-camera#center",
     "the center of the reduced camera",
     printed=vector(0, 0, 0),
     derived=barycentric * vector(fourth[0] / mu0, fourth[1] / mu1, fourth[2] / mu2, -1 / mu3),
-    note="The sign of the last column makes it (1/a, 1/b, 1/c, 1/d).",
 )
 
 # %% [markdown]
-# ## Homographies of rectification
+# ## Which homography rectifies?
 #
-# $\mathbf T$ maps points, $\mathbf u_N \sim \mathbf T \mathbf u$.  Three points it leaves alone, the images of the
-# basic points.  Lines are mapped by the inverse transposed, and so is the matrix of correlation.
+# **Definition.**  $\mathbf T$ maps points, $\mathbf u_N \sim \mathbf T \mathbf u$.  Three points it leaves alone, the
+# images of the basic points; with the pair of fourth points they determine it (3.1.2#fourth-points of 1996).  Lines are
+# mapped by the inverse transposed, and so is the matrix of correlation.
+#
+# With $\mathbf C = \mathbf T'^T \mathbf Z_N \mathbf T''$ of (3.3.3), $\mathbf F_N = \mathbf H''^{-T} \mathbf F \mathbf
+# H'^{-1}$ up to a factor.
 
 # %%
 taup1, taup2, taupp1, taupp2 = sympy.symbols("taup1 taup2 taupp1 taupp2")
@@ -71,7 +77,6 @@ section.identity(
     "the transformation leaves the images of the basic points alone",
     printed=units * Matrix.diag(1, tau1, tau2),
     derived=T * units,
-    note="Three fixed points and the pair of fourth points determine a homography: 3.1.2#fourth-points of 1996.",
 )
 C_original = H_left.T * Z_N * H_right
 section.identity(
@@ -79,12 +84,13 @@ section.identity(
     "the fundamental matrix of the rectified images",
     printed=inverse(H_right).T * C_original.T * inverse(H_left),
     derived=Z_N.T,
-    note="F_N = H''^-T F H'^-1 with C = T'^T Z_N T'' of (3.3.3), up to a factor.",
 )
 
 # %% [markdown]
-# In rectified images the textbook has $\mathbf F = [\mathbf i]_\times$ with the epipoles at infinity, $\mathbf i$ the
-# direction of the base.
+# **After it?**  In rectified images the textbook has $\mathbf F = [\mathbf i]_\times$ with the epipoles at infinity,
+# $\mathbf i$ the direction of the base.
+#
+# The leading component of the direction is 0: it is the point at infinity in which all epipolar lines meet.
 
 # %%
 direction = vector(0, -z_n, 1)
@@ -93,7 +99,6 @@ section.identity(
     "the matrix of the normal case is the matrix of a vector product",
     printed=matrix_of(direction).T,
     derived=Z_N.T,
-    note="The direction has the leading component 0: a point at infinity.",
 )
 section.identity(
     "6/rectified#epipoles",
@@ -107,7 +112,6 @@ section.up_to_scale(
     "epipolar lines of the normal case are parallel",
     printed=direction,
     derived=cross(line, vector(1, 0, 0)),
-    note="The intersection of an epipolar line with the line at infinity is the same for all points.",
 )
 section.up_to_scale(
     "6/line-map",

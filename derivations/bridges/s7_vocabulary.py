@@ -34,16 +34,19 @@ import sympy
 
 from algebroproj_derivations.bridges.s3_coplanarity import M_left, M_right, minors
 from algebroproj_derivations.bridges.s4_fundamental_matrix import center_left, center_right
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, dot, vector
 
 section = Section("bridges", "7", "Vocabulary")
 
 # %% [markdown]
-# ## The order of components
+# ## Does the order of components matter?
 #
-# A permutation $\boldsymbol\Pi$ puts the 1 last.  Cameras become $\boldsymbol\Pi \mathbf M \boldsymbol\Pi_4^T$, the
-# matrix of correlation $\boldsymbol\Pi \mathbf C \boldsymbol\Pi^T$.
+# **No.**  A permutation $\boldsymbol\Pi$ puts the 1 last.  Cameras become $\boldsymbol\Pi \mathbf M
+# \boldsymbol\Pi_4^T$, the matrix of correlation $\boldsymbol\Pi \mathbf C \boldsymbol\Pi^T$.
+#
+# Equation, rank and null vectors do not depend on it.
 
 # %%
 u_left, u_right = (vector(*sympy.symbols(f"{name}:3")) for name in ("up", "upp"))
@@ -54,14 +57,17 @@ section.identity(
     "the order of components",
     printed=dot(last * u_left, (last * C * last.T) * (last * u_right)),
     derived=dot(u_left, C * u_right),
-    note="Equation, rank and null vectors do not depend on the order.",
 )
 
 # %% [markdown]
-# ## Critical surfaces
+# ## What is a critical surface?
 #
-# If a second matrix $\mathbf G$ explains the same homologous points, their object points lie on a quadric.  With
-# symmetric $\mathbf Q$ it is $2 \mathbf Q = \mathbf M'^T \mathbf G \mathbf M'' + \mathbf M''^T \mathbf G^T \mathbf M'$.
+# **Definition.**  If a second matrix $\mathbf G$ explains the same homologous points, their object points lie on a
+# quadric.  With symmetric $\mathbf Q$ it is $2 \mathbf Q = \mathbf M'^T \mathbf G \mathbf M'' + \mathbf M''^T \mathbf
+# G^T \mathbf M'$.
+#
+# The matrix of correlation itself gives zero for all points.  Which quadrics are critical for eight and for five points
+# is told in section 0 of critical1996.
 
 # %%
 G = Matrix(3, 3, sympy.symbols("h:3:3"))
@@ -80,12 +86,10 @@ section.identity(
     printed=vector(0, 0),
     derived=vector(*(dot(M_left * center, G * (M_right * center)) for center in (center_left, center_right))),
 )
-elements = dict(zip(G, minors(M_left, M_right), strict=True))
+elements = given(G, minors(M_left, M_right))
 section.identity(
     "7/critical-surface#trivial",
     "the matrix of correlation itself gives no quadric",
     printed=0,
     derived=dot(M_left * y, G.xreplace(elements) * (M_right * y)),
-    note="It is zero for all points.  Which quadrics are critical for eight and for five points: critical1996, section "
-    "0.",
 )

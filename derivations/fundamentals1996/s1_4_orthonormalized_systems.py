@@ -242,7 +242,7 @@ ImageDrawing(
             + [grid_line(vector(0, n), vector(1, n)) for n in quarters],
         )
     },
-    letter="v",
+    axes=("v_1", "v_2"),
 )
 
 # %% [markdown]

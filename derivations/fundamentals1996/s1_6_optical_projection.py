@@ -268,7 +268,7 @@ SpaceDrawing(
     {"C": vector(0, 0, 0), "A": A, "K": vector(A[0], A[1], 0), "A'": A_image, "S1": S1, "S2": S2},
     segments=[("A", "A'"), ("A", "K"), ("K", "A'")],
     triangles=[("S1", "S2", "A"), ("S1", "S2", "A'"), ("S1", "S2", "C")],
-    letter=r"\xi",
+    axes=(r"\xi_1", r"\xi_2", r"\xi_3"),
 )
 
 # %% [markdown]

@@ -51,7 +51,7 @@ SpaceDrawing(
         {"O1": "C'", "O2": "C''", **{name: f"G{j}" for j, name in enumerate(BASIC)}}.get(name, name): position
         for name, position in object_points.items()
     },
-    letter="X",
+    axes=("X_1", "X_2", "X_3"),
 )
 
 # %%

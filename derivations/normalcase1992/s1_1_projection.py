@@ -2,11 +2,14 @@
 # # 1.1 Condition of intersection and projective transformation
 #
 # A point of the model lies on a ray of each image.  Seen from the same center, the normal case is an image as well, one
-# that is not rotated: two images of one bundle are related by a projective transformation.
+# that is not rotated.  How are two images of one bundle of rays related?  By a projective transformation, which this
+# section derives.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
+from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import dot, over, vector
@@ -14,7 +17,10 @@ from algebroproj_sym.expressions import dot, over, vector
 section = Section("normalcase1992", "1.1", "Condition of intersection and projective transformation")
 
 # %% [markdown]
-# ## Quantities
+# ## What is measured?
+#
+# **Definition.**  An image point is a vector with the third component $-c$.  A rotation takes it to the model space; it
+# is given by a quaternion of any length where it has to be orthogonal.
 
 # %%
 lam, lam_p, lam_pp, lam_n, tau = sympy.symbols("lam lam_p lam_pp lam_n tau")
@@ -29,21 +35,19 @@ section.identity(
     "rotations are orthogonal",
     printed=E3,
     derived=R_rotation.T * R_rotation,
-    note="For all rotations, given by quaternions of any length.",
 )
 
 # %% [markdown]
-# ## Intersection and projection
+# ## Where is the point?
 #
-# Each image puts the point on a ray, $\mathbf X = \mathbf X_0 + \lambda \mathbf R \mathbf x$.  Both together are the
-# condition of intersection.
+# **Definition.**  Each image puts the point on a ray, $\mathbf X = \mathbf X_0 + \lambda \mathbf R \mathbf x$.  Both
+# together are the condition of intersection.
 
 # %%
 section.definition(
     "1.1.1",
     "condition of intersection: the point on a ray of each image",
     printed=columns(X0_left + lam_p * R_left * x_left, X0_right + lam_pp * R_right * x_right),
-    note="The columns are the two members that are to be equal to X.",
 )
 section.identity(
     "1.1/b",
@@ -56,19 +60,23 @@ section.identity(
     "order: derived is lambda' p' - lambda'' p'' with lambda'' p'' = X - X0'' and X from the left image.",
 )
 
+# %% [markdown]
+# **Solved for the image**, as rotations are orthogonal:
+
+# %%
 point = X0 + lam * R_rotation * x_vector
 section.identity(
     "1.1.2",
     "projection of a point",
     printed=lam * x_vector,
     derived=R_rotation.T * (point - X0),
-    note="Equivalent to (1.1.1) because rotations are orthogonal.",
 )
 
 # %% [markdown]
-# ## The normal case
+# ## What does the normal case see?
 #
-# The image of the same bundle with $\mathbf R = \mathbf E$ and the same principal distance: third component $-c$.
+# **Definition.**  The image of the same bundle with $\mathbf R = \mathbf E$ and the same principal distance: third
+# component $-c$.
 
 # %%
 ray = X - X0
@@ -84,9 +92,13 @@ section.identity(
     derived=E3 * (X - X0),
 )
 
+# %% [markdown]
+# **A point of the original bundle**, put in: the projector is the vector of the normal case but for a factor $\tau$.
+
+# %%
 point = X0 + lam * R_any * x_vector
 projector = R_any * x_vector
-IN_NORMAL_CASE = dict(zip((xn, yn), image_of(E3 * (point - X0)), strict=True))
+IN_NORMAL_CASE = given((xn, yn), image_of(E3 * (point - X0)))
 IN_NORMAL_CASE |= {lam_n: over((X0 - point)[2], c)}
 IN_NORMAL_CASE |= {tau: over(IN_NORMAL_CASE[lam_n], lam)}
 
@@ -105,8 +117,8 @@ section.identity(
 )
 
 # %% [markdown]
-# Without the factor: quotients with the third component.  The rows of $\mathbf R$ are $\mathbf e_1, \mathbf e_2,
-# \mathbf e_3$.
+# **Print.**  Without the factor: quotients with the third component.  The rows of $\mathbf R$ are $\mathbf e_1, \mathbf
+# e_2, \mathbf e_3$.
 
 # %%
 i1, j1, k1, i2, j2, k2, i3, j3, k3 = R_any
@@ -119,17 +131,23 @@ section.identity(
     derived=vector(over(projector[0], projector[2]), over(projector[1], projector[2])),
 )
 denominator = i3 * x + j3 * y - k3 * c
-for name, place, numerator, row in (
-    ("x", 0, i1 * x + j1 * y - k1 * c, row1),
-    ("y", 1, i2 * x + j2 * y - k2 * c, row2),
-):
-    section.identity(
-        f"1.1.5#{name}",
-        f"{name} coordinate of the normal case",
-        printed=vector(-c * numerator / denominator, -c * dot(row, x_vector) / dot(row3, x_vector)),
-        derived=vector(*(IN_NORMAL_CASE[(xn, yn)[place]],) * 2),
-        note="Both members of the equation.",
-    )
+section.identity(
+    "1.1.5#x",
+    "x coordinate of the normal case",
+    printed=vector(-c * (i1 * x + j1 * y - k1 * c) / denominator, -c * dot(row1, x_vector) / dot(row3, x_vector)),
+    derived=vector(xn, xn).xreplace(IN_NORMAL_CASE),
+)
+section.identity(
+    "1.1.5#y",
+    "y coordinate of the normal case",
+    printed=vector(-c * (i2 * x + j2 * y - k2 * c) / denominator, -c * dot(row2, x_vector) / dot(row3, x_vector)),
+    derived=vector(yn, yn).xreplace(IN_NORMAL_CASE),
+)
+
+# %% [markdown]
+# **Eight numbers.**  Divided by the last number of the denominator, $-k_3 c$, this is the form of Haggren and Niini.
+
+# %%
 a = sympy.symbols("a1:9")
 section.identity(
     "1.1/last-number",
@@ -138,29 +156,41 @@ section.identity(
         (a[0] * x + a[1] * y + a[2]) / (a[6] * x + a[7] * y + 1),
         (a[3] * x + a[4] * y + a[5]) / (a[6] * x + a[7] * y + 1),
     ),
-    where=dict(
-        zip(
-            a,
-            (
-                *(over(entry, k3) for entry in (i1, j1, -k1 * c, i2, j2, -k2 * c)),
-                over(-i3, k3 * c),
-                over(-j3, k3 * c),
-            ),
-            strict=True,
-        )
+    where=given(
+        a,
+        (
+            *(over(entry, k3) for entry in (i1, j1, -k1 * c, i2, j2, -k2 * c)),
+            over(-i3, k3 * c),
+            over(-j3, k3 * c),
+        ),
     ),
     derived=vector(IN_NORMAL_CASE[xn], IN_NORMAL_CASE[yn]),
-    note="The form of Haggren and Niini, as the text describes it; it needs k3 c to be a divisor.",
 )
 
 # %% [markdown]
-# ## The factor
+# **An example.**  A square grid in an image with a tip whose sine is $7/25$, and the same points in the normal case.
+
+# %%
+TIP = given(R_any, turn_phi(sympy.Rational(24, 25), sympy.Rational(7, 25)))
+to_normal_case = vector(xn, yn).xreplace(IN_NORMAL_CASE).xreplace(TIP)
+GRID = {f"{i}{j}": vector(i - 1, j - 1) for i in range(3) for j in range(3)}
+ImageDrawing(
+    "A grid of nine points in the original image and in the normal case, for c = 2.  The squares become trapezoids.",
+    {
+        "original image": (GRID, []),
+        "normal case": ({name: inserted(to_normal_case, (x, y, c), (*p, 2)).doit() for name, p in GRID.items()}, []),
+    },
+    axes=("x", "y"),
+)
+
+# %% [markdown]
+# ## What is the factor?
 #
-# Rotations keep lengths.
+# **Derivation.**  Rotations keep lengths.
 
 # %%
 rotated = R_rotation * x_vector
-AFTER_ROTATION = dict(zip((xn, yn), image_of(rotated), strict=True)) | {tau: over(-rotated[2], c)}
+AFTER_ROTATION = given((xn, yn), image_of(rotated)) | {tau: over(-rotated[2], c)}
 length_n, length = dot(x_normal, x_normal), dot(x_vector, x_vector)
 section.identity(
     "1.1/tau",
@@ -168,7 +198,6 @@ section.identity(
     printed=vector(tau**2 * length_n, dot(rotated, rotated)),
     where=AFTER_ROTATION,
     derived=vector(length, length),
-    note="The first and second member; the third, with R^T R = E, is 1.1/E.",
 )
 section.identity(
     "1.1/length",
@@ -176,14 +205,19 @@ section.identity(
     printed=vector(x**2 + y**2 + c**2, x**2 + y**2 + c**2),
     derived=vector(dot(rotated, rotated), length),
 )
+
+# %% [markdown]
+# **Print.**  So the factor is the ratio of two distances, in squares.  The root is positive, while $\tau$ has the sign
+# of $-p_3$: the equation holds for points in front of both image planes.  Half a turn about the first axis keeps both
+# distances, and makes $\tau = -1$.
+
+# %%
 section.identity(
     "1.1.6",
     "the factor as the ratio of two distances",
     printed=over(length, length_n),
     where=AFTER_ROTATION,
     derived=(over(-rotated[2], c)) ** 2,
-    note="Squares of both members.  The root is positive, while tau has the sign of -p3: the equation holds for "
-    "points in front of both image planes, see 1.1/beyond/sign.",
 )
 half_turn = rotation(*map(sympy.Integer, (0, 1, 0, 0))).doit()
 section.identity(
@@ -191,6 +225,4 @@ section.identity(
     "the factor is negative for a point behind the plane of the normal case",
     printed=-1,
     derived=over(-(half_turn * x_vector)[2], c),
-    note="Not in the paper: half a turn about the first axis, where both distances are equal.  The ratio of distances "
-    "gives +1 there.",
 )

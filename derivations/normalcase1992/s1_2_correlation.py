@@ -1,14 +1,17 @@
 # %% [markdown]
 # # 1.2 Orientation from image correlation
 #
-# Homologous projectors and the base lie in one plane.  In image coordinates this is a bilinear equation, whose matrix
-# $\mathbf C$ is the correlation of the two images.
+# Two projectors meet in a point of the model, and lie in one plane with the base.  In image coordinates this is a
+# bilinear equation.  Its matrix $\mathbf C$ is the correlation of the two images.  What does it know, and how many
+# points determine it?
 
 # %%
 from itertools import combinations, product
 
 import sympy
 
+from algebroproj_derivations.figures import QuadricDrawing
+from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, adjugate, columns, cross, determinant, dot, over, vector
@@ -16,7 +19,10 @@ from algebroproj_sym.expressions import Matrix, adjugate, columns, cross, determ
 section = Section("normalcase1992", "1.2", "Orientation from image correlation")
 
 # %% [markdown]
-# ## Coplanarity
+# ## When do two projectors meet?
+#
+# **Definition.**  A point of the model is on both: $\mathbf X - \mathbf X'_0 = \lambda' \mathbf p'$ by (1.1.1), and so
+# for the right image.
 
 # %%
 lam_p, lam_pp = sympy.symbols("lam_p lam_pp")
@@ -28,10 +34,15 @@ section.identity(
     "1.2.1",
     "condition of intersection with the base",
     printed=b + lam_pp * p_right,
-    where=dict(zip(b, X0_right - X0_left, strict=True)),
+    where=given(b, X0_right - X0_left),
     derived=model_point - X0_left,
-    note="The left member lambda' p' is X - X0', from (1.1.1).",
 )
+
+# %% [markdown]
+# **Print.**  $\mathbf p' \times \mathbf b$ has no component along $\mathbf p''$.  Conversely, where base and projectors
+# are linearly dependent, $\mathbf p'$ and $\mathbf p''$ meet or are parallel.
+
+# %%
 section.identity("1.2/perpendicular", "a product that vanishes", printed=0, derived=dot(cross(p_right, b), p_right))
 meeting = (b + lam_pp * p_right).applyfunc(lambda component: over(component, lam_p))
 section.identity(
@@ -39,23 +50,31 @@ section.identity(
     "condition of coplanarity",
     printed=0,
     derived=dot(cross(meeting, b), p_right),
-    note="With p' from (1.2.1).",
 )
 section.identity(
     "1.2/beyond/coplanarity",
     "the condition is that base and projectors are linearly dependent",
     printed=determinant(columns(p_left, b, p_right)),
     derived=dot(cross(p_left, b), p_right),
-    note="Not in the paper: where it holds, p' and p'' intersect or are parallel.",
 )
+
+# %% [markdown]
+# The vector product is a product with a matrix, from the right: as a product from the left, $\mathbf B \mathbf p =
+# \mathbf b \times \mathbf p$, it has the opposite sign.
+
+# %%
 b1, b2, b3 = b
 section.identity(
     "1.2/B",
     "matrix of the base",
     printed=p_left.T * Matrix([[0, -b3, b2], [b3, 0, -b1], [-b2, b1, 0]]),
     derived=cross(p_left, b).T,
-    note="Rows on both sides; a product from the left, B p = b x p, has the opposite sign.",
 )
+
+# %% [markdown]
+# **In image coordinates** $\mathbf p = \mathbf R \mathbf x$:
+
+# %%
 coplanarity = dot(cross(R_left * x_left, b), R_right * x_right)
 C = correlation(R_left, R_right, b)
 section.identity(
@@ -71,8 +90,9 @@ section.identity(
 )
 
 # %% [markdown]
-# Rinner's conjunction of successive images, of which the introduction speaks, has two components of the base and three
-# rotations: of the base $(1, b_2, b_3)^T$ and the rotation of the right image.
+# **How many parameters?**  Rinner's conjunction of successive images, of which the introduction speaks, has five: two
+# components of the base $(1, b_2, b_3)^T$, and three rotations of the right image.  In whichever way relative
+# orientation is described, the correlation determines as many.
 
 # %%
 turn = sympy.symbols("q0:4")
@@ -84,13 +104,12 @@ section.count(
     derived=of_successive_images.applyfunc(lambda element: over(element, of_successive_images[2, 1])),
     variables=(b2, b3, *turn),
     kernel=[vector(0, 0, *turn)],
-    note="As many as the correlation determines, in whichever way relative orientation is described.",
 )
 
 # %% [markdown]
-# ## The elements
+# ## What are its elements?
 #
-# Triple products of the base and one axis of each image.
+# **Print.**  Triple products of the base and one axis of each image.
 
 # %%
 axes_left, axes_right = ([matrix.col(k) for k in range(3)] for matrix in (R_left, R_right))
@@ -99,14 +118,14 @@ section.identity(
     "matrix of correlation by triple products",
     printed=Matrix(3, 3, lambda row, column: dot(cross(axes_right[column], axes_left[row]), b)),
     derived=C,
-    note="The product of matrices, and then its nine elements.  The scan reads the single prime as 1 in two rows.",
 )
 
 # %% [markdown]
-# ## First property: epipoles
+# ## First property: which points does it take to zero?
 #
-# The epipole is the image of the other center.  As rotations keep products of vectors, $\mathbf C$ takes the epipole of
-# $P''$ to zero, $\mathbf C^T$ that of $P'$; the other image may then have any matrix of orientation.
+# **Definition.**  The epipole is the image of the other center.  As rotations keep products of vectors, $\mathbf C$
+# takes the epipole of $P''$ to zero, $\mathbf C^T$ that of $P'$; the other image may then have any matrix of
+# orientation.
 
 # %%
 turned_left, turned_right = rotation(*sympy.symbols("q0:4")), rotation(*sympy.symbols("r0:4"))
@@ -130,25 +149,29 @@ section.rank(
     derived=correlation(R_left, turned_right, b),
     kernel=[epipole_right],
 )
+
+# %% [markdown]
+# **And both at once?**  The adjugate is the product of both epipoles.  For rotations the factors are $\mathbf R''^T
+# \mathbf b$ and $\mathbf R'^T \mathbf b$, with the sign of the base in both.
+
+# %%
 section.identity(
     "1.2/beyond/cofactors",
     "the adjugate of a rotation is its transpose",
     printed=turned_left.T,
     derived=adjugate(turned_left),
-    note="Not in the paper.",
 )
 section.identity(
     "1.2/beyond/adjugate",
     "the adjugate is the product of both epipoles",
     printed=(adjugate(R_right) * b) * (adjugate(R_left) * b).T,
     derived=adjugate(C),
-    note="Not in the paper.  For rotations the factors are R''^T b and R'^T b, with the sign of the base in both.",
 )
 
 # %% [markdown]
-# ## Second property: epipolar lines
+# ## Second property: which lines does it make?
 #
-# The epipolar line of a point joins the epipole and the image of the projector of the other point.
+# **Definition.**  The epipolar line of a point joins the epipole and the image of the projector of the other point.
 
 # %%
 h_left, h_right = C * x_right, C.T * x_left
@@ -159,12 +182,16 @@ section.identity(
     printed=vector(dot(h_left, x_left), dot(h_right, x_right)),
     derived=vector(coplanarity, coplanarity),
 )
+
+# %% [markdown]
+# They are lines through the epipoles: derived is the line that joins the epipole and the image of the other projector.
+
+# %%
 section.up_to_scale(
     "1.2.6#left",
     "epipolar line in the left image",
     printed=correlation(turned_left, R_right, b) * x_right,
     derived=cross(turned_left.T * b, turned_left.T * R_right * x_right),
-    note="Derived is the line that joins the epipole of P' and the image in P' of the projector p''.",
 )
 section.up_to_scale(
     "1.2.6#right",
@@ -174,7 +201,9 @@ section.up_to_scale(
 )
 
 # %% [markdown]
-# ## The homogeneous matrix
+# ## Which element is a divisor?
+#
+# **Definition.**  Only the ratios of the elements count.  The paper divides by $c_{32}$, so that $z_{32} = 1$.
 
 # %%
 c_any = Matrix(3, 3, lambda row, column: sympy.Symbol(f"c{row + 1}{column + 1}"))
@@ -188,16 +217,24 @@ section.identity(
     printed=columns(c32 * z_any, vector(z_any[2, 1], 0, 0)),
     where=OF_C,
     derived=columns(c_any, vector(1, 0, 0)),
-    note="The last column is Z32 = 1.",
 )
+
+# %% [markdown]
+# It is "probably biggest" because in the normal case it is $b_1$, beside $-b_1, b_2, b_3$ and their opposites.
+# Rotations can make it vanish (2.1/beyond/c32).
+
+# %%
 section.identity(
     "1.2/beyond/c32",
     "in the normal case the divisor is the first component of the base",
     printed=matrix_of_base(b),
     derived=correlation(E3, E3, b),
-    note="Not in the paper, but what its 'probably biggest' rests on: c32 = b1, beside -b1, b2, b3 and their "
-    "opposites.  Rotations can make c32 vanish, see 2.1/beyond/c32.",
 )
+
+# %% [markdown]
+# Lines and epipoles do not notice the division.
+
+# %%
 section.up_to_scale(
     "1.2/homogeneous#h'",
     "the homogeneous matrix gives the same lines in the left image",
@@ -216,14 +253,13 @@ section.identity(
     "the homogeneous matrix gives the same epipoles",
     printed=columns(c32 * (Z * null), c32 * (Z.T * null)),
     derived=columns(c_any * null, c_any.T * null),
-    note="For any vector: one side vanishes where the other does.",
 )
 
 # %% [markdown]
-# ## Eight points
+# ## How many points are needed?
 #
-# Each pair of homologous points gives one equation, linear in the elements of $\mathbf C$: the row of the products of
-# coordinates.  Eight rows that are independent fix $\mathbf C$ but for a factor.
+# **Definition.**  Each pair of homologous points gives one equation, linear in the elements of $\mathbf C$: the row of
+# the products of coordinates.  Eight rows that are independent fix $\mathbf C$ but for a factor.
 
 
 # %%
@@ -245,7 +281,8 @@ section.identity(
 
 # %% [markdown]
 # A common rotation of all projectors of an image is a regular transformation of the elements of $\mathbf C$ and leaves
-# the rank as it is: projectors instead of image points will do.
+# the rank as it is: projectors instead of image points will do.  Take eight points in general position, in the system
+# of the left projectors, with the base as unit.
 
 # %%
 points = [vector(*sympy.symbols(f"X1_{n} X2_{n} X3_{n}")) for n in range(1, 9)]
@@ -262,14 +299,13 @@ section.rank(
     printed=8,
     derived=design_of_points(points),
     kernel=[correlation_of_projectors],
-    note="Eight points in general position, in the system of the left projectors, with the base as unit.",
 )
 
 # %% [markdown]
-# ### Singular systems
+# ## When is the system singular?
 #
-# A plane model gives a plane projectivity $\mathbf x' \sim \mathbf H \mathbf x''$ between the images, and not eight
-# but six independent equations.
+# **Print.**  The model must be spatial.  A plane model gives a plane projectivity $\mathbf x' \sim \mathbf H \mathbf
+# x''$ between the images, and not eight but six independent equations.
 
 # %%
 H = Matrix(3, 3, sympy.symbols("h:3:3"))
@@ -280,12 +316,11 @@ section.rank(
     printed=6,
     derived=design([H * point for point in plane_right], plane_right),
     kernel=[vector(*(matrix_of_base(axis) * H)) for axis in (e1, e2, e3)],
-    note="The text says that the model must be spatial, or the system of eight unknowns is singular; the rank itself "
-    "is not in the paper.",
 )
 
 # %% [markdown]
-# No four points in one plane: is the system then regular?  All points for which a second matrix
+# **Is it enough that no four points lie in one plane?**  The paper advises to keep every point away from the planes of
+# three others.  All points for which a second matrix
 # $\mathbf F \ne \mathbf C$ satisfies $\mathbf p'^T \mathbf F \mathbf p'' = 0$ lie on a quadric through both centers.
 # With $\mathbf p' = \mathbf X$ and $\mathbf p'' = \mathbf X - \mathbf b$, one such quadric is
 # $X_1 (X_1 - 1) + X_2 X_3 = 0$.
@@ -293,19 +328,14 @@ section.rank(
 # %%
 on_quadric = [point.xreplace({point[2]: over(point[0] * (1 - point[0]), point[1])}) for point in points]
 second_solution = vector(1, 0, 0, 0, 0, 1, 0, 0, 0)
-critical_points = [
-    vector(*point)
-    for point in (
-        (-5, 5, -6),
-        (5, 1, -20),
-        (-6, 7, -6),
-        (-3, 3, -4),
-        (-5, 3, -10),
-        (4, 1, -12),
-        (3, 2, -3),
-        (3, 6, -1),
-    )
-]
+CRITICAL = "-5 5 -6, 5 1 -20, -6 7 -6, -3 3 -4, -5 3 -10, 4 1 -12, 3 2 -3, 3 6 -1"
+critical_points = [vector(*map(int, point.split())) for point in CRITICAL.split(",")]
+# %% [markdown]
+# Eight points of it, of which no four are coplanar, do not determine $\mathbf C$: the advice does not avoid the
+# critical quadrics.
+
+# %%
+
 coplanar = [
     four for four in combinations(critical_points, 4) if determinant(Matrix([[1, *point] for point in four])) == 0
 ]
@@ -314,7 +344,6 @@ section.numeric(
     "number of coplanar quadruples among eight points of the quadric",
     printed="0",
     derived=len(coplanar),
-    note="Not in the paper: the points of 1.2/beyond/no-four-coplanar#rank.",
 )
 section.rank(
     "1.2/beyond/no-four-coplanar#rank",
@@ -322,34 +351,38 @@ section.rank(
     printed=7,
     derived=design_of_points(critical_points),
     kernel=[correlation_of_projectors, second_solution],
-    note="Not in the paper, which advises to keep every point away from the planes of three others: that does not "
-    "avoid the critical quadrics.",
 )
+
+# %%
+half = sympy.Rational(1, 2)
+QuadricDrawing(
+    "The quadric, both centers and the eight points, of which no four are coplanar.",
+    Matrix([[0, -half, 0, 0], [-half, 1, 0, 0], [0, 0, 0, half], [0, 0, half, 0]]),
+    {"C'": vector(0, 0, 0), "C''": unit_base} | {f"{k}": point for k, point in enumerate(critical_points, 1)},
+    axes=("X_1", "X_2", "X_3"),
+)
+
+# %% [markdown]
+# The same holds for any eight points of the quadric.
+
+# %%
 section.rank(
     "1.2/beyond/critical",
     "points of a quadric through both centers do not determine the matrix of correlation",
     printed=7,
     derived=design_of_points(on_quadric),
     kernel=[correlation_of_projectors, second_solution],
-    note="Not in the paper: any eight points of the quadric; the centers (0, 0, 0) and (1, 0, 0) lie on it as well.",
 )
-four_coplanar = [
-    vector(*point)
-    for point in (
-        (0, 1, -5),
-        (1, -1, -5),
-        (2, 1, -5),
-        (-1, 2, -5),
-        (1, 3, -7),
-        (2, -2, -4),
-        (-2, -1, -6),
-        (3, 2, -4),
-    )
-]
+
+# %% [markdown]
+# **Is it necessary?**  No.  Here the first four points have the same third coordinate, and the system is regular.
+
+# %%
+FOUR_COPLANAR = "0 1 -5, 1 -1 -5, 2 1 -5, -1 2 -5, 1 3 -7, 2 -2 -4, -2 -1 -6, 3 2 -4"
+four_coplanar = [vector(*map(int, point.split())) for point in FOUR_COPLANAR.split(",")]
 section.rank(
     "1.2/beyond/four-coplanar",
     "four coplanar points need not make the system singular",
     printed=8,
     derived=design_of_points(four_coplanar),
-    note="Not in the paper: the first four points have the same third coordinate.  Nor is the advice necessary.",
 )

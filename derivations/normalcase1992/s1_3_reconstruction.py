@@ -1,24 +1,31 @@
 # %% [markdown]
 # # 1.3 Reconstruction of the model
 #
-# In the normal case both matrices of orientation are $\mathbf E$: what remains of the condition of intersection is
-# linear in the two factors.
+# In the normal case both matrices of orientation are $\mathbf E$.  What remains of the condition of intersection is
+# linear in the two factors.  Where is the point?
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
+from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import columns, cross, dot, linear_system, over, solve, vector
 
 section = Section("normalcase1992", "1.3", "Reconstruction of the model")
 
+# %% [markdown]
+# ## Which equation is left?
+#
+# **Definition.**  The point on both rays: $\mathbf X'_0 + \lambda' \mathbf x' = \mathbf X''_0 + \lambda'' \mathbf x''$.
+
 # %%
 lam_n, lam_p, lam_pp = sympy.symbols("lam_n lam_p lam_pp")
 X0_left = vector(*sympy.symbols("X01 X02 X03"))
 X0_right = X0_left + b
 X = vector(*sympy.symbols("X1 X2 X3"))
-PROJECTED = dict(zip((xp, yp, xpp, ypp), (*image_of(X - X0_left), *image_of(X - X0_right)), strict=True))
+PROJECTED = given((xp, yp, xpp, ypp), (*image_of(X - X0_left), *image_of(X - X0_right)))
 PROJECTED |= {lam_p: over((X0_left - X)[2], c), lam_pp: over((X0_right - X)[2], c)}
 section.identity(
     "1.3/difference",
@@ -35,10 +42,10 @@ section.identity(
 difference = (X0_left + lam_p * x_left) - (X0_right + lam_pp * x_right)
 
 # %% [markdown]
-# ## The factors
+# ## What are the factors?
 #
-# A vector $\mathbf y_N = (c, 0, x_N)^T$ is perpendicular to $\mathbf x_N$.  The factors are derived without it, from
-# the first and third component.
+# **Definition.**  A vector $\mathbf y_N = (c, 0, x_N)^T$ is perpendicular to $\mathbf x_N$.  The factors are derived
+# without it, from the first and third component.
 
 # %%
 y_left, y_right = vector(c, 0, xp), vector(c, 0, xpp)
@@ -50,6 +57,12 @@ section.identity(
     derived=vector(dot(x_left, y_left), dot(x_right, y_right)),
 )
 factor_left, factor_right = solve(*linear_system([difference[0], difference[2]], [lam_p, lam_pp]))
+factor_left
+
+# %% [markdown]
+# **Print.**
+
+# %%
 section.identity(
     "1.3.1#left",
     "factor of the left image",
@@ -64,12 +77,13 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Rotational relative orientation
+# ## And with the base $(1, 0, 0)^T$?
 #
-# The base is $(1, 0, 0)^T$, and both factors are the reciprocal of the parallax.
+# **Definition.**  In rotational relative orientation the base is $(1, 0, 0)^T$, and both factors are the reciprocal of
+# the parallax.
 
 # %%
-AT_UNIT_BASE = dict(zip(b, unit_base, strict=True))
+AT_UNIT_BASE = given(b, unit_base)
 section.identity(
     "1.3/products#b",
     "product with the base",
@@ -93,6 +107,11 @@ section.identity(
     "The denominator of lambda'' in (1.3.1) is x''.y', and only c (x'' - x') leads to (1.3.2).  A slip of the scan "
     "cannot be told from one of the print.",
 )
+
+# %% [markdown]
+# **Print.**  The common factor:
+
+# %%
 section.identity(
     "1.3.2",
     "factor of reconstruction, the same for both images",
@@ -100,6 +119,12 @@ section.identity(
     derived=vector(factor_left, factor_right).subs(AT_UNIT_BASE),
 )
 factor = factor_left.subs(AT_UNIT_BASE)
+
+# %% [markdown]
+# **Where does it fail?**  For equal abscissas its reciprocal goes to zero.  Homologous points have equal ordinates,
+# (3.1.2): then the projectors are parallel.
+
+# %%
 parallax = sympy.Symbol("parallax")
 section.limit(
     "1.3/infinity",
@@ -107,7 +132,6 @@ section.limit(
     printed=0,
     derived=over(1, factor).subs(xpp, xp - parallax),
     variable=parallax,
-    note="The reciprocal of the factor goes to zero.",
 )
 section.identity(
     "1.3/parallel",
@@ -115,13 +139,12 @@ section.identity(
     printed=vector(0, 0, 0),
     derived=cross(x_left, x_right),
     constraints=[xp - xpp, yp - ypp],
-    note="Homologous points, whose ordinates are equal by (3.1.2).",
 )
 
 # %% [markdown]
-# ## The model
+# ## Where is the point?
 #
-# A point, projected into both images of the normal case, is reconstructed from them.
+# **Test.**  A point, projected into both images of the normal case, is reconstructed from them.
 
 # %%
 X0_right = X0_left + unit_base
@@ -134,13 +157,24 @@ section.identity(
     where=IN_NORMAL_CASE,
     derived=columns(X, X),
 )
+
+# %% [markdown]
+# **A check.**  Both images give a point.  The two results agree exactly if the ordinates do, whatever the abscissas
+# are.
+
+# %%
 section.identity(
     "1.3/check",
     "the double determination is a check of the ordinates",
     printed=factor * vector(0, yp - ypp, 0),
     derived=(X0_left + factor * x_left) - (X0_right + factor * x_right),
-    note="'Enables the check': the two results agree exactly if the ordinates do, whatever the abscissas are.",
 )
+
+# %% [markdown]
+# **As a ratio of distances**, in squares, the factor is positive where the parallax is: for points in front of both
+# cameras, whose third coordinate is below the centers.
+
+# %%
 section.identity(
     "1.3.4",
     "factor as the ratio of two distances",
@@ -150,34 +184,24 @@ section.identity(
     ),
     where=IMAGES,
     derived=vector(factor**2, factor**2).xreplace(IMAGES),
-    note="Squares of both members, for both images; the scan has capitals in the denominator, x_N.x_N is meant.  The "
-    "root is positive: the equation holds where the parallax x' - x'' is positive, that is for points in front.",
 )
 section.identity(
     "1.3/beyond/sign",
     "sign of the factor",
     printed=over(-X[2] + X0_left[2], c),
     derived=factor.xreplace(IMAGES),
-    note="Not in the paper: positive for points in front of both cameras, whose third coordinate is below the centers.",
 )
 
 # %% [markdown]
-# ## Code
-#
-# The left center of projection is the origin of the model, the base its unit of length.
+# **An example.**  A point, seen with $c = 1$ from $(0, 0, 4)$ and $(1, 0, 4)$.
 
 # %%
-section.kernel(
-    "metric.reconstruct",
-    "Model point from homologous points of the normal case, with the left center as origin and the base as unit.",
-    arguments={"x_left": vector(xp, yp), "x_right": vector(xpp, ypp), "c": c},
-    describe={
-        "x_left": "Left image point (x', y') of the normal case, in the unit of c.",
-        "x_right": "Right image point (x'', y'') of the normal case, in the unit of c; y'' = y' is not used.",
-        "c": ABOUT_C,
-    },
-    derived=over(1, xp - xpp) * x_left,
-    claims=["1.3.1#left", "1.3.2", "1.3.3"],
-    example={"x_left": ("12.5", "-3.25"), "x_right": ("-7.5", "-3.25"), "c": "50"},
-    jacobian=True,
+CENTER, POINT = vector(0, 0, 4), vector(sympy.Rational(3, 2), 1, 0)
+rays = {"C'": CENTER, "C''": CENTER + unit_base}
+seen = {name + "p": C0 + (POINT - C0) / 4 for name, C0 in rays.items()}
+SpaceDrawing(
+    "A point P, the two centers and its images p' and p'', here in front of the centers at the distance 1.",
+    rays | {"P": POINT, "p'": seen["C'p"], "p''": seen["C''p"]},
+    segments=[("C'", "P"), ("C''", "P"), ("C'", "C''")],
+    axes=("X_1", "X_2", "X_3"),
 )

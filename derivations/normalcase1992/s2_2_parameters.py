@@ -1,24 +1,27 @@
 # %% [markdown]
 # # 2.2 Computation of the parameters
 #
-# The epipoles give tip and swing of each image; one column of $\mathbf Z$ then gives the tilt.
+# The matrix of correlation is known.  What are the rotations?  The epipoles give tip and swing of each image; one
+# column of $\mathbf Z$ then gives the tilt.  A matrix with a free factor does not know its sign, and an epipole does
+# not either:  signs and quadrants are the hard part.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
+from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_derivations.normalcase1992.s2_1_rotations import CIRCLES_LEFT, PYTHAGOREAN, R_p, R_pp
 from algebroproj_sym import Section
-from algebroproj_sym.declaring import arctan2, cos_sin, let
-from algebroproj_sym.expressions import Matrix, adjugate, columns, dot, over, vector
+from algebroproj_sym.expressions import Matrix, columns, dot, over, vector
 
 section = Section("normalcase1992", "2.2", "Computation of the parameters")
 
 # %% [markdown]
-# ## Epipoles
+# ## What do the epipoles say?
 #
-# They are the images of the base, that is of the other center of projection.  The factor of an epipole may have either
-# sign.
+# **Definition.**  An epipole is the image of the other center of projection, that is, of the base.  $\mathbf C$ or
+# $\mathbf C^T$ takes it to zero (1.2.5).  Its factor may have either sign.
 
 # %%
 X0_left = vector(*sympy.symbols("X01 X02 X03"))
@@ -33,16 +36,20 @@ section.identity(
     derived=correlation(R_p, R_right, unit_base).T * base_left,
     constraints=CIRCLES_LEFT,
     witness=PYTHAGOREAN,
-    note="The left epipole; for both, and all rotations, see (1.2.5).",
 )
 section.identity(
     "2.2/base",
     "the epipoles are the images of the base",
     printed=columns(R_p.T * b_symbols, -R_pp.T * b_symbols),
-    where=dict(zip(b_symbols, unit_base, strict=True)),
+    where=given(b_symbols, unit_base),
     derived=columns(base_left, base_right),
-    note="Derived are the images of the other center.",
 )
+base_left
+
+# %% [markdown]
+# **Print.**  Each is a function of two angles, and does not depend on the tilt.
+
+# %%
 section.identity(
     "2.2/base#left",
     "image of the base in the left image",
@@ -63,26 +70,49 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Tip and swing
+# %% [markdown]
+# **An example.**  A left image with the tip whose sine is $-7/25$.
+
+# %%
+EXAMPLE = given((c_phip, s_phip, c_kappap, s_kappap), map(sympy.Rational, ("24/25", "-7/25", "1", "0")))
+picture = R_p.xreplace(EXAMPLE)
+corners = {f"{k}": picture * vector(x, y, -2) for k, (x, y) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1)), 1)}
+seen_base = picture.T * unit_base
+SpaceDrawing(
+    "The left image, with tip, and its center C'.  The base meets the plane of the image in the epipole E.",
+    {
+        "C'": vector(0, 0, 0),
+        "C''": 12 * unit_base,
+        "E": picture * (-2 / seen_base[2] * seen_base),
+        **corners,
+    },
+    segments=[("C'", "C''"), ("1", "2"), ("2", "3"), ("3", "4"), ("4", "1"), *(("C'", name) for name in corners)],
+    axes=("X_1", "X_2", "X_3"),
+)
+
+# %% [markdown]
+# ## How do tip and swing follow?
 #
-# $\lambda_0 (x_0, y_0, -c)^T$ is the image of the base.
+# **Definition.**  $\lambda_0 (x_0, y_0, -c)^T$ is the image of the base.
 
 # %%
 lam0, x0, y0, root = sympy.symbols("lam0 x0 y0 rho")
 
 
 def epipole(base_image: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
-    return dict(
-        zip(
-            (x0, y0, c), (over(base_image[0], lam0), over(base_image[1], lam0), over(-base_image[2], lam0)), strict=True
-        )
-    )
+    first, second, third = (over(component, lam0) for component in (*base_image[:2, :], -base_image[2]))
+    return given((x0, y0, c), (first, second, third))
 
 
 IMAGES = (
     ("'", "left", epipole(base_left), PHI_LEFT, KAPPA_LEFT),
     ("''", "right", epipole(base_right), PHI_RIGHT, KAPPA_RIGHT),
 )
+
+# %% [markdown]
+# **Print.**  The swing is a quotient of two coordinates, in which the factor cancels.
+
+# %%
 section.reference(
     "2.2/ref-2.3.1",
     "number of the equations for swing and tip",
@@ -100,8 +130,8 @@ for primes, image, coordinates, (_, _), (c_kappa, s_kappa) in IMAGES:
     )
 
 # %% [markdown]
-# The root $\sqrt{x_0^2 + y_0^2}$ is $\cos\varphi / |\lambda_0|$.  With the factors positive, as in the displays, the
-# sign of $\sin\varphi = \mp c \lambda_0$ differs between the images.
+# **And the tip?**  The root $\sqrt{x_0^2 + y_0^2}$ is $\cos\varphi / |\lambda_0|$.  With the factors positive, as in
+# the displays, the sign of $\sin\varphi = \mp c \lambda_0$ differs between the images.
 
 # %%
 for primes, image, coordinates, (c_phi, _), (c_kappa, s_kappa) in IMAGES:
@@ -112,7 +142,6 @@ for primes, image, coordinates, (c_phi, _), (c_kappa, s_kappa) in IMAGES:
         derived=over(c_phi, lam0) ** 2,
         constraints=[on_circle(c_kappa, s_kappa)],
         witness=PYTHAGOREAN,
-        note="It is cos phi / lambda0 where cosine and factor have the same sign.",
     )
 section.identity(
     "2.2/2.3.1#phi'",
@@ -120,7 +149,6 @@ section.identity(
     printed=-c / root,
     where=IMAGES[0][2] | {root: over(c_phip, lam0)},
     derived=over(s_phip, c_phip),
-    note="With a positive factor lambda0', that is x0' > 0 if cos kappa' > 0; for x0' < 0 the sign is the other.",
 )
 section.identity(
     "2.2/2.3.1#phi''",
@@ -135,6 +163,11 @@ section.identity(
     "+17.799 gon, not -17.8.  Ruled out: a negative factor, which means x0'' > 0, and a swing near 200 gon, which the "
     "correlation excludes, because it ties the signs of both epipoles (2.2/beyond/epipoles).",
 )
+
+# %% [markdown]
+# **One equation for both images**, whatever the sign of the factor, has the swing in it:
+
+# %%
 for primes, image, coordinates, (c_phi, s_phi), (c_kappa, _) in IMAGES:
     section.identity(
         f"2.2/beyond/phi{primes}",
@@ -142,13 +175,12 @@ for primes, image, coordinates, (c_phi, s_phi), (c_kappa, _) in IMAGES:
         printed=-c * c_kappa / x0,
         where=coordinates,
         derived=over(s_phi, c_phi),
-        note="Not in the paper: the same equation for both images, whatever the sign of the factor.",
     )
 
 # %% [markdown]
-# ## Tilt
+# ## How does the tilt follow?
 #
-# The third column of (2.1.3), with $k'_2 = 0$ and $\mathbf k''$ of (2.1.1).
+# **Definition.**  The third column of (2.1.3), with $k'_2 = 0$ and $\mathbf k''$ of (2.1.1).
 
 # %%
 i2, i3, j2, j3, k3 = sympy.symbols("i2p i3p j2p j3p k3p")
@@ -173,7 +205,7 @@ for place, (u2, u3) in enumerate(((i2, i3), (j2, j3))):
         same_as="2.2/tilt#13" if place else "",
     )
 section.identity("2.2/tilt#33", "element c33", printed=-k3 * s_omega * c_phipp, derived=column[2])
-OF_C = dict(zip((z13, z23, z33), (over(element, c32) for element in column), strict=True))
+OF_C = given((z13, z23, z33), (over(element, c32) for element in column))
 section.identity(
     "2.2/cosine",
     "cosine of the tip from the last equation",
@@ -181,6 +213,12 @@ section.identity(
     where=OF_C,
     derived=c_phipp,
 )
+
+# %% [markdown]
+# **Print.**  Put into the first or the second equation, it gives the tangent of the tilt: two forms, which agree for an
+# exact matrix of correlation.  The tangent gives the tilt up to 200 gon.
+
+# %%
 section.reference(
     "2.2/ref-2.3.2",
     "number of the equations for the tilt",
@@ -196,19 +234,22 @@ section.identity(
     printed=vector(*tangents),
     where=OF_C,
     derived=vector(*(over(s_omega, c_omega),) * 2),
-    note="For an exact matrix of correlation.  The tangent gives the tilt up to 200 gon, see 2.2/beyond/opposite.",
 )
+
+# %% [markdown]
+# Would other elements do?  None of the derivatives of the nine elements with respect to the tilt is zero: any will do.
+
+# %%
 rates = derivative(correlation(R_p, R_pp, unit_base), OMEGA)
 section.structure(
     "2.2/any",
     "the tilt occurs in every element of the matrix of correlation",
     printed=Matrix(3, 3, sympy.symbols("d:3:3")),
     derived=rates,
-    note="None of the derivatives is identically zero: any element will do.",
 )
 
 # %% [markdown]
-# ### Two forms
+# ### When do the two forms agree?
 #
 # For a measured $\mathbf Z$ the two forms differ, unless the left epipole satisfies the equation of the third column,
 # the third component of $\mathbf Z^T \mathbf x'_0 = \mathbf 0$.
@@ -227,9 +268,13 @@ section.identity(
     derived=second_product,
     constraints=[third_component, *CIRCLES_LEFT],
     witness=PYTHAGOREAN | {z13: 0, z23: 5, z33: 4},
-    note="Multiplied out.  If det(Z) = 0, the left epipole satisfies all three equations and the forms agree, even "
-    "where Z is no correlation of calibrated images.",
 )
+
+# %% [markdown]
+# If $\det \mathbf Z = 0$, the epipole satisfies all three equations and the forms agree, even where $\mathbf Z$ is no
+# correlation of calibrated images.  The condition is necessary as well, unless $z_{33} = 0$:
+
+# %%
 section.identity(
     "2.2/beyond/difference",
     "difference of the two forms",
@@ -237,13 +282,14 @@ section.identity(
     derived=first_product - second_product,
     constraints=CIRCLES_LEFT,
     witness=PYTHAGOREAN,
-    note="Not in the paper: times both denominators.  The condition is necessary as well, unless z33 = 0.",
 )
 
 # %% [markdown]
-# ## Quadrants
+# ## Which other angles have the same matrix?
 #
-# $\mathbf Z$ has no sign, and neither has an epipole.  Which angles belong to the same matrix?
+# $\mathbf Z$ has no sign, and neither has an epipole.  Two changes of the angles change no more than the sign of
+# $\mathbf C$.  Half a turn of the tilt: points in front of both images tell the two apart.  And half a turn of the
+# model about its third axis, which makes the base point the other way; $\cos\kappa' > 0$ excludes it.
 
 
 # %%
@@ -262,7 +308,6 @@ section.identity(
     "a tilt that differs by half a turn changes the sign of the matrix",
     printed=-C,
     derived=correlation(R_p, turn_omega(*opposite(*OMEGA)) * tip_and_swing, unit_base),
-    note="Not in the paper: a homogeneous matrix does not tell the two apart; points in front of both images do.",
 )
 half_turned_left = turn_phi(*reversed_angle(*PHI_LEFT)) * turn_kappa(*opposite(*KAPPA_LEFT))
 half_turned_right = (
@@ -273,12 +318,10 @@ section.identity(
     "both swings increased by half a turn and the other angles reversed change the sign of the matrix",
     printed=-C,
     derived=correlation(half_turned_left, half_turned_right, unit_base),
-    note="Not in the paper: the model turned by half a turn about its third axis, so that the base points the other "
-    "way. cos kappa' > 0 excludes it.",
 )
 
 # %% [markdown]
-# Nothing else is ambiguous, for the adjugate ties the signs of both epipoles: it is $\mathbf x''_0 \mathbf x'^T_0$
+# **Nothing else is ambiguous**, for the adjugate ties the signs of both epipoles: it is $\mathbf x''_0 \mathbf x'^T_0$
 # (section 1.2), with both vectors along the base.  A multiple of each with the right sign, if $i'_1 > 0$:
 
 # %%
@@ -289,8 +332,13 @@ section.identity(
     "both epipoles with their signs from the adjugate",
     printed=Matrix.hstack(dot(u, u) * v[0] * v, dot(u, u) * dot(v, v) * v[0] * u),
     derived=Matrix.hstack(A.T * A * e1, A * A.T * A * e1),
-    note="Not in the paper: u and v are the epipoles x0'' and x0', directed along the base, whatever the factor of C.",
 )
+
+# %% [markdown]
+# The tilt from the third column of $\mathbf R' \mathbf C$ uses all three equations of that column.  The factor of
+# $\mathbf C$ cancels from the tangent.
+
+# %%
 turned = R_p * C
 section.identity(
     "2.2/beyond/tilt",
@@ -299,75 +347,4 @@ section.identity(
     derived=vector(turned[1, 2], turned[2, 2]),
     constraints=CIRCLES_LEFT,
     witness=PYTHAGOREAN,
-    note="Not in the paper: the third column of R' C, which uses all three equations of the third column and in which "
-    "the factor of C cancels from the tangent.",
-)
-
-# %% [markdown]
-# ## Code
-#
-# The five angles from the adjugate $\mathbf A$ of any multiple of $\mathbf C$, with $\cos\kappa'$, $\cos\varphi'$,
-# $\cos\Omega''$ and $\cos\varphi''$ positive and $\kappa''$ anywhere.
-
-# %%
-C_symbols = Matrix(3, 3, lambda row, column: sympy.Symbol(f"c{row + 1}{column + 1}"))
-A_symbols = Matrix(3, 3, lambda row, column: sympy.Symbol(f"a{row + 1}{column + 1}"))
-axis_left, axis_right = vector(*sympy.symbols("u1p u2p u3p")), vector(*sympy.symbols("u1pp u2pp u3pp"))
-phi_left, kappa_left, tilt, phi_right, kappa_right = sympy.symbols("phip kappap omegapp phipp kappapp")
-turned = R_p * C_symbols
-
-
-def named(symbols: Matrix, values: Matrix):
-    return let(dict(zip(symbols, values, strict=True)))
-
-
-def tip_of(axis: Matrix, cosine: sympy.Symbol, sine: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
-    """Return sine and cosine of the tip, times the length of the vector along the base."""
-    return axis[2], axis[0] * cosine - axis[1] * sine
-
-
-section.kernel(
-    "metric.rotations_from_correlation",
-    "Tip and swing of the left image, tilt, tip and swing of the right image from the matrix of correlation.",
-    arguments={"C": C_symbols, "c": c},
-    describe={
-        "C": "Matrix of correlation R'^T B R'' of image vectors (x, y, -c), up to any factor.",
-        "c": "Principal distance c of the image vectors to which C refers, in their unit.  The angles do not depend on "
-        "it.",
-    },
-    through=[
-        named(A_symbols, adjugate(C_symbols)),
-        named(axis_left, A_symbols.T * A_symbols.col(0)),
-        named(axis_right, A_symbols * axis_left),
-        arctan2(kappa_left, -axis_left[1], axis_left[0]),
-        cos_sin(*KAPPA_LEFT, kappa_left),
-        arctan2(phi_left, *tip_of(axis_left, *KAPPA_LEFT)),
-        cos_sin(*PHI_LEFT, phi_left),
-        arctan2(kappa_right, -axis_right[1], axis_right[0]),
-        cos_sin(*KAPPA_RIGHT, kappa_right),
-        arctan2(phi_right, *tip_of(axis_right, *KAPPA_RIGHT)),
-        arctan2(tilt, turned[2, 2] * turned[1, 2], turned[1, 2] ** 2),
-    ],
-    derived={
-        "phi_left": phi_left,
-        "kappa_left": kappa_left,
-        "omega_right": tilt,
-        "phi_right": phi_right,
-        "kappa_right": kappa_right,
-    },
-    claims=[
-        "1.2/beyond/adjugate",
-        "1.2/beyond/cofactors",
-        "2.2/base#left",
-        "2.2/base#right",
-        "2.2/beyond/epipoles",
-        "2.2/beyond/tilt",
-        "2.2/beyond/opposite",
-        "2.2/beyond/half-turn",
-    ],
-    example={
-        "C": (("-0.004", "0.266", "0.011"), ("0.285", "0.017", "-0.995"), ("-0.007", "1", "0.013")),
-        "c": "51.18",
-    },
-    normwise=True,
 )

@@ -1,13 +1,14 @@
 # %% [markdown]
 # # 2.3 Adjustment
 #
-# Small rotations improve the approximate matrices of orientation.  The condition of coplanarity, linear in the
-# rotations and in the residuals of the coordinates, is an observation equation of its own for each point.
+# Eight measured points determine $\mathbf Z$, and not quite two rotations.  How are the five angles found that fit all
+# points best?  Small rotations improve approximate matrices.  The condition of coplanarity, linear in the rotations and
+# in the residuals of the coordinates, becomes an observation equation of its own for each point.
 
 # %%
 import sympy
 
-from algebroproj_derivations.drivers import adjust
+from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, determinant, diff, dot, inverse, linear_system, over, vector
@@ -15,35 +16,35 @@ from algebroproj_sym.expressions import Matrix, determinant, diff, dot, inverse,
 section = Section("normalcase1992", "2.3", "Adjustment")
 
 # %% [markdown]
-# ## Small rotations
+# ## What is a small rotation?
 #
-# The exact derivatives of $\mathbf R(\Omega, \varphi, \kappa)$ where all angles are zero.
+# **Definition.**  The derivatives of $\mathbf R(\Omega, \varphi, \kappa)$ of section 2.1 where all angles are zero:
+# what is of first order in $d\mathbf R - \mathbf E$.
 
 # %%
-NO_TURN = {cosine: sympy.Integer(1) for cosine, _ in (OMEGA, PHI_RIGHT, KAPPA_RIGHT)}
-NO_TURN |= {sine: sympy.Integer(0) for _, sine in (OMEGA, PHI_RIGHT, KAPPA_RIGHT)}
+NO_TURN = given((c_omega, s_omega, c_phipp, s_phipp, c_kappapp, s_kappapp), map(sympy.Integer, (1, 0, 1, 0, 1, 0)))
 turn = turn_omega(*OMEGA) * turn_phi(*PHI_RIGHT) * turn_kappa(*KAPPA_RIGHT)
-d_turn = sum(
-    (
-        change * derivative(turn, angle).xreplace(NO_TURN)
-        for change, angle in ((domega, OMEGA), (dphi, PHI_RIGHT), (dkappa, KAPPA_RIGHT))
-    ),
-    Matrix.zeros(3, 3),
-)
+by_omega, by_phi, by_kappa = (derivative(turn, angle).xreplace(NO_TURN) for angle in (OMEGA, PHI_RIGHT, KAPPA_RIGHT))
+d_turn = domega * by_omega + dphi * by_phi + dkappa * by_kappa
+d_turn
+
+# %% [markdown]
+# **Print.**
+
+# %%
 section.identity(
     "2.3/dA",
     "matrix of small rotations",
     printed=Matrix([[0, -dkappa, dphi], [dkappa, 0, -domega], [-dphi, domega, 0]]),
     derived=d_turn,
-    note="The first order of dR - E, with the matrices of section 2.1.",
 )
 
 # %% [markdown]
-# ## Linearisation
+# ## How does the condition change?
 #
-# The left image has no tilt.  The condition $\mathbf x'^T \mathbf R'^T \mathbf B \mathbf R'' \mathbf x'' = 0$ with
-# $\mathbf R = (\mathbf E + d\mathbf A) (\mathbf R)$ and with residuals: a parameter $\varepsilon$ multiplies all that
-# is small, and what is of first order is the derivative for $\varepsilon = 0$.
+# **Definition.**  The left image has no tilt.  The condition $\mathbf x'^T \mathbf R'^T \mathbf B \mathbf R'' \mathbf
+# x'' = 0$ with $\mathbf R = (\mathbf E + d\mathbf A) (\mathbf R)$ and with residuals: a parameter $\varepsilon$
+# multiplies all that is small, and what is of first order is the derivative for $\varepsilon = 0$.
 
 # %%
 dphi_p, dkappa_p = sympy.symbols("dphip dkappap")
@@ -57,22 +58,30 @@ vxp, vyp, vxpp, vypp = residuals = sympy.symbols("vxp vyp vxpp vypp")
 v_left, v_right = vector(vxp, vyp, 0), vector(vxpp, vypp, 0)
 B = matrix_of_base(unit_base)
 
+
+# %% [markdown]
+# **Print.**  Two products that the paper needs.  The scan lists their elements column by column; as rows they would be
+# the transposes.
+
+# %%
 section.identity(
     "2.3/dA'B",
     "product of the small rotations of the left image and B",
     printed=Matrix([[0, -dphi_p, -dkappa_p], [0, 0, 0], [0, 0, 0]]),
     derived=small_left.T * B,
-    note="The scan lists the elements column by column.  As rows they would be the transpose, which is not the "
-    "product.",
 )
 section.identity(
     "2.3/BdA''",
     "product of B and the small rotations of the right image",
     printed=Matrix([[0, 0, 0], [dphi_pp, -domega_pp, 0], [dkappa_pp, 0, -domega_pp]]),
     derived=B * small_right,
-    note="The scan lists the elements column by column, as in 2.3/dA'B.",
 )
 
+# %% [markdown]
+# **Derivation.**  The condition with all that is small, and its derivative.  The scan breaks off after the equals sign.
+# The products and substitutions that the text explains afterwards are the terms of this sum, and there is no other one.
+
+# %%
 small = sympy.Symbol("epsilon")
 turned_left, turned_right = (E3 + small * small_left) * R_left, (E3 + small * small_right) * R_right
 condition = dot(turned_left * (x_left + small * v_left), B * turned_right * (x_right + small * v_right))
@@ -93,6 +102,11 @@ section.identity(
     note="The scan breaks off after the equals sign.  The products and substitutions that the text explains "
     "afterwards are the terms of this sum, and there is no other one.",
 )
+
+# %% [markdown]
+# The residuals enter through the epipolar lines.
+
+# %%
 h_left, h_right = C * x_right, C.T * x_left
 section.identity(
     "2.3/substitutions",
@@ -102,14 +116,14 @@ section.identity(
 )
 
 # %% [markdown]
-# ## The linearised equation
+# ## Which equation is linear in the rotations?
 #
-# $\delta p + \mathbf h' \mathbf v' + \mathbf h'' \mathbf v''$ on the left, the rotations on the right.
+# **Print.**  $\delta p + \mathbf h' \mathbf v' + \mathbf h'' \mathbf v''$ on the left, the rotations on the right.
 
 # %%
 p1p, p2p, p3p = projector_left = vector(*sympy.symbols("p1p p2p p3p"))
 p1pp, p2pp, p3pp = projector_right = vector(*sympy.symbols("p1pp p2pp p3pp"))
-IN_IMAGES = dict(zip((*projector_left, *projector_right), (*p_left, *p_right), strict=True))
+IN_IMAGES = given((*projector_left, *projector_right), (*p_left, *p_right))
 PRINTED = {
     dphi_p: ("dphi'", p1p * p2pp),
     dkappa_p: ("dkappa'", p1p * p3pp),
@@ -144,11 +158,16 @@ section.identity(
     "left side of the linearised equation",
     printed=dot(x_left, C * x_right) + dot(h_left, v_left) + dot(h_right, v_right),
     derived=(condition.subs(small, 0) + first_order).subs(dict.fromkeys(unknowns, 0)),
-    note="The second line is h''; the scan shows h' twice.",
 )
+
+# %% [markdown]
+# **Which sign has $d\Omega''$?**  A second derivation decides: exact derivatives of the condition with finite rotations
+# $d\mathbf R$ in place of $\mathbf E + d\mathbf A$, at $d\mathbf R = \mathbf E$.  The sign is plus.
+
+# %%
 p_rotated = turn_phi(*PHI_LEFT) * turn_kappa(*KAPPA_LEFT) * projector_left, turn * projector_right
 rotated = dot(p_rotated[0], B * p_rotated[1])
-NO_TURN_LEFT = {c_phip: 1, c_kappap: 1, s_phip: 0, s_kappap: 0}
+NO_TURN_LEFT = given((c_phip, c_kappap, s_phip, s_kappap), (1, 1, 0, 0))
 coefficients_of_projectors = vector(p1p * p2pp, p1p * p3pp, p2p * p2pp + p3p * p3pp, -p1pp * p2p, -p1pp * p3p)
 section.identity(
     "2.3/beyond/finite",
@@ -160,14 +179,13 @@ section.identity(
             for angle in (PHI_LEFT, KAPPA_LEFT, OMEGA, PHI_RIGHT, KAPPA_RIGHT)
         )
     ),
-    note="Not in the paper: exact derivatives of the condition with dR in place of E + dA, at dR = E; the corrected "
-    "sign of dOmega'' again.",
 )
 
 # %% [markdown]
-# ## Fictitious residuals
+# ## With which weight?
 #
-# Residuals have no third component, nor do the products with the lines.
+# **Definition.**  The residuals of one equation are put together to a single one, the fictitious residual.  They have
+# no third component, nor do the products with the lines.
 
 # %%
 h1p, h2p, h3p = line_left = vector(*sympy.symbols("h1p h2p h3p"))
@@ -181,6 +199,11 @@ section.identity(
 )
 
 
+# %% [markdown]
+# **Print.**  Its reciprocal weight is its variance, for coordinates that are not correlated.
+
+
+# %%
 def variance_of(linear_form: sympy.Expr, variables: tuple[sympy.Symbol, ...], dispersion: Matrix) -> sympy.Expr:
     """Return the variance of a linear form of stochastic variables."""
     gradient = vector(*(diff(linear_form, variable) for variable in variables))
@@ -194,7 +217,6 @@ section.identity(
     "weight of a fictitious residual",
     printed=h1p**2 / gxp + h2p**2 / gyp + h1pp**2 / gxpp + h2pp**2 / gypp,
     derived=variance_of(fictitious, residuals, Matrix.diag(*(over(1, weight) for weight in weights))),
-    note="The reciprocal weight is the variance, for uncorrelated coordinates with the variances 1/g.",
 )
 equal_variances = sigma**2 * Matrix.eye(4)
 section.identity(
@@ -205,8 +227,9 @@ section.identity(
 )
 
 # %% [markdown]
-# Each equation has residuals of its own: the scheme of the eight equations, and the dispersion of their fictitious
-# residuals, which is diagonal.
+# **Why is each equation an observation equation?**  Each has residuals of its own.  In the scheme of the eight
+# equations, 32 residuals and five unknowns, no two rows share one.  So the dispersion of the fictitious residuals is
+# diagonal, and conditions with unknowns become observation equations with the weights (2.3.1).
 
 # %%
 numbers = range(1, 9)
@@ -228,7 +251,6 @@ section.structure(
     "scheme of the linearised equations",
     printed=stars,
     derived=scheme,
-    note="Coefficients of the 32 residuals and the five unknowns in eight equations.",
 )
 coefficients = scheme[:, :32]
 section.identity(
@@ -238,11 +260,11 @@ section.identity(
         {sympy.Symbol(f"sigma_{n}"): sigma for n in numbers}
     ),
     derived=sigma**2 * coefficients * coefficients.T,
-    note="Why conditions with unknowns become observation equations with the weights (2.3.1).",
 )
 
 # %% [markdown]
-# ## The determinant
+# **And the determinant?**  That of a matrix of correlation is zero for any matrices of orientation.  Eight measured
+# points do not ensure it; the adjustment does.
 
 # %%
 section.identity(
@@ -250,15 +272,15 @@ section.identity(
     "determinant of a matrix of correlation",
     printed=0,
     derived=determinant(C),
-    note="For any matrices of orientation; eight measured points do not ensure it.",
 )
 
 # %% [markdown]
-# ## Dispersion of the rotations
+# ## How uncertain are the rotations?
 #
-# Conditions with unknowns, $\mathbf B_v \mathbf v + \mathbf A\, d\mathbf a = \mathbf l$ with the dispersion
-# $\sigma^2 \mathbf E$ of all coordinates.  The estimate is linear in the observed parallaxes $\mathbf l$; its
-# dispersion follows by propagation.  Three equations with two unknowns show the general rule.
+# **Definition.**  Conditions with unknowns, $\mathbf B_v \mathbf v + \mathbf A\, d\mathbf a = \mathbf l$ with the
+# dispersion $\sigma^2 \mathbf E$ of all coordinates.  The estimate is linear in the observed parallaxes $\mathbf l$;
+# its dispersion follows by propagation.  Three equations with two unknowns show the general rule: $w$ are the sums of
+# squares in (2.3.1), and $\mathbf Q$ is the inverse of the normal equations with the weights $1 / w$.
 
 # %%
 design = Matrix(3, 2, sympy.symbols("a:3:2"))
@@ -272,15 +294,18 @@ section.identity(
     "dispersion of the estimated rotations",
     printed=sigma**2 * Q,
     derived=estimator * (sigma**2 * Matrix.diag(*squares)) * estimator.T,
-    note="w are the sums of squares in (2.3.1), Q is the inverse matrix of normal equations with the weights 1/w.",
 )
 section.identity(
     "2.3/beyond/unbiased",
     "the estimator reproduces the unknowns",
     printed=Matrix.eye(2),
     derived=estimator * design,
-    note="Not in the paper.",
 )
+
+# %% [markdown]
+# **Print.**  By images, two rotations of the left one and three of the right one.  A dispersion is symmetric.
+
+# %%
 Q_all = Matrix(5, 5, lambda i, j: sympy.Symbol(f"Q{min(i, j) + 1}_{max(i, j) + 1}"))
 Q11, Q12, Q22 = Q_all[:2, :2], Q_all[:2, 2:], Q_all[2:, 2:]
 section.identity(
@@ -288,11 +313,11 @@ section.identity(
     "dispersion by images",
     printed=sigma**2 * Q11.row_join(Q12).col_join(Q12.T.row_join(Q22)),
     derived=sigma**2 * Q_all,
-    note="A dispersion is symmetric: the lower block is the transpose of the upper one.",
 )
 
 # %% [markdown]
-# The left image is not tilted: its three rotations are $(0, d\varphi', d\kappa')$.
+# **With three rotations of each image.**  The left image is not tilted: its three rotations are $(0, d\varphi',
+# d\kappa')$.
 
 # %%
 of_left = Matrix.zeros(1, 5).col_join(Matrix.eye(2).row_join(Matrix.zeros(2, 3)))
@@ -300,7 +325,7 @@ of_right = Matrix.zeros(3, 2).row_join(Matrix.eye(3))
 S_a = sigma**2 * Q_all
 s_phiphi, s_phikappa, s_kappakappa = sympy.symbols("s_phiphi s_phikappa s_kappakappa")
 s_omegaomega, s_omegaphi, s_omegakappa = sympy.symbols("s_omegaomega s_omegaphi s_omegakappa")
-IN_Q_LEFT = dict(zip((s_phiphi, s_phikappa, s_kappakappa), (S_a[0, 0], S_a[0, 1], S_a[1, 1]), strict=True))
+IN_Q_LEFT = given((s_phiphi, s_phikappa, s_kappakappa), (S_a[0, 0], S_a[0, 1], S_a[1, 1]))
 section.identity(
     "2.3/S_a'",
     "dispersion of the rotations of the left image",
@@ -309,14 +334,16 @@ section.identity(
     ),
     where=IN_Q_LEFT,
     derived=Matrix.hstack(*(of_left * S_a * of_left.T,) * 2),
-    note="Both members: by blocks, and element by element.",
 )
-IN_Q_RIGHT = dict(
-    zip(
-        (s_omegaomega, s_omegaphi, s_omegakappa, s_phiphi, s_phikappa, s_kappakappa),
-        (S_a[2, 2], S_a[2, 3], S_a[2, 4], S_a[3, 3], S_a[3, 4], S_a[4, 4]),
-        strict=True,
-    )
+
+# %% [markdown]
+# **And of the right image.**  The scan has lost the first column of the matrix of variances and lists the others as
+# rows.
+
+# %%
+IN_Q_RIGHT = given(
+    (s_omegaomega, s_omegaphi, s_omegakappa, s_phiphi, s_phikappa, s_kappakappa),
+    (S_a[2, 2], S_a[2, 3], S_a[2, 4], S_a[3, 3], S_a[3, 4], S_a[4, 4]),
 )
 section.identity(
     "2.3/S_a''",
@@ -326,8 +353,6 @@ section.identity(
     ),
     where=IN_Q_RIGHT,
     derived=(of_right * S_a * of_right.T).row_join(of_right * S_a * of_right[1:, :].T),
-    note="The first member, and the last two columns of the matrix of variances; the scan has lost the first one, and "
-    "lists the others as rows.",
 )
 section.identity(
     "2.3/S_a''#first-column",
@@ -339,41 +364,3 @@ section.identity(
     corrected=vector(s_omegaomega, s_omegaphi, s_omegakappa),
     note="By the symmetry of the matrix.",
 )
-
-# %% [markdown]
-# ## Code
-#
-# The row of one point; the right side is its parallax $\delta p$.
-
-# %%
-coefficients_of_rotations = vector(*(-diff(first_order, unknown) for unknown in unknowns))
-section.kernel(
-    "metric.coplanarity_row",
-    "Coefficients of the small rotations (dphi', dkappa', dOmega'', dphi'', dkappa'') in the equation of coplanarity.",
-    arguments={
-        "x_left": vector(xp, yp),
-        "x_right": vector(xpp, ypp),
-        "R_left": R_left,
-        "R_right": R_right,
-        "c": c,
-    },
-    describe={
-        "x_left": "Left image point (x', y'), centered at the principal point, in the unit of c.",
-        "x_right": "Homologous right image point (x'', y''), centered at the principal point, in the unit of c.",
-        "R_left": ABOUT_R_LEFT,
-        "R_right": ABOUT_R_RIGHT,
-        "c": ABOUT_C + "  The coefficients, for rotations in radians, have the square of this unit.",
-    },
-    derived=coefficients_of_rotations,
-    form=coefficients_of_projectors,
-    where=IN_IMAGES,
-    claims=[*(f"2.3/linear#{name}" for name, _ in PRINTED.values()), "2.3/beyond/finite"],
-    example={
-        "x_left": ("-10.62", "1.694"),
-        "x_right": ("-1.851", "2.316"),
-        "R_left": (("0.96", "0", "-0.28"), ("0", "1", "0"), ("0.28", "0", "0.96")),
-        "R_right": (("0.96", "0", "0.28"), ("0", "1", "0"), ("-0.28", "0", "0.96")),
-        "c": "51.18",
-    },
-)
-section.driver("metric.adjust", adjust)

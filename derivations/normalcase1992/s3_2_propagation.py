@@ -1,18 +1,25 @@
 # %% [markdown]
 # # 3.2 Propagation of errors concerning transformation
 #
-# The normal case coordinates depend on the rotations and on the image coordinates.  Along
-# $\mathbf R = (\mathbf E + \varepsilon\, d\mathbf A) \mathbf R$, $\mathbf x + \varepsilon\, d\mathbf x$ their exact
-# derivatives for $\varepsilon = 0$ are the differentials.
+# The coordinates of the normal case depend on the rotations and on the image coordinates, and both are uncertain.  How
+# uncertain are they?  Along $\mathbf R = (\mathbf E + \varepsilon\, d\mathbf A) \mathbf R$, $\mathbf x + \varepsilon\,
+# d\mathbf x$ their exact derivatives for $\varepsilon = 0$ are the differentials.  The propagation of variances
+# follows.
 
 # %%
 import sympy
 
+from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, diff, dot, linear_system, over, vector
 
 section = Section("normalcase1992", "3.2", "Propagation of errors concerning transformation")
+
+# %% [markdown]
+# ## How do the coordinates change?
+#
+# **Definition.**
 
 # %%
 dx, dy, small = sympy.symbols("dx dy epsilon")
@@ -31,11 +38,11 @@ xn, yn, tau, dtau, dxn, dyn = sympy.symbols("xN yN tau dtau dxN dyN")
 normal, d_normal = image_vector(xn, yn), vector(dxn, dyn, 0)
 coordinates, factor = image_of(projector), over(-projector[2], c)
 d_coordinates, d_factor = rate(image_of(moved)), rate(over(-moved[2], c))
-OF_IMAGE = dict(zip((xn, yn, tau), (*coordinates, factor), strict=True))
-DIFFERENTIALS = OF_IMAGE | dict(zip((dxn, dyn, dtau), (*d_coordinates, d_factor), strict=True))
+OF_IMAGE = given((xn, yn, tau), (*coordinates, factor))
+DIFFERENTIALS = OF_IMAGE | given((dxn, dyn, dtau), (*d_coordinates, d_factor))
 
 # %% [markdown]
-# ## Differentials
+# **Print.**  First the differential of the projective transformation (1.1.4), as vectors.
 
 # %%
 section.identity(
@@ -45,6 +52,12 @@ section.identity(
     where=DIFFERENTIALS,
     derived=(tau * small_turn * normal + R_any * d_image).xreplace(OF_IMAGE),
 )
+
+# %% [markdown]
+# Then its three components, left minus right side.  The third gives the factor: $-\tau c = \mathbf e_3 \cdot \mathbf
+# x$.
+
+# %%
 row1, row2, row3 = (R_any.row(place).T for place in range(3))
 for place, left_side, right_side in (
     (1, tau * (dxn + yn * dkappa + c * dphi), dot(row1, d_image) - xn * dtau),
@@ -57,18 +70,19 @@ for place, left_side, right_side in (
         printed=left_side - right_side,
         where=DIFFERENTIALS,
         derived=0,
-        note="Left minus right side, with the exact differentials.",
     )
 section.identity(
     "3.2/tau",
     "the factor from the third component",
     printed=-dot(row3, x_vector) / c,
     derived=over((R_any * x_vector)[2], -c),
-    note="The third component of (1.1.4), -tau c = e3.x.",
 )
 
 # %% [markdown]
-# ## Coefficients of the rotations
+# ## By rotations?
+#
+# **Print.**  The derivatives with respect to $d\Omega, d\varphi, d\kappa$.  The display is scanned as a table without
+# brackets.
 
 # %%
 B_a = columns(*(diff(d_coordinates, angle) for angle in d_angles))
@@ -78,7 +92,7 @@ BRACKETS = TABLE + "it shows -c^2 + xN^2, which is right in brackets after the m
 CELLS = (
     ("11", None, xn * yn / c, BAR),
     ("12", None, -(c**2 + xn**2) / c, BRACKETS),
-    ("13", -yn, None, "Read as yN c, where the scan shows 'yM c'."),
+    ("13", -yn, None, ""),
     ("21", (c**2 + yn**2) / c, None, ""),
     ("22", -xn * yn / c, None, ""),
     ("23", xn, None, ""),
@@ -94,6 +108,11 @@ for name, printed, corrected, note in CELLS:
         **verdict,
         note=note,
     )
+
+# %% [markdown]
+# The six elements put together:
+
+# %%
 B_a_of_normal = Matrix([[xn * yn, -(c**2 + xn**2), -c * yn], [c**2 + yn**2, -xn * yn, c * xn]]) / c
 section.identity(
     "3.2/beyond/B_a",
@@ -101,11 +120,12 @@ section.identity(
     printed=B_a_of_normal,
     where=OF_IMAGE,
     derived=B_a,
-    note="Not in the paper: the six cells put together.",
 )
 
 # %% [markdown]
-# ## Coefficients of the image coordinates
+# ## By shifts in the image?
+#
+# **Print.**  The derivatives with respect to $dx, dy$ have the divisor $\mathbf e_3 \cdot \mathbf x$, and a wrong sign.
 
 # %%
 i1, j1, _, i2, j2, _, i3, j3, _ = R_any
@@ -123,19 +143,23 @@ section.identity(
     "needs the minus sign.  The dispersion, quadratic in B_x, is not affected.",
     follows="All four elements have the wrong sign. The dispersion, which is quadratic in them, does not notice it.",
 )
+
+# %% [markdown]
+# Together they are the differential, linear in rotations and shifts.
+
+# %%
 section.identity(
     "3.2.1",
     "differential of the transformation",
     printed=B_a * vector(*d_angles) + B_x * vector(dx, dy),
     derived=d_coordinates,
-    note="Linear in rotations and shifts, with the exact coefficients.",
 )
 
 # %% [markdown]
-# ## Dispersion
+# ## What is the dispersion?
 #
-# The exact Jacobian matrix of the coordinates with respect to rotations and image coordinates, applied to their joint
-# dispersion, in which rotations and image coordinates are not correlated.
+# **Definition.**  The exact Jacobian matrix of the coordinates with respect to rotations and image coordinates, applied
+# to their joint dispersion, in which rotations and image coordinates are not correlated.
 
 # %%
 sigma = sympy.Symbol("sigma")
@@ -145,7 +169,7 @@ joint = sigma**2 * Matrix.diag(Q_a, Matrix.eye(2))
 S_N = jacobian * joint * jacobian.T
 B_a_any = Matrix(2, 3, lambda r, s: sympy.Symbol(f"Ba{r + 1}{s + 1}"))
 B_x_any = Matrix(2, 2, lambda r, s: sympy.Symbol(f"Bx{r + 1}{s + 1}"))
-COEFFICIENTS = dict(zip((*B_a_any, *B_x_any), (*B_a, *B_x), strict=True))
+COEFFICIENTS = given((*B_a_any, *B_x_any), (*B_a, *B_x))
 section.identity(
     "3.2.2",
     "dispersion of the normal case coordinates",
@@ -155,8 +179,13 @@ section.identity(
     ),
     where=COEFFICIENTS,
     derived=Matrix.hstack(S_N, S_N),
-    note="The last two members; the first ones are the same products before the expectations are inserted.",
 )
+
+# %% [markdown]
+# **Are rotations and image coordinates independent?**  The paper says so.  If they are not, and $\mathbf m$ are their
+# covariances, two terms are missing:
+
+# %%
 mixed = Matrix(3, 2, sympy.symbols("m:3:2"))
 section.identity(
     "3.2/beyond/mixed",
@@ -164,12 +193,12 @@ section.identity(
     printed=B_a_any * mixed * B_x_any.T + (B_a_any * mixed * B_x_any.T).T,
     where=COEFFICIENTS,
     derived=jacobian * Matrix.zeros(3, 3).row_join(mixed).col_join(mixed.T.row_join(Matrix.zeros(2, 2))) * jacobian.T,
-    note="Not in the paper: m is the covariance of rotations and image coordinates.  The paper says that they are "
-    "independent.  They are for points that are not used in the adjustment; see 3.2/beyond/dependent.",
 )
 
 # %% [markdown]
 # The rotations are linear functions of the observed parallaxes, and a parallax contains the errors of its own point.
+# So a point of the adjustment is correlated with the rotations.  Shown are three points for all: the estimator $\mathbf
+# k$ takes parallaxes to rotations, and $\mathbf h$ are the epipolar lines of each point.
 
 # %%
 estimator = Matrix(2, 3, sympy.symbols("k:2:3"))
@@ -181,10 +210,12 @@ section.identity(
     "covariance of the rotations and the coordinates of a point of the adjustment",
     printed=sigma**2 * estimator.col(0) * h.row(0),
     derived=estimator * parallax_rows * (sigma**2 * Matrix.eye(12)) * of_first_point,
-    note="Not in the paper: three points for all.  The estimator k takes parallaxes to rotations, h are the epipolar "
-    "lines of each point.",
 )
 
+# %% [markdown]
+# For a point that is not used in the adjustment the paper is right.
+
+# %%
 section.identity(
     "3.2/independent",
     "rotations and image coordinates are independent",
@@ -192,14 +223,16 @@ section.identity(
     derived=(estimator * parallax_rows).row_join(Matrix.zeros(2, 4))
     * (sigma**2 * Matrix.eye(16))
     * Matrix.zeros(12, 4).col_join(Matrix.eye(4)),
-    note="For the images of any point that is not used in the adjustment; for one that is, see 3.2/beyond/dependent.",
 )
 
 # %% [markdown]
-# ## Images close to the normal case
+# ## And close to the normal case?
+#
+# **Definition.**  Without rotation $\mathbf e_3 \cdot \mathbf x = -c$ and $\mathbf B_x = \mathbf E$: uncertain
+# rotations aside, the dispersion of the coordinates stays as it is.
 
 # %%
-NO_ROTATION = dict(zip(R_any, E3, strict=True))
+NO_ROTATION = given(R_any, E3)
 section.identity(
     "3.2/normal#e3.x",
     "divisor without rotation",
@@ -217,19 +250,24 @@ section.identity(
     "the uncertainties of the coordinates add directly",
     printed=sigma**2 * Matrix.eye(2),
     derived=S_N.xreplace(NO_ROTATION | dict.fromkeys(Q_a, sympy.Integer(0))),
-    note="B_x B_x^T = E: the dispersion without uncertainty of the rotations.",
 )
 
 # %% [markdown]
-# ## Weights of the normal case
+# ## Which points have the greatest weight?
 #
-# A fictitious residual is the change of the parallax $\mathbf x'^T \mathbf C_N \mathbf x''$; its variance follows from
-# the derivatives with respect to the four coordinates.
+# **Definition.**  A fictitious residual is the change of the parallax $\mathbf x'^T \mathbf C_N \mathbf x''$; its
+# variance follows from the derivatives with respect to the four coordinates.
 
 # %%
 parallax = dot(x_left, correlation(E3, E3, unit_base) * x_right)
 slopes, _ = linear_system([parallax], (xp, yp, xpp, ypp))
 variance = dot(sigma * slopes.T, sigma * slopes.T)
+variance
+
+# %% [markdown]
+# **Print.**  The paper has $y$ in it, and concludes that the weights decrease with $y$.  They do not depend on it.
+
+# %%
 section.identity(
     "3.2.3",
     "weight of a fictitious residual in the normal case",
@@ -253,81 +291,4 @@ section.identity(
     note="The sentence that the weights decrease strictly with y: 1/g would have the derivative 4 sigma^2 y.  In fact "
     "all weights are equal.",
     same_as="3.2.3",
-)
-
-# %% [markdown]
-# ## Code
-
-# %%
-S_symbols = Matrix(3, 3, lambda r, s: sympy.Symbol(f"s{r + 1}{s + 1}"))
-variance_of_image = sympy.Symbol("variance")
-x_normal = vector(xn, yn)
-image_and_orientation = {"R": R_any, "x": vector(x, y), "c": c}
-about_image = {"R": ABOUT_R, "x": ABOUT_X, "c": ABOUT_C}
-EXAMPLE = {
-    "R": (("0.96", "0", "-0.28"), ("0", "1", "0"), ("0.28", "0", "0.96")),
-    "x": ("-10.62", "1.694"),
-    "c": "51.18",
-}
-
-depth, slope_x, slope_y = sympy.symbols("depth slope_x slope_y")
-SLOPES = {
-    depth: dot(row3, x_vector),
-    slope_x: dot(row1, x_vector) / depth,
-    slope_y: dot(row2, x_vector) / depth,
-}
-B_a_of_slopes = c * Matrix(
-    [[slope_x * slope_y, -1 - slope_x**2, slope_y], [1 + slope_y**2, -slope_x * slope_y, -slope_x]]
-)
-
-
-def shifts_of(row: Matrix) -> Matrix:
-    """Return the derivatives of one coordinate, with products in which no terms are left that cancel."""
-    (ij, ik), jk = (row[0] * row3[k] - row[k] * row3[0] for k in (1, 2)), row[1] * row3[2] - row[2] * row3[1]
-    return c / depth**2 * Matrix([[ik * c - ij * y, ij * x + jk * c]])
-
-
-B_x_of_minors = shifts_of(row1).col_join(shifts_of(row2))
-
-section.kernel(
-    "metric.jacobian_angles",
-    "Derivatives of normal case coordinates with respect to small rotations (dOmega, dphi, dkappa).",
-    arguments={"x_n": x_normal, "c": c},
-    describe={
-        "x_n": "Image point (xN, yN) of the normal case, in the unit of c.",
-        "c": ABOUT_C + "  The derivatives have this unit per radian.",
-    },
-    derived=Matrix([[over(xn * yn, c), -c - over(xn**2, c), -yn], [c + over(yn**2, c), -over(xn * yn, c), xn]]),
-    claims=["3.2/beyond/B_a", "3.2.1"],
-    example={"x_n": ("5.5", "-12.25"), "c": "51.18"},
-)
-section.kernel(
-    "metric.jacobian_image",
-    "Derivatives of normal case coordinates with respect to the image coordinates.",
-    arguments=image_and_orientation,
-    describe=about_image,
-    derived=B_x,
-    form=B_x_of_minors,
-    where=SLOPES,
-    claims=["3.2.1#B_x", "3.2.1"],
-    example=EXAMPLE,
-)
-section.kernel(
-    "metric.normal_covariance",
-    "Dispersion of normal case coordinates from those of the rotations and of the image coordinates.",
-    arguments={**image_and_orientation, "S_a": S_symbols, "variance": variance_of_image},
-    describe={
-        **about_image,
-        "S_a": "Dispersion of the rotations (dOmega, dphi, dkappa), in radians squared; symmetric.",
-        "variance": "Variance of an image coordinate, in the square of the unit of c.",
-    },
-    derived=B_a * S_symbols * B_a.T + variance_of_image * B_x * B_x.T,
-    form=B_a_any * S_symbols * B_a_any.T + variance_of_image * B_x_any * B_x_any.T,
-    where=SLOPES | dict(zip((*B_a_any, *B_x_any), (*B_a_of_slopes, *B_x_of_minors), strict=True)),
-    claims=["3.2.2", "3.2.1", "3.2/beyond/B_a"],
-    example={
-        **EXAMPLE,
-        "S_a": (("0.00004", "0.00001", "0"), ("0.00001", "0.00006", "0.00002"), ("0", "0.00002", "0.00003")),
-        "variance": "0.000004",
-    },
 )

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 3.3 Propagation of errors concerning reconstruction
 #
-# A model point is a function of three coordinates of the normal case, $x'_N$, $y'_N$ and $x''_N$.  Its exact Jacobian
-# matrix takes their dispersion to that of the point.
+# How uncertain is a point of the model?  It is a function of three coordinates of the normal case, $x'_N$, $y'_N$ and
+# $x''_N$.  Its exact Jacobian matrix takes their dispersion to that of the point.
 
 # %%
 import sympy
@@ -23,10 +23,11 @@ section.reference(
 )
 
 # %% [markdown]
-# ## Differentials
+# ## How does a point of the model change?
 #
-# $\mathbf X = \mathbf X'_0 + \lambda_N \mathbf x'_N$ with $\lambda_N = 1 / (x'_N - x''_N)$, sections 1.3 and 3.1; the
-# center and the principal distance do not vary.  The factor takes both images to the same abscissa of the model.
+# **Definition.**  $\mathbf X = \mathbf X'_0 + \lambda_N \mathbf x'_N$ with $\lambda_N = 1 / (x'_N - x''_N)$, sections
+# 1.3 and 3.1; the center and the principal distance do not vary.  The factor takes both images to the same abscissa of
+# the model.
 
 # %%
 lam_n, dlam, dxp, dyp, dxpp, dypp = sympy.symbols("lam_n dlam dxp dyp dxpp dypp")
@@ -41,6 +42,10 @@ def differential(expression):
     return sum((diff(expression, q) * dq for q, dq in zip(coordinates, shifts, strict=True)), zero)
 
 
+# %% [markdown]
+# **Print.**  The factor decreases with $x'$.
+
+# %%
 section.identity(
     "3.3.1",
     "differential of a model point",
@@ -60,10 +65,10 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Expectations
+# ## What is the dispersion?
 #
-# The dispersion $\boldsymbol\Sigma$ of the coordinates $x'_N, y'_N, x''_N, y''_N$ of both images.  The expectation of a
-# product of two differentials is the bilinear form of $\boldsymbol\Sigma$ with their derivatives.
+# **Definition.**  The dispersion $\boldsymbol\Sigma$ of the coordinates $x'_N, y'_N, x''_N, y''_N$ of both images.  The
+# expectation of a product of two differentials is the bilinear form of $\boldsymbol\Sigma$ with their derivatives.
 
 # %%
 names = ("xp", "yp", "xpp", "ypp")
@@ -88,6 +93,11 @@ S_M = Matrix(3, 3, lambda r, s: expectation(d_point[r], d_point[s]))
 s_xx, s_xy, s_yy = Sigma[0, 0], Sigma[0, 1], Sigma[1, 1]
 s_xxpp, s_yxpp, s_xppxpp = Sigma[0, 2], Sigma[1, 2], Sigma[2, 2]
 WITH_FACTOR = {lam_n: factor}
+
+# %% [markdown]
+# **Print.**  The dispersion of a point is made of four expectations, which follow one by one.
+
+# %%
 section.identity(
     "3.3/dispersion",
     "dispersion of a model point, by expectations",
@@ -96,7 +106,6 @@ section.identity(
     + lam_n**2 * of_image,
     where=WITH_FACTOR,
     derived=S_M,
-    note="The four expectations of the printed form stand for those of the exact differentials.",
 )
 section.identity(
     "3.3/E#dlambda2",
@@ -134,10 +143,11 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Covariances of both images
+# ## How are the two images correlated?
 #
-# They come from the rotations alone: $\mathbf B_a$ and $\mathbf B_x$ of section 3.2 for each image, dispersions of the
-# rotations as in section 2.3, image coordinates not correlated with anything but themselves.
+# **Definition.**  The covariances come from the rotations alone: $\mathbf B_a$ and $\mathbf B_x$ of section 3.2 for
+# each image, dispersions of the rotations as in section 2.3, image coordinates not correlated with anything but
+# themselves.
 
 # %%
 sigma = sympy.Symbol("sigma")
@@ -155,12 +165,17 @@ covariances = jacobian_left * joint * jacobian_right.T
 Q_mixed = Matrix.zeros(1, 3).col_join(Q12)
 errors = sigma**2 * Matrix.eye(16)
 of_left, of_right = (Matrix(16, 2, lambda r, s, first=first: int(r == first + s)) for first in (12, 14))
+
+# %% [markdown]
+# **Print.**  The left image is not tilted, and has a row of zeros.  For points that are not used in the adjustment
+# image coordinates are independent of the rotations, as in section 3.2.
+
+# %%
 section.identity(
     "3.3/Q_a'''",
     "cofactors of the rotations of both images",
     printed=sigma**2 * Q_mixed,
     derived=Matrix.diag(untilted, Matrix.eye(3))[:3, :] * rotations * Matrix.zeros(2, 3).col_join(Matrix.eye(3)),
-    note="The left image is not tilted: its row of zeros.",
 )
 section.identity(
     "3.3/independent",
@@ -169,7 +184,6 @@ section.identity(
     derived=((estimator * parallax_rows).row_join(Matrix.zeros(2, 4)) * errors * of_left.row_join(of_right)).row_join(
         of_left.T * errors * of_right
     ),
-    note="For points that are not used in the adjustment, as 3.2/independent.",
 )
 section.identity(
     "3.3/S_N'''",
@@ -188,6 +202,12 @@ section.identity(
     note="The scan has a sign of transposition behind the matrix, whose rows belong to x', y' already, as those of "
     "E{dx' dx''^T}.  It may as well be the end of a bracket.",
 )
+
+# %% [markdown]
+# **A sentence of section 2.3**: the dispersion of each image does not depend on the correlation $\mathbf Q_{12}$ of
+# both.
+
+# %%
 section.identity(
     "3.3/separate",
     "the correlation of the images does not influence the transformations into the normal case",
@@ -199,11 +219,13 @@ section.identity(
             for element in Q12
         )
     ),
-    note="A sentence of section 2.3: the dispersions of both images do not depend on Q12.",
 )
 
 # %% [markdown]
-# ## Dispersion of the model
+# ## Which term dominates?
+#
+# **Print.**  The scan has lost the formula of the dispersion.  Put together from the expectations it is a sum of powers
+# of $\lambda_N$, the first of which is the fourth.
 
 # %%
 first_term = lam_n**4 * (s_xppxpp + s_xx - 2 * s_xxpp) * x_left * x_left.T
@@ -222,6 +244,12 @@ section.identity(
     "lambda_N, of which the first term has the highest.  Derived is the exact propagation of first order, the "
     "quadratic form of the Jacobian matrix of X.",
 )
+
+# %% [markdown]
+# **For small parallaxes** the first term is all: divided by $\lambda_N^4$, the dispersion tends to the variance of the
+# parallax, times $\mathbf x' \mathbf x'^T$.
+
+# %%
 parallax = sympy.Symbol("parallax")
 section.limit(
     "3.3/dominating",
@@ -229,8 +257,13 @@ section.limit(
     printed=(s_xppxpp + s_xx - 2 * s_xxpp) * x_left * x_left.T,
     derived=(parallax**4 * S_M).subs(xpp, xp - parallax),
     variable=parallax,
-    note="The dispersion, divided by lambda_N^4: what the sentence on the limits of accuracy says.",
 )
+
+# %% [markdown]
+# **Meaning.**  A distant point is uncertain along its ray, and its standard error grows with the square of the
+# distance:  half the parallax, four times the error.  The factor itself is printed with the wrong sign.
+
+# %%
 section.identity(
     "3.3/lambda",
     "the dominating factor",
@@ -239,48 +272,4 @@ section.identity(
     expect="misprint",
     corrected=1 / (xp - xpp),
     note="(1.3.2) has x' - x''.  A slip of the scan, which is unsure of primes, cannot be told from one of the print.",
-)
-
-# %% [markdown]
-# ## Code
-#
-# Dispersions of the normal case coordinates, those of the left image, of the right image and between them.
-
-# %%
-S_left, S_right, S_mixed = (Matrix(2, 2, sympy.symbols(f"{n}:2:2")) for n in ("sl", "sr", "sm"))
-dispersion = S_left.row_join(S_mixed).col_join(S_mixed.T.row_join(S_right))
-jacobian = columns(*(diff(point, coordinate) for coordinate in (xp, yp, xpp, ypp)))
-numerators = Matrix([[-xpp, 0, xp, 0], [-yp, parallax, yp, 0], [c, 0, -c, 0]])
-section.kernel(
-    "metric.model_covariance",
-    "Dispersion of a model point from those of its homologous points of the normal case.",
-    arguments={
-        "x_left": vector(xp, yp),
-        "x_right": vector(xpp, ypp),
-        "c": c,
-        "S_left": S_left,
-        "S_right": S_right,
-        "S_mixed": S_mixed,
-    },
-    describe={
-        "x_left": "Left image point (x', y') of the normal case, in the unit of c.",
-        "x_right": "Right image point (x'', y'') of the normal case, in the unit of c; y'' = y' is not used.",
-        "c": ABOUT_C,
-        "S_left": "Dispersion of (x', y'), in the square of the unit of c; symmetric.",
-        "S_right": "Dispersion of (x'', y''), in the square of the unit of c; only the variance of x'' is used.",
-        "S_mixed": "Covariances of (x', y'), rows, with (x'', y''), columns, in the square of the unit of c; "
-        "only those with x'' are used.",
-    },
-    derived=jacobian * dispersion * jacobian.T,
-    form=numerators * dispersion * numerators.T / parallax**4,
-    where={parallax: xp - xpp},
-    claims=["3.3/S_M", "3.3.1", "3.3.2"],
-    example={
-        "x_left": ("12.5", "-3.25"),
-        "x_right": ("-7.5", "-3.25"),
-        "c": "50",
-        "S_left": (("0.00004", "0.00001"), ("0.00001", "0.00003")),
-        "S_right": (("0.00005", "0.00001"), ("0.00001", "0.00003")),
-        "S_mixed": (("0.00001", "0"), ("0", "0.00001")),
-    },
 )

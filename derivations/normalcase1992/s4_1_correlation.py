@@ -1,9 +1,10 @@
 # %% [markdown]
 # # 4 Numerical example: the correlation
 #
-# Eight homologous points of two images with the principal distance $c = 51.18$ mm give the matrix of correlation
-# $\mathbf Z$; its epipoles give approximate rotations.  The scan has lost one coordinate, three elements of a matrix
-# and some signs.  With them restored the printed numbers follow from the eight points.
+# Eight homologous points of two images with the principal distance $c = 51.18$ mm.  From them follows the matrix of
+# correlation $\mathbf Z$, from $\mathbf Z$ the epipoles, and from these approximate rotations.  The scan has lost one
+# coordinate, three elements of a matrix and some signs.  Can the example still be computed again?  Yes: eight points
+# say so much that a lost number can be found, and a lost sign shown.
 
 # %%
 from collections.abc import Callable
@@ -12,6 +13,16 @@ from itertools import product
 import mpmath
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
+from algebroproj_derivations.inserting import given
+from algebroproj_derivations.normalcase1992.notation import (
+    matrix_of_base,
+    turn_kappa,
+    turn_omega,
+    turn_phi,
+    unit_base,
+)
+from algebroproj_derivations.normalcase1992.printed_tables import C_PRINTED, LEFT, RIGHT_X, RIGHT_Y, Z_PRINTED
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -29,7 +40,7 @@ from algebroproj_sym.expressions import (
 section = Section("normalcase1992", "4", "Numerical example: correlation")
 
 # %% [markdown]
-# ## Numbers
+# ## How are the numbers computed?
 #
 # What is rational is computed exactly.  Square roots, arctangents, sines and cosines are computed with 60 digits and
 # then are rational numbers of 50 digits, far beyond the seven that are printed.  Angles are in gon.
@@ -64,26 +75,13 @@ def exact(table: tuple[tuple[str, ...], ...]) -> Matrix:
 
 
 # %% [markdown]
-# ## The points
+# ## Which points?
 #
-# Coordinates in millimeters.  In the column of $x''$ the scan has seven numbers for eight points.
+# **Print.**  Coordinates in millimeters.  In the column of $x''$ the scan has seven numbers for eight points, and the
+# number of the fourth row is lost as well.
 
 # %%
 c = sympy.Rational("51.18")
-
-LEFT = (
-    ("-10.620", "1.694"),
-    ("8.308", "0.808"),
-    ("-16.623", "14.596"),
-    ("17.472", "13.804"),
-    ("-11.904", "-1.314"),
-    ("14.764", "-2.293"),
-    ("-21.802", "6.968"),
-    ("-12.778", "8.770"),
-)
-RIGHT_X = ("-1.851", "14.936", "-7.583", "22.767", "-15.519", "1.799", "-18.058")
-RIGHT_Y = ("2.316", "1.613", "13.604", "17.806", "-0.481", "-1.931", "6.299", "8.746")
-
 lost_x = sympy.Symbol("x8pp")
 left_coordinates = exact(LEFT)
 right_x = [sympy.Rational(cell) for cell in RIGHT_X]
@@ -94,18 +92,13 @@ section.definition(
     "4/coordinates#right",
     "coordinates in P'', in millimeters",
     printed=Matrix([[*right_x, lost_x], right_y]).T,
-    note="The scan has no number for one x'': see 4/coordinates#8.xpp.  The number of the fourth row is lost as well.",
 )
 
 # %% [markdown]
-# The printed matrix of correlation, $\mathbf x'^T \mathbf Z \mathbf x'' = 0$, $z_{32} = 1$.
+# **How closely must they fit?**  The equation of correlation is $\mathbf x'^T \mathbf Z \mathbf x'' = 0$, $z_{32} = 1$.
+# The printed elements have five decimals.  This allows each point an error, and no more.
 
 # %%
-Z_PRINTED = (
-    ("-0.00391", "0.26581", "0.01067"),
-    ("0.28609", "0.01536", "-0.99664"),
-    ("-0.00645", "1.00000", "-0.01313"),
-)
 HALF_UNIT = sympy.Rational("0.000005")
 
 
@@ -121,7 +114,7 @@ def correlation_is_met(matrix: Matrix, left: Matrix, right: Matrix) -> sympy.Int
 left_points = [image_vector(*left_coordinates.row(i)) for i in range(8)]
 
 # %% [markdown]
-# ### A lost sign
+# ### Which sign is lost?
 #
 # As printed, $\mathbf Z$ is missed by every complete point.  The equation is $c^2 z_{33}$ and terms that do not contain
 # $z_{33}$: the sign of this element alone repairs all of them.
@@ -131,21 +124,27 @@ Z_as_printed = exact(Z_PRINTED)
 Z_rounded = Matrix(3, 3, [*Z_as_printed[:8], -Z_as_printed[8]])
 complete_points = [(left_points[i], image_vector(right_x[i], right_y[i])) for i in range(7)]
 
-for title, slug, matrix, met in (
-    ("as printed", "printed", Z_as_printed, 0),
-    ("with the other sign of z33", "other-sign", Z_rounded, 7),
-):
-    section.identity(
-        f"4/beyond/sign-of-z33#{slug}",
-        f"complete points that meet the equation of correlation, Z {title}",
-        printed=met,
-        derived=sum(correlation_is_met(matrix, *pair) for pair in complete_points),
-        note="Not in the paper: an exact count of the seven points with two printed coordinates in both images, each "
-        "against the largest error that five decimals of Z allow.",
-    )
+
+def met_by(matrix: Matrix) -> sympy.Integer:
+    """Return how many of the seven complete points meet the equation of correlation."""
+    return sum(correlation_is_met(matrix, *pair) for pair in complete_points)
+
+
+section.identity(
+    "4/beyond/sign-of-z33#printed",
+    "complete points that meet the equation of correlation, Z as printed",
+    printed=0,
+    derived=met_by(Z_as_printed),
+)
+section.identity(
+    "4/beyond/sign-of-z33#other-sign",
+    "complete points that meet the equation of correlation, Z with the other sign of z33",
+    printed=7,
+    derived=met_by(Z_rounded),
+)
 
 # %% [markdown]
-# ### The place of the lost number
+# ### Which number is lost?
 #
 # The seven numbers of the column could belong to any seven of the eight points, in their order.  Only the first seven
 # fit $\mathbf Z$.
@@ -166,16 +165,16 @@ section.identity(
     "points whose x'' can be the lost number",
     printed=vector(8),
     derived=chosen(vector(*map(seven_points_fit, range(8))), vector(*range(1, 9))),
-    note="Not in the paper: the eight possible places, tried out exactly.",
 )
 
 # %% [markdown]
-# ### The lost number
+# ### What was it?
 #
-# Seven points and one element of $\mathbf Z$ give $\mathbf Z$, and the equation of the eighth point is linear in
-# $x''_8$.  The element $z_{12}$ fixes it most sharply.  As a function of $z_{12}$ it is a quotient of two linear
-# functions, and its value for $0.26581$ lies between those at the two ends of the interval that is rounded to this
-# number: there is no pole between the ends, the values at the ends bound all others, and both are rounded to $-4.346$.
+# **Derivation.**  Seven points and one element of $\mathbf Z$ give $\mathbf Z$, and the equation of the eighth point is
+# linear in $x''_8$.  The element $z_{12}$ fixes it most sharply.  As a function of $z_{12}$ it is a quotient of two
+# linear functions, and its value for $0.26581$ lies between those at the two ends of the interval that is rounded to
+# this number: there is no pole between the ends, the values at the ends bound all others, and both are rounded to
+# $-4.346$.
 
 # %%
 z = Matrix(3, 3, sympy.symbols("z11 z12 z13 z21 z22 z23 z31 z32 z33"))
@@ -185,7 +184,7 @@ UNKNOWN = tuple(element for element in z if element != z[2, 1])
 def elements_from(
     equations: list[sympy.Expr], unknowns: tuple[sympy.Symbol, ...]
 ) -> dict[sympy.Symbol, sympy.Rational]:
-    return dict(zip(unknowns, divided(solve(*linear_system(equations, unknowns))), strict=True))
+    return given(unknowns, divided(solve(*linear_system(equations, unknowns))))
 
 
 def correlation_equation(left: Matrix, right: Matrix) -> sympy.Expr:
@@ -197,9 +196,9 @@ eighth_equation = correlation_equation(left_points[7], image_vector(lost_x, righ
 
 
 def lost_number(z12: sympy.Rational) -> sympy.Rational:
-    given = {z[0, 1]: z12}
-    others = tuple(element for element in UNKNOWN if element not in given)
-    elements = given | elements_from([equation.subs(given) for equation in seven_equations], others)
+    known = {z[0, 1]: z12}
+    others = tuple(element for element in UNKNOWN if element not in known)
+    elements = known | elements_from([equation.subs(known) for equation in seven_equations], others)
     return divided(solve(*linear_system([eighth_equation.subs(elements)], [lost_x])))[0]
 
 
@@ -220,22 +219,26 @@ section.identity(
     "-4.34602.  The eight other numbers of Z, its determinant to seven decimals, and the whole eighth error equation "
     "follow from -4.346 and confirm it.",
 )
+
+# %% [markdown]
+# No other number with three decimals gives the printed $z_{12}$:
+
+# %%
 for end, offset in (("lower", -HALF_UNIT), ("upper", HALF_UNIT)):
     section.numeric(
         f"4/beyond/lost-number#{end}",
         f"x'' of point 8 at the {end} end of the rounding of z12",
         printed="-4.346",
         derived=lost_number(Z_rounded[0, 1] + offset),
-        note="Not in the paper: no other number with three decimals gives the printed z12.",
     )
 
 right_points = [image_vector(x, y) for x, y in zip([*right_x, x8], right_y, strict=True)]
 
 # %% [markdown]
-# ### The other signs
+# ### Are the other signs right?
 #
 # The coordinates have kept their signs: of the 32 choices of the signs of $z_{33}$ and of the four coordinates of a
-# point, one meets the equation of correlation, the one that is used.
+# point, one meets the equation of correlation, the one that is used.  All are tried out exactly; 1 keeps the sign.
 
 
 # %%
@@ -258,13 +261,12 @@ for i, (left, right) in enumerate(zip(left_points, right_points, strict=True), s
         f"signs of z33, x', y', x'', y'' of point {i} that meet the equation of correlation",
         printed=Matrix([[1, 1, 1, 1, 1]]),
         derived=sign_choices(left, right),
-        note="Not in the paper: all 32 choices, tried out exactly; 1 keeps the sign that is used.",
     )
 
 # %% [markdown]
-# ## Correlation
+# ## What is the correlation?
 #
-# Eight equations, linear in the eight unknown elements.
+# **Definition.**  Eight equations, linear in the eight unknown elements.  **Print**, with the lost sign:
 
 # %%
 elements = elements_from([correlation_equation(*pair) for pair in zip(left_points, right_points, strict=True)], UNKNOWN)
@@ -284,36 +286,39 @@ for (i, j), printed in zip(product(range(3), repeat=2), sum(Z_PRINTED, ()), stri
         derived=Z[i, j],
         **({"expect": "misprint", "corrected": "0.01313", "note": LOST_SIGN} if lost else {}),
     )
+
+# %% [markdown]
+# **The determinant** is small, but not zero.
+
+# %%
 section.numeric(
     "4/det",
     "determinant of Z",
     printed="-0.0001351",
     derived=determinant(Z),
-    note="The + that the scan has before the 0 of the print stands for the sign of inequality.",
 )
 
 # %% [markdown]
-# The determinant would be zero for any two image systems: $\det \mathbf B = 0$ is enough.  The eight equations do not
-# ask for that, nor for orthonormal systems.
+# **Why is it not zero?**  The paper traces it to the conditions of orthonormalization, which are neglected.  They are;
+# but already the correlation of two affine systems has the determinant zero, as $\det \mathbf B = 0$.  The eight
+# equations do not ask for that either.
 
 # %%
-B = Matrix([[0, 0, 0], [0, 0, -1], [0, 1, 0]])
+B = matrix_of_base(unit_base)
 any_left, any_right = (Matrix(3, 3, sympy.symbols(f"{name}:9")) for name in ("r", "t"))
 section.identity(
     "4/beyond/det",
     "determinant of the correlation of two systems, orthonormal or not",
     printed=0,
     derived=determinant(any_left.T * B * any_right),
-    note="Not in the paper, which traces the determinant to the neglected conditions of orthonormalization: they are "
-    "neglected, but already the correlation of two affine systems has a determinant of zero.",
 )
 
 # %% [markdown]
-# ## Epipoles
+# ## Where are the epipoles?
 #
-# $\mathbf Z^T \mathbf x'_0 = 0$ and $\mathbf Z \mathbf x''_0 = 0$ are three equations each, and $\det \mathbf Z \ne 0$:
-# there is no solution.  Two of the three give a point, their vector product.  Only the first and the second equation
-# give the printed ones.
+# **Definition.**  $\mathbf Z^T \mathbf x'_0 = 0$ and $\mathbf Z \mathbf x''_0 = 0$ are three equations each, and $\det
+# \mathbf Z \ne 0$:  there is no solution.  Two of the three give a point, their vector product.  Only the first and the
+# second equation give the printed ones.
 
 
 # %%
@@ -345,6 +350,11 @@ for side, (image, matrix, printed) in EPIPOLES.items():
             **(LAST_DIGIT if (side, name) == ("left", "y") else {"note": FIRST_TWO}),
         )
 
+
+# %% [markdown]
+# **What do the other choices give?**  As $\det \mathbf Z$ is not zero, they differ by up to 31 mm.
+
+# %%
 OTHER_PAIRS = {
     ("left", 0, 2): ("161.761", "1.057"),
     ("left", 1, 2): ("192.462", "1.385"),
@@ -359,13 +369,32 @@ for (side, first, second), values in OTHER_PAIRS.items():
             f"epipole in {image} from the equations {first + 1} and {second + 1}, {name}",
             printed=values[component],
             derived=epipole(matrix, first, second)[component],
-            note="Not in the paper: what the other choices of two equations give; det(Z) is not zero.",
         )
 
 # %% [markdown]
-# ## Rotations
+# **Meaning.**  The epipoles are far outside the images, and the epipolar lines are nearly parallel.
+
+# %%
+ImageDrawing(
+    "The eight points in both images, with the epipolar lines that the correlation makes of the points of the other "
+    "image.  Coordinates in millimeters.",
+    {
+        title: (
+            {f"{i}": point[:2, :] for i, point in enumerate(points, 1)},
+            [vector(-c * line[2], line[0], line[1]) for line in (matrix * point for point in other_points)],
+        )
+        for title, points, matrix, other_points in (
+            ("P'", left_points, Z, right_points),
+            ("P''", right_points, Z.T, left_points),
+        )
+    },
+    axes=("x", "y"),
+)
+
+# %% [markdown]
+# ## Which rotations belong to the epipoles?
 #
-# With $\mathbf b = (1, 0, 0)^T$ the epipoles are images of the base: $\mathbf R^T \mathbf b =
+# **Definition.**  With $\mathbf b = (1, 0, 0)^T$ the epipoles are images of the base: $\mathbf R^T \mathbf b =
 # (\cos\varphi \cos\kappa, -\cos\varphi \sin\kappa, \sin\varphi)^T$ has the direction of $(x_0, y_0, -c)^T$, or the
 # opposite one where $x_0 < 0$, as the images are turned by less than a right angle.  The sign of (2.3.1) is that of the
 # left image.
@@ -389,11 +418,7 @@ phi_right, kappa_right = base_angles(epipole_right)
 
 # %%
 def turns(omega: sympy.Rational, phi: sympy.Rational, kappa: sympy.Rational) -> tuple[Matrix, Matrix, Matrix]:
-    (co, so), (cp, sp), (ck, sk) = map(cosine_and_sine, (omega, phi, kappa))
-    about_x = Matrix([[1, 0, 0], [0, co, -so], [0, so, co]])
-    about_y = Matrix([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
-    about_z = Matrix([[ck, -sk, 0], [sk, ck, 0], [0, 0, 1]])
-    return about_x, about_y, about_z
+    return turn_omega(*cosine_and_sine(omega)), turn_phi(*cosine_and_sine(phi)), turn_kappa(*cosine_and_sine(kappa))
 
 
 def rotation(omega: sympy.Rational, phi: sympy.Rational, kappa: sympy.Rational) -> Matrix:
@@ -404,7 +429,7 @@ def rotation(omega: sympy.Rational, phi: sympy.Rational, kappa: sympy.Rational) 
 R_left = rotation(sympy.Integer(0), phi_left, kappa_left)
 
 # %% [markdown]
-# With the columns $\mathbf i, \mathbf j, \mathbf k$ of $\mathbf R'$, the third column of
+# **And the tilt?**  With the columns $\mathbf i, \mathbf j, \mathbf k$ of $\mathbf R'$, the third column of
 # $\mathbf R'^T \mathbf B \mathbf R''$ is $-\cos\varphi'' (i_2 \cos\Omega + i_3 \sin\Omega)$ and so on, with $k_2 = 0$.
 # Two of its elements give $\tan\Omega$; the paper has the choice between $z_{13}$ and $z_{23}$ beside $z_{33}$.
 
@@ -419,6 +444,11 @@ def tilt(row: int) -> sympy.Rational:
 
 omega = tilt(1)
 
+
+# %% [markdown]
+# **Print.**  The paper has used $z_{23}$.
+
+# %%
 APPROXIMATE = {
     "phip": ("phi'", "-16.546", phi_left),
     "kappap": ("kappa'", "-0.488", kappa_left),
@@ -428,23 +458,28 @@ APPROXIMATE = {
 }
 for slug, (name, printed, derived) in APPROXIMATE.items():
     section.numeric(f"4/approximate#{slug}", f"approximate {name}, in gon", printed=printed, derived=derived)
+
+# %% [markdown]
+# The other choice differs by 0.057 gon: $\mathbf Z$ is not the correlation of two calibrated images.
+
+# %%
 section.numeric(
     "4/beyond/tilt",
     "Omega'' from z13 and z33, in gon",
     printed="-0.925",
     derived=tilt(0),
-    note="Not in the paper, which has used z23 and z33.  The two forms of (2.3.2) differ by 0.057 gon because Z is not "
-    "the correlation of two calibrated images.",
 )
 
 # %% [markdown]
-# ## Correlation of the approximate rotations
+# ## What correlation do these rotations have?
+#
+# **Definition.**  $\mathbf R'^T \mathbf B \mathbf R''$, divided by $c_{32}$.  It is near $\mathbf Z$, and its
+# determinant is zero.  The scan has lost three of its elements.
 
 # %%
 R_right = rotation(omega, phi_right, kappa_right)
 C = R_left.T * B * R_right
 
-C_PRINTED = (("-0.00404", "0.26580", "0.01111"), (None, None, "-0.99454"), ("-0.00696", "1.00000", None))
 RECONSTRUCTED = {(1, 0): "0.28548", (1, 1): "0.01706", (2, 2): "0.01310"}
 for i, j in product(range(3), repeat=2):
     printed, title = C_PRINTED[i][j], f"(1 / c32) R'^T B R'', row {i + 1}, column {j + 1}"

@@ -1,21 +1,25 @@
 # %% [markdown]
 # # 1.1 Characteristics of the general collinearity equations
 #
-# Eleven coefficients describe a projection of space into a plane.  Six elements of exterior and three of interior
-# orientation are too few for them; a comparator whose plane is inclined to the picture adds what is missing.
+# A general projection of space into a plane has eleven coefficients.  A camera has nine elements of orientation: six of
+# the exterior, three of the interior.  Where do the other two come from?  The paper's answer is a comparator whose
+# plane is inclined to the picture.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
+from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_sym import Section
-from algebroproj_sym.declaring import cos_sin
-from algebroproj_sym.expressions import Matrix, Scalar, diff, dot, over, vector
+from algebroproj_sym.expressions import Matrix, Scalar, diff, over, vector
 
 section = Section("okamoto1981", "1.1", "Characteristics of the general collinearity equations")
 
 # %% [markdown]
-# ## The general collinearity equations
+# ## What is a general projection?
+#
+# **Definition.**  Two quotients of linear forms with one denominator.
 
 # %%
 A = vector(*sympy.symbols("A1:12"))
@@ -27,6 +31,11 @@ collinearity = vector(
 )
 projected = image(matrix_of(A), point)
 
+
+# %% [markdown]
+# The same is a product with a matrix of three rows and four columns, divided by its last component.
+
+# %%
 section.definition("1", "general collinearity equations", printed=collinearity)
 section.identity(
     "1#matrix",
@@ -36,8 +45,8 @@ section.identity(
 )
 
 # %% [markdown]
-# The images of six points are twelve functions of the coefficients.  As many of them are independent as there are
-# coefficients.
+# **Are the coefficients independent?**  The images of six points in general position are twelve functions of them.
+# Eleven of these are independent, as many as there are coefficients.
 
 # %%
 six_points = [vector(*p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 2), (2, -1, 1))]
@@ -48,14 +57,13 @@ section.count(
     printed=11,
     derived=images_of_six,
     variables=A,
-    note="The images of six points in general position determine all of them.",
 )
 
 # %% [markdown]
-# ## The central projection
+# ## What does a camera do?
 #
-# A picture point and the projection center span the ray to the object point; $\mathbf E = (e_{ij})$ is the transposed
-# matrix of rotation.
+# **Definition.**  The picture point $(x, y, -c)$ and the object point lie on one ray through the projection center.
+# $\mathbf E = (e_{ij})$ is the transposed matrix of rotation.
 
 # %%
 e = Matrix(3, 3, sympy.symbols("e1:4(1:4)"))
@@ -66,6 +74,11 @@ ray = e * (point - center)
 section.definition("2", "central projection", printed=lam * ray)
 
 section.definition("3#rotation", "elements of the transposed rotation of the picture", printed=e)
+
+# %% [markdown]
+# The third component must be $-c$.  This is the scale, and the collinearity equations follow.
+
+# %%
 scale = over(-c, ray[2])
 picture = scale * ray
 divisor = e31 * (X - Xo) + e32 * (Y - Yo) + e33 * (Z - Zo)
@@ -79,15 +92,13 @@ section.identity(
     "collinearity equations as a vector",
     printed=vector(*printed_picture, -c),
     derived=picture,
-    note="The third component of the left side is printed as z; it is -c, as in (2).  The scan loses the lines of the "
-    "fractions.",
 )
 
 # %% [markdown]
-# ## The comparator
+# ## What does an inclined comparator measure?
 #
-# In the system of the comparator the picture point is $\mathbf D (x, y, -c)^T$ plus the projection center; its first
-# two components are what is measured.
+# **Definition.**  In its system the picture point is $\mathbf D (x, y, -c)^T$ plus the projection center.  What is
+# measured are the first two components: the foot of the perpendicular in the plane of the comparator.
 
 # %%
 d = Matrix(3, 3, sympy.symbols("d1:4(1:4)"))
@@ -97,6 +108,11 @@ in_comparator = d * vector(x, y, -c) + vector(xco, yco, zco)
 
 section.definition("4", "picture point in the system of the comparator", printed=in_comparator)
 section.definition("5#rotation", "elements of the rotation to the comparator", printed=d)
+
+# %% [markdown]
+# **Print.**
+
+# %%
 section.identity(
     "5",
     "measured coordinates",
@@ -114,11 +130,10 @@ section.identity(
     "the picture point is projected orthogonally into the plane of the comparator",
     printed=vector(0, 0),
     derived=(in_comparator - vector(*in_comparator[:2, :], 0))[:2, :],
-    note="The line from the picture point to the measured point is parallel to the axis zc.",
 )
 
 # %% [markdown]
-# Equation (3) put into (5):
+# **And of an object point?**  Equation (3) is put into (5).
 
 # %%
 measured = comparator_center + d[:2, :] * picture
@@ -127,12 +142,11 @@ section.identity(
     "measured coordinates of an object point",
     printed=-c * d[:2, :] * vector(printed_picture[0] / -c, printed_picture[1] / -c, 1),
     derived=measured - comparator_center,
-    note="The scan loses the lines of the fractions, as in (3a).",
 )
 
 # %% [markdown]
-# Both numerators and the denominator are linear in the coordinates of the object point: a matrix of projection, divided
-# by its last entry $-(e_{31} X_o + e_{32} Y_o + e_{33} Z_o)$.
+# Both numerators and the denominator are linear in the coordinates of the object point.  So this *is* a general
+# projection: its coefficients are the elements of a matrix of projection, divided by the last one.
 
 # %%
 inner = seen_by_comparator(d[:2, :], c, comparator_center)
@@ -141,22 +155,43 @@ section.identity(
     "7",
     "general collinearity equations of the measured coordinates",
     printed=collinearity,
-    where=dict(zip(A, A_of_orientation, strict=True)),
+    where=given(A, A_of_orientation),
     derived=measured,
 )
+
+# %% [markdown]
+# **Where does this fail?**  The last element is $-(e_{31} X_o + e_{32} Y_o + e_{33} Z_o)$.  The constant 1 of the
+# denominator excludes that the origin of the object lies in the plane through the center that is parallel to the
+# picture.
+
+# %%
 section.vanishing(
     "7/beyond/origin",
     "where the coefficients do not exist",
     printed=(e31 * Xo + e32 * Yo + e33 * Zo,),
     derived=camera(inner, e, center)[2, 3],
-    note="Not in the paper: the coefficient 1 of the denominator excludes that the origin of the object system lies in "
-    "the plane through the projection center that is parallel to the picture.",
 )
 
 # %% [markdown]
-# ## Twelve parameters, eleven coefficients
+# **An example.**  A picture, inclined to the plane of the comparator by the angle whose tangent is $3/4$, and an object
+# point $P$.  $p$ is the picture point, and $p_c$ the foot of its perpendicular.
+
+# %%
+inclined = rotation((ABOUT_Y, sympy.Rational(4, 5), sympy.Rational(3, 5)))
+in_picture = {"C": vector(0, 0, 0), "H": vector(0, 0, -1), "p": vector(1, 1, -1), "P": vector(1, 1, -1) * 3 / 2}
+EXAMPLE = {name: vector(0, 0, 2) + inclined * place for name, place in in_picture.items()}
+SpaceDrawing(
+    "Center C, ray, picture point p and measured point p_c in the system of the comparator.  H is the principal point "
+    "of the picture; p_c lies in the plane of the comparator, at height 0.",
+    EXAMPLE | {"p_c": vector(*EXAMPLE["p"][:2, :], 0)},
+    segments=[("C", "P"), ("C", "H"), ("H", "p"), ("p", "p_c")],
+    axes=("x_c", "y_c", "z_c"),
+)
+
+# %% [markdown]
+# ## Are twelve parameters too many?
 #
-# The twelve parameters are $\phi, \omega, \kappa$, the center, $\alpha, \beta, \gamma$, $x_{co}, y_{co}$ and $c$.
+# **Definition.**  They are $\phi, \omega, \kappa$, the center, $\alpha, \beta, \gamma$, $x_{co}, y_{co}$ and $c$.
 
 # %%
 t_phi, t_omega, t_kappa = sympy.symbols("t_phi t_omega t_kappa")
@@ -178,13 +213,19 @@ A_of_twelve = coefficients_of(camera_of_twelve)
 twelve = (*exterior_angles, *center, *comparator_angles, *comparator_center, c)
 
 # %% [markdown]
-# $\mathbf D_\kappa^T$ is the last rotation of the ray, $\mathbf D_\gamma$ the first of the picture: $\kappa + \delta$
-# together with $\gamma + \delta$ changes nothing.
+# **What is superfluous?**  $\mathbf D_\kappa^T$ is the last rotation of the ray, and $\mathbf D_\gamma$ the first of
+# the picture.  Increase both angles by the same amount: nothing changes.
 
 # %%
 rates = {t_kappa: angle_rate(t_kappa), t_gamma: angle_rate(t_gamma)}
 turn_of_picture = vector(*(rates.get(parameter, 0) for parameter in twelve))
 
+
+# %% [markdown]
+# **Print.**  One of twelve is dependent.  The paper infers it from the numbers, twelve and eleven.  That alone would
+# not show it: it also needs that all eleven coefficients are independent functions of the twelve.
+
+# %%
 section.count(
     "1.1/twelve",
     "eleven of the twelve parameters of (6) are independent",
@@ -192,16 +233,14 @@ section.count(
     derived=A_of_twelve,
     variables=twelve,
     kernel=[turn_of_picture],
-    note="All eleven coefficients of (7) are independent functions of the twelve parameters.  The number of parameters "
-    "alone, which is the reason the paper gives, would not show it.",
 )
 
 # %% [markdown]
-# The dependence is between $\kappa$ and $\gamma$ alone.  One of these two can be chosen, and $\gamma = 0$ is such a
-# choice; none of the other ten can.
+# **Which one can be chosen?**  The paper chooses $\gamma = 0$.  Eleven parameters are left, as many as there are
+# coefficients: every general projection near that of such a camera is that of such a camera.
 
 # %%
-A_of_eleven = A_of_twelve.xreplace({t_gamma: sympy.Integer(0)})
+A_of_eleven = inserted(A_of_twelve, (t_gamma,), (0,))
 eleven = tuple(parameter for parameter in twelve if parameter != t_gamma)
 section.count(
     "1.1/gamma",
@@ -209,9 +248,13 @@ section.count(
     printed=11,
     derived=A_of_eleven,
     variables=eleven,
-    note="As many as there are coefficients: (7), and with it (1), is met by a camera with an inclined comparator, in "
-    "general and near every such camera.",
 )
+
+# %% [markdown]
+# But "one of the 12 arbitrarily" is too much.  The dependence is between $\kappa$ and $\gamma$ alone.  With the
+# principal distance given, say, one degree of freedom is missing.
+
+# %%
 without_c = tuple(parameter for parameter in twelve if parameter != c)
 section.count(
     "1.1/arbitrary",
@@ -233,33 +276,31 @@ section.count(
     derived=A_of_twelve,
     variables=without_c,
     kernel=[vector(*(rates.get(parameter, 0) for parameter in without_c))],
-    note="Not in the paper: only kappa or gamma can be chosen, for the free direction of 1.1/twelve has no other "
-    "component.",
 )
 
 # %% [markdown]
-# ## The camera of nine parameters
+# ## And with a parallel comparator?
 #
-# If the plane of the comparator is parallel to the picture, $\mathbf D$ is the unit matrix and nine parameters remain.
+# $\mathbf D$ is the unit matrix, and nine parameters remain: six of exterior and three of interior orientation.  They
+# are independent, and do not reach all of eleven coefficients.
 
 # %%
 nine = (*exterior_angles, *center, *comparator_center, c)
-parallel = dict.fromkeys(comparator_angles, sympy.Integer(0))
-A_of_nine = A_of_twelve.xreplace(parallel)
+A_of_nine = inserted(A_of_twelve, comparator_angles, (0, 0, 0))
 section.count(
     "1.1/nine",
     "a camera has nine independent parameters",
     printed=9,
     derived=A_of_nine,
     variables=nine,
-    note="Six of exterior and three of interior orientation; nine do not reach all of eleven independent coefficients.",
 )
 
 # %% [markdown]
-# ## Derivatives
+# ## How does the image point move?
 #
-# With $w$ for the denominator, the derivative of a quotient $p/w$ of linear forms is $(p' - (p/w)\, w') / w$.  By a
-# coordinate of the point it is $(p' w - p\, w') / w^2$, in which the products with this coordinate cancel.
+# **Derivation.**  With $w$ for the denominator, the derivative of a quotient $p/w$ of linear forms is $(p' - (p/w)\,
+# w') / w$.  By a coordinate of the point it is $(p' w - p\, w') / w^2$, in which the products with this coordinate
+# cancel.
 
 # %%
 w = sympy.Symbol("w")
@@ -283,13 +324,14 @@ def slope(i: int, j: int) -> Scalar:
 
 point_jacobian = Matrix(2, 3, slope)
 
+
+# %%
 section.identity(
     "7/beyond/by-coefficients",
     "derivatives with respect to the coefficients",
     printed=coefficient_jacobian,
     where={w: denominator},
     derived=by_coefficients,
-    note="Not in the paper.",
 )
 section.identity(
     "7/beyond/by-point",
@@ -297,110 +339,4 @@ section.identity(
     printed=point_jacobian,
     where={w: denominator},
     derived=by_point,
-    note="Not in the paper.",
-)
-
-# %% [markdown]
-# ## Code
-#
-# The coefficients come from the eleven parameters of the text, $\gamma = 0$, with cosine and sine of every angle.
-
-# %%
-phi, omega, kappa = sympy.symbols("phi omega kappa")
-alpha, beta = sympy.symbols("alpha beta_")
-cosines_and_sines = {angle: sympy.symbols(f"c_{angle} s_{angle}") for angle in (phi, omega, kappa, alpha, beta)}
-turns_of_camera = [
-    (axis, *cosines_and_sines[angle])
-    for axis, angle in zip((ABOUT_Y, ABOUT_X, ABOUT_Z), (phi, omega, kappa), strict=True)
-]
-turns_of_comparator = [
-    (axis, *cosines_and_sines[angle]) for axis, angle in zip((ABOUT_Y, ABOUT_X), (alpha, beta), strict=True)
-]
-rotation_of_camera, rotation_of_comparator = rotation(*turns_of_camera).T, rotation(*turns_of_comparator)
-camera_of_angles = camera(
-    seen_by_comparator(rotation_of_comparator[:2, :], c, comparator_center), rotation_of_camera, center
-)
-
-# %% [markdown]
-# With $\mathbf r = \mathbf E\, (X_o, Y_o, Z_o)^T$ the constants of the numerators are $x_{co}$ and $y_{co}$ and a
-# remainder, which does not lose digits where $r_3$ is small.
-
-# %%
-principal_distance = sympy.Symbol("principal_distance")
-r = vector(*sympy.symbols("r1:4"))
-picture_rows = rotation_of_comparator[:2, :] * e
-coefficient_form = vector(
-    *(
-        entry
-        for i in range(2)
-        for entry in (
-            *((c * picture_rows[i, j] - comparator_center[i] * e[2, j]) / r[2] for j in range(3)),
-            comparator_center[i] - c * dot(rotation_of_comparator.row(i).T, r) / r[2],
-        )
-    ),
-    *(-e[2, j] / r[2] for j in range(3)),
-)
-EXAMPLE_A = ("1.25", "0.125", "0.25", "10.5", "-0.125", "1.375", "0.0625", "20.25", "0.0025", "-0.00125", "0.005")
-with_point = {
-    "arguments": {"A": A, "X": point},
-    "describe": {"A": ABOUT_A, "X": ABOUT_POINT},
-    "example": {"A": EXAMPLE_A, "X": ("12.5", "-7.25", "31.75")},
-}
-
-section.kernel(
-    "collinearity.coefficients",
-    "Coefficients (A1, ..., A11) of the general collinearity equations from eleven orientation parameters.",
-    arguments={
-        "angles": vector(phi, omega, kappa),
-        "center": center,
-        "principal_distance": principal_distance,
-        "comparator_angles": vector(alpha, beta),
-        "comparator_center": comparator_center,
-    },
-    through=[cos_sin(*values, angle) for angle, values in cosines_and_sines.items()],
-    derived=coefficients_of(camera_of_angles).xreplace({c: principal_distance}),
-    form=coefficient_form.xreplace({c: principal_distance}),
-    where=dict(zip((*e, *r), (*rotation_of_camera, *(e * center)), strict=True)),
-    claims=["6", "7"],
-    describe={
-        "angles": "Rotations (phi, omega, kappa) of the picture about Y, X and Z; radians.",
-        "center": "Projection center (Xo, Yo, Zo) in the object system; any unit of length.  The plane through it "
-        "parallel to the picture must not contain the origin.",
-        "principal_distance": "Principal distance c of the picture; unit of the image coordinates.",
-        "comparator_angles": "Inclinations (alpha, beta) of the picture about the comparator axes yc and xc; radians.",
-        "comparator_center": "Projection center (xco, yco) in the system of the comparator; unit of the image "
-        "coordinates.",
-    },
-    example={
-        "angles": ("0.125", "-0.25", "0.5"),
-        "center": ("12.5", "-7.25", "101.75"),
-        "principal_distance": "152.25",
-        "comparator_angles": ("0.0625", "-0.03125"),
-        "comparator_center": ("110.5", "95.25"),
-    },
-)
-section.kernel(
-    "collinearity.project",
-    "Measured image point of an object point by the general collinearity equations.",
-    **with_point,
-    derived=projected,
-    claims=["7", "1#matrix"],
-)
-section.kernel(
-    "collinearity.project_jacobian_parameters",
-    "Derivatives of the measured image point with respect to the coefficients (A1, ..., A11).",
-    **with_point,
-    derived=by_coefficients,
-    form=coefficient_jacobian,
-    where={w: denominator},
-    claims=["1#matrix", "7/beyond/by-coefficients"],
-)
-section.kernel(
-    "collinearity.project_jacobian_point",
-    "Derivatives of the measured image point with respect to the object point.",
-    **with_point,
-    derived=by_point,
-    form=point_jacobian,
-    where={w: denominator},
-    claims=["1#matrix", "7/beyond/by-point"],
 )

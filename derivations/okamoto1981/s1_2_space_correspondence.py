@@ -1,13 +1,17 @@
 # %% [markdown]
 # # 1.2 General central projective one-to-one correspondence between two three-dimensional spaces
 #
-# A collineation of space has fifteen coefficients.  The paper reads it as a central projection in a space of four
-# dimensions, from the hyperplane $T = 0$ of the object into a fictitious picture of three dimensions, followed by an
-# orthogonal projection into the three-dimensional comparator.
+# A model and its object, both of three dimensions, differ by a collineation with fifteen coefficients.  Can that be a
+# photograph as well?  The paper takes one in a space of four dimensions: its "picture" has three, and so has its
+# comparator.  The idea is right.  What is a rotation there, and how many angles has it?
 
 # %%
+from itertools import combinations, product
+
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
+from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import comparator_angles, exterior_angles
 from algebroproj_sym import Section
@@ -16,7 +20,9 @@ from algebroproj_sym.expressions import Matrix, Scalar, columns, over, vector
 section = Section("okamoto1981", "1.2", "Central projective one-to-one correspondence between two spaces")
 
 # %% [markdown]
-# ## The correspondence
+# ## What is the correspondence?
+#
+# **Definition.**  Three quotients of linear forms with one denominator.
 
 # %%
 B = vector(*sympy.symbols("B1:16"))
@@ -36,6 +42,11 @@ X2, Y2, Z2 = sympy.symbols("X2 Y2 Z2")
 second_point = vector(X2, Y2, Z2)
 mapped = image(matrix_of(B), second_point)
 
+
+# %% [markdown]
+# **Print.**  It is a product with a matrix of four rows, divided by its last component.
+
+# %%
 section.definition(
     "8",
     "general central projective one-to-one correspondence",
@@ -49,7 +60,7 @@ section.identity(
 )
 
 # %% [markdown]
-# Five points have fifteen coordinates.
+# **Are the coefficients independent?**  Five points have fifteen coordinates; their images depend on all of them.
 
 # %%
 five_points = [vector(*p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 2, 3))]
@@ -60,14 +71,28 @@ section.count(
     printed=15,
     derived=images_of_five,
     variables=B,
-    note="Five points determine them.",
 )
 
 # %% [markdown]
-# ## The central projection in four dimensions
+# **An example.**  A collineation takes a cube to a body with plane faces.  Edges that were parallel meet.
+
+# %%
+CUBE = list(product(range(2), repeat=3))
+FRUSTUM = inserted(mapped, B, (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, sympy.Rational(1, 2)))
+corners = {f"{i}{j}{k}": vector(i - sympy.Rational(1, 2), j - sympy.Rational(1, 2), k) for i, j, k in CUBE}
+SpaceDrawing(
+    "The image of a cube under a collineation with the denominator Z/2 + 1.  The four edges that were parallel to the "
+    "third axis would meet in one point.",
+    {name: inserted(FRUSTUM, second_point, corner).doit() for name, corner in corners.items()},
+    segments=[(a, b) for a, b in combinations(corners, 2) if sum(p != q for p, q in zip(a, b, strict=True)) == 1],
+    axes=("X_1", "Y_1", "Z_1"),
+)
+
+# %% [markdown]
+# ## How does one photograph in four dimensions?
 #
-# The center is $(X_o, Y_o, Z_o, T_o)$, the object point $(X, Y, Z, 0)$; the picture point $(x, y, z)$ has the fourth
-# coordinate $-c$.  $\mathbf E = (e_{ij})$ is the transposed matrix of rotation, of four rows now.
+# **Definition.**  The center is $(X_o, Y_o, Z_o, T_o)$, the object point $(X, Y, Z, 0)$; the picture point $(x, y, z)$
+# has the fourth coordinate $-c$.  $\mathbf E = (e_{ij})$ is the transposed matrix of rotation, of four rows now.
 
 # %%
 To = sympy.Symbol("To")
@@ -77,6 +102,11 @@ ray = e * vector(*(point - center), -To)
 
 section.definition("9", "central projection in four dimensions", printed=lam * ray)
 
+
+# %% [markdown]
+# **Print.**  As in three dimensions, with one form more.
+
+# %%
 picture = over(-c, ray[3]) * ray
 forms = [e[i, 0] * (X - Xo) + e[i, 1] * (Y - Yo) + e[i, 2] * (Z - Zo) + e[i, 3] * (0 - To) for i in range(4)]
 section.definition("10#rotation", "elements of the transposed rotation of the picture", printed=e)
@@ -86,6 +116,11 @@ section.identity(
     printed=vector(*(-c * forms[i] / forms[3] for i in range(3))),
     derived=picture[:3, :],
 )
+
+# %% [markdown]
+# The quotients of the forms have the names $\xi, \eta, \zeta$.
+
+# %%
 xi, eta, zet = sympy.symbols("xi eta zet")
 quotients = {xi: forms[0] / forms[3], eta: forms[1] / forms[3], zet: forms[2] / forms[3]}
 section.identity(
@@ -99,7 +134,9 @@ section.identity(
 section.definition("1.2/quotients", "the quotients xi, eta and zeta", printed=vector(*quotients.values()))
 
 # %% [markdown]
-# ## The comparator in four dimensions
+# ## And the comparator?
+#
+# **Definition.**  It turns the picture and keeps three of four coordinates: an orthogonal projection.
 
 # %%
 d = Matrix(4, 4, sympy.symbols("d1:5(1:5)"))
@@ -109,6 +146,11 @@ in_comparator = d * vector(x, y, z, -c) + vector(*spatial_center, tco)
 
 section.definition("12", "picture point in the system of the comparator", printed=in_comparator)
 section.definition("13#rotation", "elements of the rotation to the comparator", printed=d)
+
+# %% [markdown]
+# **Print.**
+
+# %%
 section.identity(
     "13",
     "measured coordinates",
@@ -127,6 +169,11 @@ section.identity(
     printed=d[:3, :] * vector(x, y, z, -c),
     derived=in_comparator[:3, :] - spatial_center,
 )
+
+# %% [markdown]
+# Equation (11) put into (14).  The last component is 1.
+
+# %%
 measured = spatial_center + d[:3, :] * picture
 section.identity(
     "14a",
@@ -141,8 +188,8 @@ section.identity(
 )
 
 # %% [markdown]
-# Numerators and denominator are linear in $(X, Y, Z)$ again; the common divisor is now the last entry of a matrix of
-# four rows.
+# **Is it a collineation?**  Numerators and denominator are linear in $(X, Y, Z)$ again.  The common divisor is the last
+# element of a matrix of four rows.
 
 
 # %%
@@ -158,41 +205,30 @@ section.identity(
     "15",
     "the projection is a collineation of space",
     printed=collineation(A, point),
-    where=dict(zip(A, coefficients_of(general_camera), strict=True)),
+    where=given(A, coefficients_of(general_camera)),
     derived=measured,
 )
 
 # %% [markdown]
-# ## Which rotations
+# ## Is every collineation such a photograph?
 #
-# A rotation of a space of four dimensions has six angles, one for each pair of axes, and it turns a plane: there is no
-# rotation *about an axis* with a single angle.  The paper counts one angle for each of the four axes $Y, X, Z, T$, that
-# is 16 parameters in (14a): four for $\mathbf E$, four for $\mathbf D$, the center, its image and $c$.  How many of the
-# fifteen coefficients are independent depends on which planes are turned.
+# The paper counts one angle for each of the four axes $Y, X, Z, T$.  These are 16 parameters in (14a): four for
+# $\mathbf E$, four for $\mathbf D$, the center, its image and $c$.  Sixteen are more than fifteen, so it concludes that
+# all coefficients are reached.
+#
+# **But what is a rotation about an axis?**  A rotation of four dimensions turns planes.  It has six angles, one for
+# each pair of axes.  Around the axis $T$ all rotations of the space $X, Y, Z$ are possible: three angles, and not one.
 
 # %%
 t_mu, t_theta = sympy.symbols("t_mu t_theta")
 of_plane = sympy.symbols("t13 t23")
 Plane = tuple[int, int]
-picture_parameters = (*center, To, *spatial_center, c)
 
 
 def turned(planes: tuple[Plane, ...], tangents: tuple[sympy.Symbol, ...]) -> Matrix:
     """Return the product of rotations of four-space."""
     return rotation(*((plane, *of_half_angle(t)) for plane, t in zip(planes, tangents, strict=True)), size=4)
 
-
-def camera_of_planes(
-    planes: tuple[Plane, ...], of_object: tuple[sympy.Symbol, ...], of_comparator: tuple[sympy.Symbol, ...] = ()
-) -> Matrix:
-    """Return the matrix of projection; without angles of the comparator this is parallel to the picture."""
-    to_comparator = turned(planes, of_comparator) if of_comparator else Matrix.eye(4)
-    inner_map = seen_by_comparator(to_comparator[:3, :], c, spatial_center)
-    return camera_of_space(inner_map, turned(planes, of_object).T)
-
-
-four_of_object, four_of_comparator = (*exterior_angles, t_mu), (*comparator_angles, t_theta)
-sixteen = (*four_of_object, *picture_parameters, *four_of_comparator)
 
 section.count(
     "1.2/about-axes",
@@ -212,13 +248,32 @@ section.count(
     printed=3,
     derived=turned(((0, 1), (0, 2), (1, 2)), (t_mu, *of_plane)),
     variables=(t_mu, *of_plane),
-    note="Not in the paper.  By the plane that is turned one element would be enough, and there are six planes.",
 )
 
 # %% [markdown]
-# If each angle turns a plane that does not contain its axis, there are planes for which the statement of the paper
-# holds: let $\phi, \omega, \kappa$ turn $Z, Y, X$ towards $T$ and $\mu$ turn $X$ towards $Y$, and $\alpha, \beta,
-# \gamma, \theta$ likewise.
+# So the answer depends on the planes that are turned.
+
+
+# %%
+picture_parameters = (*center, To, *spatial_center, c)
+four_of_object, four_of_comparator = (*exterior_angles, t_mu), (*comparator_angles, t_theta)
+sixteen = (*four_of_object, *picture_parameters, *four_of_comparator)
+
+
+def camera_of_planes(
+    planes: tuple[Plane, ...], of_object: tuple[sympy.Symbol, ...], of_comparator: tuple[sympy.Symbol, ...] = ()
+) -> Matrix:
+    """Return the matrix of projection; without angles of the comparator this is parallel to the picture."""
+    to_comparator = turned(planes, of_comparator) if of_comparator else Matrix.eye(4)
+    inner_map = seen_by_comparator(to_comparator[:3, :], c, spatial_center)
+    return camera_of_space(inner_map, turned(planes, of_object).T)
+
+
+# %% [markdown]
+# ### Planes for which the paper is right
+#
+# Let $\phi, \omega, \kappa$ turn $Z, Y, X$ towards $T$ and $\mu$ turn $X$ towards $Y$, and $\alpha, \beta, \gamma,
+# \theta$ likewise.  None of these planes contains its axis.
 
 # %%
 other_planes = ((2, 3), (1, 3), (0, 3), (0, 1))
@@ -236,9 +291,11 @@ section.count(
 )
 
 # %% [markdown]
-# Taken literally, $\mathbf D_\mu$ leaves the axis $T$ where it is.  If $\mathbf D_\phi$, $\mathbf D_\omega$ and
-# $\mathbf D_\kappa$ are the rotations of (2), so do they, and (10) is no perspective at all: its denominator is
-# constant.
+# ### The rotations of section 1.1
+#
+# Taken literally, $\mathbf D_\mu$ leaves the axis $T$ where it is.  $\mathbf D_\phi$, $\mathbf D_\omega$ and $\mathbf
+# D_\kappa$ of (2) do as well.  Then (10) has a constant denominator: there is no perspective at all, and $\mu$ must
+# turn a plane that contains the axis $T$.
 
 # %%
 literal = (ABOUT_Y, ABOUT_X, ABOUT_Z, ABOUT_Z)
@@ -251,15 +308,15 @@ section.identity(
     "without a rotation that turns T the denominator does not depend on the object point",
     printed=vector(0, 0, 0, -To).T,
     derived=camera_of_space(seen_by_comparator(of_comparator[:3, :], c, spatial_center), of_object.T)[3, :],
-    note="Not in the paper: mu must turn a plane that contains the axis T.",
 )
 
 # %% [markdown]
-# So let $\phi, \omega, \kappa$ be those of (2) and $\mu$ turn $Z$ towards $T$, and $\theta$ likewise.  In the system of
-# the picture, with $(u, v, w) = \mathbf R^T (\mathbf X - \mathbf X_o)$, the measured point is, but for a constant,
-# $\left(u,\ v,\ -\frac{T_o \cos\theta}{\sin\mu}\right)$ times $\frac{c}{\sin\mu}$ over $w + T_o \cot\mu$, turned by
-# $\mathbf D$.  Three changes of the parameters change nothing: a common turn about the axis of $w$, and two that keep
-# the two factors and $T_o \cot\mu - w_o$.
+# So let $\phi, \omega, \kappa$ be those of (2) and $\mu$ turn $Z$ towards $T$, and $\theta$ likewise.
+#
+# **Derivation.**  In the system of the picture, with $(u, v, w) = \mathbf R^T (\mathbf X - \mathbf X_o)$, the measured
+# point is, but for a constant, $\left(u,\ v,\ -\frac{T_o \cos\theta}{\sin\mu}\right)$ times $\frac{c}{\sin\mu}$ over
+# $w + T_o \cot\mu$, turned by $\mathbf D$.  Three changes of the parameters change nothing: a common turn about the
+# axis of $w$, and two that keep the two factors and $T_o \cot\mu - w_o$.
 
 # %%
 Z_TO_T = (2, 3)
@@ -273,12 +330,8 @@ axis_of_comparator = turned(ordinary[:3], comparator_angles)[:3, 2]
 
 def change(along_picture: Scalar, shift_of_image: Scalar, rates: dict[sympy.Symbol, Scalar]) -> Matrix:
     """Return a direction in the sixteen parameters: shifts of the center and of its image, and rates of the others."""
-    shifts = dict(
-        zip(
-            (*center, *spatial_center),
-            (*(along_picture * axis_of_picture), *(shift_of_image * axis_of_comparator)),
-            strict=True,
-        )
+    shifts = given(
+        (*center, *spatial_center), (*(along_picture * axis_of_picture), *(shift_of_image * axis_of_comparator))
     )
     all_rates = shifts | {
         name: rate * angle_rate(name) if name.name.startswith("t_") else rate for name, rate in rates.items()
@@ -301,6 +354,13 @@ free_changes = [
         {t_mu: sin_theta * sin_mu**2, t_theta: -cos_theta * cos_mu * sin_mu, c: c * sin_theta * cos_mu * sin_mu},
     ),
 ]
+
+# %% [markdown]
+# Thirteen are left of sixteen: such a photograph is no general collineation.  Counted are the elements of the matrix of
+# projection, divided by $\sin \mu$; the coefficients are quotients of them and cannot be more.  All of them but $A_1$
+# and $A_2$ are independent.
+
+# %%
 entries_of_sixteen = camera_of_sixteen.applyfunc(lambda entry: over(entry, sin_mu))
 section.count(
     "1.2/beyond/ordinary-rotations",
@@ -309,8 +369,6 @@ section.count(
     derived=entries_of_sixteen,
     variables=sixteen,
     kernel=free_changes,
-    note="Not in the paper: such a projection is no general collineation.  Counted are the entries of the matrix of "
-    "projection, divided by sin(mu); the coefficients are quotients of them and cannot be more.",
 )
 section.count(
     "1.2/beyond/ordinary-rotations#coefficients",
@@ -318,8 +376,14 @@ section.count(
     printed=13,
     derived=vector(*coefficients_of(camera_of_sixteen)[2:15]),
     variables=sixteen,
-    note="Not in the paper.  All but A1 and A2 are independent; more there are not, by 1.2/beyond/ordinary-rotations.",
 )
+
+# %% [markdown]
+# ### General rotations
+#
+# With six angles for each rotation there are twenty parameters, and they reach all fifteen coefficients.
+
+# %%
 all_planes = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
 six_of_object, six_of_comparator = sympy.symbols("t1:7"), sympy.symbols("t7:13")
 A_of_twenty = coefficients_of(camera_of_planes(all_planes, six_of_object, six_of_comparator))
@@ -329,37 +393,18 @@ section.count(
     printed=15,
     derived=A_of_twenty,
     variables=(*six_of_object, *picture_parameters, *six_of_comparator),
-    note="Not in the paper: six angles for each rotation, twenty parameters.",
 )
+
+# %% [markdown]
+# **Meaning.**  For these the paper's theorem holds: a general collineation is a central and an orthogonal projection in
+# four dimensions.  The count shows it in general, and near every such projection.
+
+# %%
 section.count(
     "15#independent",
     "the coefficients of (15) are independent, as those of (8)",
     printed=15,
     derived=A_of_twenty,
     variables=(*six_of_object, *picture_parameters, *six_of_comparator),
-    note="For general rotations.  A general collineation is a central and an orthogonal projection in four dimensions; "
-    "the count shows it in general and near every such projection.",
-)
-
-# %% [markdown]
-# ## Code
-
-# %%
-section.kernel(
-    "collinearity.space_map",
-    "Image of a point under the general central projective one-to-one correspondence of two spaces.",
-    arguments={"B": B, "X": second_point},
-    derived=mapped,
-    claims=["8#matrix"],
-    describe={
-        "B": "Coefficients (B1, ..., B15); their units follow from those of the coordinates of both spaces.",
-        "X": "Point (X2, Y2, Z2) of the second space; any unit of length.",
-    },
-    example={
-        "B": (
-            *("1.25", "0.125", "-0.25", "3.5", "-0.125", "1.375", "0.0625", "-2.25"),
-            *("0.375", "-0.0625", "1.125", "0.75", "0.0125", "-0.005", "0.0025"),
-        ),
-        "X": ("12.5", "-7.25", "31.75"),
-    },
+    note="For general rotations, 1.2/beyond/rotations-of-space.",
 )

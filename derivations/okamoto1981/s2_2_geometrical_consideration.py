@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 2.2 General orientation problem: geometrical consideration
 #
-# The stereo model is built from intersecting rays in a system whose origin is the left projection center and whose
-# first axis is the base.  Beside the condition that homologous rays intersect, distances make the model similar to the
+# Section 2.1 made a model of the object from four equations.  Here it is built: from two cameras with centers, angles
+# and comparators, whose rays meet.  Distances then do what five points did there: they make the model similar to the
 # object.
 
 # %%
@@ -11,11 +11,12 @@ from itertools import combinations
 
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
+from algebroproj_derivations.inserting import given
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import d, of_angles
 from algebroproj_derivations.okamoto1981.s2_1_algebraic_consideration import model
 from algebroproj_sym import Section
-from algebroproj_sym.declaring import cos_sin
 from algebroproj_sym.expressions import (
     Matrix,
     Scalar,
@@ -34,9 +35,10 @@ from algebroproj_sym.expressions import (
 section = Section("okamoto1981", "2.2", "General orientation problem, geometrical consideration")
 
 # %% [markdown]
-# ## Homologous rays
+# ## The two rays of a model point
 #
-# The directions $\mathbf g_i = (l_i, m_i, n_i)$ belong to the rays from $(0, 0, 0)$ and $(B, 0, 0)$.
+# **Definition.**  The origin of the model is the left center, and its first axis is the base.  The rays start at $(0,
+# 0, 0)$ and $(B, 0, 0)$, in the directions $\mathbf g_i = (l_i, m_i, n_i)$.
 
 # %%
 B = sympy.Symbol("B")
@@ -47,7 +49,11 @@ base = vector(B, 0, 0)
 on_left_ray, on_right_ray = rho1 * g1, base + rho2 * g2
 XM, YM, ZM = model
 
+# %% [markdown]
+# **Print.**  Divided by the directions, the coordinates of a point of a ray are one number.
 
+
+# %%
 def quotients(of: Matrix, by: Matrix) -> Matrix:
     return vector(*(over(a, b) for a, b in zip(of, by, strict=True)))
 
@@ -56,22 +62,22 @@ section.identity(
     "25",
     "the left ray",
     printed=quotients(vector(XM, YM, ZM), g1),
-    where=dict(zip(model, on_left_ray, strict=True)),
+    where=given(model, on_left_ray),
     derived=vector(rho1, rho1, rho1),
 )
 section.identity(
     "26",
     "the right ray",
     printed=quotients(vector(XM - B, YM, ZM), g2),
-    where=dict(zip(model, on_right_ray, strict=True)),
+    where=given(model, on_right_ray),
     derived=vector(rho2, rho2, rho2),
 )
 
 # %% [markdown]
-# ## Transformed picture coordinates
+# ## What is the direction of a ray?
 #
-# By (2) the picture point is $\mathbf D_\phi \mathbf D_\omega \mathbf D_\kappa (x, y, -c)^T$ away from the center; the
-# left picture is not turned by an $\omega$.
+# **Definition.**  By (2) the picture point is $\mathbf D_\phi \mathbf D_\omega \mathbf D_\kappa (x, y, -c)^T$ away from
+# the center.  The left picture is not turned by an $\omega$: that would turn the model about its base.
 
 
 # %%
@@ -94,18 +100,22 @@ section.definition(
     "28",
     "transformed picture coordinates of the right picture",
     printed=phi2 * omega2 * kappa2 * vector(x2, y2, -c2) + vector(B, 0, 0),
-    note="The letters of the left side are destroyed by the scan; they are those of (27) with the index 2.",
 )
+
+# %% [markdown]
+# Without the base they are *reduced*.  With a bar in print, here $\bar X_1$ and so on.
+
+# %%
 phi_any, omega_any, kappa_any = about(ABOUT_Y, ""), about(ABOUT_X, ""), about(ABOUT_Z, "")
 section.definition(
     "29",
     "reduced transformed picture coordinates",
     printed=phi_any * omega_any * kappa_any * vector(x, y, -c),
-    note="The scan destroys the left side; (30) and (33) name its three components.",
 )
 
 # %% [markdown]
-# With a bar in print, here $\bar X_1$ and so on.  Divided by their length $A$ they are direction cosines.
+# **Print.**  Divided by their length $A$, the root of the sum of their squares, they are direction cosines: their
+# squares have the sum 1.
 
 # %%
 X1, Y1, Z1 = sympy.symbols("Xbar1 Ybar1 Zbar1")
@@ -122,11 +132,14 @@ section.identity(
     constraints=[length1**2 - dot(reduced_left, reduced_left)],
     nonzero=[length1],
     witness={X1: 1, Y1: 2, Z1: 2, length1: 3},
-    note="With A as printed, the root of the sum of squares: the squares of l, m, n have the sum 1.",
 )
 
 # %% [markdown]
-# ## From measured to picture coordinates
+# ## From the comparator to the ray
+#
+# **Question.**  Measured are $x_c, y_c$.  What are the picture coordinates $x, y$?
+#
+# **Definition.**  The equations (5) of section 1.1 are linear in $x$ and $y$.
 
 # %%
 (d11, d12, d13), (d21, d22, d23) = d[0, :], d[1, :]
@@ -139,6 +152,11 @@ section.identity(
     where={xc: xc_of_picture, yc: yc_of_picture},
     derived=vector(d11 * x + d12 * y, d21 * x + d22 * y),
 )
+
+# %% [markdown]
+# **Print.**  They are solved with the inverse of two rows and columns of $\mathbf D$; its elements are the $h_{ij}$.
+
+# %%
 picture_of_measured = solve(*linear_system([xc - xc_of_picture, yc - yc_of_picture], (x, y)))
 inverse_of_d = inverse(d[:2, :2])
 section.identity(
@@ -147,6 +165,12 @@ section.identity(
     printed=inverse_of_d * vector(xc - xco + d13 * c, yc - yco + d23 * c),
     derived=picture_of_measured,
 )
+section.definition("33#h", "the coefficients h", printed=inverse_of_d)
+
+# %% [markdown]
+# Any matrix may stand for the product of the three rotations.
+
+# %%
 rotation_matrix = Matrix(3, 3, sympy.symbols("r1:4(1:4)"))
 h11, h12, h21, h22 = sympy.symbols("h11 h12 h21 h22")
 reduced = rotation_matrix * vector(*picture_of_measured, -c)
@@ -159,15 +183,13 @@ section.identity(
         h21 * (xc - xco + d13 * c) + h22 * (yc - yco + d23 * c),
         -c,
     ),
-    where=dict(zip((h11, h12, h21, h22), inverse_of_d, strict=True)),
+    where=given((h11, h12, h21, h22), inverse_of_d),
     derived=reduced,
-    note="For any matrix in the place of the product of the three rotations.",
 )
-section.definition("33#h", "the coefficients h", printed=inverse_of_d)
 
 # %% [markdown]
-# But for a common factor they are linear in the homogeneous measured point: the adjugate of the affine map of the
-# comparator, turned.
+# **Meaning.**  A matrix takes the homogeneous measured point to the direction of its ray: the adjugate of the affine
+# map of the comparator, turned.  A free factor does not change a direction.
 
 
 # %%
@@ -182,14 +204,13 @@ section.up_to_scale(
     "direction of the ray of a measured point",
     printed=ray_matrix(rotation_matrix, inner_general) * vector(xc, yc, 1),
     derived=reduced,
-    note="Not in the paper.",
 )
 
 # %% [markdown]
-# ## Coplanarity
+# ## When do the rays meet?
 #
-# The rays meet where $\rho_1 \mathbf g_1 - \rho_2 \mathbf g_2 = (B, 0, 0)^T$: three equations for two unknowns, which
-# agree if base and directions are coplanar.
+# **Definition.**  They meet where $\rho_1 \mathbf g_1 - \rho_2 \mathbf g_2 = (B, 0, 0)^T$: three equations for two
+# unknowns.  They agree if base and directions are coplanar.
 
 # %%
 meeting, base_vector = linear_system(list(on_left_ray - on_right_ray), (rho1, rho2))
@@ -199,19 +220,23 @@ section.up_to_scale(
     printed=Matrix([[determinant(Matrix([[B, l1, l2], [0, m1, m2], [0, n1, n2]]))]]),
     derived=Matrix([[determinant(columns(meeting, base_vector))]]),
 )
+
+# %% [markdown]
+# **Print.**  The base is not zero, and the lengths by which the coordinates are divided drop out.  Two rows are left.
+
+# %%
 reduced_condition = determinant(Matrix([[Y1, Y2], [Z1, Z2]]))
 section.vanishing(
     "35",
     "condition of coplanarity, reduced",
     printed=(B, reduced_condition),
     derived=dot(base, cross(direction_left, direction_right)),
-    note="The base B is not zero; the lengths by which the coordinates are divided drop out.",
 )
 
 # %% [markdown]
-# As a bilinear form of the measured points the condition has the matrix $\mathbf G_1^T \mathbf W \mathbf G_2$ with the
-# ray matrices $\mathbf G_i$ and a singular $\mathbf W$: its determinant vanishes, and seven of the eight ratios of its
-# elements determine the eighth.
+# **What does this condition know of the cameras?**  With the ray matrices $\mathbf G_i$ it is a bilinear form of the
+# measured points, $\mathbf G_1^T \mathbf W \mathbf G_2$.  $\mathbf W$ is singular, and with it the form: seven of its
+# eight ratios determine the eighth, for a determinant is linear in each element.
 
 # %%
 W = Matrix([[0, 0, 0], [0, 0, 1], [0, -1, 0]])
@@ -221,19 +246,17 @@ section.identity(
     "the determinant of the bilinear form is zero",
     printed=0,
     derived=determinant(G1.T * W * G2),
-    note="Not in the paper: it is linear in each element.",
 )
 section.identity(
     "35/beyond/bilinear",
     "the condition as a bilinear form",
     printed=reduced_condition,
     derived=dot(reduced_left, W * reduced_right),
-    note="Not in the paper.",
 )
 
 # %% [markdown]
-# Fifteen parameters enter: $\phi_1, \kappa_1, \phi_2, \omega_2, \kappa_2$ and, for either picture, $x_{co}, y_{co}, c$,
-# $\alpha$ and $\beta$.
+# **Print.**  Fifteen parameters enter: $\phi_1, \kappa_1, \phi_2, \omega_2, \kappa_2$ and, for either picture, $x_{co},
+# y_{co}, c$, $\alpha$ and $\beta$.  Seven functions of them are independent, as many as in section 2.1.
 
 # %%
 angles_left = sympy.symbols("t_phi1 t_kappa1")
@@ -269,15 +292,14 @@ section.count(
     printed=7,
     derived=seven_ratios(coplanarity_of(inner_of(inner_left), inner_of(inner_right))),
     variables=fifteen,
-    note="Seven ratios of the elements of the bilinear form are independent, and by 35/beyond/determinant the eighth "
-    "follows from them.  It agrees with 2.1/seven and with today's theory of the fundamental matrix.",
 )
 
 # %% [markdown]
-# ## Similarity
+# ## What do distances say?
 #
-# Distances do not change when the points move as a rigid body, and ratios of distances do not change in a similarity
-# either.  Counted are squares of distances.
+# Seven conditions leave eight of the fifteen parameters open.  What can be measured in the object without any system of
+# coordinates?  Distances: they do not change when the points move as a rigid body.  Their ratios do not change in a
+# similarity either.
 
 
 # %%
@@ -304,14 +326,22 @@ def rates(points: list[Matrix], movement: Movement) -> Matrix:
     return Matrix.vstack(*(movement(p) for p in points))
 
 
+# %% [markdown]
+# **Definition.**  Each segment of the model is $m$ times that of the object, with one $m$ for all.
+
+# %%
 segment_of_model, segment_of_object = sympy.symbols("L_M L_o")
 section.definition(
     "2.2/scale",
     "the similarity condition of one line segment",
     printed=segment_of_model / segment_of_object,
-    note="The scale m is the same for all segments.",
 )
 
+# %% [markdown]
+# **Print.**  Five points have ten segments.  Fifteen coordinates, less six movements, are nine: one segment follows
+# from the others.  With an unknown scale eight ratios are left.  (Counted are squares of distances.)
+
+# %%
 five = free_points(5)
 coordinates_of_five = tuple(coordinate for p in five for coordinate in p)
 section.count(
@@ -321,7 +351,6 @@ section.count(
     derived=vector(*squared_distances(five)),
     variables=coordinates_of_five,
     kernel=[rates(five, movement) for movement in movements],
-    note="Of ten segments; fifteen coordinates less six movements.",
 )
 section.count(
     "2.2/eight",
@@ -330,14 +359,14 @@ section.count(
     derived=ratios_to_first(squared_distances(five)),
     variables=coordinates_of_five,
     kernel=[rates(five, similarity) for similarity in similarities],
-    note="Nine segments, one unknown scale m.",
 )
 
 # %% [markdown]
-# ### Seven and eight equations
+# ### Are seven and eight enough?
 #
-# Seven pairs of image points, five of them those of the control points, and eight ratios of segments of the latter: 28
-# image coordinates and 8 ratios are functions of 15 parameters and of the 21 coordinates of seven model points.
+# **Derivation.**  Take seven pairs of image points, five of them those of the control points, and eight ratios of
+# segments of the latter.  These are 28 image coordinates and 8 ratios, functions of 15 parameters and of the 21
+# coordinates of seven model points.  Eliminate the points: the rates of what is left by the parameters have full rank.
 
 # %%
 unit_base = vector(1, 0, 0)
@@ -360,13 +389,17 @@ section.rank(
     "seven conditions of coplanarity and eight of similarity are fifteen independent equations",
     printed=15,
     derived=rates_of_equations(equations_of_fifteen, fifteen, seven),
-    note="The rates of the equations by the fifteen parameters.  Local, as 2.1/twenty-two.",
 )
 
 # %% [markdown]
-# ### Fifteen as eight and seven
+# **Meaning.**  Near a solution there is no other, as in 2.1/twenty-two.  No coordinate of the object is used: distances
+# alone calibrate both cameras (section 5).
+
+# %% [markdown]
+# ### Why eight?
 #
-# A collineation that is followed by a similarity gives the same ratios of distances.
+# The model differs from the object by a collineation, of fifteen parameters.  A similarity behind it does not change
+# the ratios of distances.  It has seven parameters, and $15 = 8 + 7$.
 
 # %%
 B_ = vector(*sympy.symbols("B1:16"))
@@ -381,6 +414,10 @@ def infinitesimal(movement: Movement) -> Matrix:
     return columns(*(movement(a) - origin for a in axes), origin).col_join(Matrix.zeros(1, 4))
 
 
+# %% [markdown]
+# **Print.**  Five points give all fifteen; their ratios of distances give eight, and are blind for the seven.
+
+# %%
 mapped_ratios = ratios_to_first(squared_distances(mapped_points))
 followed_by_similarities = [vector(*(infinitesimal(s) * collineation_matrix)[:15]) for s in similarities]
 section.count(
@@ -397,17 +434,22 @@ section.count(
     derived=mapped_ratios,
     variables=B_,
     kernel=followed_by_similarities,
-    note="Fifteen coefficients are eight conditions of similarity of five points and seven parameters of a similarity.",
 )
 
 # %% [markdown]
-# ## Model points
+# ## Where is the model point?
 #
-# $\rho_1$ from the first two of the three equations.
+# **Definition.**  $\rho_1$ from the first two of the three equations, and $\rho_1 \mathbf g_1$.
 
 # %%
 rho = solve(meeting[:2, :], base_vector[:2, :])
 model_point = rho[0] * g1
+model_point
+
+# %% [markdown]
+# **Print.**
+
+# %%
 common = l1 * m2 - m1 * l2
 section.identity("36#rho", "factor of the left ray", printed=m2 * B / common, derived=rho[0])
 section.identity(
@@ -416,7 +458,13 @@ section.identity(
     printed=vector(l1 * m2 * B / common, m1 * m2 * B / common, n1 * m2 * B / common),
     derived=model_point,
 )
-of_reduced = dict(zip((*g1, *g2), (*direction_left, *direction_right), strict=True))
+
+# %% [markdown]
+# The directions are the reduced coordinates, divided by $A_1$ and $A_2$, which cancel.  The scan destroys the letters
+# of the printed members and keeps their shape.
+
+# %%
+of_reduced = given((*g1, *g2), (*direction_left, *direction_right))
 model_point_of_reduced = model_point.xreplace(of_reduced)
 reconstructed = vector(*(component * Y2 * B / (X1 * Y2 - Y1 * X2) for component in reduced_left))
 section.identity(
@@ -429,18 +477,43 @@ section.identity(
     note="The scan destroys the letters of the last members, not their shape: a product with B over a difference of "
     "two products.  The directions are the coordinates divided by A1 and A2, which cancel; (43) has the same form.",
 )
+
+# %% [markdown]
+# **And by the right ray?**  It gives the same first two coordinates.  The third ones agree if the rays are coplanar.
+
+# %%
 section.identity(
     "36/beyond/right",
     "the right ray gives the same point but for its third coordinate",
     printed=vector(model_point[0], model_point[1]),
     derived=(base + rho[1] * g2)[:2, :],
-    note="Not in the paper: the third coordinates agree if the rays are coplanar.",
 )
 
 # %% [markdown]
-# ## Similarity transformation
+# **An example.**  The left ray in the direction $(1, 1, -3)$ and the right one in the direction $(-1, 1, -4)$, with the
+# base 1.  The rays miss each other.  The formula takes the point of the left ray that lies above or below the right
+# one.
+
+# %%
+crossing = {B: 1, **given((*g1, *g2), (1, 1, -3, -1, 1, -4))}
+EXAMPLE = {
+    "C1": vector(0, 0, 0),
+    "C2": vector(1, 0, 0),
+    "P": model_point.subs(crossing).doit(),
+    "Q": (base + rho[1] * g2).subs(crossing).doit(),
+}
+SpaceDrawing(
+    "The model point P on the left ray, and the point Q of the right ray with the same first two coordinates.  The "
+    "distance of P and Q is a parallax along the third axis.",
+    EXAMPLE,
+    segments=[("C1", "C2"), ("C1", "P"), ("C2", "Q"), ("P", "Q")],
+    axes=("X_M", "Y_M", "Z_M"),
+)
+
+# %% [markdown]
+# ## From the model to the object
 #
-# $\Phi$, $\Omega$ and $K$ turn the model.
+# **Definition.**  Three rotations $\Phi$, $\Omega$ and $K$, a scale $m$ and a translation.
 
 # %%
 Phi, Omega, Kappa = sympy.symbols("Phi Omega Kappa")
@@ -449,6 +522,11 @@ cosines_and_sines = {angle: sympy.symbols(f"c_{angle} s_{angle}") for angle in (
 m = sympy.Symbol("m")
 of_model = rotation((ABOUT_Y, cos_1, sin_1), (ABOUT_X, cos_2, sin_2), (ABOUT_Z, cos_3, sin_3))
 object_of_model = m * of_model * model + center
+
+# %% [markdown]
+# **Print.**  The three matrices are the rotations about $Y$, $X$ and $Z$, and their product is a rotation.
+
+# %%
 section.identity(
     "38",
     "similarity transformation",
@@ -459,7 +537,6 @@ section.identity(
     * vector(XM, YM, ZM)
     + vector(Xo, Yo, Zo),
     derived=object_of_model,
-    note="The printed matrices are the rotations about Y, X and Z of the notation.",
 )
 UNIT_CIRCLES = [cos_1**2 + sin_1**2 - 1, cos_2**2 + sin_2**2 - 1, cos_3**2 + sin_3**2 - 1]
 section.identity(
@@ -472,7 +549,13 @@ section.identity(
 )
 
 # %% [markdown]
-# The quotient of distances is the same for all pairs of points; a rotation does not change them.
+# ## Two letters $m$
+#
+# **Question.**  The quotient of distances is the same for all pairs of points, and (37) calls it $m$.  Is it the $m$ of
+# (38)?
+#
+# **Definition.**  A similar model, here not turned, as a rotation does not change distances, and the squares of the
+# distances of its points.
 
 # %%
 first_model, second_model = vector(*sympy.symbols("XM_i YM_i ZM_i")), vector(*sympy.symbols("XM_k YM_k ZM_k"))
@@ -480,6 +563,11 @@ first_object, second_object = vector(*sympy.symbols("X_i Y_i Z_i")), vector(*sym
 object_segment = dot(first_object - second_object, first_object - second_object)
 scale = sympy.Symbol("s")
 similar = list((first_model - second_model) - scale * (first_object - second_object))
+
+# %% [markdown]
+# **Print.**  The numerator of (37) subtracts a point from itself.
+
+# %%
 section.identity(
     "37",
     "quotient of the line segments of model and object",
@@ -493,6 +581,11 @@ section.identity(
     "is printed with the index Mi twice; the second must be Mk, as the denominator shows.  The scan alone cannot tell "
     "a slip of the scan from one of the print.",
 )
+
+# %% [markdown]
+# In (37) $m$ is model over object.  In (38) it multiplies the model to give the object: it is the reciprocal.
+
+# %%
 difference = first_model - second_model
 section.identity(
     "38#m",
@@ -504,53 +597,4 @@ section.identity(
     note="(37) defines m as model over object, (38) multiplies the model by m to get the object: one of the two is the "
     "reciprocal of the other.  Squared and without the rotation, as in 37.  Read as two different numbers with one "
     "letter both equations are right.",
-)
-
-# %% [markdown]
-# ## Code
-
-# %%
-base_length = sympy.Symbol("base")
-section.kernel(
-    "collinearity.model_point",
-    "Model point on the left ray, from reduced transformed picture coordinates.",
-    arguments={"reduced_left": reduced_left, "reduced_right": reduced_right, "base": base_length},
-    derived=model_point_of_reduced.xreplace({length1: sympy.Integer(1), length2: sympy.Integer(1), B: base_length}),
-    form=reconstructed.xreplace({B: base_length}),
-    claims=["36", "36#directions"],
-    describe={
-        "reduced_left": "Left picture point, (x, y, -c) turned into the model system; any unit of length.",
-        "reduced_right": "Right picture point, (x, y, -c) turned into the model system; any unit of length.",
-        "base": "Model base B, on the axis XM; unit of the model.",
-    },
-    example={
-        "reduced_left": ("21.5", "-33.25", "-150.75"),
-        "reduced_right": ("-28.25", "-34.5", "-153.5"),
-        "base": "60.5",
-    },
-)
-section.kernel(
-    "collinearity.similarity",
-    "Object point of a model point: rotation, scale and translation.",
-    arguments={
-        "X_model": model,
-        "angles": vector(Phi, Omega, Kappa),
-        "scale": sympy.Symbol("scale"),
-        "translation": center,
-    },
-    through=[cos_sin(*values, angle) for angle, values in cosines_and_sines.items()],
-    derived=object_of_model.xreplace({m: sympy.Symbol("scale")}),
-    claims=["38"],
-    describe={
-        "X_model": "Model point (XM, YM, ZM); unit of the model.",
-        "angles": "Rotations (Phi, Omega, K) about Y, X and Z; radians.",
-        "scale": "Scale m of (38), object over model; dimensionless if both have the same unit.",
-        "translation": "Object coordinates (Xo, Yo, Zo) of the origin of the model; unit of the object.",
-    },
-    example={
-        "X_model": ("39.25", "-60.5", "-275.75"),
-        "angles": ("0.125", "-0.0625", "0.75"),
-        "scale": "1.25",
-        "translation": ("512.5", "-107.25", "348.75"),
-    },
 )

@@ -1,11 +1,14 @@
 # %% [markdown]
 # # 3 Simultaneous determination of all orientation unknowns for the general case
 #
-# The rays are those of section 2.2, but in the object system: 22 parameters of two photographs at once.
+# Section 2.2 went from the pictures to a model, and from the model to the object.  Can one go at once?  The rays are
+# the same, now in the system of the object, and 22 parameters of two photographs are unknown together.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
+from algebroproj_derivations.inserting import given
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import exterior_angles, of_angles
 from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
@@ -41,7 +44,9 @@ from algebroproj_sym.expressions import (
 section = Section("okamoto1981", "3", "Simultaneous determination of all orientation unknowns, general case")
 
 # %% [markdown]
-# ## Rays in the object system
+# ## What are the rays in the system of the object?
+#
+# **Definition.**  They start at the two centers.
 
 # %%
 center_left, center_right = vector(*sympy.symbols("Xo1 Yo1 Zo1")), vector(*sympy.symbols("Xo2 Yo2 Zo2"))
@@ -53,25 +58,36 @@ X1, Y1, Z1 = reduced_left
 X2, Y2, Z2 = reduced_right
 on_left_ray, on_right_ray = center_left + rho1 * g1, center_right + rho2 * g2
 
-for number, title, origin, direction, on_ray, rho in (
-    ("39", "the left ray", center_left, g1, on_left_ray, rho1),
-    ("40", "the right ray", center_right, g2, on_right_ray, rho2),
-):
-    section.identity(
-        number,
-        title,
-        printed=quotients(point - origin, direction),
-        where=dict(zip(point, on_ray, strict=True)),
-        derived=vector(rho, rho, rho),
-    )
 
 # %% [markdown]
-# ## Coplanarity
+# **Print.**
+
+# %%
+section.identity(
+    "39",
+    "the left ray",
+    printed=quotients(point - center_left, g1),
+    where=given(point, on_left_ray),
+    derived=vector(rho1, rho1, rho1),
+)
+section.identity(
+    "40",
+    "the right ray",
+    printed=quotients(point - center_right, g2),
+    where=given(point, on_right_ray),
+    derived=vector(rho2, rho2, rho2),
+)
+
+# %% [markdown]
+# ## When do they meet?
+#
+# **Definition.**  Where $\rho_1 \mathbf g_1 - \rho_2 \mathbf g_2$ is the base from the left to the right center: three
+# equations for two unknowns.
 
 # %%
 BX, BY, BZ = sympy.symbols("B_X B_Y B_Z")
 base = vector(BX, BY, BZ)
-of_centers = dict(zip(base, center_right - center_left, strict=True))
+of_centers = given(base, center_right - center_left)
 meeting, base_vector = linear_system(list(on_left_ray - on_right_ray), (rho1, rho2))
 section.up_to_scale(
     "41",
@@ -79,12 +95,16 @@ section.up_to_scale(
     printed=Matrix([[determinant(Matrix([[Xo2 - Xo1, l1, l2], [Yo2 - Yo1, m1, m2], [Zo2 - Zo1, n1, n2]]))]]),
     derived=Matrix([[determinant(columns(meeting, base_vector))]]),
 )
+
+# %% [markdown]
+# **Print.**  The reduced coordinates, divided by their lengths, are the directions; the lengths drop out.
+
+# %%
 section.vanishing(
     "42",
     "condition of coplanarity in reduced transformed picture coordinates",
     printed=(determinant(Matrix([[BX, X1, X2], [BY, Y1, Y2], [BZ, Z1, Z2]])),),
     derived=dot(base, cross(g1, g2)).xreplace(of_reduced),
-    note="The lengths by which the coordinates are divided drop out.",
 )
 section.identity(
     "42#base",
@@ -94,12 +114,20 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Object points
+# ## Where do they meet?
+#
+# **Definition.**  $\rho_1$ from the first two of the three equations.
 
 # %%
 rho = solve(meeting[:2, :], base_vector[:2, :])[0]
 object_point = center_left + rho * g1
 reduced_point = object_point.xreplace(of_reduced)
+object_point
+
+# %% [markdown]
+# **Print.**
+
+# %%
 section.identity(
     "43#rho",
     "factor of the left ray",
@@ -127,7 +155,10 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Twenty-two equations
+# ## Are there 22 equations?
+#
+# **Definition.**  As in section 2.2 the condition is a bilinear form of the measured points.  Its middle matrix takes a
+# vector to the product with the base.  It is singular, and with it the form.
 
 # %%
 angles_left, angles_right = (tuple(sympy.symbols(f"t_phi{i} t_omega{i} t_kappa{i}")) for i in (1, 2))
@@ -135,59 +166,69 @@ left_rotation, right_rotation = of_angles(*angles_left), of_angles(*angles_right
 twenty_two = (*angles_left, *center_left, *inner_left, *angles_right, *center_right, *inner_right)
 b1, b2, b3 = center_right - center_left
 cross_with_base = Matrix([[0, b3, -b2], [-b3, 0, b1], [b2, -b1, 0]])
-bilinear = (
-    ray_matrix(left_rotation, inner_of(inner_left)).T
-    * cross_with_base
-    * ray_matrix(right_rotation, inner_of(inner_right))
-)
 section.identity(
     "42/beyond/bilinear",
     "the condition as a bilinear form",
     printed=dot(reduced_left, cross_with_base * reduced_right),
     derived=dot(center_right - center_left, cross(reduced_left, reduced_right)),
-    note="Not in the paper.",
 )
 section.identity(
     "42/beyond/determinant",
     "the middle matrix is singular, and with it the bilinear form",
     printed=0,
     derived=determinant(cross_with_base),
-    note="Not in the paper.",
 )
+
+# %% [markdown]
+# So seven ratios of its elements determine the eighth.  **Print:** they are independent.
+
+
+# %%
+def bilinear_of(left: Matrix, right: Matrix) -> Matrix:
+    """Return the matrix of the bilinear form of (42), for the affine maps of two comparators."""
+    return ray_matrix(left_rotation, left).T * cross_with_base * ray_matrix(right_rotation, right)
+
+
 section.count(
     "42#seven",
     "the condition has seven independent parameters",
     printed=7,
-    derived=seven_ratios(bilinear),
+    derived=seven_ratios(bilinear_of(inner_of(inner_left), inner_of(inner_right))),
     variables=twenty_two,
-    note="Seven ratios of the elements of the bilinear form are independent; by 42/beyond/determinant the eighth "
-    "follows from them.",
 )
+
+# %% [markdown]
+# **Do five object points do the rest?**  The seven pairs are those of five object points and of two further ones, whose
+# coordinates are eliminated.  For a pair that satisfies (42) the four image coordinates of a given point say the same
+# as (43).
+
+
+# %%
+def images_by(cameras: tuple[Matrix, Matrix], points: list[Matrix]) -> Matrix:
+    return Matrix.vstack(*(image(matrix, p) for p in points for matrix in cameras))
+
 
 tie_points = free_points(2)
 control_points = [vector(*p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 2, 3))]
-camera_left = camera(inner_of(inner_left), left_rotation.T, center_left)
-camera_right = camera(inner_of(inner_right), right_rotation.T, center_right)
+cameras = (
+    camera(inner_of(inner_left), left_rotation.T, center_left),
+    camera(inner_of(inner_right), right_rotation.T, center_right),
+)
 section.rank(
     "3/twenty-two",
     "seven conditions of coplanarity and five object points give 22 independent equations",
     printed=22,
-    derived=rates_of_equations(
-        Matrix.vstack(
-            *(image(matrix, p) for p in (*control_points, *tie_points) for matrix in (camera_left, camera_right))
-        ),
-        twenty_two,
-        tie_points,
-    ),
-    note="The seven pairs are those of five object points and of two further points.  For a pair that satisfies (42) "
-    "the four image coordinates of a given point say the same as (43).  Local: near a solution there is no other; "
-    "elsewhere there can be two more, 3/unique.  2.1/twenty-two counts the coefficients, with other pairs.",
+    derived=rates_of_equations(images_by(cameras, [*control_points, *tie_points]), twenty_two, tie_points),
 )
 
 # %% [markdown]
-# ## Four types of control points
+# **Meaning.**  Near a solution there is no other.  Elsewhere there can be two more (3/unique).
+
+# %% [markdown]
+# ## What does a control point give of which not all is known?
 #
-# What is known of a control point is put into (39) and (40), and the unknown coordinates are eliminated.
+# **Definition.**  On a ray one known coordinate gives the others.  What is known is put into (39) and (40), and the
+# unknown coordinates are eliminated.
 
 
 # %%
@@ -200,6 +241,10 @@ def in_reduced(expression: Scalar) -> Scalar:
     return expression.xreplace(of_reduced)
 
 
+# %% [markdown]
+# **First type: all is known.**  From $Z$ follow $X$ and $Y$, in either photograph.
+
+# %%
 section.identity(
     "44#directions",
     "first type, left photograph, from direction cosines",
@@ -225,18 +270,22 @@ section.identity(
     where=of_centers,
     derived=vector(*(in_reduced(from_known(2, k, center_right, g2)) for k in (0, 1))),
 )
+
+# %% [markdown]
+# The collinearity equations (3) say the same: the picture point, turned into the system of the object, has the
+# direction from the center to the object point.
+
+# %%
 ray = of_angles(*exterior_angles).T * (point - center)
 section.up_to_scale(
     "44#collinearity",
     "the collinearity equations say the same",
     printed=point - center,
     derived=of_angles(*exterior_angles) * vector(*(over(-c * component, ray[2]) for component in ray)),
-    note="The picture point of (3), turned into the object system, has the direction from the center to the object "
-    "point.",
 )
 
 # %% [markdown]
-# Second type: $X$ and $Y$ are known.  The third equation says that both rays give the same $Z$; it is written with
+# **Second type: $X$ and $Y$ are known.**  The third equation says that both rays give the same $Z$; it is written with
 # $Z - Z_{o1}$.
 
 # %%
@@ -262,7 +311,7 @@ section.identity(
 )
 
 # %% [markdown]
-# Third type: $Z$ is known, and both rays give the same $X$ and the same $Y$.
+# **Third type: $Z$ is known.**  Both rays give the same $X$ and the same $Y$.
 
 # %%
 section.identity(
@@ -294,12 +343,12 @@ section.identity(
 )
 
 # %% [markdown]
-# ### One of the equations is the coplanarity
+# ## Is the condition of coplanarity one equation more?
 #
-# Multiplied by their denominators the equations are polynomials, here in the differences
-# $\mathbf u = \mathbf X - \mathbf X_{o1}$ and $\mathbf v = \mathbf u - \mathbf b$ and in the directions.  The
-# determinant of $\mathbf b$ and both directions, times divisors, lies in their ideal; modulo all but the last equation
-# it is a multiple of the last one.
+# **No.**  The equations of each type contain it: multiplied by their denominators they are polynomials, and the
+# determinant of base and directions, times divisors, lies in their ideal.  Modulo all but the last equation it is a
+# multiple of the last one: the condition may stand for it, unless the projections of both rays into a coordinate plane
+# are parallel.  Here $\mathbf u = \mathbf X - \mathbf X_{o1}$ and $\mathbf v = \mathbf u - \mathbf b$.
 
 # %%
 u = vector(*sympy.symbols("u1 u2 u3"))
@@ -315,7 +364,7 @@ types = (
     ("second", [m1 * u[0] - l1 * u[1], m2 * v[0] - l2 * v[1], same_z], l1 * l2, m1 * l2 - l1 * m2),
     ("third", [same_x, same_y], n1 * n2, l1 * n2 - n1 * l2),
 )
-intersecting = dict(zip((*u, *base, *g1, *g2), (2, 4, 6, 1, 1, 1, 1, 2, 3, 1, 3, 5), strict=True))
+intersecting = given((*u, *base, *g1, *g2), (2, 4, 6, 1, 1, 1, 1, 2, 3, 1, 3, 5))
 for name, polynomials, divisors, crossing in types:
     *others, last = polynomials
     section.identity(
@@ -325,7 +374,6 @@ for name, polynomials, divisors, crossing in types:
         derived=divisors * coplanar,
         constraints=polynomials,
         witness=intersecting,
-        note="The factor before the determinant is a product of divisors of the equations.",
     )
     section.identity(
         f"3/coplanarity#{name}-equivalent",
@@ -334,6 +382,16 @@ for name, polynomials, divisors, crossing in types:
         derived=divisors * coplanar,
         constraints=others,
         witness=intersecting,
-        note="Where the other equations hold, the condition and the last equation are the same but for factors that "
-        "are not zero, unless the projections of both rays into a coordinate plane are parallel.",
     )
+
+# %% [markdown]
+# **The witness.**  That the equations can be satisfied is shown by two rays that meet:
+
+# %%
+SpaceDrawing(
+    "Two rays that meet in P = (2, 4, 6), in the directions (1, 2, 3) and (1, 3, 5), from the centers (0, 0, 0) "
+    "and (1, 1, 1).",
+    {"C1": vector(0, 0, 0), "C2": base.subs(intersecting), "P": u.subs(intersecting)},
+    segments=[("C1", "C2"), ("C1", "P"), ("C2", "P")],
+    axes=("X", "Y", "Z"),
+)

@@ -1,19 +1,24 @@
 # %% [markdown]
 # # 3 Are the 22 parameters unique?
 #
-# The 22 equations are independent: near a solution there is no other.  But seven pairs of image points leave a pencil
-# of bilinear forms $\mathbf F + t\, \mathbf G$, of which those are conditions of coplanarity whose determinant is zero.
-# That is a cubic in $t$.  Each of its roots gives a stereo model, and five points take each model to the object.
+# The 22 equations are independent: near a solution there is no other.  The paper says more, that the parameters are
+# determined uniquely.  Are they?  Seven pairs of image points leave a pencil of bilinear forms $\mathbf F + t\, \mathbf
+# G$.  A condition of coplanarity is one whose determinant is zero: a cubic in $t$, with up to three real roots.  Each
+# of them gives a stereo model, and five points take each model to the object.  This section builds an example with
+# three roots, from integers.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
+from algebroproj_derivations.inserting import inserted
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s2_1_algebraic_consideration import (
     A_left,
     A_right,
     control_points,
     coplanarity,
+    drawn,
     x_left,
     x_right,
 )
@@ -23,10 +28,10 @@ from algebroproj_sym.expressions import Matrix, columns, cross, determinant, dot
 section = Section("okamoto1981", "3", "Unique determination, general case")
 
 # %% [markdown]
-# ## Seven pairs
+# ## Seven pairs that satisfy two conditions
 #
-# Two conditions of coplanarity are given, and seven left image points.  The right image point that belongs to a left
-# one under both conditions is where its two lines meet.
+# **Definition.**  Take two conditions of coplanarity $\mathbf F$ and $\mathbf G$, and seven left image points.  Either
+# condition gives a line in the right image.  Where the two lines meet is the right image point.
 
 # %%
 F, G = Matrix([[-2, 0, 1], [1, -2, -2], [0, -4, -3]]), Matrix([[2, 2, 0], [-2, 0, 2], [1, 2, 1]])
@@ -34,29 +39,54 @@ left_points = [vector(*p, 1) for p in ((-3, -3), (3, 3), (1, 2), (-3, 0), (4, -1
 right_points = [cross(F.T * u, G.T * u) for u in left_points]
 pairs = list(zip(left_points, right_points, strict=True))
 t = sympy.Symbol("t")
+
+# %% [markdown]
+# All bilinear forms that vanish for the seven pairs are combinations of the two.
+
+# %%
 section.rank(
     "3/beyond/pencil",
     "seven pairs leave a pencil of bilinear forms",
     printed=7,
     derived=Matrix([[u[i] * v[j] for i in range(3) for j in range(3)] for u, v in pairs]),
     kernel=[vector(*F), vector(*G)],
-    note="Not in the paper: an example with integers.",
 )
+
+# %% [markdown]
+# **Which of them are conditions of coplanarity?**  $\det(\mathbf F + t\, \mathbf G)$ is zero for $t = 0$ and $t = 1$.
+# The third root of the cubic is at infinity, and is $\mathbf G$ itself.
+
+# %%
 THIRD = sympy.Rational(1)
 section.vanishing(
     "3/beyond/pencil#cubic",
     "two of the conditions of coplanarity in the pencil, beside the second of the given ones",
     printed=(t, t - THIRD),
     derived=determinant(F + t * G),
-    note="Not in the paper: t = 0 is the first one, and the second one, G, is the third root of the cubic, at "
-    "infinity.",
 )
 forms = (F, G, F + THIRD * G)
 
 # %% [markdown]
-# ## Three models
+# One left photograph, three conditions: each makes a pencil of lines of the right image points, through the image of
+# another right center.  Under the third the sixth right point is the image of the left center, and has no line.
+
+# %%
+ImageDrawing(
+    "The seven left image points, with the lines that the three conditions make of the right image points.",
+    {
+        title: (
+            {f"{k}": vector(*u[:2, :]) for k, u in enumerate(left_points, 1)},
+            [drawn(form * v) for v in right_points if any(form * v)],
+        )
+        for title, form in zip(("first", "second, G", "third, F + G"), (F, G, F + THIRD * G), strict=True)
+    },
+    axes=("x_c", "y_c"),
+)
+
+# %% [markdown]
+# ## A model for each condition
 #
-# Let the left photograph have the matrix $[\mathbf 1\; \mathbf 0]$, and the right one
+# **Definition.**  Let the left photograph have the matrix $[\mathbf 1\; \mathbf 0]$, and the right one
 # $[\,\mathbf a \times \mathbf F^T\; \mathbf a\,]$ with $\mathbf F \mathbf a = \mathbf 0$: then $\mathbf u_1^T \mathbf F
 # \mathbf u_2 = 0$ for the images of every point.  A model point is $(\mathbf u_1, w)$.
 
@@ -75,7 +105,7 @@ def model_of(form: Matrix) -> tuple[Matrix, list[Matrix]]:
 
 
 # %% [markdown]
-# ## Three pairs of photographs
+# ## Photographs for each model
 #
 # The first five pairs are those of the control points.  The collineation that takes the five model points to them is
 # a product of two matrices, each of which takes the five unit points to five points.
@@ -105,11 +135,8 @@ def measured(u: Matrix) -> Matrix:
 
 def left_over(left: Matrix, right: Matrix) -> Matrix:
     """Return what the equations of seven pairs and five control points leave."""
-    of_photographs = dict(zip((*A_left, *A_right), (*left, *right), strict=True))
-    conditions = [
-        coplanarity.xreplace(of_photographs | dict(zip((*x_left, *x_right), (*measured(u), *measured(v)), strict=True)))
-        for u, v in pairs
-    ]
+    condition = inserted(coplanarity, (*A_left, *A_right), (*left, *right))
+    conditions = [inserted(condition, (*x_left, *x_right), (*measured(u), *measured(v))) for u, v in pairs]
     of_control = [
         image(matrix_of(a), p) - measured(w)
         for p, pair in zip(control_points, pairs[:5], strict=True)
@@ -118,14 +145,22 @@ def left_over(left: Matrix, right: Matrix) -> Matrix:
     return Matrix.vstack(vector(*conditions), *of_control)
 
 
+# %% [markdown]
+# **The result.**  Three pairs of photographs leave nothing of the equations: seven conditions (42), and twenty image
+# coordinates of five object points, which say the same as (43).
+
+# %%
 section.identity(
     "3/beyond/three-solutions",
     "three pairs of photographs satisfy seven conditions of coplanarity and have the same images of five object points",
     printed=Matrix.zeros(27, 3),
     derived=columns(*(left_over(*solution) for solution in solutions)),
-    note="Not in the paper: the conditions (42) of seven pairs, and twenty image coordinates of the five points, which "
-    "say the same as (43).  All numbers are rational.",
 )
+
+# %% [markdown]
+# **Print.**  If the parameters were unique, the first two of these solutions would be equal.
+
+# %%
 section.identity(
     "3/unique",
     "seven pairs and five object points determine the parameters uniquely",
@@ -140,3 +175,7 @@ section.identity(
     follows="Up to three pairs of photographs satisfy all conditions. The example has three, with rational numbers, "
     "for the same measurements. An eighth pair of points decides. See docs/findings/uniqueness.md.",
 )
+
+# %% [markdown]
+# **Meaning.**  Who adjusts seven pairs and five points may find any of three solutions: it depends on the
+# approximations.  An eighth pair decides.

@@ -1,12 +1,13 @@
 # %% [markdown]
 # # 4.1 The usual case in close-range photogrammetry
 #
-# The plane of the comparator is parallel to the picture: its axes are those of the picture, and the inclinations are
-# gone.
+# Usually the plane of the comparator is parallel to the picture.  Its axes are those of the picture, and the
+# inclinations are gone.  What becomes of the eleven coefficients?
 
 # %%
 import sympy
 
+from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import A_of_nine, d, e, in_comparator, nine
 from algebroproj_sym import Section
@@ -15,21 +16,32 @@ from algebroproj_sym.expressions import Matrix, Scalar, cross, dot, vector
 section = Section("okamoto1981", "4.1", "The usual case in close-range photogrammetry")
 
 # %% [markdown]
-# ## Measured coordinates
+# ## What is measured?
+#
+# **Definition.**  The picture point in the system of the comparator, with the unit matrix for the three rotations:
+# parallel planes leave a rotation $\gamma$ about the common normal, which is zero as in 1.1/gamma.
 
 # %%
-parallel = dict(zip(d, E3, strict=True))
-measured = in_comparator.xreplace(parallel)[:2, :]
+measured = inserted(in_comparator, d, E3)[:2, :]
+measured
+
+# %% [markdown]
+# **Print.**
+
+# %%
 xh, yh = sympy.symbols("xH yH")
 section.identity(
     "49",
     "measured coordinates",
     printed=vector(x, y),
     derived=measured - comparator_center,
-    note="With the unit matrix for the three rotations: parallel planes leave a rotation gamma about the "
-    "common normal, which is zero as in 1.1/gamma.",
 )
-of_principal_point = dict(zip((xh, yh), measured.xreplace({x: sympy.Integer(0), y: sympy.Integer(0)}), strict=True))
+
+# %% [markdown]
+# The principal point is where $x = y = 0$.  It is measured where the projection center is, and can stand for it.
+
+# %%
+of_principal_point = given((xh, yh), inserted(measured, (x, y), (0, 0)))
 section.identity(
     "4.1/principal-point",
     "the principal point is measured where the projection center is",
@@ -43,21 +55,25 @@ section.identity(
     where={},
     derived=measured - vector(xh, yh).xreplace(of_principal_point),
 )
+
+# %% [markdown]
+# So a picture has nine parameters, all independent, as in section 1.1.
+
+# %%
 section.count(
     "4.1/nine",
     "a picture has nine parameters",
     printed=9,
     derived=A_of_nine,
     variables=nine,
-    note="All nine are independent, as in 1.1/nine.",
 )
 
 # %% [markdown]
-# ## The matrices of such cameras
+# ## Which matrices belong to such cameras?
 #
-# With $\mathbf q_i$ for the first three elements of the rows of the matrix of projection, $\mathbf q_1 \times \mathbf
-# q_3$ and $\mathbf q_2 \times \mathbf q_3$ are perpendicular and of the same length: eleven coefficients less two
-# conditions.
+# Eleven coefficients, nine parameters: two conditions.  **Definition.**  Let $\mathbf q_i$ be the first three elements
+# of row $i$ of the matrix of projection.  $\mathbf q_1 \times \mathbf q_3$ and $\mathbf q_2 \times \mathbf q_3$ are the
+# directions of the image axes.  They are perpendicular, and of the same length.
 
 
 # %%
@@ -76,6 +92,5 @@ section.identity(
     printed=vector(0, 0),
     derived=vector(*conditions(camera(inner, e, center))),
     constraints=orthonormal,
-    witness=dict(zip(e, E3, strict=True)),
-    note="Not in the paper.",
+    witness=given(e, E3),
 )

@@ -1,13 +1,15 @@
 # %% [markdown]
 # # 4.2 Usual case: orientation problem of a stereoscopic pair
 #
-# Nine parameters for either photograph.  The paper holds that the condition of coplanarity determines six of the 18,
-# and that model and object differ by a correspondence of 12 parameters.  The condition determines seven, as in the
-# general case, and 11 are left.
+# Who knows that the comparator is parallel to the picture knows two numbers of each photograph.  Nine parameters are
+# left of eleven, 18 for a pair.  How many of them does the condition of coplanarity determine?  The paper says six, and
+# twelve parameters between model and object.  The answer is seven and eleven.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
+from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import d
 from algebroproj_derivations.okamoto1981.s1_2_space_correspondence import (
@@ -60,59 +62,63 @@ from algebroproj_sym.expressions import Matrix, Scalar, columns, determinant, di
 section = Section("okamoto1981", "4.2", "Usual case, orientation problem of a stereoscopic pair")
 
 # %% [markdown]
-# ## Coplanarity
+# ## What does the condition look like?
+#
+# **Definition.**  It is (35), and the coordinates are those of (33): with the unit matrix for the inclinations, and the
+# principal point $(x_H, y_H)$ for the center.
 
 # %%
 X1, Y1, Z1 = reduced_left
 X2, Y2, Z2 = reduced_right
+
+
+def usual_picture(rotations: Matrix, measured: Matrix, principal_point: Matrix, distance: Scalar) -> Matrix:
+    """Return the reduced transformed coordinates of a measured point where the comparator is parallel."""
+    return inserted(
+        inserted(reduced, (*d, *rotation_matrix), (*E3, *rotations)),
+        (xc, yc, xco, yco, c),
+        (*measured, *principal_point, distance),
+    )
+
+
+# %% [markdown]
+# **Print.**
+
+# %%
+xc1, yc1, xc2, yc2, xh1, yh1, xh2, yh2, c1, c2 = sympy.symbols("xc1 yc1 xc2 yc2 xH1 yH1 xH2 yH2 c1 c2")
+section.identity("51", "condition of coplanarity", printed=Y1 * Z2 - Y2 * Z1, derived=reduced_condition)
+rotation_left = about(ABOUT_Y, "1") * about(ABOUT_Z, "1")
 section.identity(
-    "51",
-    "condition of coplanarity",
-    printed=Y1 * Z2 - Y2 * Z1,
-    derived=reduced_condition,
-    note="The same as (35).",
+    "52",
+    "reduced transformed coordinates of the left picture",
+    printed=rotation_left * vector(xc1 - xh1, yc1 - yh1, -c1),
+    derived=usual_picture(rotation_left, vector(xc1, yc1), vector(xh1, yh1), c1),
+)
+rotation_right = about(ABOUT_Y, "2") * about(ABOUT_X, "2") * about(ABOUT_Z, "2")
+section.identity(
+    "53",
+    "reduced transformed coordinates of the right picture",
+    printed=rotation_right * vector(xc2 - xh2, yc2 - yh2, -c2),
+    derived=usual_picture(rotation_right, vector(xc2, yc2), vector(xh2, yh2), c2),
 )
 
 # %% [markdown]
-# The coordinates are those of (33), with the unit matrix for the inclinations and the principal point for the center.
-
-# %%
-for number, side, rotations, index, damage in (
-    (
-        "52",
-        "left",
-        about(ABOUT_Y, "1") * about(ABOUT_Z, "1"),
-        "1",
-        "Read as the three components on the left, where the scan repeats the first one.",
-    ),
-    (
-        "53",
-        "right",
-        about(ABOUT_Y, "2") * about(ABOUT_X, "2") * about(ABOUT_Z, "2"),
-        "2",
-        "Read as x_c2 without a bar; the scan has bars on it and on the letters M.",
-    ),
-):
-    xci, yci, xhi, yhi, ci = sympy.symbols(f"xc{index} yc{index} xH{index} yH{index} c{index}")
-    usual = dict(zip((*d, *rotation_matrix), (*E3, *rotations), strict=True))
-    indexed = {xc: xci, yc: yci, xco: xhi, yco: yhi, c: ci}
-    section.identity(
-        number,
-        f"reduced transformed coordinates of the {side} picture",
-        printed=rotations * vector(xci - xhi, yci - yhi, -ci),
-        derived=reduced.xreplace(usual).xreplace(indexed),
-        note=damage,
-    )
-
-# %% [markdown]
-# ## What the condition determines
+# ## How many parameters does it determine?
 #
-# Eleven parameters enter: five angles, and $x_H, y_H, c$ of either picture.
+# **Definition.**  Eleven parameters enter: five angles, and $x_H, y_H, c$ of either picture.  What can be had from
+# pairs of points are the ratios of the elements of the bilinear form.  Seven of them determine the eighth, as its
+# determinant is zero (35/beyond/determinant).
 
 # %%
 inner_left, inner_right = sympy.symbols("xH1 yH1 c1"), sympy.symbols("xH2 yH2 c2")
 eleven = (*angles_left, *angles_right, *inner_left, *inner_right)
 seven_of_eleven = seven_ratios(coplanarity_of(inner_of(inner_left), inner_of(inner_right)))
+
+# %% [markdown]
+# **Print.**  The paper concludes: $18 - 12 = 6$.  But the seven ratios are independent functions of the eleven
+# parameters.
+
+# %%
 section.count(
     "4.2/six",
     "the condition has six independent parameters",
@@ -134,10 +140,18 @@ section.count(
     printed=7,
     derived=seven_of_eleven,
     variables=eleven,
-    note="Not in the paper: seven ratios of the elements of the bilinear form are independent, and by "
-    "35/beyond/determinant the eighth follows from them.  Every fundamental matrix near such a pair is that of two "
-    "cameras of nine parameters.",
 )
+
+# %% [markdown]
+# **Meaning.**  Near such a pair every fundamental matrix is that of two cameras of nine parameters.  Nothing of the
+# image points shows whether the comparator was inclined.
+
+# %% [markdown]
+# **And with less freedom?**  If both pictures have one interior orientation, unknown but the same, the condition still
+# has seven parameters: the five of the exterior, and two more.  The paper reports that Kölbl calculated one element of
+# interior orientation.  With a given interior orientation the five are left.
+
+# %%
 common = sympy.symbols("xH yH c")
 section.count(
     "4.2/beyond/common-camera",
@@ -145,9 +159,6 @@ section.count(
     printed=7,
     derived=seven_ratios(coplanarity_of(inner_of(common), inner_of(common))),
     variables=(*angles_left, *angles_right, *common),
-    note="Not in the paper, which reports that Koelbl calculated one element of interior orientation and the five of "
-    "exterior orientation: with three unknown elements that both pictures share, the condition determines two more "
-    "than these five.",
 )
 section.count(
     "4.2/metric",
@@ -155,21 +166,25 @@ section.count(
     printed=5,
     derived=seven_of_eleven,
     variables=(*angles_left, *angles_right),
-    note="The interior orientation of both pictures is constant.",
 )
 
 # %% [markdown]
-# ## The correspondence of the paper
+# ## Where do the twelve parameters of the paper come from?
 #
-# The paper derives its 12 parameters from a central projection in four dimensions whose picture is parallel to the
-# comparator.
+# **Definition.**  From section 1.2: a collineation of space as a central projection in four dimensions.  The paper now
+# makes its picture parallel to the comparator.
 
 # %%
 zc, zh = sympy.symbols("zc zH")
 zco = spatial_center[2]
 printed_quotients = vector(*(-c * forms[i] / forms[3] for i in range(3)))
-fictitious = measured_in_space.xreplace(dict(zip(d_of_space, Matrix.eye(4), strict=True))) - spatial_center
-in_comparator = dict(zip((xc, yc, zc), spatial_center + printed_quotients, strict=True))
+fictitious = inserted(measured_in_space, d_of_space, Matrix.eye(4)) - spatial_center
+in_comparator = given((xc, yc, zc), spatial_center + printed_quotients)
+
+# %% [markdown]
+# **Print.**  The principal point is the image of the projection center, as in 4.1/principal-point.
+
+# %%
 section.identity(
     "54",
     "measured coordinates in the space of the comparator",
@@ -187,11 +202,11 @@ section.identity(
     printed=vector(xc - xh, yc - yh, zc - zh),
     where=in_comparator | {xh: xco, yh: yco, zh: zco},
     derived=fictitious,
-    note="The principal point is the image of the projection center, as in 4.1/principal-point.",
 )
 
 # %% [markdown]
-# As in section 1.2 the number of independent parameters depends on which planes the four angles turn.
+# **How many are independent?**  As in section 1.2 it depends on which planes the four angles turn.  There are planes
+# for which the paper's number is right, and four points are then needed: three have nine coordinates only.
 
 # %%
 twelve = (*four_of_object, *picture_parameters)
@@ -214,11 +229,17 @@ section.count(
     printed=12,
     derived=Matrix.vstack(*images_of_four),
     variables=twelve,
-    note="Favourable reading, that of 55#twelve: the twelve coordinates are independent functions of the parameters.  "
-    "Three points have nine coordinates only.",
+    note="Favourable reading, that of 55#twelve: the twelve coordinates are independent functions of the parameters.",
 )
+
+# %% [markdown]
+# With $\phi, \omega, \kappa$ as in (2), and $\mu$ turning $Z$ towards $T$, there are eleven: one change of the
+# parameters changes nothing (counted are the elements of the matrix of projection, divided by $\sin \mu$).  With a
+# general rotation, of six angles, there are thirteen.
+
+# %%
 turn = {t_mu: sin_mu * angle_rate(t_mu), c: c * cos_mu, To: To * cos_mu, zco: c * sin_mu}
-turn |= dict(zip(center, -To * sin_mu * axis_of_picture, strict=True))
+turn |= given(center, -To * sin_mu * axis_of_picture)
 section.count(
     "55/beyond/ordinary-rotations",
     "with the rotations of (2) eleven of twelve parameters are independent",
@@ -226,8 +247,6 @@ section.count(
     derived=camera_of_planes(ordinary, four_of_object).applyfunc(lambda entry: over(entry, sin_mu)),
     variables=twelve,
     kernel=[vector(*(turn.get(parameter, 0) for parameter in twelve))],
-    note="Not in the paper: phi, omega, kappa as in (2) and mu turning Z towards T, as in "
-    "1.2/beyond/ordinary-rotations.  Counted are the entries of the matrix of projection, divided by sin(mu).",
 )
 section.count(
     "55/beyond/rotations-of-space",
@@ -235,12 +254,15 @@ section.count(
     printed=13,
     derived=coefficients_of(camera_of_planes(all_planes, six_of_object))[2:, :],
     variables=(*six_of_object, *picture_parameters),
-    note="Not in the paper: six angles, fourteen parameters; the coefficients without A1 and A2 are independent.",
 )
 
 # %% [markdown]
-# Whatever the rotations, (54) has this property: displacements $\mathbf w$ of the object that keep the denominator are
-# mapped similarly, for $\mathbf E$ is orthogonal.  They are parallel to the plane that is mapped to infinity.
+# ## What do all correspondences of the form (54) have in common?
+#
+# $\mathbf E$ is orthogonal.  Displace the object point without changing the denominator, that is, parallel to the plane
+# that is mapped to infinity.  Then the image is displaced by the same length, times $c$ over the denominator: **planes
+# parallel to the vanishing plane are mapped similarly**, whatever the rotations.  These are two conditions, which a
+# general collineation does not satisfy.  Here $\mathbf f$ are the four forms of (54) and $\mathbf t$ their changes.
 
 # %%
 w = vector(*sympy.symbols("w1 w2 w3"))
@@ -254,17 +276,16 @@ section.identity(
     printed=c**2 * dot(w, w) / form[3] ** 2,
     derived=dot(displacement, displacement),
     constraints=[change[3], dot(change, change) - dot(w, w)],
-    witness=dict(zip((*change, *w), (3, 4, 0, 0, 5, 0, 0), strict=True)),
-    note="Not in the paper.  With f for the four forms of (54) and t for their changes, which are (w, 0) turned; two "
-    "conditions that a general collineation does not satisfy.",
+    witness=given((*change, *w), (3, 4, 0, 0, 5, 0, 0)),
 )
 
 # %% [markdown]
-# ## Model and object
+# ## How do model and object really differ?
 #
-# Two pairs of photographs with the same condition of coplanarity differ by a collineation $\mathbf H$ of space, and
-# both pairs must satisfy the conditions of 4.1/beyond/conditions.  For $\mathbf H = \mathbf 1 + \varepsilon \mathbf G$
-# these are four linear equations for the sixteen elements of $\mathbf G$, one of which is the scale.
+# **Derivation.**  Two pairs of photographs with the same condition of coplanarity differ by a collineation $\mathbf H$
+# of space (section 2.1).  All four photographs must be cameras of nine parameters: each satisfies the two conditions of
+# section 4.1.  For $\mathbf H = \mathbf 1 + \varepsilon \mathbf G$ these are four linear equations for the sixteen
+# elements of $\mathbf G$, one of which is the scale.
 
 # %%
 q = Matrix(3, 3, sympy.symbols("q1:4(1:4)"))
@@ -273,7 +294,7 @@ generators = [Matrix(4, 4, lambda i, j, k=k: int((i, j) == divmod(k, 4))) for k 
 
 def rates_of_conditions(matrix: Matrix) -> list[list[Scalar]]:
     """Return the rates of the two conditions of a camera under each of the infinitesimal collineations."""
-    at_camera = dict(zip(q, matrix[:, :3], strict=True))
+    at_camera = given(q, matrix[:, :3])
     gradients = [vector(*(diff(condition, entry).xreplace(at_camera) for entry in q)) for condition in conditions(q)]
     changes = [vector(*(matrix * generator)[:, :3]) for generator in generators]
     return [[dot(gradient, change) for change in changes] for gradient in gradients]
@@ -287,12 +308,22 @@ section.rank(
     "the four equations are independent",
     printed=4,
     derived=rates_of_four,
-    note="Not in the paper: sixteen elements, one of them the scale, less four are eleven.",
 )
+
+# %% [markdown]
+# Sixteen elements, less the scale, less four: eleven.  The same by counting the collineations that satisfy the four
+# equations, for one pair with rational numbers: they are the columns of a matrix of rank 11.
+
+# %%
 at_instance = {symbol: sympy.Rational(k * k % 23 + 2, k % 7 + 3) for k, symbol in enumerate(eleven)}
 allowed = left_kernel(rates_of_four.xreplace(at_instance).doit().T).T
 scale_of_matrix = vector(*(int(k % 5 == 0) for k in range(16)))
 remaining_movements = (allowed - scale_of_matrix * allowed[15, :])[:15, :]
+
+# %% [markdown]
+# **Print.**  The paper has twelve.
+
+# %%
 section.rank(
     "4.2/twelve",
     "model and object differ by a correspondence of twelve parameters",
@@ -313,12 +344,17 @@ section.rank(
     printed=11,
     derived=remaining_movements,
     kernel=[vector(*entry) for entry in remaining_movements.nullspace()],
-    note="Not in the paper: 15 - 4 = 11, and 18 = 7 + 11.  Seven of the eleven are a similarity.",
 )
 
 # %% [markdown]
-# Nor is the correspondence of the form (54).  Here are two pairs of cameras of nine parameters, the model pair and the
-# object pair, the same but for the collineation $\mathbf H$ from model to object.
+# **Meaning.**  $15 - 4 = 11$, and $18 = 7 + 11$.  Seven of the eleven are a similarity; ratios of distances must give
+# the other four.
+
+# %% [markdown]
+# ## Is the correspondence at least of the form (54)?
+#
+# **No.**  Here are two pairs of cameras of nine parameters, one for the model and one for the object.  They are the
+# same but for the collineation $\mathbf H$ from model to object, which is regular; the centers of a pair are different.
 
 # %%
 A_inner, v = Matrix([[2, 0, 1], [0, 2, 0], [0, 0, 1]]), vector(1, 1, 1)
@@ -331,22 +367,33 @@ section.identity(
     "two pairs of cameras of nine parameters that differ by a collineation",
     printed=Matrix.zeros(8, 1),
     derived=vector(*(condition for matrix in pairs for condition in conditions(matrix))),
-    note="Not in the paper: the conditions of 4.1/beyond/conditions for all four cameras.",
 )
 section.identity(
     "4.2/beyond/example#regular",
     "the collineation is regular, and the right center is not the left one",
     printed=vector(4, -243),
     derived=vector(determinant(H), determinant(right_of_object[:, :3])),
-    note="Not in the paper.  Where the second determinant is not zero, the last column, which is not zero, is that of "
-    "a center other than the origin.",
 )
+
+# %% [markdown]
+# Two perpendicular displacements parallel to the vanishing plane are mapped to displacements that are not
+# perpendicular.  The form (54) would keep the right angle.
+
+# %%
 first, second = vector(1, -1, 0), vector(1, 1, -2)
 first_image, second_image = A_inner * first, A_inner * second
 distortion = vector(
     dot(first_image, second_image),
     dot(first_image, first_image) * dot(second, second) - dot(second_image, second_image) * dot(first, first),
 )
+SpaceDrawing(
+    "The displacements P and Q, at a right angle, and their images P' and Q', which enclose 120 degrees.",
+    {"O": vector(0, 0, 0), "P": first, "Q": second, "P'": first_image, "Q'": second_image},
+    triangles=[("O", "P", "Q"), ("O", "P'", "Q'")],
+    axes=("X", "Y", "Z"),
+)
+
+# %%
 section.identity(
     "4.2/correspondence",
     "model and object correspond in the form (54)",
@@ -363,9 +410,10 @@ section.identity(
 )
 
 # %% [markdown]
-# ## Similarity
+# ## What do distances say?
 #
-# Four points have six segments, and their similarity five equations.
+# **Definition and print.**  As in section 2.2, for four points: six segments, all independent, and with an unknown
+# scale five equations.
 
 # %%
 section.definition(
@@ -394,7 +442,8 @@ section.count(
 )
 
 # %% [markdown]
-# As in 2.2/fifteen: image coordinates and ratios of segments as functions of the 11 parameters and of model points.
+# **Which equations determine the eleven parameters?**  As in section 2.2: image coordinates and ratios of segments, as
+# functions of the parameters and of model points, which are eliminated.
 
 
 # %%
@@ -406,27 +455,31 @@ def equations_of(pairs_of_images: int, similarity_equations: int) -> Matrix:
     return rates_of_equations(Matrix.vstack(images, ratios), eleven, points)
 
 
-for number, title, of_coplanarity, of_similarity, note in (
-    (
-        "4.2/eleven",
-        "six conditions of coplanarity and five of similarity are eleven independent equations",
-        6,
-        5,
-        "Local, as 2.1/twenty-two.  They are not all that could be set up: 4.2/beyond/seven-and-four.",
-    ),
-    (
-        "4.2/beyond/seven-and-four",
-        "seven conditions of coplanarity and four of similarity determine the eleven parameters as well",
-        7,
-        4,
-        "Not in the paper.",
-    ),
-    (
-        "4.2/beyond/seven-and-five",
-        "with seven conditions of coplanarity the fifth of similarity is a check",
-        7,
-        5,
-        "Not in the paper: twelve equations, of which eleven are independent.",
-    ),
-):
-    section.rank(number, title, printed=11, derived=equations_of(of_coplanarity, of_similarity), note=note)
+# %% [markdown]
+# **Print.**  Six conditions of coplanarity and five of similarity.  They are independent, and near a solution there is
+# no other.
+
+# %%
+section.rank(
+    "4.2/eleven",
+    "six conditions of coplanarity and five of similarity are eleven independent equations",
+    printed=11,
+    derived=equations_of(6, 5),
+)
+
+# %% [markdown]
+# **But seven conditions can be set up.**  With them four ratios are enough, and the fifth is a check.
+
+# %%
+section.rank(
+    "4.2/beyond/seven-and-four",
+    "seven conditions of coplanarity and four of similarity determine the eleven parameters as well",
+    printed=11,
+    derived=equations_of(7, 4),
+)
+section.rank(
+    "4.2/beyond/seven-and-five",
+    "with seven conditions of coplanarity the fifth of similarity is a check",
+    printed=11,
+    derived=equations_of(7, 5),
+)

@@ -1,7 +1,7 @@
 # %% [markdown]
 # # 4.3 Simultaneous determination of all orientation unknowns for the usual case
 #
-# The procedure of section 3, with three remarks on the numbers of parameters.
+# The procedure of section 3, with 18 parameters in place of 22.  How many points does it need now?
 
 # %%
 from algebroproj_derivations.okamoto1981.notation import *
@@ -9,15 +9,15 @@ from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import A_of_n
 from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
     free_points,
     inner_of,
-    ray_matrix,
     seven_ratios,
 )
 from algebroproj_derivations.okamoto1981.s3_simultaneous_determination import (
     angles_left,
     angles_right,
+    bilinear_of,
     center_left,
     center_right,
-    cross_with_base,
+    images_by,
     left_rotation,
     right_rotation,
 )
@@ -27,6 +27,10 @@ from algebroproj_sym.expressions import Matrix, floor, vector
 
 section = Section("okamoto1981", "4.3", "Simultaneous determination of all orientation unknowns, usual case")
 
+# %% [markdown]
+# Each picture has nine parameters, as in section 4.1.
+
+# %%
 section.count(
     "4.3/nine",
     "a picture has nine independent parameters",
@@ -36,16 +40,13 @@ section.count(
 )
 
 # %% [markdown]
-# The condition of coplanarity is that of (42), with 18 parameters.
+# ## How many of 18 does the condition of coplanarity determine?
+#
+# **Definition.**  The condition is that of (42).  **Print.**  Six, as in section 4.2; and again it is seven.
 
 # %%
 eighteen = (*angles_left, *center_left, *inner_left, *angles_right, *center_right, *inner_right)
-bilinear = (
-    ray_matrix(left_rotation, inner_of(inner_left)).T
-    * cross_with_base
-    * ray_matrix(right_rotation, inner_of(inner_right))
-)
-seven_of_eighteen = seven_ratios(bilinear)
+seven_of_eighteen = seven_ratios(bilinear_of(inner_of(inner_left), inner_of(inner_right)))
 section.count(
     "4.3/six",
     "the condition of coplanarity has six independent elements",
@@ -63,35 +64,36 @@ section.count(
     printed=7,
     derived=seven_of_eighteen,
     variables=eighteen,
-    note="Not in the paper: seven ratios of the elements of the bilinear form are independent; by "
-    "42/beyond/determinant the eighth follows from them.",
 )
 
 # %% [markdown]
-# Eleven parameters are left.  Three points give nine equations, so that four are needed, as the paper says; their
-# twelve equations are one more than needed.
+# ## How many control points are needed?
+#
+# Eleven parameters are left.  A point gives three equations, so that four are needed, as the paper says.  Their twelve
+# equations are one more than needed.  Four are also enough: seven pairs, four of them of given points, determine all.
 
 # %%
 control_points = [vector(*p) for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
 tie_points = free_points(3)
-camera_left = camera(inner_of(inner_left), left_rotation.T, center_left)
-camera_right = camera(inner_of(inner_right), right_rotation.T, center_right)
-
-
-def images(points: list[Matrix]) -> Matrix:
-    return Matrix.vstack(*(image(matrix, p) for p in points for matrix in (camera_left, camera_right)))
-
-
-determined = rates_of_equations(images([*control_points, *tie_points]), eighteen, tie_points)
-of_three_points = Matrix.vstack(
-    seven_of_eighteen, *(vector(*image(camera_left, p), image(camera_right, p)[0]) for p in control_points[:3])
+cameras = (
+    camera(inner_of(inner_left), left_rotation.T, center_left),
+    camera(inner_of(inner_right), right_rotation.T, center_right),
 )
+determined = rates_of_equations(images_by(cameras, [*control_points, *tie_points]), eighteen, tie_points)
 section.rank(
     "4.3/beyond/four-points",
     "four points and three further pairs determine the eighteen parameters",
     printed=18,
     derived=determined,
-    note="Not in the paper: seven pairs, four of them of given points.  Local, as 2.1/twenty-two.",
+)
+
+# %% [markdown]
+# Three are not: with the condition of coplanarity, which is the same for however many pairs, and three further
+# equations for each point, two parameters stay open.
+
+# %%
+of_three_points = Matrix.vstack(
+    seven_of_eighteen, *(vector(*image(cameras[0], p), image(cameras[1], p)[0]) for p in control_points[:3])
 )
 section.count(
     "4.3/beyond/three-points",
@@ -99,14 +101,15 @@ section.count(
     printed=16,
     derived=of_three_points,
     variables=eighteen,
-    note="Not in the paper: the condition of coplanarity, which is the same for all pairs, and three further equations "
-    "for each of three given points.",
 )
+
+# %% [markdown]
+# **Print.**  Four points.
+
+# %%
 section.identity(
     "4.3/four-points",
     "the number of points that are necessary",
     printed=4,
     derived=-floor(-sympy.Rational(len(eighteen) - len(seven_of_eighteen), 3)),
-    note="Eleven parameters are left, and a point gives three equations.  Four are sufficient, 4.3/beyond/four-points, "
-    "and three are not, 4.3/beyond/three-points.",
 )

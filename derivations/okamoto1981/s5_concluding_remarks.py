@@ -1,7 +1,8 @@
 # %% [markdown]
 # # 5 Concluding remarks
 #
-# The remarks repeat the numbers of the sections before; the statements are judged again, from the same expressions.
+# The remarks repeat the numbers of the sections before.  They are judged again, from the same expressions; two are new,
+# on triplets of photographs and on calibration.
 
 # %%
 import sympy
@@ -42,6 +43,9 @@ section = Section("okamoto1981", "5", "Concluding remarks")
 
 # %% [markdown]
 # ## The general case
+#
+# Eleven elements of a photograph (1.1), seven parameters of a stereo model (2.1; the eighth ratio depends on the
+# seven), fifteen of the correspondence, which five points determine (1.2), and $15 = 8 + 7$ (2.2).
 
 # %%
 section.count(
@@ -57,7 +61,6 @@ section.count(
     printed=7,
     derived=ratios[1:, :],
     variables=both,
-    note="Seven of the eight ratios; that the eighth depends on them is part of 2.1/seven.",
 )
 section.count(
     "5/five-points",
@@ -73,11 +76,12 @@ section.count(
     derived=mapped_ratios,
     variables=B,
     kernel=followed_by_similarities,
-    note="15 = 8 + 7, as in 2.2/divided.",
 )
 
 # %% [markdown]
 # ## The usual case
+#
+# Six is seven, and the correspondence is not of the form (54): section 4.2.
 
 # %%
 section.count(
@@ -113,11 +117,13 @@ section.count(
 )
 
 # %% [markdown]
-# ## Triplets
+# ## Can three photographs calibrate their camera?
 #
-# Three photographs of one camera, whose three elements of interior orientation are unknown and the same: five exterior
-# elements of the second and six of the third photograph, the base to the second being the unit of length, and the three
-# of the interior.
+# **Definition.**  Three photographs of one camera.  Unknown are its three elements of interior orientation, five
+# exterior elements of the second and six of the third photograph; the base to the second is the unit of length.
+#
+# **Derivation.**  Five points, of unknown coordinates, have $3 \cdot 10$ image coordinates.  Less 15 coordinates of
+# points these are fifteen equations for the fourteen parameters, and their rates have full rank.
 
 # %%
 third_angles, third_center = sympy.symbols("t_phi3 t_omega3 t_kappa3"), vector(*sympy.symbols("Xo3 Yo3 Zo3"))
@@ -138,15 +144,14 @@ section.rank(
     derived=rates_of_equations(
         Matrix.vstack(*(image(matrix, p) for p in tie_points for matrix in triplet)), of_triplet, tie_points
     ),
-    note="That the model can be constructed means that all fourteen parameters are determined: five points give "
-    "fifteen equations for them.  Local, as 2.1/twenty-two.",
 )
 
 # %% [markdown]
-# ## Calibration
+# ## Can distances alone calibrate?
 #
-# Ratios of distances, the conditions of similarity, know nothing of the object but distances.  Together with the
-# conditions of coplanarity they determine all parameters of the model, the interior orientation among them.
+# **Definition.**  The conditions of similarity know nothing of the object but ratios of distances.  **Print.**  With
+# the conditions of coplanarity they determine all parameters of the model, the interior orientation among them: seven
+# pairs, and the ratios of six distances of four points, or in the general case of nine distances of five points.
 
 # %%
 section.rank(
@@ -154,14 +159,13 @@ section.rank(
     "in the usual case distances alone determine the interior orientation",
     printed=len(eleven_of_pair),
     derived=equations_of(7, 5),
-    note="Seven pairs, and the ratios of the six distances of four points: all eleven parameters, six of them of the "
-    "interior orientation, are determined.  Local, as 2.1/twenty-two.",
 )
 section.rank(
     "5/calibration#general",
     "in the general case distances alone determine the interior orientation",
     printed=len(fifteen),
     derived=rates_of_equations(equations_of_fifteen, fifteen, seven),
-    note="The equations of 2.2/fifteen: seven pairs, and the ratios of nine distances of five points.  Local, as "
-    "2.1/twenty-two.",
 )
+
+# %% [markdown]
+# **Meaning.**  All these counts are local, as in 2.1/twenty-two.  An iteration that begins near the solution finds it.

@@ -2,17 +2,24 @@
 # # 1.1 General linear homogeneous transformation
 #
 # A matrix $\mathbf P$ (4 by 4) takes homogeneous vectors of space, with components of index 0 to 3, to homogeneous
-# vectors.  Its rank tells what the images fill; its elements, but for a common factor, are its parameters.
+# vectors.  What do the images fill, a space, a plane or a line?  Its rank tells.  How many points have to be seen to
+# know it?  Its elements, but for a common factor, are its parameters, and "noncoplanar" is not enough.
 
 # %%
 from itertools import combinations
 
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
+from algebroproj_derivations.inserting import inserted
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, determinant, dot, inverse, over, vector
 
 section = Section("rhodos1990", "1.1", "General linear homogeneous transformation")
+
+# %% [markdown]
+# **Definition.**  The components are printed as $\mathbf p_i^T \mathbf y$, with the rows $\mathbf p_i^T$ of $\mathbf
+# P$; no letter for the image survives.
 
 # %%
 P = Matrix(4, 4, sympy.symbols("p:4:4"))
@@ -23,15 +30,14 @@ section.identity(
     "the transformation, row by row",
     printed=vector(*(P[i, 0] * y[0] + P[i, 1] * y[1] + P[i, 2] * y[2] + P[i, 3] * y[3] for i in range(4))),
     derived=P * y,
-    note="The components are printed as p_i^T y, with the rows p_i^T of P; no letter for the image survives.",
 )
 
 # %% [markdown]
-# ## The rank
+# ## What do the images fill?
 #
-# The images of all points fill what their inhomogeneous coordinates fill: as many dimensions as independent functions
-# are among them.  Nothing changes along $\mathbf y$ itself, which is the free factor of a homogeneous vector, nor along
-# a vector that $\mathbf P$ annihilates.
+# **Definition.**  The images of all points fill what their inhomogeneous coordinates fill: as many dimensions as
+# independent functions are among them.  Nothing changes along $\mathbf y$ itself, which is the free factor of a
+# homogeneous vector, nor along a vector that $\mathbf P$ annihilates.
 
 
 # %%
@@ -39,6 +45,10 @@ def inhomogeneous(image: Matrix) -> Matrix:
     return vector(*(over(component, image[0]) for component in image[1:, 0]))
 
 
+# %% [markdown]
+# **Rank 4.**  A regular matrix relates two spaces of three dimensions, in both directions.
+
+# %%
 section.rank("1.1/regular#rank", "a general matrix is regular", printed=4, derived=P)
 section.identity(
     "1.1/regular#inverse",
@@ -53,12 +63,11 @@ section.count(
     derived=inhomogeneous(P * y),
     variables=tuple(y),
     kernel=[y],
-    note="The vector space of homogeneous vectors has the order n + 1 = 4.",
 )
 
 # %% [markdown]
-# A matrix of rank $r$ is a product of a matrix with $r$ columns and one with $r$ rows.  The vectors it annihilates, and
-# the planes in which all images lie, are vectors of minors.
+# **A smaller rank.**  A matrix of rank $r$ is a product of a matrix with $r$ columns and one with $r$ rows.  The
+# vectors it annihilates, and the planes in which all images lie, are vectors of minors.
 
 
 # %%
@@ -83,6 +92,11 @@ axis = [annihilated(right2, kept) for kept in ((0, 1, 2), (1, 2, 3))]
 plane = annihilated(left3.T, (0, 1, 2, 3))
 planes = [annihilated(left2.T, kept) for kept in ((0, 1, 2), (1, 2, 3))]
 
+
+# %% [markdown]
+# **Rank 3.**  One point is annihilated, the center of the projection.  The images fill a plane.
+
+# %%
 section.rank("1.1/plane#rank", "rank 3", printed=3, derived=left3 * right3, kernel=[center])
 section.identity(
     "1.1/plane#incident",
@@ -97,8 +111,12 @@ section.count(
     derived=inhomogeneous(left3 * (right3 * y)),
     variables=tuple(y),
     kernel=[y, center],
-    note="The annihilated vector is the center of the projection.",
 )
+
+# %% [markdown]
+# **Rank 2.**  The points of an axis are annihilated.  The images fill a straight line.
+
+# %%
 section.rank("1.1/line#rank", "rank 2", printed=2, derived=left2 * right2, kernel=axis)
 section.identity(
     "1.1/line#incident",
@@ -113,13 +131,12 @@ section.count(
     derived=inhomogeneous(left2 * (right2 * y)),
     variables=tuple(y),
     kernel=[y, *axis],
-    note="The annihilated vectors are the points of an axis of projection.",
 )
 
 # %% [markdown]
-# ## Fifteen parameters
+# ## How many parameters are there?
 #
-# Sixteen elements, with a common factor that no quotient of elements and no image point notices.
+# **Definition.**  Sixteen elements, with a common factor that no quotient of elements and no image point notices.
 
 # %%
 section.count(
@@ -132,7 +149,9 @@ section.count(
 )
 
 # %% [markdown]
-# The images of points, which is what one can observe: five points show all fifteen parameters, four points only twelve.
+# **And as seen from images of points**, which is what one can observe?  Five points show all fifteen parameters, four
+# points only twelve.  The unit vectors and the unit point stand for any five points of which no four are coplanar, by a
+# change of coordinates.
 
 # %%
 units = columns(*(vector(*(int(i == j) for i in range(4))) for j in range(4)))
@@ -151,8 +170,6 @@ section.count(
     derived=observed(*four_points, unit_point),
     variables=tuple(P),
     kernel=[vector(*P)],
-    note="The unit vectors and the unit point: by a change of coordinates, any five points of which no four are "
-    "coplanar.",
 )
 section.count(
     "1.1/beyond/four-points",
@@ -161,14 +178,14 @@ section.count(
     derived=observed(*four_points),
     variables=tuple(P),
     kernel=[vector(*(P * Matrix.diag(*unit))) for unit in four_points],
-    note="Not in the paper: fewer points than five do not define the relation.",
 )
 
 # %% [markdown]
-# ## How many points define the relation
+# ## How many points define the relation?
 #
-# A point and its image, $\mathbf P \mathbf y \sim \mathbf y'$, give $n$ linear equations for the elements of
-# $\mathbf P$, in a space of $n$ dimensions: $y'_0\, (\mathbf P \mathbf y)_k = y'_k\, (\mathbf P \mathbf y)_0$.
+# **Definition.**  A point and its image, $\mathbf P \mathbf y \sim \mathbf y'$, give $n$ linear equations for the
+# elements of $\mathbf P$, in a space of $n$ dimensions: $y'_0\, (\mathbf P \mathbf y)_k = y'_k\, (\mathbf P \mathbf
+# y)_0$.
 
 
 # %%
@@ -182,6 +199,11 @@ def equations(point: Matrix, image: Matrix) -> Matrix:
     return Matrix(rows)
 
 
+# %% [markdown]
+# **Print.**  $n + 2$ points.  They have as many coordinates as there are parameters, and the equations of general
+# points and their images leave the multiples of the matrix alone.
+
+# %%
 dimension = sympy.Symbol("n")
 section.identity(
     "1.1/n+2-points#count",
@@ -199,12 +221,12 @@ for n, parameters in ((1, 3), (2, 8), (3, 15)):
         printed=parameters,
         derived=Matrix.vstack(*(equations(point, general * point) for point in points)),
         kernel=[vector(*general)],
-        note="General points and their images under a general matrix: the equations leave the multiples of the matrix "
-        "alone.",
     )
 
 # %% [markdown]
-# What position is general?  Four points of which no plane contains all become the unit vectors by a change of
+# ## What position is general?
+#
+# **Derivation.**  Four points of which no plane contains all become the unit vectors by a change of
 # coordinates, in the space of the object and in that of the image.  The transformation is a diagonal matrix then, and
 # the fifth point $(e_0, e_1, e_2, e_3)$ relates the elements of the diagonal in pairs, but only where both components
 # are different from zero.
@@ -231,13 +253,17 @@ def diagonal(*elements: int) -> Matrix:
     return vector(*Matrix.diag(*elements))
 
 
+# %% [markdown]
+# If no component is zero, only the multiples of the unit matrix leave the five points alone.  A component is zero
+# exactly if the fifth point is coplanar with three others.
+
+# %%
 section.rank(
     "1.1/beyond/general-position",
     "five points define the relation if no four of them are coplanar",
     printed=15,
     derived=Matrix.vstack(*map(fixed, unit_frame)),
     kernel=[diagonal(1, 1, 1, 1)],
-    note="Not in the paper, which says 'noncoplanar'.  Only multiples of the unit matrix leave the five points alone.",
 )
 for j in range(4):
     others = [point for i, point in enumerate(four_points) if i != j]
@@ -246,8 +272,30 @@ for j in range(4):
         f"component {j} of the fifth point is zero exactly if it is coplanar with the three others",
         printed=(fifth[j],),
         derived=determinant(columns(*others, fifth)),
-        note="Not in the paper: what the condition means for the unit point.",
     )
+
+# %% [markdown]
+# **Print.**  "Noncoplanar" points.  Here are five that do not lie in one plane, four of which do:
+
+# %%
+AFFINE = columns(*(vector(1, *place) for place in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))))
+
+
+def place_of(homogeneous_point: Matrix) -> Matrix:
+    return inhomogeneous(AFFINE * homogeneous_point).doit()
+
+
+SpaceDrawing(
+    "Five points.  The fifth lies in the plane of the first three, and nothing ties the fourth one to it.",
+    {
+        **{f"{j}": place_of(point) for j, point in enumerate(four_points)},
+        "E": place_of(inserted(coplanar, fifth[:3, :], (1, 1, 1))),
+    },
+    triangles=[("0", "1", "2")],
+    axes=("x_1", "x_2", "x_3"),
+)
+
+# %%
 section.rank(
     "1.1/n+2-points#noncoplanar",
     "five noncoplanar points define the relation",
@@ -260,12 +308,16 @@ section.rank(
     "transformations leaves the five points alone.  Read as 'no four of them coplanar', as the unit point of the next "
     "sentence needs it, the sentence is true: 1.1/n+2-points#3 and 1.1/beyond/general-position.",
 )
+
+# %% [markdown]
+# **The pencil.**  Column by column both sides are the same points, for any $k$: different transformations have the same
+# images of the five points.
+
+# %%
 k = sympy.Symbol("k")
 section.up_to_scale(
     "1.1/beyond/pencil",
     "different transformations with the same images of five noncoplanar points",
     printed=columns(*four_points[:3], k * four_points[3], coplanar),
     derived=Matrix.diag(1, 1, 1, k) * columns(*four_points, coplanar),
-    note="Not in the paper: the example behind 1.1/n+2-points#noncoplanar.  Column by column both sides are the same "
-    "points, for any k.",
 )

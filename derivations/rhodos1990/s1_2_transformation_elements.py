@@ -1,23 +1,24 @@
 # %% [markdown]
 # # 1.2 Determination of transformation elements
 #
-# Four points $\mathbf y_0, \dots, \mathbf y_3$ and a unit point $\mathbf y_E$ define the base of a projective
-# coordinate system.  The right column of the page is cut at its left edge; its beginnings of lines are all that
-# survives there.
+# How are coordinates given to points that have none?  Four points $\mathbf y_0, \dots, \mathbf y_3$ and a unit point
+# $\mathbf y_E$ define the base of a projective coordinate system.  The right column of the page is cut at its left
+# edge; its beginnings of lines are all that survives there.
 
 # %%
 import sympy
 
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, determinant, dot, inverse, linear_system, over, solve, vector
 
 section = Section("rhodos1990", "1.2", "Determination of transformation elements")
 
 # %% [markdown]
-# ## The base
+# ## What is a base?
 #
-# A homogeneous vector has a free factor.  The base vectors are those multiples of the four vectors whose sum is the
-# unit point.
+# **Definition.**  A homogeneous vector has a free factor.  The base vectors are those multiples of the four vectors
+# whose sum is the unit point.
 
 # %%
 mu = vector(*sympy.symbols("mu:4"))
@@ -31,15 +32,19 @@ section.definition("1.2.1", "base vectors and matrix of the base", printed=B)
 
 system, right_side = linear_system(list(B * vector(1, 1, 1, 1) - unit_point), list(mu))
 mu_of_points = solve(system, right_side)
-solved = dict(zip(mu, mu_of_points, strict=True))
+solved = given(mu, mu_of_points)
 
+# %% [markdown]
+# **Print.**  The sum of the base vectors is the product $\mathbf Y \boldsymbol\mu$ with the matrix of the points, and
+# the unit point.  For general points the base is regular.
+
+# %%
 section.identity(
     "1.2/unit-point",
     "the base vectors add up to the unit point",
     printed=columns(sum(base[1:], start=base[0]), Y * mu),
     where=solved,
     derived=columns(unit_point, unit_point),
-    note="The sum of the b_i, which are mu_i y_i, and the product Y mu; y_i are the columns of Y.",
 )
 section.identity(
     "1.2/Y",
@@ -53,16 +58,15 @@ section.rank(
     "four points and a unit point yield a base",
     printed=4,
     derived=B.xreplace(solved),
-    note="The rank in general.  'Arbitrary' has to mean independent here, as the sentence before has it: no four of "
-    "the five points may be coplanar, 1.2/beyond/base.",
 )
 
 # %% [markdown]
-# The rows of $\mathbf Y^{-1}$ are the reciprocal vectors $\mathbf y^i$.
+# **By reciprocal vectors.**  They are the rows $\mathbf y^i$ of $\mathbf Y^{-1}$: their products with the points are 1
+# for equal indices, and 0 for any others.  The solution by Cramer's rule is the same.
 
 # %%
 r = Matrix(4, 4, sympy.symbols("r:4:4"))
-reciprocal = dict(zip(r, inverse(Y), strict=True))
+reciprocal = given(r, inverse(Y))
 
 section.identity(
     "1.2/mu",
@@ -70,7 +74,6 @@ section.identity(
     printed=r * unit_point,
     where=reciprocal,
     derived=mu_of_points,
-    note="Derived by Cramer's rule.",
 )
 section.identity(
     "1.2/reciprocal",
@@ -78,7 +81,6 @@ section.identity(
     printed=Matrix.eye(4),
     where=reciprocal,
     derived=Matrix(4, 4, lambda i, j: dot(inverse(Y).row(i), points[j])),
-    note="What reciprocal means: 1 for equal indices, 0 for any others.",
 )
 section.identity(
     "1.2.2",
@@ -89,19 +91,18 @@ section.identity(
 )
 
 # %% [markdown]
-# Each $\mu_i$ is a quotient of determinants: zero where the unit point is coplanar with the other three points.  Four
-# unit vectors for the points keep the statement short; $\mathbf y_E$ are the coordinates of the unit point in them.
+# **Where is there no base?**  "Arbitrary" points have to be independent.  Each $\mu_i$ is a quotient of determinants:
+# zero where the unit point is coplanar with the other three points.  Four unit vectors for the points keep the
+# statement short; $\mathbf y_E$ are the coordinates of the unit point in them.
 
 # %%
-simple = dict(zip(Y, Matrix.eye(4), strict=True))
+simple = given(Y, Matrix.eye(4))
 section.vanishing(
     "1.2/beyond/base",
     "where the base is singular",
     printed=tuple(unit_point),
     derived=determinant(B.xreplace(solved).xreplace(simple)),
-    note="Not in the paper as far as it survives; 'yE mus' at the margin may be the beginning of this restriction.  "
-    "The unit point must not be coplanar with three of the four points; these must be independent, which is what "
-    "'arbitrary' has to mean in section 1.1.",
+    note="'yE mus' at the margin may be the beginning of this restriction.",
 )
 for i in range(4):
     replaced = [unit_point if j == i else points[j] for j in range(4)]
@@ -110,13 +111,12 @@ for i in range(4):
         f"the unknown mu{i} as a quotient of determinants",
         printed=over(determinant(columns(*replaced)), determinant(Y)),
         derived=dot(inverse(Y).row(i), unit_point),
-        note="Not in the paper: zero exactly if the unit point is coplanar with the other three points.",
     )
 
 # %% [markdown]
-# ## Coordinates
+# ## What are coordinates?
 #
-# Any vector is a combination of the base vectors.
+# **Definition.**  Any vector is a combination of the base vectors.
 
 # %%
 any_vector = vector(*sympy.symbols("v:4"))
@@ -127,9 +127,8 @@ section.identity(
     "1.2.3",
     "a vector by its coordinates in the base",
     printed=columns(sum((x[i] * base[i] for i in range(1, 4)), start=x[0] * base[0]), B * x),
-    where=dict(zip(x, coordinates, strict=True)),
+    where=given(x, coordinates),
     derived=columns(any_vector, any_vector),
-    note="v stands for the vector y, to tell it from the four points.",
 )
 section.identity(
     "1.2/x",
@@ -143,6 +142,12 @@ section.identity(
     "equals is determined, for (1.2.3) has one solution.  In which letters it was printed is not: reconstructed with "
     "the reciprocal vectors y^i of (1.2.2), which the next lines of the margin name, divided by mu_i.",
 )
+
+# %% [markdown]
+# **What is the unit point for?**  Its coordinates are $(1, 1, 1, 1)$, and those of the four points are multiples of the
+# unit vectors.
+
+# %%
 section.identity(
     "1.2/beyond/unit-coordinates",
     "coordinates of the unit point and of the four points",
@@ -151,13 +156,12 @@ section.identity(
         solve(B, unit_point).xreplace(solved).xreplace(simple),
         *(solve(B, point).xreplace(simple) for point in points),
     ),
-    note="Not in the paper as far as it survives: what the unit point is for.  The four points are the unit vectors.",
 )
 
 # %% [markdown]
-# ## From homogeneous to affine coordinates
+# ## How do affine coordinates come in?
 #
-# With the base vectors as points, a point of the affine system with origin $\mathbf b_0$ and units
+# **Definition.**  With the base vectors as points, a point of the affine system with origin $\mathbf b_0$ and units
 # $\mathbf b_i - \mathbf b_0$ is $\mathbf b_0 + \sum u_i (\mathbf b_i - \mathbf b_0)$.
 
 # %%
@@ -196,7 +200,7 @@ section.identity(
 )
 
 # %% [markdown]
-# A homogeneous vector $\mathbf w$ has one multiple with a leading 1.
+# **And inhomogeneous ones?**  A homogeneous vector $\mathbf w$ has one multiple with a leading 1.
 
 # %%
 w = vector(*sympy.symbols("w:4"))
@@ -214,7 +218,7 @@ section.identity(
 )
 
 # %% [markdown]
-# What cannot be restored: the expression of $\mathbf w$ itself.  The line above it begins with 'In ordi', 'Image s'
+# **What cannot be restored:** the expression of $\mathbf w$ itself.  The line above it begins with 'In ordi', 'Image s'
 # and 'by Its', which fits an image space, an image system and a matrix of its own base, with or without the matrix
 # $\mathbf P$ of section 1.1; no sign of a formula survives that would decide between them.  The sentence with
 # 'recipr', 'vector' and 'systerr' names the reciprocal vectors of (1.2.2); its predicate is lost.

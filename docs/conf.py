@@ -100,6 +100,30 @@ def _figures():
     return "\n".join(lines)
 
 
+def _bounds():
+    """Return the table of a-priori bounds, from the same file."""
+    text = (ROOT / "generated" / "algebroproj" / "accuracy.json").read_text(encoding="utf-8")
+    lines = [
+        "| function | results | bounds | roundings | condition numbers | largest coefficient |",
+        f"|---|{'--:|' * 5}",
+    ]
+    for function in json.loads(text)["functions"]:
+        if "a_priori" in function:
+            results = function["a_priori"]["results"]
+            bounds = [bound for bound in results if bound is not None]
+            terms = [bound["terms"] for bound in bounds]
+            roundings = max((bound["roundings"] for bound in bounds), default="")
+            number = max(map(len, terms), default="")
+            coefficient = max((f"{term['coefficient']:g}" for each in terms for term in each), key=float, default="")
+            counts = f"{len(results)} | {len(bounds)} | {roundings} | {number} | {coefficient}"
+            lines.append(f"| `{function['function']}` | {counts} |")
+    return "\n".join(lines)
+
+
+def _tables(source):
+    return source.replace("[figures]", _figures()).replace("[bounds]", _bounds())
+
+
 def _site_css(app, error):
     """Write what pages and site share besides colours: how formulas look, and how large headings are."""
     if error:
@@ -116,7 +140,7 @@ def _stars(app, what, name, subject, options, lines):
 
 
 def setup(app):
-    """Register the formulas, their style and the table of errors."""
+    """Register the formulas, their style and the tables of errors."""
     app.connect("autodoc-process-docstring", _stars, priority=400)
     app.connect("build-finished", _site_css)
     app.add_html_math_renderer(
@@ -124,4 +148,4 @@ def setup(app):
         (lambda self, node: _formula(self, node, False), None),
         (lambda self, node: _formula(self, node, True), None),
     )
-    app.connect("source-read", lambda app, name, source: source.append(source.pop().replace("[figures]", _figures())))
+    app.connect("source-read", lambda app, name, source: source.append(_tables(source.pop())))

@@ -11,8 +11,9 @@ import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.judging import judged
+from algebroproj_sym.cli.steps import lowered_kernels
 from algebroproj_sym.cli.terminal import console, echo, progressing, show
-from algebroproj_sym.declaring import installed_papers
+from algebroproj_sym.declaring import installed_papers, kernels
 from algebroproj_sym.exporting import (
     ASSUMPTIONS,
     UNEXPORTED,
@@ -27,17 +28,23 @@ from algebroproj_sym.exporting import (
     render,
     require_compiler,
 )
+from algebroproj_sym.exporting.compiling import ALLOWED as REALS
 from algebroproj_sym.exporting.files import CONVENTIONS, plain
 from algebroproj_sym.exporting.making import made_by_derivations
+from algebroproj_sym.exporting.rounding import ALLOWED, CHECKER, accuracy_of
+from algebroproj_sym.exporting.rounding import render as render_bounds
 from algebroproj_sym.files import write_texts
+from algebroproj_sym.generating import is_compiled
 from algebroproj_sym.replaying import Rejected, Replayed, replay
 from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.tables import table_of
+from algebroproj_sym.verifying import load_package
+from algebroproj_sym.verifying.straight_line import is_rational
 
 
 @click.group(name="export")
 def export_group() -> None:
-    """Write the claims as theorems for a proof assistant."""
+    """Write claims and error bounds as theorems for a proof assistant."""
 
 
 @export_group.command()
@@ -91,6 +98,46 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
         raise SystemExit(1)
 
 
+@export_group.command()
+@options.functions
+@options.folder("coq_bounds", "the files")
+@click.option("--compile", "compiling", is_flag=True, help="Compile the files with coqc, and check them with coqchk.")
+@options.engine
+@options.jobs
+def bounds(functions: tuple[str, ...], out: Path, compiling: bool, engine: str, jobs: int) -> None:
+    """Write error bounds of the generated functions as theorems for Coq, one file for each function.
+
+    A FUNCTION is a module such as projection, or a name such as projection.project.  Without one, all are taken.
+
+    A theorem speaks of the lines of the C source in the installed package.  It says for all binary64 inputs without
+    overflow and underflow how far a result can be from the exact value of these lines.  The files need Coq 8.16 or
+    later and Flocq 4.1 or later.
+
+    With --compile, coqc compiles the files now, and coqchk checks the result.  The exit status is 1 if one of them
+    rejects a file, or if a theorem uses more axioms than those of the real numbers and the excluded middle.
+    """
+    if compiling:
+        _require_compiler()
+    package = load_package()
+    lowered = lowered_kernels(kernels(functions), (), engine, jobs)
+    found = [accuracy_of(low, package) for low in lowered if is_rational(low) and is_compiled(low)]
+    files = render_bounds(found)
+    write_texts(files, out)
+    table = table_of("function", numbers=("results", "bounds", "lines"))
+    for each in found:
+        analysed = each.analysis
+        counts = (len(analysed.bounds), len(each.bounds), len(analysed.line.operations))
+        table.add_row(each.lowered.kernel.qualified_name, *map(str, counts))
+    show(table)
+    whole, some = sum(each.analysis.is_complete for each in found), sum(bool(each.bounds) for each in found)
+    console().print(f"written to {out}: theorems for {some} of {len(lowered)} functions, for all results of {whole}")
+    if compiling:
+        names = [name.removesuffix(".v") for name in files if name.endswith(".v")]
+        theorems = [name for name in names if name not in (*CHECKER, ASSUMPTIONS)]
+        checker = [*compiled(out, CHECKER)]
+        _compile_theorems(out, checker, theorems, jobs, ALLOWED)
+
+
 def _replayed(found: dict[str, Any], jobs: int, path: Path) -> list[Replayed]:
     try:
         return list(progressing(replay(found, jobs), len(found["claims"]), "replaying"))
@@ -101,11 +148,17 @@ def _replayed(found: dict[str, Any], jobs: int, path: Path) -> list[Replayed]:
 def _compile(folder: Path, files: Sequence[str], jobs: int) -> None:
     lemmas = compiled_lemmas(folder)
     theorems = [name for name in files if name != ASSUMPTIONS and name not in {lemma.name for lemma in lemmas}]
+    _compile_theorems(folder, lemmas, theorems, jobs)
+
+
+def _compile_theorems(
+    folder: Path, lemmas: list[Compiled], theorems: Sequence[str], jobs: int, allowed: frozenset[str] = REALS
+) -> None:
     if any(lemma.error for lemma in lemmas):
         _require_accepted("coqc", lemmas)
     built = [*lemmas, *progressing(compiled(folder, theorems, jobs), len(theorems), "compiling")]
     _require_accepted("coqc", built)
-    assumed = assumptions(folder)
+    assumed = assumptions(folder, allowed)
     _require_accepted("coqc", [assumed])
     console().print(f"the theorems assume: {', '.join(assumed.axioms) or 'nothing'} (in {assumed.seconds:.1f} s)")
     names = [result.name for result in built]

@@ -58,6 +58,9 @@ class Meaning:
         What a function that solves a linear system gives: from its name and the rows of the system.
     is_zero : callable
         Whether a number is zero.
+    product_error : callable, optional
+        The error of a product, from its factors and the product.  Without it, it must be that of the product itself,
+        which is zero.
     """
 
     constants: Mapping[str, Any] = field(default_factory=dict)
@@ -65,6 +68,7 @@ class Meaning:
     equal: Callable[[Any, Any], bool] = operator.eq
     call: Callable[[str, list[list[Any]]], Sequence[Any]] | None = None
     is_zero: Callable[[Any], bool] = operator.not_
+    product_error: Callable[[Any, Any, Any], Any] | None = None
 
 
 @dataclass(frozen=True)
@@ -425,6 +429,8 @@ def _value(node: Any, scope: _Scope) -> Any:
             return _operation("+", _operation("*", left, right, scope.meaning), term, scope.meaning)
         case c_ast.FuncCall(name=c_ast.ID(name="product_error")):
             left, right, product = map(value, node.args.exprs)
+            if scope.meaning.product_error is not None:
+                return scope.meaning.product_error(left, right, product)
             error = left * right - product
             if not scope.meaning.is_zero(error):
                 raise NotUnderstoodError(f"C source: expected the error of the product itself at {node.coord}")

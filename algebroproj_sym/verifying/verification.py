@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
@@ -11,6 +12,7 @@ from algebroproj_sym.generating import Lowered
 from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, as_record, measured, strata_record, truths
 from algebroproj_sym.verifying.adversary import Attack, attack, attack_record
+from algebroproj_sym.verifying.condition_numbers import a_priori_record
 from algebroproj_sym.verifying.identity import is_identical
 from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved, plain_c_source_is_proved
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
@@ -38,6 +40,8 @@ class Verification:
         Factors on whose zeros it stays finite.
     attack : Attack, optional
         The largest errors that an adversary found, if it was asked to look for some; nothing is asked of them yet.
+    a_priori : mapping, optional
+        What is known of its error for every input, if it is a rational function.
     """
 
     accuracy: Accuracy
@@ -47,6 +51,7 @@ class Verification:
     identical: bool
     silent: tuple[Scalar, ...]
     attack: Attack | None = None
+    a_priori: Mapping[str, Any] | None = None
 
     @property
     def proved(self) -> bool:
@@ -90,6 +95,7 @@ def verify(
         identical=is_identical(lowered, package, size),
         silent=silent_factors(lowered, package),
         attack=attack(lowered, package, seconds) if seconds else None,
+        a_priori=a_priori_record(lowered),
     )
 
 
@@ -105,6 +111,7 @@ def verification_record(verifications: list[Verification]) -> dict[str, Any]:
             "identical": v.identical,
             "silent_factors": [str(factor) for factor in v.silent],
             "passed": v.passed,
+            **({"a_priori": v.a_priori} if v.a_priori is not None else {}),
         }
         for v in verifications
     ]

@@ -10,11 +10,13 @@ If there was a C compiler at installation, compiled functions run.  They give th
 Five functions take a function of this package and change how it computes.  `dd` computes with twice the digits.
 `bounds` adds a guaranteed bound of the error.  `rounded` gives the machine numbers nearest to the exact results.
 `plain` is faster and loses digits where sums cancel.  `hypotheses` computes the factors that must not be zero.
+`a_priori` tells what is known of the error before a call.
 """
 
 from pathlib import Path
 
 from . import affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space
+from ._runtime.a_priori import a_priori
 from ._runtime.accuracy import tell_errors
 from ._runtime.backend import backend
 from ._runtime.hypotheses import hypotheses
@@ -24,7 +26,7 @@ from ._runtime.precision import bounds, dd
 from ._runtime.rounding import rounded
 
 __version__ = "0.1.0"
-__all__ = ["DoubleDouble", "backend", "bounds", "dd", "hypotheses", "plain", "rounded", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]
+__all__ = ["DoubleDouble", "a_priori", "backend", "bounds", "dd", "hypotheses", "plain", "rounded", "affine", "collinearity", "correlation", "critical", "metric", "normal_case", "optics", "orientation", "projection", "space"]
 
 tell_errors(Path(__file__).with_name("accuracy.json"), [affine, collinearity, correlation, critical, metric, normal_case, optics, orientation, projection, space])
 del Path, tell_errors

@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "82b16d574f6edaba"
+DIGEST = "d228a242f6136d3b"
 """What identifies the C source that belongs to this package."""
 
 

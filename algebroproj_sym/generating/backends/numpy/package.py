@@ -30,7 +30,7 @@ from algebroproj_sym.generating.writing import NOTICE, PACKAGE
 
 OPERATIONS = {"+": "addition", "-": "subtraction", "*": "multiplication", "/": "division", "neg": "negation"}
 LINEAR_BLOCK = 4096
-EVERYWHERE = ("__init__", "accuracy", "hypotheses", "plain", "precision", "rounding")
+EVERYWHERE = ("__init__", "a_priori", "accuracy", "hypotheses", "plain", "precision", "rounding")
 """The modules of the runtime that every package imports."""
 
 _TEMPLATES = Environment(

@@ -1,0 +1,171 @@
+"""A file for each function: its lines of C, a certificate, and the bounds that the checker accepts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.resources import files as resources
+from itertools import count
+from types import ModuleType
+from typing import Any
+
+from algebroproj_sym.exporting.compiling import ALLOWED as REALS
+from algebroproj_sym.exporting.files import ASSUMPTIONS, LIBRARY, comment
+from algebroproj_sym.generating import Lowered, c_name
+from algebroproj_sym.verifying.a_priori import Analysis, Bound, Fact, PairFact, Terms, analysis
+from algebroproj_sym.verifying.straight_line import Operation, straight_line_of_c
+
+CHECKER = ("Rounding", "Pairs", "Checker")
+"""The files that all others require, each after those that it requires itself."""
+
+ALLOWED = REALS | {"ClassicalDedekindReals.sig_not_dec", "Classical_Prop.classic"}
+"""The axioms on which theorems of Flocq rest: those of the real numbers, and the excluded middle."""
+
+_OPERATORS = {
+    "constant": "Constant",
+    "input": "Input",
+    "neg": "Neg",
+    "+": "Add",
+    "-": "Sub",
+    "*": "Mul",
+    "/": "Div",
+    "product_error": "ProductError",
+}
+_NUMBERED = ("SumOf", "DifferenceOf", "LowOfSum", "ProductOf", "ProductWithOne", "ProductWithBoth", "NegativeOf")
+"""The rules whose facts other rules refer to by numbers."""
+
+_OPTIONAL = {"SumOf": (3,), "DifferenceOf": (3,), "LowOfSum": (2,), "ProductWithBoth": (3,)}
+"""Which arguments of a rule may be absent."""
+
+_BY_NUMBER = ("LowOfSum", "NegativeOf", "RoundedPair", "RoundedSum")
+"""The rules that refer to a fact that is not an exact value."""
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """The bounds of a function.
+
+    Attributes
+    ----------
+    lowered : Lowered
+        The kernel and its program.
+    analysis : Analysis
+        What was found of its C source.
+    """
+
+    lowered: Lowered
+    analysis: Analysis
+
+    @property
+    def name(self) -> str:
+        """What the C function, the file and the theorem are called."""
+        return c_name(self.lowered.kernel)
+
+    @property
+    def bounds(self) -> tuple[Bound, ...]:
+        """The bounds that were found."""
+        return tuple(bound for bound in self.analysis.bounds if bound is not None)
+
+
+def accuracy_of(lowered: Lowered, package: ModuleType) -> Accuracy:
+    """Return the bounds of the C function of a rational kernel."""
+    return Accuracy(lowered, analysis(straight_line_of_c(lowered, package)))
+
+
+def render(accuracies: Iterable[Accuracy]) -> dict[str, str]:
+    """Return the text of every file by its name: the checker, and a file for each function that has a bound."""
+    texts = {found.name: _file(found) for found in accuracies if found.bounds}
+    folder = resources("algebroproj_sym.exporting.rounding")
+    checker = {f"{name}.v": folder.joinpath(f"{name}.v").read_text(encoding="utf-8") for name in CHECKER}
+    return {
+        **checker,
+        **{f"{name}.v": text for name, text in texts.items()},
+        f"{ASSUMPTIONS}.v": _assumptions([*texts]),
+        "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*CHECKER, *texts, ASSUMPTIONS))]),
+    }
+
+
+def _file(found: Accuracy) -> str:
+    line = found.analysis.line
+    about = f"{found.lowered.kernel.qualified_name}: {len(found.bounds)} of {len(line.outputs)} results have a bound"
+    return f"""(** {comment(about)} *)
+
+From Coq Require Import ZArith NArith PArith List.
+From {LIBRARY} Require Import Rounding Checker.
+Import ListNotations.
+Open Scope positive_scope.
+
+{definitions("", line.operations, found.analysis.certificate, found.bounds)}
+Lemma accepted : check lines certificate bounds = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+
+Theorem {found.name} :
+  forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (bounded input lines) bounds.
+Proof. exact (check_sound lines certificate bounds accepted). Qed.
+"""
+
+
+def definitions(
+    suffix: str, operations: Mapping[int, Operation], certificate: Sequence[Fact], bounds: Sequence[Bound]
+) -> str:
+    """Return the definitions of lines, certificate and bounds, whose names end in some suffix."""
+    lines = [f"({number}, {_operation(*operation)})" for number, operation in operations.items()]
+    return "\n".join(
+        [
+            _listed(f"lines{suffix} : program", lines),
+            _listed(f"certificate{suffix} : list command", _commands(certificate)),
+            _listed(f"bounds{suffix} : list bound", [_bound(bound) for bound in bounds]),
+        ]
+    )
+
+
+def _listed(name: str, items: Sequence[str]) -> str:
+    joined = ";\n   ".join(items)
+    return f"Definition {name} :=\n  [{joined}].\n"
+
+
+def _operation(operator: str, operands: Sequence[int]) -> str:
+    if operator == "constant":
+        return f"Constant ({operands[0]})%Z"
+    places = [operand + 1 for operand in operands] if operator == "input" else operands
+    return " ".join([_OPERATORS[operator], *map(str, places)])
+
+
+def _terms(terms: Terms) -> str:
+    return f"[{'; '.join(f'({place}, {coefficient}%N)' for place, coefficient in terms)}]"
+
+
+def _bound(bound: Bound) -> str:
+    return f"({bound.result}, ({bound.roundings}%N, {_terms(bound.terms)}))"
+
+
+def _commands(certificate: Sequence[Fact]) -> list[str]:
+    numbers: dict[Fact, int] = {}
+    fresh = count(1)
+    commands = []
+    for fact in certificate:
+        given = [_argument(fact.rule, place, argument, numbers) for place, argument in enumerate(fact.arguments)]
+        if fact.rule in _NUMBERED:
+            numbers[fact] = next(fresh)
+            given.insert(0, str(numbers[fact]))
+        commands.append(" ".join([fact.rule, *given]))
+    return commands
+
+
+def _argument(rule: str, place: int, argument: Any, numbers: Mapping[Fact, int]) -> str:
+    if place in _OPTIONAL.get(rule, ()):
+        return "None" if argument is None else f"(Some {argument})"
+    if isinstance(argument, PairFact):
+        if rule in _BY_NUMBER:
+            return str(numbers[argument])
+        return f"(Known {numbers[argument]})" if argument.rule else f"(Exactly {argument.first})"
+    if rule == "Mean" and place == 1:
+        return f"{argument}%N"
+    return _terms(argument) if isinstance(argument, tuple) else str(argument)
+
+
+def _assumptions(names: Sequence[str]) -> str:
+    """Return a file that requires all others, mentions all theorems, and prints what they assume."""
+    required = "".join(f"From {LIBRARY} Require {name}.\n" for name in names)
+    mentioned = "".join(f"  let _ := @{LIBRARY}.{name}.{name} in\n" for name in names)
+    return f"{required}\nDefinition all_theorems : True :=\n{mentioned}  I.\n\nPrint Assumptions all_theorems.\n"

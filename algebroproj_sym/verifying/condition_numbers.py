@@ -1,0 +1,140 @@
+"""The condition numbers of a-priori error bounds, written as expressions in the arguments."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+from algebroproj_sym.generating import Lowered
+from algebroproj_sym.verifying.a_priori import ONE, Analysis, analysis
+from algebroproj_sym.verifying.straight_line import StraightLine, is_rational, straight_line
+
+_Node: TypeAlias = "tuple[str, int]"
+"""The exact value of an operation, or its magnitude."""
+
+_SUM, _PRODUCT, _ATOM = range(3)
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """Expressions, and what their abbreviations stand for.
+
+    Attributes
+    ----------
+    kappas : mapping of int to str
+        The condition number of each sum that a bound mentions.
+    where : mapping of str to str
+        Each abbreviation after those that it is made of: s7 is a value, m7 is the same with absolute values.
+    """
+
+    kappas: Mapping[int, str]
+    where: Mapping[str, str]
+
+
+def conditions(found: Analysis) -> Conditions:
+    """Write the condition numbers that the bounds of a function mention.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.verifying.a_priori import analysis
+    >>> from algebroproj_sym.generating.program import recorded, run
+    >>> from algebroproj_sym.generating.compensation import compensated
+    >>> from algebroproj_sym.generating.expansion import expanded
+    >>> from algebroproj_sym.verifying.straight_line import numbered
+    >>> program = expanded(compensated(recorded("xyz", lambda x, y, z: ((1 - x - y) / z,))))
+    >>> conditions(analysis(numbered(program))).kappas.values()
+    dict_values(['(1 + |x| + |y|)/|1 - x - y|'])
+    """
+    places = sorted({place for bound in found.bounds if bound is not None for place, _ in bound.terms})
+    line = found.line
+    roots = [(kind, place) for place in places for kind in ("m", "s")]
+    uses: Counter[_Node] = Counter(roots)
+    ordered = list(_below(line, roots, uses))
+    shared = {node for node in ordered if uses[node] > 1 and _children(line, node)}
+    writer = _Writer(line, shared)
+    kappas = {place: f"{writer.text(('m', place), _ATOM)}/|{writer.text(('s', place), _SUM)}|" for place in places}
+    where = {f"{kind}{place}": writer.written((kind, place))[0] for kind, place in ordered if (kind, place) in shared}
+    return Conditions(kappas, where)
+
+
+def as_record(found: Analysis) -> dict[str, Any]:
+    """Return the bounds of a function as plain data: a list of results, and what the abbreviations stand for."""
+    written = conditions(found)
+    results = [
+        None
+        if bound is None
+        else {
+            "roundings": bound.roundings,
+            "terms": [
+                {"coefficient": float(f"{coefficient / ONE:.3g}"), "kappa": written.kappas[place]}
+                for place, coefficient in bound.terms
+            ],
+        }
+        for bound in found.bounds
+    ]
+    return {"results": results, "where": dict(written.where)}
+
+
+def a_priori_record(lowered: Lowered) -> dict[str, Any] | None:
+    """Return the bounds of a kernel as plain data; None if it is no rational function."""
+    return as_record(analysis(straight_line(lowered))) if is_rational(lowered) else None
+
+
+def _children(line: StraightLine, node: _Node) -> list[_Node]:
+    kind, place = node
+    operator, operands = line.operations[place]
+    if operator in ("input", "constant"):
+        return []
+    if operator == "/":
+        return [(kind, operands[0]), ("s", operands[1])]
+    return [(kind, operand) for operand in operands]
+
+
+def _below(line: StraightLine, roots: Sequence[_Node], uses: Counter[_Node]) -> Iterator[_Node]:
+    """Yield nodes, each after those that it is made of, and count how often each is used."""
+    done: set[_Node] = set()
+    waiting = [(root, False) for root in reversed(roots)]
+    while waiting:
+        node, ready = waiting.pop()
+        if ready:
+            yield node
+        elif node not in done:
+            done.add(node)
+            children = _children(line, node)
+            uses.update(children)
+            waiting += [(node, True), *((child, False) for child in reversed(children))]
+
+
+@dataclass(frozen=True)
+class _Writer:
+    line: StraightLine
+    shared: set[_Node]
+
+    def text(self, node: _Node, within: int) -> str:
+        """Return the text of a node as a part of a sum, of a product, or of something else."""
+        text, binding = (f"{node[0]}{node[1]}", _ATOM) if node in self.shared else self.written(node)
+        return text if binding >= within else f"({text})"
+
+    def written(self, node: _Node) -> tuple[str, int]:
+        """Return the text of a node that is no abbreviation, and how strongly it binds."""
+        kind, place = node
+        operator, operands = self.line.operations[place]
+        if operator == "input":
+            name = self.line.inputs[operands[0]]
+            return (f"|{name}|" if kind == "m" else name), _ATOM
+        if operator == "constant":
+            value = abs(operands[0]) if kind == "m" else operands[0]
+            return str(value), _ATOM if value >= 0 else _SUM
+        children = _children(self.line, node)
+        if operator == "neg":
+            return (f"-{self.text(children[0], _PRODUCT)}", _SUM) if kind == "s" else self.written(children[0])
+        left, right = children
+        if operator in ("+", "-"):
+            sign = operator if kind == "s" else "+"
+            return f"{self.text(left, _SUM)} {sign} {self.text(right, _SUM if sign == '+' else _PRODUCT)}", _SUM
+        divisor = f"|{self.text(right, _SUM)}|" if operator == "/" and kind == "m" else self.text(right, _ATOM)
+        if operator == "*":
+            return f"{self.text(left, _PRODUCT)}*{self.text(right, _PRODUCT)}", _PRODUCT
+        return f"{self.text(left, _PRODUCT)}/{divisor}", _PRODUCT

@@ -1,0 +1,213 @@
+"""A-priori error bounds hold for every input that an adversary finds, and Coq accepts them and no smaller ones."""
+
+import math
+import random
+import re
+import shutil
+import subprocess
+from dataclasses import replace
+from fractions import Fraction
+from types import FunctionType
+
+import numpy as np
+import pytest
+
+import algebroproj
+from algebroproj_sym.declaring import kernels
+from algebroproj_sym.exporting import assumptions, compiled
+from algebroproj_sym.exporting.files import LIBRARY
+from algebroproj_sym.exporting.rounding import ALLOWED, CHECKER, accuracy_of, render
+from algebroproj_sym.exporting.rounding.theorems import definitions
+from algebroproj_sym.files import write_texts
+from algebroproj_sym.generating import is_compiled, lower, run
+from algebroproj_sym.generating.program import named, recorded
+from algebroproj_sym.verifying.a_priori import Analysis, analysis
+from algebroproj_sym.verifying.condition_numbers import as_record, conditions
+from algebroproj_sym.verifying.shipped import call, function_of
+from algebroproj_sym.verifying.straight_line import is_rational, numbered, straight_line, straight_line_of_c
+
+FUNCTIONS = ("projection.mu_from_center", "projection.project", "affine.plane_coordinates", "correlation.epipoles")
+UNDERFLOW = 1e-250
+
+needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: no theorem was compiled")
+
+
+@pytest.fixture(scope="module", params=FUNCTIONS)
+def lowered(request):
+    (kernel,) = kernels([request.param])
+    return lower(kernel)
+
+
+def starting_point(generator, count):
+    """Entries of very different sizes, or small integers with a disturbance in the last bits: sums then cancel."""
+    if generator.random() < 0.5:
+        return [generator.uniform(-2, 2) * 2.0 ** generator.randint(-20, 20) for _ in range(count)]
+    return [generator.randint(-3, 3) * (1 + generator.randint(-8, 8) * 2.0**-52) or 0.5 for _ in range(count)]
+
+
+def moved(generator, point):
+    """Change a few bits of an entry, anywhere in the significand."""
+    changed, place = list(point), generator.randrange(len(point))
+    bits = int(np.float64(changed[place]).view(np.int64)) ^ (1 << generator.randrange(52))
+    changed[place] = float(np.int64(bits).view(np.float64))
+    return changed
+
+
+def ratios(lowered, found, point):
+    """The error of each result over its bound, where there is one and nothing underflows or is singular."""
+    symbols = lowered.kernel.symbols
+    exact_arguments = [Fraction(value) for value in point]
+    try:
+        bounds = found.relative_errors(exact_arguments)
+        exact = run(lowered.plain, dict(zip([s.name for s in symbols], exact_arguments, strict=True)), named)
+    except ZeroDivisionError:
+        return []
+    with np.errstate(all="ignore"):
+        batch = {symbol.name: np.array([value]) for symbol, value in zip(symbols, point, strict=True)}
+        computed = call(function_of(lowered.kernel, algebroproj), lowered.kernel, batch)[0].tolist()
+    return [
+        abs(Fraction(value) - truth) / (bound * abs(truth))
+        for value, truth, bound in zip(computed, exact, bounds, strict=True)
+        if bound and math.isfinite(value) and abs(truth) > UNDERFLOW
+    ]
+
+
+def test_no_error_is_larger_than_its_bound(lowered):
+    """Hill climbing over bits, from several points, never gets beyond the bound; it does get near."""
+    found = analysis(straight_line(lowered))
+    assert found.is_complete
+    generator, largest = random.Random(18), Fraction(0)
+    for _ in range(12):
+        point = starting_point(generator, len(lowered.kernel.symbols))
+        best = max(ratios(lowered, found, point), default=Fraction(0))
+        for _ in range(60):
+            candidate = moved(generator, point)
+            ratio = max(ratios(lowered, found, candidate), default=Fraction(0))
+            if ratio >= best:
+                point, best = candidate, ratio
+        largest = max(largest, best)
+    assert Fraction(1, 8) < largest <= 1
+
+
+@pytest.mark.whole
+def test_the_c_source_computes_what_was_analysed():
+    """The lines of the C source, parsed, are the program that the bounds speak of, and most functions have bounds."""
+    rational = [low for low in map(lower, kernels()) if is_rational(low)]
+    analysed = [analysis(straight_line(low)) for low in rational]
+    for low, found in zip(rational, analysed, strict=True):
+        if is_compiled(low):
+            assert straight_line_of_c(low, algebroproj) == found.line
+    assert len(rational) >= 70
+    assert sum(found.is_complete for found in analysed) >= 57
+    assert sum(any(found.bounds) for found in analysed) >= 62
+
+
+def test_the_bound_of_a_formula_is_the_one_of_its_definition(lowered):
+    """The condition numbers that are written are those that are evaluated."""
+    found = analysis(straight_line(lowered))
+    written = conditions(found)
+    generator = random.Random(1)
+    arguments = [Fraction(generator.randint(1, 50), 7) for _ in found.line.inputs]
+    names = dict(zip(found.line.inputs, arguments, strict=True))
+    for name, text in written.where.items():
+        names[name] = evaluated(text, names)
+    kappas = {place: evaluated(text, names) for place, text in written.kappas.items()}
+    for bound, expected in zip(found.bounds, found.relative_errors(arguments), strict=True):
+        unit = Fraction(1, 2**53)
+        t = bound.roundings * unit + sum(
+            c * unit**2 * kappas[place] for c, (place, _) in zip(bound.coefficients, bound.terms, strict=True)
+        )
+        assert t / (1 - t) == expected
+
+
+def evaluated(text, names):
+    """Evaluate an expression with bars for absolute values, which are never nested."""
+    return eval(re.sub(r"\|([^|]*)\|", r"abs(\1)", text), {"abs": abs}, dict(names))
+
+
+def test_a_sum_that_may_cancel_has_no_bound_without_compensation():
+    line = numbered(recorded("xyz", lambda x, y, z: (x - y - z, x * y / z)))
+    first, second = analysis(line).bounds
+    assert first is None
+    assert (second.roundings, second.terms) == (2, ())
+
+
+def test_the_record_says_what_the_bounds_are():
+    low = lower(*kernels(["projection.mu_from_center"]))
+    record = as_record(analysis(straight_line(low)))
+    first, second = record["results"][0]["terms"]
+    assert record["results"][0]["roundings"] == 5
+    assert (first["coefficient"], first["kappa"]) == (5.0, "(1 + |y01| + |y02| + |y03|)/|1 - y01 - y02 - y03|")
+    assert (second["coefficient"], second["kappa"]) == (2.0, "(1 + |u31| + |u32|)/|1 - u31 - u32|")
+
+
+def test_a_bound_is_that_of_the_package_of_the_function():
+    """A function of another package does not get the record of this one."""
+    assert str(algebroproj.a_priori(algebroproj.optics.scale)[0]) == "2 u"
+    names = {**algebroproj.optics.scale.__globals__, "__file__": "elsewhere/optics.py"}
+    other = FunctionType(algebroproj.optics.scale.__code__, names, "scale")
+    assert algebroproj.a_priori(other) == ()
+    with pytest.raises(TypeError, match="a_priori: expected a generated function"):
+        algebroproj.a_priori(math.sin)
+
+
+def mutants(found: Analysis):
+    """Programs, certificates and bounds that say something else: operations, constants and bounds are changed."""
+    line, bounds = found.line, [bound for bound in found.bounds if bound is not None]
+    for place, bound in enumerate(bounds):
+        smaller = [replace(bound, roundings=bound.roundings - 1)] if bound.roundings else []
+        for k, (number, coefficient) in enumerate(bound.terms):
+            others = bound.terms[:k], bound.terms[k + 1 :]
+            smaller.append(replace(bound, terms=(*others[0], (number, coefficient - 1), *others[1])))
+            smaller.append(replace(bound, terms=(*others[0], *others[1])))
+        for mutant in smaller:
+            yield line.operations, found.certificate, [*bounds[:place], mutant, *bounds[place + 1 :]]
+    other = {"+": "-", "-": "+", "*": "/", "/": "*", "neg": "product_error"}
+    used = {number for fact in found.certificate for number in fact.arguments if isinstance(number, int)}
+    for number, (operator, operands) in line.operations.items():
+        if operator in ("+", "-") and number in used:
+            yield {**line.operations, number: (other[operator], operands)}, found.certificate, bounds
+        if operator == "product_error":
+            wrong = (operands[0], operands[0], operands[2])
+            changed = {**line.operations, number: (operator, wrong)}
+            if operands[0] != operands[1]:
+                yield changed, found.certificate, bounds
+        if operator == "constant":
+            yield {**line.operations, number: (operator, (2**60 + 1,))}, found.certificate, bounds
+    for place, fact in enumerate(found.certificate):
+        if place % 7 == 0:
+            yield line.operations, found.certificate[:place] + found.certificate[place + 1 :], bounds, fact
+
+
+@needs_coq
+def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
+    """The theorems are accepted, rest on the listed axioms, and each mutant fails the checker."""
+    lowered = [lower(*kernels([name])) for name in ("projection.mu_from_center", "affine.plane_coordinates")]
+    found = [accuracy_of(low, algebroproj) for low in lowered]
+    write_texts(render(found), tmp_path)
+    for name in (*CHECKER, *(each.name for each in found)):
+        (result,) = compiled(tmp_path, [name])
+        assert not result.error
+    assumed = assumptions(tmp_path, ALLOWED)
+    assert not assumed.error
+    assert set(assumed.axioms) <= ALLOWED
+    parts = [f"From Coq Require Import ZArith NArith PArith List.\nFrom {LIBRARY} Require Import Checker.\n"]
+    parts.append("Import ListNotations.\nOpen Scope positive_scope.\n")
+    names = []
+    for place, (operations, certificate, bounds, *missing) in enumerate(mutants(found[0].analysis)):
+        if missing and not numbers_stay(certificate, missing[0]):
+            continue
+        names.append(str(place))
+        parts.append(definitions(str(place), operations, certificate, bounds))
+    checks = "; ".join(f"check lines{name} certificate{name} bounds{name}" for name in names)
+    parts.append(f"Definition all := [{checks}].\nEval vm_compute in (length all, filter (fun ok => ok) all).\n")
+    (tmp_path / "mutants.v").write_text("\n".join(parts), encoding="utf-8")
+    command = ["coqc", "-q", "-R", ".", LIBRARY, "mutants.v"]
+    said = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+    assert len(names) > 50
+    assert f"({len(names)}%nat, [])" in " ".join(said.split())
+
+
+def numbers_stay(certificate, missing):
+    """Whether no other fact refers to one that is left out by its number, which could not be written."""
+    return not any(missing in fact.arguments for fact in certificate)

@@ -26,7 +26,8 @@ from algebroproj_sym.reading.grammar import Formula, Parsed, parsed, regrouped, 
 from algebroproj_sym.reading.lexing import UnreadableError, tokens_of
 from algebroproj_sym.reading.repairs import STRONG, Repair, repairs
 from algebroproj_sym.reading.statements import Statement, inline_statements, statements
-from algebroproj_sym.reading.vocabulary import Definition, SymbolsFile, Vocabulary
+from algebroproj_sym.reading.symbols import SymbolsFile
+from algebroproj_sym.reading.vocabulary import Definition, Vocabulary
 from algebroproj_sym.replaying.reals.terms import has_functions, written
 
 Verdict = Literal["definition", "follows", "contradicts", "independent", "not decided", "not read"]
@@ -207,7 +208,7 @@ class _Reader:
         self.functions = self._functions()
         self.trees = {id(each): self._parsed(each) for each in self.all}
         sizes = dict(self._sizes())
-        self.vocabulary = Vocabulary(given, sizes, self._matrices(), euler=self._has_euler())
+        self.vocabulary = Vocabulary(given.whole, sizes, self._matrices(), euler=self._has_euler())
         self.seen: dict[str, int] = {}
 
     # -- what is known of the whole document
@@ -227,7 +228,7 @@ class _Reader:
         if not statement.pieces:
             return UnreadableError(statement.reason or "there is no formula")
         try:
-            return parsed(statement.pieces, lambda name: name in self.given.symbols, self.functions)
+            return parsed(statement.pieces, lambda name: name in self.given.whole.symbols, self.functions)
         except UnreadableError as error:
             return error
 
@@ -350,7 +351,7 @@ class _Reader:
         relation = formula.relations[0]
         left, right = formula.sides[:2] if relation != "=:" else (formula.sides[1], formula.sides[0])
         symbol, parameters = _defined(left)
-        if not symbol or self._named(statement, self.given.statements) or symbol in self.given.symbols:
+        if not symbol or self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
             return None
         named = self._named(statement, self.given.definitions)
         explicit = explicit or relation in (":=", "=:") or named
@@ -406,7 +407,7 @@ class _Reader:
     def _narrow(self, statement: Statement, formula: Parsed, index: int) -> Iterator[tuple[Formula, Formula]]:
         """Yield a relation with the arguments of functions as short as possible, where LaTeX leaves that open."""
         if formula.chose:
-            known = lambda name: name in self.given.symbols  # noqa: E731
+            known = lambda name: name in self.given.whole.symbols  # noqa: E731
             narrow = parsed(statement.pieces, known, self.functions, wide_arguments=False)
             yield narrow.sides[index], narrow.sides[index + 1]
 

@@ -1,93 +1,22 @@
-r"""What the letters of a document stand for: the symbols file, the definitions above, and names for the rest.
-
-::
-
-    definitions = ["3", "eq:area"]         equations that define the letter on their left
-    statements = ["line 12"]               equations that define nothing
-    identities = ["7", "all"]              equations that hold for all values of their letters
-
-    [[table]]
-    letters = { '\lambda' = "lam" }        how the names of symbols with a letter begin
-    symbols = { '\mathbf{u}' = "[[1], [u1], [u2]]" }   a symbol, and the expression it stands for
-    sizes = { '\mathbf{R}' = [3, 3] }      a vector or matrix, and its size
-"""
+"""What the letters of a document stand for: the symbols file, the definitions above, and names for the rest."""
 
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import Matrix, ParseError, parse
-from algebroproj_sym.reading.documents import UnreadableDocumentError
 from algebroproj_sym.reading.grammar import Formula, evaluated, symbols_in, text_of
-from algebroproj_sym.reading.lexing import UnreadableError, split_symbol, written
+from algebroproj_sym.reading.lexing import UnreadableError, split_symbol
+from algebroproj_sym.reading.symbols import Table, letters_of
 
-MOST_ENTRIES = 6
 MOST_DEFINITIONS = 20_000
 
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z])")
-_KEYS = frozenset(("definitions", "statements", "identities", "table"))
-_TABLE_KEYS = frozenset(("letters", "symbols", "sizes"))
-
-
-@dataclass(frozen=True)
-class SymbolsFile:
-    """What the user says of a document; see the docstring of the module."""
-
-    definitions: frozenset[str] = frozenset()
-    statements: frozenset[str] = frozenset()
-    identities: frozenset[str] = frozenset()
-    letters: Mapping[str, str] = field(default_factory=dict)
-    symbols: Mapping[str, Any] = field(default_factory=dict)
-    sizes: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-
-
-def symbols_file(path: Path) -> SymbolsFile:
-    """Read a symbols file.
-
-    Raises
-    ------
-    UnreadableDocumentError
-        Naming the key, what was expected and what came.
-    """
-    try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise UnreadableDocumentError(f"{path}: expected TOML, got {error}") from error
-    tables = content.get("table", [])
-    for mapping, known in ((content, _KEYS), *((table, _TABLE_KEYS) for table in tables)):
-        if unknown := sorted(set(mapping) - known):
-            raise UnreadableDocumentError(f"{path}: expected keys of {sorted(known)}, got {unknown}")
-    try:
-        symbols = {
-            _canonical(name): parse(text, name) for table in tables for name, text in table.get("symbols", {}).items()
-        }
-        sizes = {
-            _canonical(name): _size(size, name) for table in tables for name, size in table.get("sizes", {}).items()
-        }
-        letters = {_canonical(name): str(text) for table in tables for name, text in table.get("letters", {}).items()}
-        lists = {key: frozenset(map(str, content.get(key, ()))) for key in ("definitions", "statements", "identities")}
-    except (ParseError, UnreadableError, ValueError, TypeError) as error:
-        raise UnreadableDocumentError(f"{path}: {error}") from error
-    return SymbolsFile(**lists, letters=letters, symbols=symbols, sizes=sizes)
-
-
-def _canonical(symbol: str) -> str:
-    return written(*split_symbol(symbol))
-
-
-def _size(size: Any, name: str) -> tuple[int, int]:
-    rows, columns = (size, 1) if isinstance(size, int) else size
-    if not (isinstance(rows, int) and isinstance(columns, int) and 1 <= rows <= MOST_ENTRIES >= columns >= 1):
-        raise ValueError(f"sizes, {name}: expected one or two numbers from 1 to {MOST_ENTRIES}, got {size}")
-    return rows, columns
 
 
 @dataclass(frozen=True)
@@ -131,7 +60,7 @@ class Vocabulary:
 
     def __init__(
         self,
-        given: SymbolsFile,
+        given: Table,
         sizes: Mapping[str, tuple[int, int]],
         matrices: frozenset[str],
         *,
@@ -201,8 +130,7 @@ class Vocabulary:
             name = self.name(symbol)
             if size == (1, 1):
                 return sympy.Symbol(name)
-            places = [str(i + 1) + ("" if size[1] == 1 else str(j + 1)) for i in range(size[0]) for j in range(size[1])]
-            return Matrix(*size, [sympy.Symbol(f"{name}_{place}") for place in places])
+            return letters_of(name, size)
         if self.is_matrix(symbol):
             raise UnreadableError(f"the size of {self.name(symbol)} is not known; a symbols file can give it")
         return sympy.Symbol(self.name(symbol))

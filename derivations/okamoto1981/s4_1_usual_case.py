@@ -24,7 +24,6 @@ xh, yh = sympy.symbols("xH yH")
 section.identity(
     "49",
     "measured coordinates",
-    printed=vector(x, y),
     derived=measured - comparator_center,
     note="With the unit matrix for the three rotations: parallel planes leave a rotation gamma about the "
     "common normal, which is zero as in 1.1/gamma.",
@@ -39,8 +38,6 @@ section.identity(
 section.identity(
     "50",
     "measured coordinates, referred to the principal point",
-    printed=vector(x, y),
-    where={},
     derived=measured - vector(xh, yh).xreplace(of_principal_point),
 )
 section.count(

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.expressions import Scalar
 from algebroproj_sym.proving import Proof, prove
 
@@ -41,7 +41,7 @@ def decided(claim: Claim, left: Any, right: Any, engine: str, nonzero: Sequence[
 
 
 def identity(
-    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+    section: Declaring, number: str, title: str, *, printed: Any = QUOTED, derived: Any, **options: Unpack[Options]
 ) -> Claim:
     """Declare that two scalars, vectors or matrices are equal, wherever the constraints hold."""
     kind = CONSTRAINED if options.get("constraints") else IDENTITY

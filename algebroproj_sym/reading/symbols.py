@@ -11,6 +11,7 @@ r"""What the symbols of a paper stand for: the reviewed tables in its file ``sym
     letters = { '\mathcal{J}' = "y" }            a letter, or its scan, and how names of symbols begin
     symbols = { '\mathbf{u}' = "[[1], [u1], [u2]]" }   a symbol, and the expression it stands for
     sizes = { '\mathbf{R}' = [3, 3] }            a vector or matrix, and its size
+    properties = { '\mathbf{R}' = "rotation" }   what a vector or matrix is
     primes = false                               where the claims write no primes
 
 A symbol that no table has is named by rule: letter, a p for each prime, subscript.  Later tables come first.
@@ -29,6 +30,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import Expression, Matrix, ParseError, parse
+from algebroproj_sym.proving.letters import PROPERTIES
 from algebroproj_sym.reading.documents import UnreadableDocumentError
 from algebroproj_sym.reading.lexing import GREEK, UnreadableError, split_symbol, written
 
@@ -41,7 +43,7 @@ MOST_ENTRIES = 6
 Size = tuple[int, int]
 _LISTS = ("definitions", "statements", "identities")
 _KEYS = frozenset((*_LISTS, "table"))
-_TABLE_KEYS = frozenset(("claims", "letters", "symbols", "sizes", "primes"))
+_TABLE_KEYS = frozenset(("claims", "letters", "symbols", "sizes", "properties", "primes"))
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,8 @@ class Table:
         Whether the names of symbols have a p for each prime.
     sizes : mapping of str to (int, int)
         Rows and columns of the symbols that are vectors or matrices.
+    properties : mapping of str to tuple of str
+        What vectors and matrices are: one of `algebroproj_sym.proving.letters.PROPERTIES`, or "identity".
     """
 
     claims: tuple[str, ...] = ()
@@ -67,6 +71,7 @@ class Table:
     symbols: Mapping[str, Expression] = field(default_factory=dict)
     primes: bool = True
     sizes: Mapping[str, Size] = field(default_factory=dict)
+    properties: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def covers(self, section: str, number: str) -> bool:
         """Whether the table is for the claim with a number in a section."""
@@ -93,6 +98,7 @@ class SymbolsFile:
             letters={name: text for table in tables for name, text in table.letters.items()},
             symbols={name: value for table in tables for name, value in table.symbols.items()},
             sizes={name: size for table in tables for name, size in table.sizes.items()},
+            properties={name: listed for table in tables for name, listed in table.properties.items()},
         )
 
 
@@ -195,12 +201,21 @@ def _table(entry: Mapping[str, Any]) -> Table:
         symbols={_canonical(name): parse(text, name) for name, text in entry.get("symbols", {}).items()},
         primes=bool(entry.get("primes", True)),
         sizes={_canonical(name): _size(size, name) for name, size in entry.get("sizes", {}).items()},
+        properties={_canonical(name): _known(given, name) for name, given in entry.get("properties", {}).items()},
     )
 
 
 def _canonical(symbol: str) -> str:
     function = next((name for name in OF_ANGLES if symbol.startswith(name)), "")
     return function + written(*split_symbol(symbol.removeprefix(function).strip()))
+
+
+def _known(given: Any, name: str) -> tuple[str, ...]:
+    listed = (given,) if isinstance(given, str) else tuple(given)
+    known = (*PROPERTIES, "identity")
+    if unknown := [each for each in listed if each not in known]:
+        raise ValueError(f"properties, {name}: expected one of {', '.join(known)}, got {unknown[0]!r}")
+    return listed
 
 
 def _size(size: Any, name: str) -> Size:

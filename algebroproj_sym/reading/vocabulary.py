@@ -16,7 +16,12 @@ from algebroproj_sym.reading.symbols import Table, letters_of
 
 MOST_DEFINITIONS = 20_000
 
+_IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z])")
+
+
+class UnsizedError(UnreadableError):
+    """A vector or matrix is known as a letter only."""
 
 
 @dataclass(frozen=True)
@@ -63,6 +68,7 @@ class Vocabulary:
         given: Table,
         sizes: Mapping[str, tuple[int, int]],
         matrices: frozenset[str],
+        properties: Mapping[str, tuple[str, ...]],
         *,
         euler: bool = False,
     ) -> None:
@@ -71,6 +77,7 @@ class Vocabulary:
         self.definitions: dict[str, Definition] = {}
         self._sizes = {**sizes, **given.sizes}
         self._matrices = matrices
+        self._properties = {**properties, **given.properties}
         self._names: dict[str, str] = {}
         self._taken: dict[str, str] = {}
         self._values: dict[str, Any] = {}
@@ -78,7 +85,7 @@ class Vocabulary:
 
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
-        copied = Vocabulary(self.given, self._sizes, self._matrices, euler=self.euler)
+        copied = Vocabulary(self.given, self._sizes, self._matrices, self._properties, euler=self.euler)
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
@@ -125,19 +132,37 @@ class Vocabulary:
             return constant
         if symbol == r"\infty":
             raise UnreadableError("infinity is no number")
-        size = self._sizes.get(symbol) or self._sizes.get(split_symbol(symbol)[0] if " " not in symbol else symbol)
-        if size is not None:
+        size = self.size_of(symbol)
+        if size is not None and not self.is_component(symbol):
             name = self.name(symbol)
             if size == (1, 1):
                 return sympy.Symbol(name)
             return letters_of(name, size)
         if self.is_matrix(symbol):
-            raise UnreadableError(f"the size of {self.name(symbol)} is not known; a symbols file can give it")
+            raise UnsizedError(f"the size of {self.name(symbol)} is not known; a symbols file can give it")
         return sympy.Symbol(self.name(symbol))
 
     def is_matrix(self, symbol: str) -> bool:
         """Whether a symbol is written as a vector or a matrix."""
-        return symbol in self._matrices or _BOLD.search(symbol) is not None
+        return symbol in self._matrices or symbol in self._properties or _BOLD.search(symbol) is not None
+
+    def size_of(self, symbol: str) -> tuple[int, int] | None:
+        """Return rows and columns of a symbol; None if nothing says them."""
+        if identity := _IDENTITY.fullmatch(symbol):
+            return int(identity[1]), int(identity[1])
+        return self._sizes.get(symbol) or self._sizes.get(split_symbol(symbol)[0] if " " not in symbol else symbol)
+
+    def is_component(self, symbol: str) -> bool:
+        """Whether a symbol is a component of a vector: a thin letter of a known size with a number or axis below."""
+        if symbol in self._sizes or " " in symbol or _BOLD.search(symbol):
+            return False
+        letter, _, below, _ = split_symbol(symbol)
+        size = self._sizes.get(letter)
+        return size is not None and size[1] == 1 and below in (*"xyzw", *map(str, range(1, size[0] + 1)))
+
+    def properties_of(self, symbol: str) -> tuple[str, ...]:
+        """Return what a symbol is said to be, such as a rotation."""
+        return ("identity",) if _IDENTITY.fullmatch(symbol) else self._properties.get(symbol, ())
 
     def used_in(self, tree: Formula) -> list[Definition]:
         """Return the definitions on which a formula rests, each before those that use it."""

@@ -76,7 +76,7 @@ def test_what_no_phrase_says_is_not_assumed(latex):
     [
         (
             ROTATION + r"\[ \mathbf{c} = R\mathbf{a} \] "
-            r"\[ R\mathbf{a} + R\mathbf{b} = R(\mathbf{a} + \mathbf{b}) = R(\mathbf{a} - \mathbf{b}) \]",
+            r"\[ R(\mathbf{a} + \mathbf{b}) = R\mathbf{a} + R\mathbf{b} = R\mathbf{b} - R\mathbf{a} \]",
             "",
         ),
         (

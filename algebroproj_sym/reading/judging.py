@@ -689,7 +689,7 @@ def _doubt_of_refutation(asked: _Asked) -> str:
         if any(re.search(r"[a-z]x|x[a-z]", text.partition(" ")[0]) for text in letters.values()):
             return "the sizes of its letters are not stated"
         values = any("'" in text for text in questions[0].texts)
-        return "the values of its functions are taken for numbers" if values else ""
+        return f"what a function, a sum or an integral in it {NOT_COMPUTED}" if values else ""
     elementary = [each for each in questions if has_functions(each.lhs) or has_functions(each.rhs)]
     positive = bool(elementary) and all(often_agree(each.lhs, each.rhs) for each in elementary)
     return "it holds where its letters are positive" if positive else ""
@@ -714,11 +714,12 @@ def _refuted(asked: _Asked, refutation: Outcome, repair: Repair | None) -> Link:
     if repair is not None:
         now, before = (asked.vocabulary.text(tree) for tree in (repair.now, repair.before))
         suggestion = f"{now} instead of {before}"
-    doubt = asked.doubt or _doubt_of_refutation(asked)
+    doubt = _doubt_of_refutation(asked)
+    doubt = doubt if doubt.endswith(NOT_COMPUTED) else asked.doubt or doubt
     certain = asked.certain or (repair is not None and repair.kind in STRONG)
     asserted = (certain and not doubt) or (asked.identity and not (doubt and _is_lettered(asked)))
     reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"
-    undecided = asked.doubt.endswith(NOT_COMPUTED)
+    undecided = doubt.endswith(NOT_COMPUTED)
     return replace(
         asked.link,
         verdict="contradicts" if asserted else "not decided" if undecided else "independent",

@@ -1,7 +1,6 @@
-"""Whether the compiled functions give the bits of the NumPy source, on many points and for every dtype.
+"""Whether the compiled functions give the bits of the NumPy source, on many points and in both precisions.
 
-Run with ``python benchmarks/identity.py [POINTS [FUNCTION ...]]``; a million points take half an hour or more, most of
-it for long doubles.  It ends with 1 if a bit differs.
+Run with ``python benchmarks/identity.py [POINTS [FUNCTION ...]]``.  It ends with 1 if a bit differs.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ BATCH = 50_000
 SHARES = (0, 0.0002, 0.02)
 """How many numbers are special ones, in batches that take turns: blocks of points that have one are computed apart."""
 
-DTYPES = (np.float32, np.float64, np.longdouble)
+DTYPES = (np.float32, np.float64)
 
 
 def main() -> None:

@@ -58,9 +58,7 @@ class QuadricDrawing:
             for direction in range(3):
                 for level in np.linspace(low[direction], high[direction], SECTIONS):
                     _draw_section(axes, matrix, low, high, direction, level)
-            for name, point in points.items():
-                axes.scatter(*point, color=_color(name), s=36, zorder=5, depthshade=False)
-                axes.text(*point, f"{GAP}{name}", color=_color(name), zorder=6)
+            _name_points(axes, points)
             axes.set(xlabel="$y_1$", ylabel="$y_2$", zlabel="$y_3$")
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
             axes.set_box_aspect(np.clip((high - low) / (high - low).max(), 0.6, 1))
@@ -82,12 +80,15 @@ class SpaceDrawing:
         The names of the ends of each segment.
     triangles : sequence of triples of str
         The names of the corners of each triangle.
+    letter : str
+        What the coordinates are called.
     """
 
     caption: str
     points: Mapping[str, Matrix]
     segments: Sequence[tuple[str, str]] = ()
     triangles: Sequence[tuple[str, str, str]] = ()
+    letter: str = "y"
 
     def __repr__(self) -> str:
         return self.caption
@@ -105,10 +106,8 @@ class SpaceDrawing:
             axes.add_collection3d(Poly3DCollection(corners, facecolor="#7a828e33", edgecolor="#7a828e", linewidth=0.6))
             for first, second in self.segments:
                 axes.plot(*zip(points[first], points[second], strict=True), color="#7a828e", linewidth=0.9, zorder=2)
-            for name, point in points.items():
-                axes.scatter(*point, color=_color(name), s=30, zorder=5, depthshade=False)
-                axes.text(*point, f"{GAP}{name}", color=_color(name), zorder=6)
-            axes.set(xlabel="$y_1$", ylabel="$y_2$", zlabel="$y_3$")
+            _name_points(axes, points)
+            axes.set(**{f"{axis}label": f"${self.letter}_{i}$" for i, axis in enumerate("xyz", 1)})
             axes.view_init(elev=18, azim=-58)
             return _svg(figure)
 
@@ -124,10 +123,13 @@ class ImageDrawing:
     images : mapping of str to pair of (mapping of str to Matrix, sequence of Matrix)
         By the title of the image: its points, two coordinates each, and its lines, as vectors of three components that
         take the quasihomogeneous points of a line to zero.
+    letter : str
+        What the coordinates are called.
     """
 
     caption: str
     images: Mapping[str, tuple[Mapping[str, Matrix], Sequence[Matrix]]]
+    letter: str = "u"
 
     def __repr__(self) -> str:
         return self.caption
@@ -145,16 +147,17 @@ class ImageDrawing:
                 low, high = _box(np.stack([*points.values()]))
                 for line in lines:
                     axes.plot(*_chord(np.array(list(line), dtype=float), low, high), color="#7a828e", linewidth=0.7)
-                for name, point in points.items():
-                    axes.scatter(*point, color=_color(name), s=18, zorder=5)
-                    axes.text(*point, f"{GAP}{name}", color=_color(name), zorder=6)
-                axes.set(title=title, xlabel="$u_1$", ylabel="$u_2$", aspect="equal")
+                _name_points(axes, points)
+                axes.set(title=title, xlabel=f"${self.letter}_1$", ylabel=f"${self.letter}_2$", aspect="equal")
                 axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
             return _svg(figure)
 
 
-def _color(name: str) -> str:
-    return COLORS.get(name[0], "#1b1d21")
+def _name_points(axes: Any, points: Mapping[str, Numbers]) -> None:
+    for name, point in points.items():
+        color = COLORS.get(name[0], "#1b1d21")
+        axes.plot(*([coordinate] for coordinate in point), "o", color=color, markersize=5, zorder=5)
+        axes.text(*point, f"{GAP}{name}", color=color, zorder=6)
 
 
 def _chord(line: Numbers, low: Numbers, high: Numbers) -> Numbers:

@@ -1,7 +1,7 @@
 """How the C source becomes the extension module, in this project and in the one that holds the derivations.
 
-A module is compiled where there is a C compiler, and left out where there is none.  GCC needs half a minute for it on
-one core.  So GCC compiles parts of it at the same time, on all cores.
+A module is compiled where there is a C compiler, and left out where there is none.  GCC compiles parts of it at the same
+time, on all cores.
 """
 
 import os
@@ -19,6 +19,8 @@ from setuptools.errors import CCompilerError, ExecError
 VECTORISED = ["-O2", "-ftree-loop-vectorize", "-fvect-cost-model=dynamic", "-fno-tree-slp-vectorize"]
 # Rows of constants are written as the others are: a call to fill 500 bytes takes longer.
 AS_WRITTEN = ["-ffp-contract=off", "-fno-tree-loop-distribute-patterns"]
+# Without these passes GCC takes a fifth less time, and functions take 0 to 5 % more.
+SOON = ["-fno-schedule-insns2", "-fira-algorithm=priority"]
 OPTIONS = ["/fp:precise"] if sys.platform == "win32" else ["-std=c99", "-g0", *VECTORISED, *AS_WRITTEN]
 
 
@@ -50,8 +52,8 @@ class Build(build_ext):
             super().build_extension(extension)
 
     def _built_in_parallel(self, extension):
-        extension.extra_compile_args = [*OPTIONS, "-flto", "-fno-fat-lto-objects"]
-        extension.extra_link_args = [*OPTIONS, f"-flto={os.cpu_count() or 1}"]
+        extension.extra_compile_args = [*OPTIONS, *SOON, "-flto", "-fno-fat-lto-objects"]
+        extension.extra_link_args = [*OPTIONS, *SOON, f"-flto={os.cpu_count() or 1}"]
         try:
             super().build_extension(extension)
         except (CCompilerError, ExecError):

@@ -26,8 +26,8 @@ def twin_of(kernel):
 
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels() if twin_of(kernel) is not None}
-DTYPES = (np.float32, np.float64, np.longdouble)
-POINTS = 20_000
+DTYPES = (np.float32, np.float64)
+POINTS = 20_003
 
 
 def numbers(shape, dtype, seed=0):
@@ -150,9 +150,9 @@ def test_floating_point_exceptions_are_those_of_a_block_alone_and_of_all_blocks_
     assert len(set(map(frozenset, alone))) > 1
 
 
-def test_every_dtype_runs_compiled():
+def test_single_and_double_precision_run_compiled():
     for kernel in KERNELS.values():
-        assert {types.split("->")[0][0] for types in twin_of(kernel).types} == {"f", "d", "g"}
+        assert {types.split("->")[0][0] for types in twin_of(kernel).types} == {"f", "d"}
 
 
 @pytest.fixture

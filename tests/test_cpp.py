@@ -222,7 +222,7 @@ def test_the_example_of_the_documentation(repository, files, tmp_path):
 
 
 def test_what_is_not_proved_is_not_written(tmp_path, repository, monkeypatch):
-    derivation = str(repository / "derivations" / "fundamentals1996" / "s1_6_optical_projection.py")
+    derivation = str(repository / "derivations" / "fundamentals1996" / "s1_6_functions.py")
     wrong = {"render": lambda *given: {k: v.replace("f + xi3", "f - xi3") for k, v in render(*given).items()}}
     monkeypatch.setitem(BACKENDS, "cpp", SimpleNamespace(**wrong))
     arguments = ["generate", "--derivations", derivation, "--out", str(tmp_path), "--backend", "cpp"]
@@ -241,7 +241,7 @@ def test_a_backend_is_its_folder_its_name_and_its_proof(repository):
 
 
 def test_both_backends_may_write_to_one_folder(tmp_path, repository):
-    derivation = str(repository / "derivations" / "fundamentals1996" / "s1_6_optical_projection.py")
+    derivation = str(repository / "derivations" / "fundamentals1996" / "s1_6_functions.py")
     arguments = ["generate", "--derivations", derivation, "--out", str(tmp_path), "--name", "lens"]
     for backend in ("numpy", "cpp", "numpy"):
         done = CliRunner().invoke(main, [*arguments, "--backend", backend])

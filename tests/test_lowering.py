@@ -280,6 +280,15 @@ def test_irreducible_factors_of_a_hidden_divisor_are_guarded_one_by_one():
     assert {sympy.expand(factor) for factor in lowered.guarded} == {x - y, x + y}
 
 
+def test_a_divisor_of_what_no_result_needs_is_guarded():
+    lowered = of_xy(over(x * y, x), y, where={u: over(1, x)})
+    assert lowered.guarded == (x,)
+    with np.errstate(all="ignore"):
+        (result,) = run(lowered.plain, {"x": np.array([0.0, 2.0]), "y": np.array([3.0, 3.0])})
+    assert not np.isfinite(result[0])
+    assert result[1] == 3.0
+
+
 def test_the_hypotheses_are_those_of_the_derivation_and_of_the_form():
     lowered = of_xy(x + y, over((x + y) * x, x))
     assert (lowered.guarded, lowered.hypotheses) == ((), (x,))

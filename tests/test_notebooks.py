@@ -1,8 +1,11 @@
 """Derivations are notebooks: they run from top to bottom, and their cells show every claim with its verdict."""
 
+import ast
 import re
 import subprocess
 import sys
+from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 from posixpath import dirname, join, normpath
 from xml.etree import ElementTree
@@ -10,14 +13,18 @@ from xml.etree import ElementTree
 import jupytext
 import nbformat
 import pytest
+import sympy
 from click.testing import CliRunner
 
 from algebroproj_sym.cli import main
-from algebroproj_sym.declaring import derivation_at, derivations, derivations_of, installed_papers
+from algebroproj_sym.declaring import DeclarationError, derivation_at, derivations, derivations_of, installed_papers
+from algebroproj_sym.proving import reduced
 from algebroproj_sym.reporting.notebooks import NotebookError, claim_of, run_notebook
 from algebroproj_sym.reporting.site.addresses import slug
 from algebroproj_sym.reporting.site.markdown import latex_html, markdown_html
 from algebroproj_sym.scaffolding import create
+from algebroproj_sym.showing.arranging import arranged
+from algebroproj_sym.showing.latex import latex
 
 pytestmark = pytest.mark.xdist_group("notebooks")
 
@@ -121,6 +128,29 @@ def test_figures_are_drawn_for_readers_and_not_on_import(repository):
     )
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert result.stdout.strip() == "False"
+
+
+def ends_of_cells(derivation):
+    """Return what the cells of a derivation end with, but for declarations."""
+    module = import_module(derivation.module)
+    for cell in jupytext.read(derivation.path).cells:
+        *_, last = ast.parse(cell.source if cell.cell_type == "code" else "").body or [None]
+        if isinstance(last, ast.Expr) and not ast.unparse(last).startswith("section."):
+            with suppress(DeclarationError):
+                yield eval(ast.unparse(last), vars(module))
+
+
+@pytest.mark.whole
+def test_every_form_and_figure_at_the_end_of_a_cell_can_be_shown():
+    figures = 0
+    for derivation in derivations_of(installed_papers()):
+        for value in ends_of_cells(derivation):
+            if isinstance(value, sympy.Expr | sympy.MatrixBase):
+                assert latex(arranged(reduced(value))), derivation.path
+            elif hasattr(value, "_repr_svg_"):
+                assert "<svg" in value._repr_svg_(), derivation.path
+                figures += 1
+    assert figures
 
 
 @pytest.fixture(scope="module")

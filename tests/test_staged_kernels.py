@@ -28,10 +28,10 @@ from algebroproj_sym.proving import ENGINES
 from algebroproj_sym.study.arithmetics import double_double, float64_balls, mpmath_digits
 from algebroproj_sym.study.precision import apply, lift, nearest
 from algebroproj_sym.verifying import (
-    accuracy,
     call,
     function_of,
     load_package,
+    measured,
     oracle,
     silent_factors,
     source_is_proved,
@@ -858,7 +858,8 @@ def test_a_planted_mistake_is_not_proved_and_samples_find_it(mistake, tmp_path):
     declared, old, new = PLANTED[mistake]
     package = shipped(tmp_path, declared, changes=[(f"{declared.module}.py", old, new)])
     assert not source_is_proved(declared, package)
-    assert not accuracy(LOWERED[declared.qualified_name], package, 6).within_bound
+    low = LOWERED[declared.qualified_name]
+    assert not measured(low, function_of(declared, package), stratified(low, 6)).within_bound
 
 
 def test_a_mistake_within_one_of_several_stages_is_not_proved(tmp_path):
@@ -917,7 +918,9 @@ def test_every_function_is_verified(declared, package):
 
 
 def test_near_singular_systems_are_part_of_the_verification(package):
-    strata = {stratum.name: stratum.samples for stratum in accuracy(LOWERED["plane.meet"], package, 14).strata}
+    low = LOWERED["plane.meet"]
+    found = measured(low, function_of(low.kernel, package), stratified(low, 14))
+    strata = {stratum.name: stratum.samples for stratum in found.strata}
     assert strata == {"ordinary": 14, "badly scaled": 14, "near a singular system": 14}
 
 

@@ -18,7 +18,6 @@ from algebroproj_sym.verifying import (
     NoAgreementError,
     NotShippedError,
     Sample,
-    accuracy,
     function_of,
     load_package,
     measured,
@@ -35,6 +34,10 @@ NAMES = list(KERNELS)
 # The other engine is up to a hundred times slower on large expressions: it proves the sources of the small functions.
 SMALL = [name for name, kernel in KERNELS.items() if len(str(kernel.form)) < 1000 and not kernel.stages]
 every_kernel = pytest.mark.parametrize("name", NAMES)
+
+
+def is_within_bound(low, package, size):
+    return measured(low, function_of(low.kernel, package), stratified(low, size)).within_bound
 
 
 def planted(name, old, new):
@@ -119,7 +122,7 @@ def test_every_kernel_has_values_at_inputs_without_structure(lowered):
 )
 def test_a_planted_error_is_caught_by_the_proof_and_by_the_samples(name, old, new, lowered):
     package = planted(name, old, new)
-    assert not accuracy(lowered(name), package, size=20).within_bound
+    assert not is_within_bound(lowered(name), package, 20)
     exact = new.replace("1e-9", "1").replace("1e-12", "1")
     assert not source_is_proved(KERNELS[name], planted(name, old, exact))
 
@@ -129,7 +132,7 @@ def test_an_unstable_but_equal_formula_is_proved_and_still_caught_by_the_samples
         "projection.mu_from_center", "y00 = rounded(1 - wide(y01) - y02 - y03)", "y00 = 1 - y01 - y02 - y03"
     )
     assert source_is_proved(KERNELS["projection.mu_from_center"], package)
-    assert not accuracy(lowered("projection.mu_from_center"), package, size=40).within_bound
+    assert not is_within_bound(lowered("projection.mu_from_center"), package, 40)
 
 
 def test_a_function_that_stays_finite_on_a_singularity_is_caught(lowered):

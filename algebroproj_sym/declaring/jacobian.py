@@ -15,7 +15,7 @@ from algebroproj_sym.declaring.claim import DeclarationError
 from algebroproj_sym.declaring.elementary import ELEMENTARY
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, Result
 from algebroproj_sym.declaring.stage import Stage, let, solution
-from algebroproj_sym.expressions import Expression, Matrix, Scalar, entries, over
+from algebroproj_sym.expressions import Expression, Matrix, Scalar, differential, entries, over
 
 Tangents = dict[sympy.Symbol, Scalar]
 
@@ -52,39 +52,20 @@ def jacobian_parts(kernel: Kernel) -> KernelParts:
     }
 
 
-def derivative(expression: Scalar, tangents: Mapping[sympy.Symbol, Scalar]) -> Scalar:
-    """Return the derivative of a rational expression, whose divisions stay recorded.
-
-    Parameters
-    ----------
-    expression : sympy.Expr
-        A rational expression.
-    tangents : mapping of Symbol to Expr
-        The derivatives of its symbols; the others are constants.
+def derivative(expression: Scalar, tangents: Tangents) -> Scalar:
+    """Return the derivative of an expression in which quotients p/q are kept: (p' - (p/q) q') / q.
 
     Examples
     --------
     >>> x, y = sympy.symbols("x y")
-    >>> derivative(x**2 * y, {x: sympy.Integer(1)})
-    2*x*y
+    >>> derivative(over(y, x), {x: sympy.Integer(1)})
+    over(-over(y, x), x)
     """
-    if isinstance(expression, sympy.Symbol):
-        return tangents.get(expression, sympy.Integer(0))
-    if isinstance(expression, over):
-        above, below = (derivative(argument, tangents) for argument in expression.args)
-        if above == 0 and below == 0:
-            return sympy.Integer(0)
-        return over(above - expression * below, expression.args[1])
-    if isinstance(expression, sympy.Add):
-        return sympy.Add(*(derivative(term, tangents) for term in expression.args))
-    if isinstance(expression, sympy.Mul):
-        factors = expression.args
-        slopes = [derivative(factor, tangents) for factor in factors]
-        return sympy.Add(*(sympy.Mul(*factors[:k], s, *factors[k + 1 :]) for k, s in enumerate(slopes) if s != 0))
-    if isinstance(expression, sympy.Pow):
-        base, exponent = expression.args
-        return exponent * base ** (exponent - 1) * derivative(base, tangents)
-    return sympy.Integer(0)
+    return differential(expression, tangents, _kept)
+
+
+def _kept(quotient: Any, above: Scalar, below: Scalar) -> Scalar:
+    return over(above - quotient * below, quotient.args[1])
 
 
 def _rows(

@@ -2,8 +2,7 @@
 
 from algebroproj_sym.expressions.bounds import TooLargeError, require_bounded
 from algebroproj_sym.expressions.counting import at_most, chosen, floor
-from algebroproj_sym.expressions.differentiation import diff
-from algebroproj_sym.expressions.dual import derivatives, jacobian
+from algebroproj_sym.expressions.differentiation import derivatives, diff, differential, jacobian
 from algebroproj_sym.expressions.evaluation import evaluate
 from algebroproj_sym.expressions.grammar import (
     Expression,
@@ -64,6 +63,7 @@ __all__ = [
     "derivatives",
     "determinant",
     "diff",
+    "differential",
     "divided",
     "dot",
     "entries",

@@ -1,13 +1,16 @@
-"""Derivatives of rational expressions, term by term as SymPy takes them, each part that is shared once."""
+"""Derivatives of rational expressions, as expressions and at points; what is shared is differentiated once."""
 
 from __future__ import annotations
 
-from functools import lru_cache, reduce
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions.grammar import REMEMBERED
+from algebroproj_sym.expressions.evaluation import evaluate
+from algebroproj_sym.expressions.grammar import Expression, Scalar, entries
 from algebroproj_sym.expressions.quotient import over
 
 
@@ -36,21 +39,162 @@ def diff(expression: Any, *variables: sympy.Symbol) -> Any:
     >>> diff(x**2 * y, x, y)
     2*x
     """
+    for variable in variables:
+        expression = differential(expression, {variable: sympy.S.One})
+    return sympy.sympify(expression)
+
+
+def split_quotient(quotient: Any, above: Scalar, below: Scalar) -> Scalar:
+    """Return the derivative of p/q, given those of p and q, as p'/q - q' p/q^2."""
+    slopes = (quotient.fdiff(place) * change for place, change in enumerate((above, below), start=1) if change != 0)
+    return sympy.Add(*slopes)
+
+
+def differential(
+    expression: Any,
+    tangents: Mapping[sympy.Symbol, Scalar],
+    of_quotient: Callable[[Any, Scalar, Scalar], Scalar] = split_quotient,
+) -> Any:
+    """Return how an expression changes when its symbols change.
+
+    Parameters
+    ----------
+    expression : sympy.Expr or sympy matrix
+        A rational expression.
+    tangents : mapping of Symbol to Expr
+        How the symbols change; the others are constants.
+    of_quotient : callable
+        How the derivative of a quotient is written: from the quotient and the derivatives of its two parts.
+
+    Returns
+    -------
+    sympy.Expr or sympy matrix
+        Of the shape of the expression.
+
+    Examples
+    --------
+    >>> x, dx, y, dy = sympy.symbols("x dx y dy")
+    >>> differential(x**2 * y, {x: dx, y: dy})
+    2*dx*x*y + dy*x**2
+    """
+    known: dict[Any, Any] = {}
+
+    def change(node: Any) -> Any:
+        if node not in known:
+            known[node] = _change(node, list(map(change, node.args)), tangents, of_quotient)
+        return known[node]
+
     if isinstance(expression, sympy.MatrixBase):
-        return expression.applyfunc(lambda entry: diff(entry, *variables))
-    return reduce(_derivative, variables, sympy.sympify(expression))
+        return expression.applyfunc(change)
+    return change(sympy.sympify(expression))
 
 
-@lru_cache(maxsize=REMEMBERED)
-def _derivative(node: Any, variable: sympy.Symbol) -> Any:
+def _change(
+    node: Any,
+    inner: Sequence[Any],
+    tangents: Mapping[sympy.Symbol, Scalar],
+    of_quotient: Callable[[Any, Scalar, Scalar], Scalar],
+) -> Any:
     if not node.args:
-        return sympy.S.One if node == variable else sympy.S.Zero
-    inner = [_derivative(part, variable) for part in node.args]
+        return tangents.get(node, sympy.S.Zero)
+    changing = [place for place, change in enumerate(inner) if change is not sympy.S.Zero]
+    if not changing:
+        return sympy.S.Zero
     if isinstance(node, sympy.Add):
         return sympy.Add(*inner)
-    changing = [place for place, change in enumerate(inner) if change is not sympy.S.Zero]
     if isinstance(node, sympy.Mul):
         return sympy.Add(*(sympy.Mul(*node.args[:k], inner[k], *node.args[k + 1 :]) for k in changing))
+    if isinstance(node, sympy.Pow):
+        return node.base ** (node.exp - 1) * (inner[0] * node.exp)
     if isinstance(node, over):
-        return sympy.Add(*(node.fdiff(k + 1) * inner[k] for k in changing))
-    return sympy.diff(node, variable)
+        return of_quotient(node, *inner)
+    return sympy.Add(*(node.fdiff(k + 1) * inner[k] for k in changing))
+
+
+def derivatives(
+    expression: Expression,
+    point: Mapping[sympy.Symbol, Any],
+    variables: Sequence[sympy.Symbol],
+    direction: Sequence[Any],
+    lift: Callable[[Fraction], Any] = Fraction,
+) -> tuple[Any, ...]:
+    """Return the derivatives of the entries of an expression at a point, along a direction.
+
+    Parameters
+    ----------
+    expression : sympy.Expr or sympy matrix
+        A rational expression.
+    point : mapping of Symbol to field element
+        A value for every symbol of the expression.
+    variables : sequence of Symbol
+        The symbols to differentiate by.  The others are constants.
+    direction : sequence of field element
+        The component of the direction for each variable.
+    lift : callable
+        The embedding of Q in the field.
+
+    Returns
+    -------
+    tuple
+        The derivatives of the entries of a matrix row by row, or of the one scalar.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If the expression is not defined at the point.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> derivatives(x**2 / y, {x: Fraction(3), y: Fraction(2)}, [x, y], [Fraction(1), Fraction(0)])
+    (Fraction(3, 1),)
+    """
+    moves, changing = _moving(entries(expression), tuple(variables))
+    found = evaluate(changing, {**point, **dict(zip(moves, direction, strict=True))}, lift)
+    return found[len(found) // 2 :]
+
+
+@lru_cache(maxsize=1024)
+def _moving(
+    roots: tuple[Scalar, ...], variables: tuple[sympy.Symbol, ...]
+) -> tuple[tuple[sympy.Symbol, ...], sympy.MatrixBase]:
+    """Return how variables move, and some expressions, whose divisors may vanish, with their derivatives."""
+    moves = tuple(sympy.Dummy(f"d_{variable}") for variable in variables)
+    functions = sympy.ImmutableDenseMatrix(roots)
+    changes = differential(functions, dict(zip(variables, moves, strict=True)))
+    return moves, functions.col_join(changes)
+
+
+def jacobian(
+    expression: Expression, point: Mapping[sympy.Symbol, Fraction], variables: Sequence[sympy.Symbol]
+) -> list[list[Fraction]]:
+    """Differentiate the entries of an expression, at a rational point.
+
+    Parameters
+    ----------
+    expression : sympy.Expr or sympy matrix
+        A rational expression.
+    point : mapping of Symbol to Fraction
+        A value for every symbol of the expression.
+    variables : sequence of Symbol
+        The symbols to differentiate by.  The others are constants.
+
+    Returns
+    -------
+    list of list of Fraction
+        A row for each entry, with the derivatives in the order of the variables.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If the expression is not defined at the point.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> jacobian(x**2 / y, {x: Fraction(3), y: Fraction(2)}, [x, y])
+    [[Fraction(3, 1), Fraction(-9, 4)]]
+    """
+    axes = [[Fraction(int(place == other)) for other in range(len(variables))] for place in range(len(variables))]
+    slopes = [derivatives(expression, point, variables, axis) for axis in axes]
+    return [list(row) for row in zip(*slopes, strict=True)]

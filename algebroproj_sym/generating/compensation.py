@@ -10,11 +10,11 @@ last.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from dataclasses import replace
 from itertools import count
 
 from algebroproj_sym.declaring import LINEAR
-from algebroproj_sym.generating.program import Call, Operand, Program, Step
+from algebroproj_sym.generating.program import Call, Operand, Program, Step, with_names
 
 
 def compensated(program: Program, throughout: bool = False) -> Program:
@@ -97,29 +97,9 @@ def _sums_of_products(program: Program) -> set[Operand]:
 
 def _without_lets(program: Program) -> Program:
     """Give the steps the names that ``let`` gives them."""
-    steps = {step.name for step in program.steps if isinstance(step, Step)}
-    names: dict[Operand, Operand] = {}
-    for name, operand in _bindings(program):
-        if operand in steps:
-            names.setdefault(operand, name)
-    for name, operand in _bindings(program):
-        names[name] = names.get(operand, operand)
-
-    def renamed(operands: Iterable[Operand]) -> tuple[Operand, ...]:
-        return tuple(names.get(operand, operand) for operand in operands)
-
-    kept: list[Step | Call] = []
-    for step in program.steps:
-        if isinstance(step, Step):
-            kept.append(Step(str(names.get(step.name, step.name)), step.operator, renamed(step.operands)))
-        elif step.primitive != "let":
-            kept.append(Call(step.names, step.primitive, tuple(map(renamed, step.rows))))
-    return Program(program.inputs, tuple(kept), renamed(program.outputs))
-
-
-def _bindings(program: Program) -> list[tuple[str, Operand]]:
     lets = [step for step in program.steps if isinstance(step, Call) and step.primitive == "let"]
-    return [binding for call in lets for binding in zip(call.names, call.rows[0], strict=True)]
+    bindings = [binding for call in lets for binding in zip(call.names, call.rows[0], strict=True)]
+    return with_names(replace(program, steps=tuple(step for step in program.steps if step not in lets)), bindings)
 
 
 def _doubled(program: Program, throughout: bool) -> set[Operand]:

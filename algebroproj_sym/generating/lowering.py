@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import count
 from typing import Any
 
 import sympy
@@ -17,10 +16,9 @@ import sympy
 from algebroproj_sym.declaring import Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate, vector
 from algebroproj_sym.generating.compensation import compensated
-from algebroproj_sym.generating.graph import Graph, Node, Signed
-from algebroproj_sym.generating.program import Call, Operand, Program, Step, run
+from algebroproj_sym.generating.graph import Graph, Signed
+from algebroproj_sym.generating.program import Call, Program, Recorder, Step, operand_of, run, with_names
 from algebroproj_sym.generating.sharing import share_pairs, share_reciprocals
-from algebroproj_sym.generating.signs import with_negative_reciprocals
 from algebroproj_sym.proving import RationalFunctionField
 
 
@@ -152,14 +150,12 @@ def program_of(kernel: Kernel, guarded: Sequence[Scalar], reciprocals: bool = Fa
     if reciprocals:
         share_reciprocals(graph, wanted)
     share_pairs(graph, wanted)
-    emitter = _Emitter(graph)
+    emitter = _Emitter(graph, [symbol.name for symbol in kernel.symbols])
     for stage, operands in calls:
-        emitter.call(stage, [emitter.signed(operand) for operand in operands])
+        emitter.call(stage, operands)
     for symbol, signed in abbreviations.items():
         emitter.name(signed, symbol.name)
-    results = tuple(emitter.signed(signed) for signed in outputs)
-    program = Program(tuple(symbol.name for symbol in kernel.symbols), tuple(emitter.steps), results)
-    return with_negative_reciprocals(program, {symbol.name for symbol in abbreviations})
+    return emitter.program(outputs)
 
 
 def factors_of(lowered: Lowered) -> Program:
@@ -183,46 +179,45 @@ def known_factor(factor: Scalar, kernel: Kernel, graph: Graph, known: dict[sympy
 class _Emitter:
     """Writes the nodes of a graph as steps, each node once."""
 
-    def __init__(self, graph: Graph) -> None:
+    def __init__(self, graph: Graph, inputs: Sequence[str]) -> None:
         self.graph = graph
-        self.steps: list[Step | Call] = []
-        self._operands: dict[Signed, Operand] = {}
-        self._named: set[Operand] = set()
-        taken = {node.value for node in graph.nodes if node.kind == "input"}
-        self._fresh = (name for place in count() if (name := f"t{place}") not in taken)
+        self.recorder = Recorder(inputs, [str(node.value) for node in graph.nodes if node.kind == "input"])
+        self._numbers: dict[Signed, Any] = dict(zip(map(graph.input, inputs), self.recorder.inputs, strict=True))
+        self._bindings: list[tuple[str, Any]] = []
 
-    def call(self, stage: Stage, operands: Sequence[Operand]) -> None:
+    def call(self, stage: Stage, operands: Sequence[Signed]) -> None:
         """Write the call of a primitive function."""
         width = stage.form.cols
-        rows = tuple(tuple(operands[i : i + width]) for i in range(0, len(operands), width))
-        self.steps.append(Call(tuple(symbol.name for symbol in stage.results), stage.primitive, rows))
+        numbers = [self.signed(operand) for operand in operands]
+        rows = [numbers[i : i + width] for i in range(0, len(numbers), width)]
+        names = [symbol.name for symbol in stage.results]
+        results = self.recorder.call(names, stage.primitive, rows)
+        self._numbers |= dict(zip(map(self.graph.input, names), results, strict=True))
 
     def name(self, signed: Signed, name: str) -> None:
         """Write an abbreviation, whose last step gets its name."""
-        operand = self.signed(signed)
-        last = self.steps[-1] if self.steps else None
-        if isinstance(last, Step) and last.name == operand and operand not in self._named:
-            self._named.add(name)
-            self.steps[-1] = Step(name, last.operator, last.operands)
-            self._operands = {key: name if value == operand else value for key, value in self._operands.items()}
-        else:
-            self._operands[1, self.graph.place(Node("input", value=name))] = operand
+        number = self.signed(signed)
+        self._bindings.append((name, number))
+        self._numbers[self.graph.input(name)] = number
 
-    def signed(self, signed: Signed) -> Operand:
-        """Return the operand for a signed node, writing the steps it needs."""
-        if signed not in self._operands:
-            self._operands[signed] = self._written(*signed)
-        return self._operands[signed]
+    def program(self, outputs: Sequence[Signed]) -> Program:
+        """Return what was written, and the outputs."""
+        program = self.recorder.program([self.signed(output) for output in outputs])
+        return with_names(program, [(name, operand_of(number)) for name, number in self._bindings])
 
-    def _written(self, sign: int, place: int) -> Operand:
+    def signed(self, signed: Signed) -> Any:
+        """Return the number for a signed node, writing the steps it needs."""
+        if signed not in self._numbers:
+            self._numbers[signed] = self._written(*signed)
+        return self._numbers[signed]
+
+    def _written(self, sign: int, place: int) -> Any:
         node = self.graph.nodes[place]
         if node.kind == "number":
             return sign * int(node.value)
-        if node.kind == "input" and sign > 0:
-            return node.value
-        long_and_written = len(node.operands) > 2 and (-sign, place) in self._operands
+        long_and_written = len(node.operands) > 2 and (-sign, place) in self._numbers
         if long_and_written or (sign < 0 and not self._negatable(place)):
-            return self._step("neg", self.signed((-sign, place)))
+            return self.recorder.step("neg", self.signed((-sign, place)))
         if node.kind == "sum":
             return self._sum([(sign * s, operand) for s, operand in node.operands])
         return self._chain("*" if node.kind == "product" else "/", sign, [operand for _, operand in node.operands])
@@ -230,29 +225,23 @@ class _Emitter:
     def _negatable(self, place: int) -> bool:
         """Whether the negative of a node, not yet written, costs no negation: a sum in it can be turned around."""
         node = self.graph.nodes[place]
-        if (1, place) in self._operands:
+        if (1, place) in self._numbers:
             return False
         turned = node.kind == "sum" and any(sign < 0 for sign, _ in node.operands)
         return turned or any(self._negatable(operand) for _, operand in node.operands)
 
-    def _sum(self, terms: Sequence[Signed]) -> Operand:
+    def _sum(self, terms: Sequence[Signed]) -> Any:
         first, *rest = sorted(terms, key=lambda term: (term[0] < 0, not self._negatable(term[1])))
         left = self.signed(first)
         for sign, place in rest:
-            left = self._step("+" if sign > 0 else "-", left, self.signed((1, place)))
+            left = self.recorder.step("+" if sign > 0 else "-", left, self.signed((1, place)))
         return left
 
-    def _chain(self, operator: str, sign: int, places: Sequence[int]) -> Operand:
+    def _chain(self, operator: str, sign: int, places: Sequence[int]) -> Any:
         turned = next((place for place in places if self._negatable(place)), None) if sign < 0 else None
-        left: Operand | None = None
+        left: Any = None
         for place in places:
             factor = self.signed((-1 if place == turned else 1, place))
             turned = None if place == turned else turned
-            left = factor if left is None else self._step(operator, left, factor)
-        assert left is not None
+            left = factor if left is None else self.recorder.step(operator, left, factor)
         return left
-
-    def _step(self, operator: str, *operands: Operand) -> Operand:
-        name = next(self._fresh)
-        self.steps.append(Step(name, operator, operands))
-        return name

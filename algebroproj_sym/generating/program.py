@@ -36,8 +36,6 @@ _MEANING: Mapping[str, Callable[..., Any]] = {
     "selected": selected,
 }
 
-NOTHING: Mapping[str, Callable[..., Any]] = {}
-
 
 @dataclass(frozen=True)
 class Step:
@@ -123,6 +121,40 @@ def without_unused(program: Program) -> Program:
     return Program(program.inputs, kept, program.outputs)
 
 
+def with_names(program: Program, bindings: Iterable[tuple[str, Operand]]) -> Program:
+    """Give steps other names.
+
+    Parameters
+    ----------
+    program : Program
+        Any program.
+    bindings : iterable of (str, operand)
+        What a name stands for: a step gets the first name that it is bound to; a further one, or one of something that
+        is no step, stands for what it is bound to.
+
+    Examples
+    --------
+    >>> with_names(Program(("x",), (Step("t0", "neg", ("x",)),), ("b",)), [("a", "t0"), ("b", "a"), ("c", "x")])
+    Program(inputs=('x',), steps=(Step(name='a', operator='neg', operands=('x',)),), outputs=('a',))
+    """
+    steps = {step.name for step in program.steps if isinstance(step, Step)}
+    names: dict[Operand, Operand] = {}
+    for name, operand in bindings:
+        if operand in steps:
+            names.setdefault(operand, name)
+        names[name] = names.get(operand, operand)
+
+    def renamed(operands: Iterable[Operand]) -> tuple[Operand, ...]:
+        return tuple(names.get(operand, operand) for operand in operands)
+
+    def changed(step: Step | Call) -> Step | Call:
+        if isinstance(step, Step):
+            return Step(str(names.get(step.name, step.name)), step.operator, renamed(step.operands))
+        return Call(step.names, step.primitive, tuple(map(renamed, step.rows)))
+
+    return Program(program.inputs, tuple(map(changed, program.steps)), renamed(program.outputs))
+
+
 def _no_calls(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
     raise TypeError(f"run: expected an interpretation of {call.primitive}, got none")
 
@@ -137,7 +169,6 @@ def run(
     program: Program,
     inputs: Mapping[str, Any],
     interpretation: Interpretation = _no_calls,
-    meaning: Mapping[str, Callable[..., Any]] = NOTHING,
 ) -> tuple[Any, ...]:
     """Run a program on any numbers that know + - * / and can be mixed with integers.
 
@@ -149,8 +180,6 @@ def run(
         A value for every input.
     interpretation : callable
         From a call and the values of its rows to its results; not needed by a program without calls.
-    meaning : mapping of str to callable
-        What operators are to mean, other than usual.
 
     Returns
     -------
@@ -158,7 +187,6 @@ def run(
         The values of the outputs.
     """
     values: dict[Operand, Any] = dict(inputs.items())
-    meanings = {**_MEANING, **meaning}
 
     def value(operand: Operand) -> Any:
         return operand if isinstance(operand, int) else values[operand]
@@ -168,7 +196,7 @@ def run(
             rows = tuple(tuple(map(value, row)) for row in step.rows)
             values |= dict(zip(step.names, interpretation(step, rows), strict=True))
         else:
-            values[step.name] = meanings[step.operator](*map(value, step.operands))
+            values[step.name] = _MEANING[step.operator](*map(value, step.operands))
     return tuple(value(output) for output in program.outputs)
 
 
@@ -209,7 +237,7 @@ class Recorder:
 
     def step(self, operator: str, *operands: Any) -> Any:
         """Return the result of an operation."""
-        key = operator, tuple(map(_operand, operands))
+        key = operator, tuple(map(operand_of, operands))
         if key not in self._known:
             name = next(self._fresh)
             self.steps.append(Step(name, operator, key[1]))
@@ -218,15 +246,16 @@ class Recorder:
 
     def call(self, names: Sequence[str], primitive: str, rows: Iterable[Iterable[Any]]) -> list[Any]:
         """Return the results of a call."""
-        self.steps.append(Call(tuple(names), primitive, tuple(tuple(map(_operand, row)) for row in rows)))
+        self.steps.append(Call(tuple(names), primitive, tuple(tuple(map(operand_of, row)) for row in rows)))
         return [_Recorded(self, name) for name in names]
 
     def program(self, outputs: Iterable[Any]) -> Program:
         """Return what was recorded and is needed for some outputs."""
-        return without_unused(Program(self.names, tuple(self.steps), tuple(map(_operand, outputs))))
+        return without_unused(Program(self.names, tuple(self.steps), tuple(map(operand_of, outputs))))
 
 
-def _operand(value: Any) -> Operand:
+def operand_of(value: Any) -> Operand:
+    """Return the name of a number that is recorded, or an integer."""
     if isinstance(value, _Recorded):
         return value.name
     if not isinstance(value, int):

@@ -64,14 +64,12 @@ def stratified(lowered: Lowered, size: int, seed: int = 0) -> tuple[Sample, ...]
     return tuple(samples)
 
 
-def on_factor(
-    factor: Scalar, symbols: Sequence[sympy.Symbol], size: int, seed: int = 0
-) -> tuple[dict[str, float], ...]:
+def on_factor(factor: Scalar, symbols: Sequence[sympy.Symbol], size: int) -> tuple[dict[str, float], ...]:
     """Return inputs on which a factor is zero, exactly, also in floating-point arithmetic.
 
     All coordinates are small multiples of a power of two, so that no operation of a short program rounds.
     """
-    generator = random.Random(seed_of(factor, seed))
+    generator = random.Random(seed_of(factor))
     found: list[dict[str, float]] = []
     for _ in range(100 * size):
         point = {symbol: Fraction(generator.choice((-3, -2, -1, 1, 2, 3)), 2) for symbol in symbols}

@@ -6,7 +6,7 @@ holds its two versions against each other.
 """
 
 from algebroproj_sym.generating.samples import Sample, stratified
-from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, Stratum, accuracy, as_record, measured, truths
+from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, Stratum, as_record, measured, truths
 from algebroproj_sym.verifying.identity import is_identical
 from algebroproj_sym.verifying.oracle import NoAgreementError, oracle
 from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved
@@ -24,7 +24,6 @@ __all__ = [
     "Sample",
     "Stratum",
     "Verification",
-    "accuracy",
     "as_record",
     "c_source_is_proved",
     "call",

@@ -18,7 +18,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, isfinite
 from statistics import median
-from types import ModuleType
 from typing import Any
 
 import mpmath
@@ -26,9 +25,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj_sym.generating import Lowered
-from algebroproj_sym.generating.samples import Sample, stratified
+from algebroproj_sym.generating.samples import Sample
 from algebroproj_sym.verifying.oracle import Truth, oracle
-from algebroproj_sym.verifying.shipped import Function, call, function_of
+from algebroproj_sym.verifying.shipped import Function, call
 
 UNIT_ROUNDOFF = 2.0**-53
 BOUND = 16.0
@@ -105,28 +104,6 @@ class _Errors:
     ratio: float
     undetermined: int
     within_ulps: bool
-
-
-def accuracy(lowered: Lowered, package: ModuleType, size: int, seed: int = 0) -> Accuracy:
-    """Measure a generated function on stratified samples.
-
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and the factors that must not vanish.
-    package : module
-        Where the generated function is.
-    size : int
-        Samples in each stratum.
-    seed : int
-        Varies the draw.
-
-    Returns
-    -------
-    Accuracy
-    """
-    function = function_of(lowered.kernel, package)
-    return measured(lowered, function, stratified(lowered, size, seed))
 
 
 def truths(lowered: Lowered, samples: Sequence[Sample]) -> tuple[Truth, ...]:

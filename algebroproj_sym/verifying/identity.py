@@ -36,7 +36,7 @@ def is_identical(lowered: Lowered, package: ModuleType, size: int) -> bool:
     samples = [sample.values for sample in stratified(lowered, size)]
     ordinary = samples[0]
     samples += [ordinary | {symbol.name: value} for symbol in kernel.symbols for value in SPECIAL]
-    for dtype in (np.float32, np.float64, np.longdouble):
+    for dtype in (np.float32, np.float64):
         with np.errstate(all="ignore"):
             values = {s.name: np.array([sample[s.name] for sample in samples]).astype(dtype) for s in kernel.symbols}
             compiled = [call(function, kernel, values) for function in functions]

@@ -1,12 +1,14 @@
 # %% [markdown]
 # # 1.1 Projection from space to plane
 #
-# An image plane is given by the center of projection $\mathbf y_0$ and three points $\mathbf y_0 + \mathbf b_j$.
-# Everything is affine: neither lengths nor angles occur.
+# How is a point of space projected to a plane, and what can an image give back?  An image plane is given by the
+# center of projection $\mathbf y_0$ and three points $\mathbf y_0 + \mathbf b_j$.  Everything is affine: neither
+# lengths nor angles occur.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
@@ -30,8 +32,8 @@ section = Section("fundamentals1996", "1.1", "Projection from space to plane")
 # %% [markdown]
 # ## The base
 #
-# The ray to a point $\mathbf y$ is $\mathbf z = \mathbf y - \mathbf y_0$.  Its coordinates $x^j$ refer to the base
-# $\mathbf b_0, \mathbf b_1, \mathbf b_2$; the coefficients of the $x^j$ are the matrix $\mathbf B$.
+# **Definition.**  The ray to a point $\mathbf y$ is $\mathbf z = \mathbf y - \mathbf y_0$.  Its coordinates $x^j$
+# refer to the base $\mathbf b_0, \mathbf b_1, \mathbf b_2$; the coefficients of the $x^j$ are the matrix $\mathbf B$.
 
 # %%
 point = vector(y1, y2, y3)
@@ -41,9 +43,18 @@ b0, b1, b2 = base
 x = vector(*sympy.symbols("x0 x1 x2"))
 reconstruction = x[0] * b0 + x[1] * b1 + x[2] * b2
 B, _ = linear_system(list(reconstruction), list(x))
+B
+
+# %%
 
 section.definition("1.1/z", "ray from the center to a point", printed=ray)
 section.definition("1.1.1", "coordinates related to the base, equation of reconstruction", printed=reconstruction)
+
+# %% [markdown]
+# **Print.**  The base vectors are the columns of $\mathbf B$.  In its first row the print has $b_{01}$ and $b_{02}$
+# for $b_{10}$ and $b_{20}$.
+
+# %%
 section.identity(
     "1.1.2",
     "matrix of the base",
@@ -51,14 +62,13 @@ section.identity(
     derived=B,
     expect="misprint",
     corrected=columns(b0, b1, b2),
-    note="The first row prints b00 b01 b02.  With the base vectors as rows the second row would have to read "
-    "b10 b11 b12, with columns the first one b00 b10 b20: no convention gives the whole matrix, and the next display "
-    "has it right, by columns.  The scan alone cannot tell a slip of the scan from one of the print.",
+    note="Ruled out: with the base vectors as rows the second row would have to read b10 b11 b12.  The scan alone "
+    "cannot tell a slip of the scan from one of the print.",
 )
 
 # %% [markdown]
-# The coordinates of a given ray solve this system.  With $b^i_j$ for the elements of $\mathbf B^* = \mathbf B^{-1}$
-# (row $i$, column $j$):
+# **How are the coordinates of a given ray found?**  They solve this system.  Let $b^i_j$ be the elements of $\mathbf
+# B^* = \mathbf B^{-1}$, in row $i$ and column $j$.
 
 # %%
 r = Matrix(3, 3, sympy.symbols("r:3:3"))
@@ -77,12 +87,17 @@ section.identity(
     printed=r * columns(b0, b1, b2),
     where=inverse_elements,
     derived=E3,
-    note="r10 stands for the element with upper index 1 and lower index 0.",
 )
 
 # %% [markdown]
-# The rows of $\mathbf B^*$ are cross products, with $i, j, k$ cyclic: $\mathbf b^j$ is orthogonal to the other two
-# base vectors, and $D = \det \mathbf B = \mathbf b_j \cdot (\mathbf b_k \times \mathbf b_i)$.
+# ## The reciprocal vectors
+#
+# **Definition.**  The rows $\mathbf b^j$ of $\mathbf B^*$.  Each is orthogonal to the other two base vectors.  So it
+# is a cross product, $\mathbf b^j = \mathbf b_k \times \mathbf b_i / D$ for cyclic $i, j, k$, with $D = \det \mathbf
+# B$.
+#
+# **Print.**  The paper gives a sign in addition: $(-1)^i$ by components, $(-1)^j$ for the cross product.  Such signs
+# belong to indices in ascending order.  The cyclic order has taken care of them, and all three signs are $+$.
 
 # %%
 D = sympy.Symbol("D")
@@ -102,11 +117,9 @@ section.identity(
     derived=inverse(B),
     expect="error",
     corrected=rows(*(components(k, i) / D for i, j, k in cyclic)),
-    note="The three vectors are compared as rows of one matrix.  The factor (-1)^i does not belong here: the cyclic "
-    "order has taken care of the sign.  Taken modulo 3, i = 2, 0, 1 gives the signs + + -, not reduced, i = -1, 0, 1, "
-    "it gives - + -; the signs proved are + + +.  The order of k and i and the handedness of the base are no way out, "
-    "they change all three signs or none.  The two forms of (1.1.3) contradict each other, too: the sign is wrong "
-    "in both, which no single slip of the press explains.",
+    note="Taken modulo 3, i = 2, 0, 1 gives the signs + + -; not reduced, i = -1, 0, 1 gives - + -.  Ruled out: the "
+    "order of k and i, the handedness of the base, and rows for columns change all three signs or none.  The "
+    "sign is wrong in both forms of (1.1.3), which no single slip of the press explains.",
     follows="The factor of the sign makes three of the nine elements of the inverse wrong, in either form. For "
     "cyclic indices there is no sign at all.",
 )
@@ -118,15 +131,13 @@ section.identity(
     derived=inverse(B),
     expect="error",
     corrected=rows(*(cross(base[k], base[i]) / D for i, j, k in cyclic)),
-    note="The second and the third form of (1.1.3).  The factor (-1)^j, that is + - +, belongs to the other two "
-    "indices in ascending order, k < i, but the text says cyclic, i = j - 1 and k = j + 1; an interchange of k and i, "
-    "or of rows and columns of B, changes all three signs or none.  The factor stands in both forms, which "
-    "no single slip of the press explains.",
+    note="The factor (-1)^j, that is + - +, would be right for k < i, but the text says cyclic, i = j - 1 and k = j + "
+    "1.",
     same_as="1.1.3#components",
 )
 
 # %% [markdown]
-# These *reciprocal vectors* give the coordinates by scalar products.
+# **Meaning.**  The reciprocal vectors give the coordinates by scalar products.
 
 # %%
 reciprocal = [cross(base[k], base[i]).applyfunc(lambda entry: over(entry, determinant(B))) for i, j, k in cyclic]
@@ -136,7 +147,6 @@ section.identity(
     "scalar products of base and reciprocal vectors",
     printed=E3,
     derived=Matrix(3, 3, lambda j, k: dot(base[j], reciprocal[k])),
-    note="All pairs at once: 1 for equal indices, 0 for any others.",
 )
 section.identity(
     "1.1/coordinates",
@@ -149,9 +159,9 @@ section.identity(
 # %% [markdown]
 # ## Change of base
 #
-# With a new base $\mathbf B' = \mathbf B \mathbf A$ the coordinates and the reciprocal vectors change by
-# $\mathbf A^{-1}$: they are contravariant.  New coordinates are right if they reconstruct the same ray, new reciprocal
-# vectors if they invert the new base.
+# What happens to a fixed ray if the base changes to $\mathbf B' = \mathbf B \mathbf A$?  The paper says that
+# coordinates and reciprocal vectors are contravariant: they change by $\mathbf A^{-1}$.  New coordinates are right if
+# they reconstruct the same ray, new reciprocal vectors if they invert the new base.
 
 # %%
 A = Matrix(3, 3, sympy.symbols("a:3:3"))
@@ -161,31 +171,31 @@ section.identity(
     "the coordinates are contravariant",
     printed=(B * A) * solve(A, x),
     derived=reconstruction,
-    note="The sentence, made precise: where the base vectors change by A, the coordinates of a fixed ray change by "
-    "the inverse of A.",
 )
 section.identity(
     "1.1/contravariant-tensor",
     "the matrix of the reciprocal vectors is contravariant",
     printed=(inverse(A) * inverse(B)) * (B * A),
     derived=E3,
-    note="The sentence, made precise: where the columns of B change by A, the rows of its inverse change by the "
-    "inverse of A.",
 )
+
+# %% [markdown]
+# A cross product is neither.  If two vectors change by $\mathbf A$, theirs changes by the matrix of cofactors, as the
+# coefficients of a plane do.
+
+# %%
 section.identity(
     "1.1/cross-product",
     "cross product in affine coordinates",
     printed=adjugate(A).T * cross(b0, b1),
     derived=cross(A * b0, A * b1),
-    note="The sentence, made precise: if the coordinates of two vectors change by any matrix A, their cross product "
-    "changes by the matrix of cofactors, as the coefficients of a plane do.",
 )
 
 # %% [markdown]
 # ## The image point
 #
-# The images $G'_0, G'_1, G'_2$ of the basic points are the origin and the unit points of an affine system of the
-# image plane.
+# **Definition.**  The images $G'_0, G'_1, G'_2$ of the basic points are the origin and the unit points of an affine
+# system of the image plane.
 
 # %%
 unit1, unit2 = b1 - b0, b2 - b0
@@ -195,6 +205,11 @@ p = b0 + u1 * unit1 + u2 * unit2
 section.definition("1.1/e", "units of the image plane", printed=columns(unit1, unit2))
 section.definition("1.1/u", "affine coordinates of an image point", printed=u1 * unit1 + u2 * unit2)
 section.definition("1.1/quasihomogeneous", "quasihomogeneous vector of an image point", printed=homogeneous(u))
+
+# %% [markdown]
+# **Print.**  The same point as a weighted mean of the base vectors, and as a product of matrices.
+
+# %%
 section.identity("1.1/p", "image point from the base", printed=(1 - u1 - u2) * b0 + u1 * b1 + u2 * b2, derived=p)
 section.identity(
     "1.1/p#base", "image point, barycentric", printed=columns(b0, b1, b2) * vector(1 - u1 - u2, u1, u2), derived=p
@@ -209,8 +224,8 @@ section.identity(
 # %% [markdown]
 # ## Projection
 #
-# The image point of $\mathbf y$ is where the ray meets the plane: $\tau \mathbf z = \mathbf p$ are three equations,
-# linear in $u_1$, $u_2$ and $\tau = 1/\mu$.
+# **Definition.**  The image point of $\mathbf y$ is where the ray meets the plane.  $\tau \mathbf z = \mathbf p$ are
+# three equations, linear in $u_1$, $u_2$ and $\tau = 1/\mu$.
 
 # %%
 factor, tau = sympy.symbols("mu tau")
@@ -218,14 +233,24 @@ intersection = solve(*linear_system(list(tau * ray - p), [tau, u1, u2]))
 seen = {factor: over(1, intersection[0]), u1: intersection[1], u2: intersection[2]}
 
 section.identity("1.1/ray", "the image point is on the ray", printed=factor * p, where=seen, derived=ray)
+
+# %% [markdown]
+# **What is the factor?**  The sum of the coordinates of the ray.  It vanishes exactly if the ray is parallel to the
+# image plane.
+
+# %%
 section.identity(
     "1.1/beyond/mu",
     "the factor is the sum of the coordinates",
     printed=x[0] + x[1] + x[2],
     where=dict(zip(x, solve(B, ray), strict=True)),
     derived=over(1, intersection[0]),
-    note="Not in the paper: the factor vanishes exactly if the ray is parallel to the image plane.",
 )
+
+# %% [markdown]
+# **Print.**  So the ray is reconstructed from its image point, but for the factor that the image has lost.
+
+# %%
 section.identity(
     "1.1.4",
     "equation of reconstruction",
@@ -236,8 +261,29 @@ section.identity(
 section.identity("1.1.4#P", "matrix of reconstruction", printed=columns(b0, b1 - b0, b2 - b0), derived=B * U)
 
 # %% [markdown]
-# $\mathbf P = \mathbf B \mathbf U$ takes the image point to the ray; its inverse
-# $\mathbf P^* = \mathbf U^* \mathbf B^*$ takes the ray to the image point.
+# **An example.**  This base sees the point $(2, 2, 4)$ at the affine image coordinates
+
+# %%
+EXAMPLE_BASE = [vector(1, -1, 1), vector(-1, 1, 1), vector(2, 2, 1)]
+SEEN = vector(2, 2, 4)
+numbers = dict(zip((*b0, *b1, *b2, *point, *center), (*columns(*EXAMPLE_BASE).T, *SEEN, 0, 0, 0), strict=True))
+example_image = intersection[1:, :].xreplace(numbers).doit()
+example_image
+
+# %%
+SpaceDrawing(
+    "The center C, the base vectors to G'0, G'1 and G'2, and a ray to a point P.  It meets the image plane in p.",
+    {"C": vector(0, 0, 0), "P": SEEN, "p": p.xreplace(numbers | dict(zip(u, example_image, strict=True)))}
+    | {f"G'{j}": corner for j, corner in enumerate(EXAMPLE_BASE)},
+    segments=[("C", "P"), *(("C", f"G'{j}") for j in range(3))],
+    triangles=[("G'0", "G'1", "G'2")],
+)
+
+# %% [markdown]
+# ## Both directions
+#
+# $\mathbf P = \mathbf B \mathbf U$ takes the image point to the ray.  Its inverse $\mathbf P^* = \mathbf U^* \mathbf
+# B^*$ takes the ray to the image point.
 
 # %%
 P = columns(b0, unit1, unit2)
@@ -255,7 +301,6 @@ section.identity(
     "from barycentric to affine coordinates",
     printed=Matrix([[1, 1, 1], [0, 1, 0], [0, 0, 1]]) * x,
     derived=solve(U, x),
-    note="The inverse of U, applied to any vector.",
 )
 section.identity(
     "1.1.5#P*",
@@ -274,13 +319,16 @@ section.identity(
 # %% [markdown]
 # ## The singular projective matrix
 #
-# $\mathbf P^* (\mathbf y - \mathbf y_0)$ is linear in the quasihomogeneous vector of $\mathbf y$.  With $p^i_j$ for the
-# elements of $\mathbf P^*$ and a fourth row of zeros:
+# **Definition.**  $\mathbf P^* (\mathbf y - \mathbf y_0)$ is linear in the quasihomogeneous vector of $\mathbf y$.
+# Its matrix, with a fourth row of zeros, is $\mathbf M^*$:
 
 # %%
 elements = Matrix(3, 3, sympy.symbols("p:3:3"))
 linear, constant = linear_system(list(elements * ray), list(point))
 M_star = columns(-constant, linear).col_join(Matrix.zeros(1, 4))
+M_star
+
+# %%
 
 section.identity(
     "1.1.6",
@@ -295,12 +343,17 @@ section.identity(
     where=seen,
     derived=M_star.xreplace(dict(zip(elements, P_star, strict=True))) * homogeneous(point),
 )
+
+# %% [markdown]
+# **Meaning.**  $\mathbf M^*$ is singular, and takes the center to zero: the center has no image.
+
+# %%
 section.identity("1.1/singular", "the matrix is singular", printed=0, derived=determinant(M_star))
 section.identity("1.1.7", "the center has no image", printed=vector(0, 0, 0, 0), derived=M_star * homogeneous(center))
 
 # %% [markdown]
-# Conversely the three equations $\mathbf M^* \mathbf y = \mathbf 0$ have the center as their only solution, where
-# $\det \mathbf P^*$ is not zero.  With a finite center and a base it never is.
+# Is the center the only such point?  The three equations $\mathbf M^* \mathbf y = \mathbf 0$ have no other solution
+# where $\det \mathbf P^*$ is not zero.  It is $1 / D$: with a finite center and a base it never vanishes.
 
 # %%
 center_of_matrix = solve(*linear_system(list((M_star * homogeneous(point))[:3]), list(point)))
@@ -312,16 +365,15 @@ section.identity(
     printed=1 / D,
     where={D: determinant(B)},
     derived=determinant(P_star),
-    note="Not in the paper: the center follows uniquely from the matrix, whatever the base is.",
 )
 
 # %% [markdown]
 # ## How general the definition is
 #
-# The usual definition of the image plane has a normal $\mathbf k$ and a distance $c$; with
+# The usual definition of the image plane has a normal $\mathbf k$ and a distance $c$.  With
 # $\mathbf R = [\mathbf k, \mathbf i, \mathbf j]$ the ray $\mathbf R^T \mathbf z$ has the direction
 # $(c, x - x_C, y - y_C)$, for a principal point $(x_C, y_C)$.  An unnormalised quaternion gives $\mathbf R$ but for a
-# factor, which a matrix of projection does not notice.
+# factor, which a matrix of projection does not notice.  What is more general about center and base?
 
 # %%
 c, x_center, y_center = sympy.symbols("c xC yC")
@@ -348,6 +400,11 @@ def ratios(matrix: Matrix) -> Matrix:
 usual_projection = projection_from(center, Matrix([[1, 0, 0], [x_center, c, 0], [y_center, 0, c]]) * rotation.T)
 usual_parameters = (*quaternion, c, x_center, y_center, *center)
 
+# %% [markdown]
+# **The count.**  The projective matrix has twelve elements and a free factor.  Center and base have all of the eleven
+# parameters.  The usual definition has nine: three each for the center, the rotation and the interior orientation.
+
+# %%
 section.count(
     "1.1/general",
     "center and base have eleven independent parameters",
@@ -355,8 +412,6 @@ section.count(
     derived=ratios(projection_from(center, adjugate(P))),
     variables=(*b0, *b1, *b2, *center),
     kernel=[vector(*b0, *b1, *b2, 0, 0, 0)],
-    note="The sentence, made precise: the projective matrix, without its zero row and but for a common factor, has all "
-    "of the eleven parameters that a matrix of this size can have.  The usual definition has nine: 1.1/general#usual.",
 )
 section.count(
     "1.1/general#usual",
@@ -365,6 +420,4 @@ section.count(
     derived=ratios(usual_projection),
     variables=usual_parameters,
     kernel=[vector(*quaternion, *(0,) * 6)],
-    note="Three each for the center, the rotation and the interior orientation.  With c = 1 and the principal point as "
-    "origin there are six.",
 )

@@ -1,13 +1,14 @@
 # %% [markdown]
 # # 1.2 Determination of P*
 #
-# The basic points $G_0, \dots, G_3$ of the object are projected from the center $\mathbf y_0$.  Their images fix the
-# affine system of the image plane; what remains of $\mathbf P^*$ are the four factors $\mu_j$ and the image
-# $\mathbf u_3$ of $G_3$.
+# How much must be known to determine a projection?  The basic points $G_0, \dots, G_3$ of the object are projected
+# from the center $\mathbf y_0$.  Three images fix the affine system of the image plane.  What remains of $\mathbf
+# P^*$ are the four factors $\mu_j$ and the image $\mathbf u_3$ of $G_3$.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, determinant, homogeneous, inverse, rows, solve, vector
@@ -17,9 +18,9 @@ section = Section("fundamentals1996", "1.2", "Determination of the matrix of pro
 # %% [markdown]
 # ## The unit points
 #
-# An image point $\mathbf p = \mathbf b_0 + u_1 (\mathbf b_1 - \mathbf b_0) + u_2 (\mathbf b_2 - \mathbf b_0)$ is $G'_j$
-# itself where $\mathbf p = \mathbf b_j$: the quasihomogeneous coordinates of the basic points solve
-# $\mathbf B \mathbf U \mathbf u = \mathbf b_j$.
+# **Definition.**  An image point $\mathbf p = \mathbf b_0 + u_1 (\mathbf b_1 - \mathbf b_0) + u_2 (\mathbf b_2 -
+# \mathbf b_0)$ is $G'_j$ itself where $\mathbf p = \mathbf b_j$.  So the quasihomogeneous coordinates of the basic
+# points solve $\mathbf B \mathbf U \mathbf u = \mathbf b_j$.  The print has a 1 too many in the first of them.
 
 # %%
 b0, b1, b2 = (vector(*sympy.symbols(f"b{j}0 b{j}1 b{j}2")) for j in range(3))
@@ -38,9 +39,13 @@ section.identity(
     derived=image_coordinates(b0),
     expect="misprint",
     corrected=vector(1, 0, 0),
-    note="Case j = 0 of (1.2.1) prints (1, 0, 0). A slip of the scan cannot be told from one of the print; "
-    "no convention of rows or columns turns one into the other.",
+    note="Case j = 0 of (1.2.1) prints (1, 0, 0).  A slip of the scan cannot be told from one of the print.",
 )
+
+# %% [markdown]
+# The others are right.
+
+# %%
 section.identity("1.2/e'1", "image of the first unit point", printed=vector(1, 1, 0), derived=image_coordinates(b1))
 section.identity("1.2/e'2", "image of the second unit point", printed=vector(1, 0, 1), derived=image_coordinates(b2))
 section.definition("1.2/e'3", "image of the third unit point, a general point", printed=image_e3)
@@ -55,16 +60,15 @@ section.rank(
     "in general four points establish an affine coordinate system of space",
     printed=4,
     derived=any_points,
-    note="Their quasihomogeneous vectors are independent but where the four points are coplanar.",
 )
 
 # %% [markdown]
 # ## The equations of projection
 #
-# The rays are $\mathbf e_j - \mathbf y_0 = \mu_j \mathbf p_j$, and $\mathbf p_j = \mathbf b_j$ for $j = 0, 1, 2$.
-# Center and $\mu_0, \mu_1, \mu_2$ therefore fix the base, the base fixes
-# $\mathbf P^* = (\mathbf B \mathbf U)^{-1}$, and $\mathbf P^*$ fixes $\mu_3$ and
-# $\mathbf u_3$: everything below is checked against this construction.
+# **Definition.**  The rays are $\mathbf e_j - \mathbf y_0 = \mu_j \mathbf p_j$, and $\mathbf p_j = \mathbf b_j$ for
+# $j = 0, 1, 2$.  Center and $\mu_0, \mu_1, \mu_2$ therefore fix the base, the base fixes $\mathbf P^* = (\mathbf B
+# \mathbf U)^{-1}$, and $\mathbf P^*$ fixes $\mu_3$ and $\mathbf u_3$.  Everything below is checked against this
+# construction.
 
 # %%
 rays = [e - center for e in (e0, e1, e2, e3)]
@@ -73,13 +77,16 @@ P_star_of_rays = inverse(base * U)
 fourth = P_star_of_rays * rays[3]
 seen = {mu3: fourth[0], u31: fourth[1] / fourth[0], u32: fourth[2] / fourth[0]}
 
+# %% [markdown]
+# The three images are collinear where the three rays are coplanar.  So the center must not be in the plane of $G_0,
+# G_1, G_2$, a restriction that the paper does not state; $y_{03}$ is a divisor of (1.3.8).
+
+# %%
 section.vanishing(
     "1.2/image-system",
     "the images of G0, G1, G2 define an affine system, but where the center is in the plane of these points",
     printed=(y03,),
     derived=determinant(columns(*rays[:3])),
-    note="The images are collinear where the three rays are coplanar.  The paper states no restriction; y03 is a "
-    "divisor of (1.3.8).",
 )
 section.identity(
     "1.2.1",
@@ -110,6 +117,11 @@ section.identity(
     where=elements,
     derived=P_star_of_rays * rays[2],
 )
+
+# %% [markdown]
+# Of the second unit point the print interchanges the last two elements.
+
+# %%
 section.identity(
     "1.2/j=2",
     "case of the second unit point, the elements",
@@ -117,7 +129,7 @@ section.identity(
     derived=P_star_of_rays * e2,
     expect="misprint",
     corrected=vector(mu2 - mu0, 0, mu2),
-    note="The last two elements are interchanged: the left side (1, 0, 1) of this case and (1.2.2) have them right.",
+    note="The left side (1, 0, 1) of this case and (1.2.2) have them right.",
 )
 section.identity(
     "1.2/j=3",
@@ -130,14 +142,20 @@ section.identity(
 # %% [markdown]
 # ## The matrices
 #
-# By linearity
-# $\mathbf P^* \mathbf e_j = \mathbf P^* (\mathbf e_j - \mathbf y_0) - \mathbf P^* (\mathbf e_0 - \mathbf y_0)
-# = \mu_j \mathbf e'_j - \mu_0 \mathbf e'_0$: the columns of $\mathbf P^*$ as functions of $\mu_j$ and $\mathbf u_3$.
+# **Definition.**  By linearity $\mathbf P^* \mathbf e_j = \mathbf P^* (\mathbf e_j - \mathbf y_0) - \mathbf P^*
+# (\mathbf e_0 - \mathbf y_0) = \mu_j \mathbf e'_j - \mu_0 \mathbf e'_0$.  These are the columns of $\mathbf P^*$ as
+# functions of $\mu_j$ and $\mathbf u_3$.
 
 # %%
 image_units = (image_e1, image_e2, image_e3)
 P_star = columns(*(m * e - mu0 * image_e0 for m, e in zip((mu1, mu2, mu3), image_units, strict=True)))
 M_star = columns(mu0 * image_e0, P_star).col_join(Matrix.zeros(1, 4))
+M_star
+
+# %% [markdown]
+# **Print.**  Both matrices, in these terms and from center and base.
+
+# %%
 
 section.identity(
     "1.2.2",
@@ -152,6 +170,8 @@ section.identity(
     where=seen,
     derived=P_star_of_rays,
 )
+
+# %%
 section.identity(
     "1.2.3",
     "singular projective matrix",
@@ -174,9 +194,32 @@ section.identity(
 )
 
 # %% [markdown]
-# The *core* of every singular projective transformation: a general projective matrix $\mathbf S$ (3 by 4) of full rank
-# differs from it by the affine systems alone.  With the images $\mathbf s_j = \mathbf S \mathbf x_j$ of any four object
-# points $\mathbf x_j$, both coordinate systems referred to the points, the core remains.
+# **An example.**  From the center $(1/2, 1/2, 3)$, with $\mu_0 = 2$, $\mu_1 = 3$ and $\mu_2 = 5/2$, $G_3$ has this
+# $\mu_3$ and these coordinates $\mathbf u_3$:
+
+# %%
+EYE = vector(sympy.Rational(1, 2), sympy.Rational(1, 2), 3)
+EXAMPLE = dict(zip((mu0, mu1, mu2, *center), (*map(sympy.Rational, ("2", "3", "5/2")), *EYE), strict=True))
+example_fourth = vector(*(seen[symbol].xreplace(EXAMPLE).doit() for symbol in (mu3, u31, u32)))
+example_fourth
+
+# %%
+SpaceDrawing(
+    "The basic points G, the center C, and the images G' of the basic points where the rays pierce the image plane.",
+    {"C": EYE, **{f"G{j}": e for j, e in enumerate((e0, e1, e2, e3))}}
+    | {
+        f"G'{j}": EYE + rays[j].xreplace(EXAMPLE) / factor
+        for j, factor in enumerate((*(EXAMPLE[m] for m in (mu0, mu1, mu2)), example_fourth[0]))
+    },
+    segments=[("C", f"G{j}") for j in range(4)],
+    triangles=[("G'0", "G'1", "G'2"), ("G0", "G1", "G2")],
+)
+
+# %% [markdown]
+# **Meaning.**  This is the *core* of every singular projective transformation: a general projective matrix $\mathbf
+# S$ (3 by 4) of full rank differs from it by the affine systems alone.  With the images $\mathbf s_j = \mathbf S
+# \mathbf x_j$ of any four object points $\mathbf x_j$, both coordinate systems referred to the points, the core
+# remains.
 
 # %%
 images = Matrix(3, 4, sympy.symbols("s:3:4"))
@@ -194,18 +237,4 @@ section.identity(
     printed=M_star[:3, :],
     where=parameters | seen_fourth,
     derived=core,
-)
-
-# %% [markdown]
-# ## Code
-
-# %%
-section.kernel(
-    "projection.camera_matrix",
-    "Singular projective matrix M*, without its zero row.",
-    arguments={"mu": vector(mu1, mu2, mu3), "u3": vector(u31, u32)},
-    derived=M_star[:3, :].subs(mu0, 1),
-    claims=["1.2.3", "1.2.3#base"],
-    describe={"mu": ABOUT_MU, "u3": ABOUT_U3},
-    example={"mu": ("0.625", "0.75", "0.5"), "u3": ("0.25", "0.125")},
 )

@@ -1,12 +1,16 @@
 # %% [markdown]
 # # 1.4 Connection with orthonormalized systems
 #
-# Cartesian coordinates of the object and rectangular coordinates of the image, referred to the basic points: what
-# analytical photogrammetry calls a camera is a projection of section 1.2 between two affine transformations.
+# Analytical photogrammetry has cartesian coordinates of the object and rectangular coordinates of the image.  What do
+# they have to do with the affine ones?  What it calls a camera is a projection of section 1.2 between two affine
+# transformations.
 
 # %%
+from fractions import Fraction
+
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion
 from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
@@ -21,6 +25,7 @@ from algebroproj_sym.expressions import (
     inverse,
     linear_system,
     over,
+    rounded,
     rows,
     solve,
     vector,
@@ -31,9 +36,9 @@ section = Section("fundamentals1996", "1.4", "Connection with orthonormalized sy
 # %% [markdown]
 # ## Base and rotation
 #
-# The image plane has the distance 1 from the center; $\mathbf k$ is its normal, $\mathbf i$ and $\mathbf j$ are the
-# directions of its rectangular coordinates, $\mathbf R = [\mathbf k, \mathbf i, \mathbf j]$.  Seen from the principal
-# point, $G'_j$ stands at $(x_j - x_C, y_j - y_C)$.
+# **Definition.**  The image plane has the distance 1 from the center.  $\mathbf k$ is its normal, $\mathbf i$ and
+# $\mathbf j$ are the directions of its rectangular coordinates, $\mathbf R = [\mathbf k, \mathbf i, \mathbf j]$.  Seen
+# from the principal point, $G'_j$ stands at $(x_j - x_C, y_j - y_C)$.
 
 # %%
 x_center, y_center = sympy.symbols("xC yC")
@@ -56,8 +61,8 @@ section.identity(
 )
 
 # %% [markdown]
-# Six equations make $\mathbf R$ orthogonal, $\mathbf R^T \mathbf R = \mathbf E$.  Where it is better to try a formula
-# on a rotation itself, an unnormalised quaternion keeps it rational.
+# Six equations make $\mathbf R$ orthogonal, $\mathbf R^T \mathbf R = \mathbf E$.  Where a formula is better tried on a
+# rotation itself, a quaternion, divided by its length, keeps it rational.
 
 # %%
 orthogonal = [(R.T * R - E3)[row, column] for row in range(3) for column in range(row, 3)]
@@ -70,15 +75,14 @@ section.identity(
     "a quaternion gives an orthogonal matrix",
     printed=E3,
     derived=rotation.T * rotation,
-    note="Not in the paper: the rational rotations of this section are orthogonal.",
 )
 
 # %% [markdown]
 # ## The image point
 #
-# $\mathbf p = \mathbf b_0 + u_1 (\mathbf b_1 - \mathbf b_0) + u_2 (\mathbf b_2 - \mathbf b_0)$ is the rotated vector
-# $\mathbf p'$ that has the same coordinates in the internal base; $\mathbf A_v$ is what is linear in
-# $(1, u_1, u_2)$ there.
+# **Definition.**  The image point $\mathbf p = \mathbf b_0 + u_1 (\mathbf b_1 - \mathbf b_0) + u_2 (\mathbf b_2 -
+# \mathbf b_0)$ is the rotated vector that has the same coordinates in the system of the image.  That vector is linear
+# in $(1, u_1, u_2)$, with the matrix $\mathbf A_v$:
 
 # %%
 u = vector(u1, u2)
@@ -90,6 +94,12 @@ def image_point(base: list[Matrix]) -> Matrix:
 
 linear, constant = linear_system(list(image_point(internal)), list(u))
 A_v = columns(-constant, linear)
+A_v
+
+# %% [markdown]
+# **Print.**  The sum of the base vectors, rotated, in four forms.
+
+# %%
 
 section.identity(
     "1.4.1#sum",
@@ -102,9 +112,14 @@ section.reference(
     "equation into which the rotated base vectors are inserted",
     printed="1.1.3",
     meant="1.1.4",
-    note="(1.1.3) gives the reciprocal vectors; inserted there, R would rotate them and not give p.  The sum for p "
-    "stands in the displays before (1.1.4), and (1.1.4) is the first number that contains it, p = B U u.",
+    note="(1.1.3) gives the reciprocal vectors; inserted there, R would rotate them and not give p.  (1.1.4) is the "
+    "first number that contains p = B U u.",
 )
+
+# %% [markdown]
+# As products of matrices:
+
+# %%
 section.identity(
     "1.4.1#base",
     "image point, barycentric",
@@ -120,6 +135,12 @@ section.identity(
     * vector(1, u1, u2),
     derived=image_point(external),
 )
+
+# %% [markdown]
+# The matrix $\mathbf A_v$ itself is printed with the coordinates of $G'_1$ and $G'_2$ in its second and third column.
+# They must be differences to $G'_0$, as in $\mathbf A_X$ below.
+
+# %%
 section.identity(
     "1.4.1#A_v",
     "matrix of the affine image coordinates",
@@ -133,10 +154,9 @@ section.identity(
             [ys[0] - y_center, ys[1] - ys[0], ys[2] - ys[0]],
         ]
     ),
-    note="The second and third column are differences to the first basic point, as in A_X below.  Ruled out: the "
-    "matrix of the base itself, which has the first row 1 1 1; a transposition; the first basic point in the principal "
-    "point, which would make the printed form right, but with a first column 1 0 0.  The scan alone cannot tell a slip "
-    "of the scan from one of the print.",
+    note="Ruled out: the matrix of the base itself, which has the first row 1 1 1; a transposition; G'0 in the "
+    "principal point, which would give the first column 1 0 0.  The scan alone cannot tell a slip of the scan "
+    "from one of the print.",
 )
 section.identity(
     "1.4.1",
@@ -148,9 +168,9 @@ section.identity(
 # %% [markdown]
 # ## Affine frames
 #
-# $\mathbf A_v$ for the plane and $\mathbf A_X$ for space are the same thing: the frame of some points, with the first
-# one as origin.  A point has the coordinates $y_i$ if
-# $\mathbf X = \mathbf X_{G_0} + \sum y_i (\mathbf X_{G_i} - \mathbf X_{G_0})$, which are linear equations for $y_i$.
+# **Definition.**  $\mathbf A_v$ for the plane and $\mathbf A_X$ for space are the same thing: the frame of some
+# points, with the first one as origin.  A point has the coordinates $y_i$ if $\mathbf X = \mathbf X_{G_0} + \sum y_i
+# (\mathbf X_{G_i} - \mathbf X_{G_0})$.  These are linear equations for $y_i$.
 
 
 # %%
@@ -170,8 +190,9 @@ def coordinates(point: Matrix, points: Matrix) -> Matrix:
 
 
 # %% [markdown]
-# Rows of $g$ are the points $G'_j$ in coordinates $v_1, v_2$ of the image: measured from the principal point they are
-# $(x_j - x_C, y_j - y_C)$, but any origin serves.
+# **In the image.**  The rows of $g$ are the points $G'_j$ in coordinates $v_1, v_2$.  Measured from the principal point
+# they are $(x_j - x_C, y_j - y_C)$, but any origin serves.  The paper prints $\mathbf v = \mathbf A_v \mathbf u$; its
+# inverse is what one needs to begin with.
 
 # %%
 g = Matrix(3, 2, sympy.symbols("g:3:2"))
@@ -184,21 +205,51 @@ section.identity(
     printed=vector(1, x, y),
     where=dict(zip((x, y), point_at(u, g), strict=True)),
     derived=frame(g) * homogeneous(u),
-    note="g00, g01 stand for x0 - xC, y0 - yC: as printed, A_v gives x, y from the principal point.",
 )
 section.identity(
     "1.4/plane-coordinates",
     "from rectangular to affine image coordinates",
     printed=inverse(frame(g)) * homogeneous(v),
     derived=homogeneous(coordinates(v, g)),
-    note="The paper prints only v = A_v u; this is the inverse.",
+)
+
+# %% [markdown]
+# **An example.**  In the left image of section 4 the basic points and the point 2 have these rectangular coordinates,
+# and point 2 these affine ones:
+
+# %%
+EXAMPLE_IMAGE = (("-0.0451870", "-0.6343754"), ("0.0202372", "0.8297962"), ("0.9728948", "-0.4654293"))
+corners = [vector(*map(sympy.Rational, corner)) for corner in EXAMPLE_IMAGE]
+seen = vector(sympy.Rational("0.0313810"), sympy.Rational("-0.2265744"))
+example_u = coordinates(seen, rows(*corners)).doit()
+[str(rounded(Fraction(int(number.p), int(number.q)), 7)) for number in example_u]
+
+
+# %%
+def grid_line(first: Matrix, second: Matrix) -> Matrix:
+    """Return the line through two points in affine coordinates."""
+    return cross(*(homogeneous(point_at(end, rows(*corners))) for end in (first, second)))
+
+
+quarters = [sympy.Rational(n, 4) for n in range(5)]
+ImageDrawing(
+    "The left image of section 4: the basic points, point 2, and the lines on which one affine coordinate is 0, 1/4, "
+    "1/2, 3/4 or 1.",
+    {
+        "rectangular coordinates": (
+            {f"G'{j}": corner for j, corner in enumerate(corners)} | {"2": seen},
+            [grid_line(vector(n, 0), vector(n, 1)) for n in quarters]
+            + [grid_line(vector(0, n), vector(1, n)) for n in quarters],
+        )
+    },
+    letter="v",
 )
 
 # %% [markdown]
 # ## The distances
 #
-# The ray to an object point is $\mathbf X - \mathbf X_0 = \lambda \mathbf p$.  A rotation does not change the length of
-# $\mathbf p = \mathbf R \mathbf A_v \mathbf u$.
+# How far is an object point?  The ray is $\mathbf X - \mathbf X_0 = \lambda \mathbf p$, and a rotation does not
+# change the length of $\mathbf p = \mathbf R \mathbf A_v \mathbf u$.
 
 # %%
 lam = sympy.Symbol("lam")
@@ -229,6 +280,11 @@ section.identity(
     constraints=orthogonal,
     witness=unrotated,
 )
+
+# %% [markdown]
+# **Meaning.**  The factor is the ratio of the distances of object and image point, $s$ and $s'$, from the center.
+
+# %%
 object_distance, image_distance = sympy.symbols("s sp")
 section.identity(
     "1.4/ratio",
@@ -237,14 +293,14 @@ section.identity(
     derived=lam**2,
     constraints=[object_distance**2 - lam**2 * dot(p, p), image_distance**2 - dot(p, p)],
     witness=dict(zip((*p, lam, image_distance, object_distance), (1, 2, 2, 2, 3, 6), strict=True)),
-    note="s and sp are the distances of object and image point from the center.  The sentence follows the formula for "
-    "the square of the factor and is read of the factor itself: the square is the ratio of the squared distances.",
+    note="The sentence follows the formula for the square of the factor and is read of the factor itself: the square "
+    "is the ratio of the squared distances.",
 )
 
 # %% [markdown]
 # ## The basic points in space
 #
-# Rows of $G$ are the basic points.  $\mathbf A_X$ takes the unit points to them.
+# **In space.**  The rows of $G$ are the basic points.  $\mathbf A_X$ takes the unit points to them.
 
 # %%
 G = Matrix(4, 3, sympy.symbols("G:4:3"))
@@ -264,7 +320,6 @@ section.identity(
     printed=Matrix([[1, 0, 0, 0], *([a[0], a[1] - a[0], a[2] - a[0], a[3] - a[0]] for a in axes)]),
     where=dict(zip(Matrix(axes).T, G, strict=True)),
     derived=basic_points * inverse(unit_points),
-    note="X1, Y1, Z1 are here the coordinates of the basic point G1; elsewhere X1, X2, X3 are those of any point.",
 )
 section.identity(
     "1.4.4",
@@ -274,7 +329,8 @@ section.identity(
 )
 
 # %% [markdown]
-# Center and point in affine coordinates: the ray is $\mathbf A_X \mathbf z$.
+# With center and point in affine coordinates the ray is $\mathbf A_X \mathbf z$, and the factor follows from both
+# frames.
 
 # %%
 point = vector(y1, y2, y3)
@@ -299,7 +355,8 @@ section.identity(
 # %% [markdown]
 # ## Projection between cartesian systems
 #
-# Inverting $\mathbf P = \mathbf B \mathbf U = \mathbf R \mathbf A_v$ needs no more than the inverse of $\mathbf A_v$.
+# To invert $\mathbf P = \mathbf B \mathbf U = \mathbf R \mathbf A_v$ takes no more than the inverse of $\mathbf A_v$.
+# The result acts on the cartesian ray; on the affine one of section 1.1 it acts with $\mathbf A_X$ on its right.
 # From here on the edges $G_j - G_0$ and $G'_j - G'_0$ are the symbols, which keeps determinants short.
 
 # %%
@@ -314,16 +371,19 @@ section.identity(
     "matrix of projection, rotation and affine transformation",
     printed=inverse(A_v) * rotation.T,
     derived=inverse(rotation * A_v),
-    note="This matrix acts on the cartesian ray; on the affine one of section 1.1, the ray being A_X z, it "
-    "acts with A_X on its right.",
 )
+
+# %% [markdown]
+# **What becomes of the normal case?**  There $\mathbf R = \mathbf E$, and the matrix has the first row $1, 0, 0$.  A
+# quasihomogeneous vector keeps its leading 1: that is what affine means.  In rectangular coordinates $\mathbf X -
+# \mathbf X_0$ is a multiple of $(1, x, y)$, and the transformation a similarity.
+
+# %%
 section.structure(
     "1.4/normal-case",
     "the normal case is an affine transformation",
     printed=Matrix([[1, 0, 0], sympy.symbols("a10 a11 a12"), sympy.symbols("a20 a21 a22")]),
     derived=inverse((R * A_v).xreplace(unrotated)),
-    note="With R = E.  A quasihomogeneous vector keeps its leading 1 under a first row 1 0 0: that is what affine "
-    "means; the other elements are not restricted.",
 )
 
 section.identity(
@@ -331,13 +391,12 @@ section.identity(
     "the normal case of analytical photogrammetry is a similarity transformation",
     printed=lam * homogeneous(plane_point[1:, 0]),
     derived=(lam * R * plane_point).xreplace(unrotated),
-    note="X - X0 = lam p with R = E is a multiple of (1, x, y), the point in rectangular image coordinates.",
 )
 
 # %% [markdown]
-# Seen from the image system the ray is $\mathbf R^T (\mathbf X - \mathbf X_0)$, and its first component is the factor
-# of the quasihomogeneous image vector $\mathbf v$: the collinearity equations.  On the other side $\mathbf M$ is put
-# together by (1.1.6), with (1.4.6) and $\mathbf X - \mathbf X_0 = \mathbf A_X \mathbf z$.
+# **Are these the collinearity equations?**  Seen from the image system the ray is $\mathbf R^T (\mathbf X - \mathbf
+# X_0)$, and its first component is the factor of the quasihomogeneous image vector $\mathbf v$.  On the other side
+# $\mathbf M$ is put together by (1.1.6), with (1.4.6) and $\mathbf X - \mathbf X_0 = \mathbf A_X \mathbf z$.
 
 # %%
 P_star = inverse(A_v) * rotation.T * A_X[1:, 1:]
@@ -347,14 +406,11 @@ section.identity(
     "projection between cartesian systems",
     printed=A_v * (M * (inverse(A_X) * homogeneous(X))),
     derived=rotation.T * (X - point_at(center, space_points)),
-    note="Without its row of zeros, scaled so that the factor of v is the first component of the right side.  "
-    "That M* has the form (1.2.3) where A_v refers to the images of the basic points is (1.2/core) and "
-    "(1.4/type).",
 )
 
 # %% [markdown]
-# The converse: any projection, with images $\mathbf s_j$ of the basic points, is a core (1.2.3) between two affine
-# transformations.  Image points and the parameters of the core are read off the $\mathbf s_j$, as in (1.2/core).
+# **And conversely?**  A general projection takes the basic points to any images $\mathbf s_j$.  It is a core (1.2.3)
+# between two affine transformations.  Image points and parameters of the core are read off the $\mathbf s_j$.
 
 # %%
 images = Matrix(3, 4, sympy.symbols("s:3:4"))
@@ -368,12 +424,13 @@ section.identity(
     printed=frame(seen_points[:3, :]) * core[:3, :] * inverse(A_X),
     where=dict(zip((mu0, mu1, mu2, mu3, u31, u32), (*depths, *seen_u3), strict=True)),
     derived=general,
-    note="The general matrix is the one that takes the basic points to any given images.",
 )
 
 # %% [markdown]
-# Other image coordinates $\mathbf v' = \mathbf C \mathbf v$, oblique and in any scale, change $\mathbf A_v$ to
-# $\mathbf C \mathbf A_v$, and leave $\mathbf u$ and $\mathbf M$ alone.
+# ## Must the measuring device be calibrated?
+#
+# No.  Other image coordinates $\mathbf v' = \mathbf C \mathbf v$, oblique and in any scale, change $\mathbf A_v$ to
+# $\mathbf C \mathbf A_v$.  They leave $\mathbf u$ and $\mathbf M$ alone.
 
 # %%
 device = Matrix(2, 2, sympy.symbols("d11 d12 d21 d22"))
@@ -391,101 +448,10 @@ section.identity(
     "affine image coordinates need no calibration",
     printed=coordinates(v, g),
     derived=coordinates(read(v), other_points),
-    note="The sentence, made precise: u is the same in the coordinates of every measuring device.",
 )
 section.identity(
     "1.4/uncalibrated#A_v",
     "change of the affine frame with the measuring device",
     printed=C * frame(g),
     derived=frame(other_points),
-    note="The sentence, made precise: with C on their left both sides of (1.4.5) are referred to the device.",
-)
-
-# %% [markdown]
-# ## Code
-#
-# Coordinates are differences first, then ratios of determinants that share their minors.
-
-# %%
-ABOUT_PLANE = "Image points G'0, G'1, G'2, a row each, in any affine coordinates; any unit."
-ABOUT_SPACE = "Object points G0, G1, G2, G3, a row each, in any affine coordinates; any unit."
-
-
-def differences(names: str, point: Matrix, origin: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
-    return dict(zip(sympy.symbols(names), point - origin, strict=True))
-
-
-det = sympy.Symbol("det")
-image_example = (("-0.0451870", "-0.6343754"), ("0.0202372", "0.8297962"), ("0.9728948", "-0.4654293"))
-object_example = (
-    ("292.50", "202.50", "120.00"),
-    ("577.50", "2295.00", "91.50"),
-    ("1537.50", "480.00", "772.50"),
-    ("435.00", "900.00", "990.00"),
-)
-
-section.kernel(
-    "affine.plane_frame",
-    "Matrix A_v that takes affine image coordinates (1, u) to image coordinates (1, v).",
-    arguments={"g": g},
-    derived=frame(g),
-    claims=["1.4.1#A_v", "1.4/v"],
-    example={"g": image_example},
-    describe={"g": ABOUT_PLANE},
-)
-
-g0, g1, g2 = (g.row(n).T for n in range(3))
-d1, d2, c11, c12, c21, c22 = sympy.symbols("d1 d2 c11 c12 c21 c22")
-section.kernel(
-    "affine.plane_coordinates",
-    "Affine image coordinates u of an image point, referred to three basic points.",
-    arguments={"v": v, "g": g},
-    derived=coordinates(v, g),
-    claims=["1.4/plane-coordinates", "1.4/uncalibrated"],
-    normwise=True,
-    example={"v": ("0.0313810", "-0.2265744"), "g": image_example},
-    describe={
-        "v": "Coordinates of an image point, in the system of g; same unit.",
-        "g": ABOUT_PLANE,
-    },
-    form=vector(over(d1 * c22 - d2 * c21, det), over(c11 * d2 - c12 * d1, det)),
-    where=differences("d1 d2", v, g0)
-    | differences("c11 c12", g1, g0)
-    | differences("c21 c22", g2, g0)
-    | {det: c11 * c22 - c12 * c21},
-)
-section.kernel(
-    "affine.space_frame",
-    "Matrix A_X that takes affine coordinates (1, y) to object coordinates (1, X).",
-    arguments={"g": G},
-    derived=frame(G),
-    claims=["1.4.4", "1.4/A_X"],
-    example={"g": object_example},
-    describe={"g": ABOUT_SPACE},
-)
-
-G0, G1, G2, G3 = (G.row(n).T for n in range(4))
-d = vector(*sympy.symbols("d1 d2 d3"))
-a1, a2, a3 = (vector(*sympy.symbols(f"a{n}1 a{n}2 a{n}3")) for n in (1, 2, 3))
-m, n = (vector(*sympy.symbols(names)) for names in ("m1 m2 m3", "n1 n2 n3"))
-section.kernel(
-    "affine.space_coordinates",
-    "Affine coordinates y of an object point, referred to four basic points.",
-    arguments={"x": X, "g": G},
-    derived=coordinates(X, G),
-    claims=["1.4.3"],
-    normwise=True,
-    example={"x": ("660.00", "1537.50", "312.00"), "g": object_example},
-    describe={
-        "x": "Coordinates of an object point, in the system of g; same unit.",
-        "g": ABOUT_SPACE,
-    },
-    form=vector(over(dot(d, m), det), over(-dot(a3, n), det), over(dot(a2, n), det)),
-    where=differences("d1 d2 d3", X, G0)
-    | differences("a11 a12 a13", G1, G0)
-    | differences("a21 a22 a23", G2, G0)
-    | differences("a31 a32 a33", G3, G0)
-    | dict(zip(m, cross(a2, a3), strict=True))
-    | dict(zip(n, cross(d, a1), strict=True))
-    | {det: dot(a1, m)},
 )

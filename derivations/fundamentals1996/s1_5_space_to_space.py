@@ -1,13 +1,14 @@
 # %% [markdown]
 # # 1.5 Projection from space to space
 #
-# With a last row of its own the matrix $\mathbf M^*$ (4 by 4) maps space to space.  As before, both coordinate systems
-# are referred to the basic points and to their images, and what remains are four factors $\mu_j$; a fifth point fixes
-# them.
+# A matrix $\mathbf M^*$ with a last row of its own maps space to space.  How many points does it take to know it?  As
+# before, both coordinate systems are referred to the basic points and to their images.  What remains are four factors
+# $\mu_j$, and a fifth point fixes them.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
@@ -27,15 +28,22 @@ from algebroproj_sym.expressions import (
 section = Section("fundamentals1996", "1.5", "Projection from space to space, the regular projective transformation")
 
 # %% [markdown]
-# ## When the matrix is regular
+# ## When is the matrix regular?
 #
-# Below the three rows $[-\mathbf P^* \mathbf y_0 \;\; \mathbf P^*]$ of a projection to a plane, (1.1.6), now stands a
-# general row $\mathbf m_3^T$ instead of zeros.
+# **Definition.**  Below the three rows $[-\mathbf P^* \mathbf y_0 \;\; \mathbf P^*]$ of a projection to a plane,
+# (1.1.6), now stands a general row $\mathbf m_3^T$ instead of zeros.
 
 # %%
 p = Matrix(3, 3, sympy.symbols("p:3:3"))
 last_row = vector(*sympy.symbols("m30 m31 m32 m33"))
 extended = columns(-p * center, p).col_join(last_row.T)
+extended
+
+# %% [markdown]
+# **Print.**  The paper explains 'regular' by one component of the last row not being zero.  That is necessary.  It is
+# not sufficient, not even where $\mathbf P^*$ is regular, as is required here.
+
+# %%
 
 section.identity(
     "1.5/regular#necessary",
@@ -43,7 +51,6 @@ section.identity(
     printed=sympy.Integer(0),
     derived=determinant(extended),
     constraints=list(last_row),
-    note="The half of the sentence that is true: if the matrix is regular, the last row is not zero.",
 )
 section.identity(
     "1.5/regular",
@@ -54,13 +61,11 @@ section.identity(
     nonzero=[determinant(p)],
     expect="false",
     instead="1.5/beyond/regular",
-    note="The paper explains 'regular' by one component of the last row not being zero.  That is necessary "
-    "(1.5/regular#necessary) but not sufficient, not even where P* is regular, as is required here.",
 )
 
 # %% [markdown]
-# The three upper rows map the center $\mathbf y_0$ alone to zero.  The last row makes the matrix regular exactly if it
-# does not do the same: $\mathbf m_3^T \mathbf y_0 \neq 0$, with quasihomogeneous $\mathbf y_0$.
+# **What is true.**  The three upper rows map the center $\mathbf y_0$ alone to zero.  The last row makes the matrix
+# regular exactly if it does not do the same: $\mathbf m_3^T \mathbf y_0 \neq 0$, with quasihomogeneous $\mathbf y_0$.
 
 # %%
 section.identity(
@@ -68,14 +73,13 @@ section.identity(
     "the last row must not map the center of projection to zero",
     printed=-determinant(p) * dot(last_row, homogeneous(center)),
     derived=determinant(extended),
-    note="Not in the paper: the condition that takes the place of 1.5/regular.",
 )
 
 # %% [markdown]
 # ## The transformation
 #
-# A regular matrix $\mathbf M^*$ with rows $\mathbf m_i^T$ maps the point $\mathbf y$, with a leading 1, to
-# $\mu \mathbf u$.
+# **Definition.**  A regular matrix $\mathbf M^*$ with rows $\mathbf m_i^T$ maps the point $\mathbf y$, with a leading
+# 1, to $\mu \mathbf u$.
 
 # %%
 m = sympy.symbols("m:4:4")
@@ -93,14 +97,17 @@ section.identity(
 # %% [markdown]
 # ## The core
 #
-# Object and image have unit points of the same coordinates, and $\mu_j \mathbf e'_j = \mathbf M^* \mathbf e_j$ for all
-# four.
+# **Definition.**  Object and image have unit points of the same coordinates, and $\mu_j \mathbf e'_j = \mathbf M^*
+# \mathbf e_j$ for all four.  So the matrix is
 
 # %%
 units = columns(*(homogeneous(e) for e in (e0, e1, e2, e3)))
 factors = (mu0, mu1, mu2, mu3)
 images_of_units = columns(*(factor * units.col(j) for j, factor in enumerate(factors)))
 M_star = images_of_units * inverse(units)
+M_star
+
+# %%
 
 section.definition(
     "1.5/e",
@@ -121,9 +128,9 @@ section.identity(
 )
 
 # %% [markdown]
-# It is the *core*: any regular matrix $\mathbf S$ takes this form as soon as both systems are referred to four points
-# $\mathbf x_j$ and to their images $\mathbf s_j = \mathbf S \mathbf x_j$.  The factors are the first components of
-# $\mathbf s_j$.
+# **Meaning.**  It is the *core*.  Any regular matrix $\mathbf S$ takes this form as soon as both systems are referred
+# to four points $\mathbf x_j$ and to their images $\mathbf s_j = \mathbf S \mathbf x_j$.  The factors are the first
+# components of $\mathbf s_j$.
 
 # %%
 images = Matrix(4, 4, sympy.symbols("s:4:4"))
@@ -137,20 +144,48 @@ section.identity(
     printed=image_system * M_star,
     where=dict(zip(factors, depths, strict=True)),
     derived=columns(images.col(0), *(images.col(j) - images.col(0) for j in (1, 2, 3))),
-    note="Both sides are the images of the affine unit vectors, in the coordinates of the image space.",
 )
+
+# %% [markdown]
+# It is singular exactly if one of the factors is zero.
+
+# %%
 section.vanishing(
     "1.5/beyond/det",
     "the core is singular exactly if one of the factors is zero",
     printed=factors,
     derived=determinant(M_star),
-    note="Not in the paper: the condition for the core, in place of one on its last row.",
+)
+
+# %% [markdown]
+# **An example.**  With $\mu = (1, 5/8, 3/4, 5/4)$ a cube goes over into this body.
+
+# %%
+EXAMPLE = dict(zip(factors, map(sympy.Rational, ("1", "5/8", "3/4", "5/4")), strict=True))
+BASIC = {"000": "G0", "100": "G1", "010": "G2", "001": "G3"}
+vertices = {f"{i}{j}{k}": vector(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)}
+edges = [(a, b) for a in vertices for b in vertices if a < b and sum(x != y for x, y in zip(a, b, strict=True)) == 1]
+
+
+def mapped_vertex(vertex: Matrix) -> Matrix:
+    seen = M_star.xreplace(EXAMPLE) * homogeneous(vertex)
+    return (seen[1:, :] / seen[0]).doit()
+
+
+SpaceDrawing(
+    "A cube and its image, with primes.  The basic points G0 to G3 stay.  Planes remain planes, but parallel edges do "
+    "not remain parallel.",
+    {BASIC.get(name, name): vertex for name, vertex in vertices.items()}
+    | {f"{name}'": mapped_vertex(vertex) for name, vertex in vertices.items() if name not in BASIC},
+    segments=[(BASIC.get(a, a), BASIC.get(b, b)) for a, b in edges]
+    + [(BASIC.get(a, f"{a}'"), BASIC.get(b, f"{b}'")) for a, b in edges],
 )
 
 # %% [markdown]
 # ## The fifth point
 #
-# One more pair of points, $\mu_4 \mathbf u_4 = \mathbf M^* \mathbf y_4$, is a linear system for $\mu_0, \dots, \mu_3$.
+# **How are the factors found?**  One more pair of points, $\mu_4 \mathbf u_4 = \mathbf M^* \mathbf y_4$, is a linear
+# system for $\mu_0, \dots, \mu_3$.
 
 # %%
 mu4 = sympy.Symbol("mu4")
@@ -162,6 +197,9 @@ fifth_point, fifth_image = vector(y41, y42, y43), vector(u41, u42, u43)
 fifth_equations = M_star * homogeneous(fifth_point) - mu4 * homogeneous(fifth_image)
 fifth_matrix, fifth_right_side = linear_system(list(fifth_equations), factors)
 mu_of_fifth = solve(fifth_matrix, fifth_right_side)
+mu_of_fifth
+
+# %%
 fitted = dict(zip(factors, mu_of_fifth, strict=True))
 
 section.identity(
@@ -172,8 +210,8 @@ section.identity(
 )
 
 # %% [markdown]
-# The paper leaves out the index 4 of the point in the solution; $y_0$ and $u_0$ are the barycentric coordinates that
-# complete the others to 1.
+# **Print.**  The paper leaves out the index 4 of the point in the solution; $y_0$ and $u_0$ are the barycentric
+# coordinates that complete the others to 1.
 
 # %%
 y0, u0 = sympy.symbols("y0 u0")
@@ -185,21 +223,28 @@ section.identity(
     where=of_fifth,
     derived=vector(mu_of_fifth[0], mu_of_fifth[0]),
 )
+
+# %%
 section.identity("1.5.4#mu1", "the second factor", printed=mu4 * u1 / y1, where=of_fifth, derived=mu_of_fifth[1])
 section.identity("1.5.4#mu2", "the third factor", printed=mu4 * u2 / y2, where=of_fifth, derived=mu_of_fifth[2])
 section.identity("1.5.4#mu3", "the fourth factor", printed=mu4 * u3 / y3, where=of_fifth, derived=mu_of_fifth[3])
+
+# %% [markdown]
+# The fifth point must not lie in a plane through three basic points: there the system is singular.
+
+# %%
 section.vanishing(
     "1.5/beyond/fifth-point",
     "the fifth point must not lie in a plane through three basic points",
     printed=(y40, y41, y42, y43),
     derived=determinant(fifth_matrix),
-    note="Not in the paper: where the system for the factors is singular.",
 )
 
 # %% [markdown]
 # ## Points
 #
-# The inhomogeneous coordinates of the image are components divided by the first one.
+# Where is the image of a point?  Its inhomogeneous coordinates are components divided by the first one.  The fourth
+# factor cancels: it may have any value but zero.
 
 
 # %%
@@ -228,15 +273,15 @@ section.identity(
     "the image coordinates do not depend on the fourth factor",
     printed=image.xreplace({factor: value.subs(mu4, 1) for factor, value in fitted.items()}),
     derived=image.xreplace(fitted),
-    note="mu4 may have any value but zero: with mu4 and with 1 in its place the image is the same.",
 )
 
 # %% [markdown]
-# ## How many control points
+# ## How many control points?
 #
 # In $V^n$ the matrix has $(n+1)^2$ elements, of which a common factor is free, and each point gives $n$ equations.
-# That the equations are independent shows in the structure: after $n+1$ unit points a further point determines the
-# remaining factors if none of its $n+1$ barycentric coordinates is zero.
+#
+# Are they independent?  After $n+1$ unit points a further point determines the remaining factors if none of its $n+1$
+# barycentric coordinates is zero: their product is the determinant.  This is shown for $n = 1$ to 4.
 
 # %%
 n = sympy.Symbol("n")
@@ -245,7 +290,6 @@ section.identity(
     "number of control points in a space of n dimensions",
     printed=n + 2,
     derived=over((n + 1) ** 2 - 1, n),
-    note="The count of equations; 1.5/beyond/control-points shows for n = 1 to 4 that they are independent.",
 )
 
 
@@ -271,14 +315,14 @@ section.identity(
     "a further point determines the factors in spaces of one to four dimensions",
     printed=vector(*(sympy.Mul(*weights_in(dimension)) for dimension in (1, 2, 3, 4))),
     derived=vector(*(determinant(system_of_further_point(weights_in(dimension))) for dimension in (1, 2, 3, 4))),
-    note="Not in the paper: the determinant of the system is the product of the barycentric coordinates.",
 )
 
 # %% [markdown]
 # ## Planes
 #
-# A plane of the image space, $\mathbf a'^T \mathbf u = 0$, consists of the images of the points with
-# $\mathbf a'^T \mathbf M^* \mathbf y = 0$: the coefficients of this form are those of the plane in object space.
+# **Definition.**  A plane of the image space, $\mathbf a'^T \mathbf u = 0$, consists of the images of the points with
+# $\mathbf a'^T \mathbf M^* \mathbf y = 0$.  The coefficients of this form are those of the plane in object space.
+# The paper omits the factor $\mu$, as the form is to be zero.
 
 # %%
 a = vector(*sympy.symbols("a:4"))
@@ -296,7 +340,6 @@ section.identity(
     "equation of a plane of the image space, in coordinates of the object space",
     printed=dot(a_image, M_general * y),
     derived=mapped[0] * dot(a_image, homogeneous(inhomogeneous(mapped))),
-    note="The paper omits the factor mu, which is the first component of the mapped point: the form is to be zero.",
 )
 Y = sympy.symbols("Y:4")
 section.identity(
@@ -304,12 +347,12 @@ section.identity(
     "coefficients of a plane in object space from those in image space",
     printed=M_general.T * a_image,
     derived=coefficients(dot(a_image, M_general * vector(*Y)), Y),
-    note="The second of the two relations of (1.5.6).",
 )
 
 # %% [markdown]
-# Given $\mathbf a$, this is a linear system for $\mathbf a'$; here with the core for $\mathbf M^*$, which keeps the
-# solution short.
+# **And from object to image?**  Given $\mathbf a$, this is a linear system for $\mathbf a'$.  The print exchanges the
+# primes: $\mathbf a^T = \mathbf a'^T \mathbf M^*$ is right, and so is $\mathbf a'^T = \mathbf a^T \mathbf M$.  The
+# core for $\mathbf M^*$ keeps the solution short; what it refutes is refuted for $\mathbf M^*$ in general.
 
 # %%
 section.up_to_scale(
@@ -319,16 +362,14 @@ section.up_to_scale(
     derived=solve(M_star.T, a),
     expect="misprint",
     corrected=inverse(M_star).T * a,
-    note="The first of the two relations prints a'^T = a^T M*.  The primes are exchanged: a^T = a'^T M* is the "
-    "transpose of the second relation; solved for a' it is the corrected form, a'^T = a^T M.  Ruled out: rows for "
-    "columns (the second relation and the display before fix them), M* for the inverse ((1.5.7) calls that M), a "
-    "factor (refuted up to scale).  What the core refutes is refuted for M* in general, and (1.5.7) proves the "
-    "corrected form for a general M.  The scan alone cannot tell a slip of the scan from one of the print.",
+    note="Ruled out: rows for columns (the second relation and the display before fix them), M* for the inverse "
+    "((1.5.7) calls that M), a factor (refuted up to scale).  The scan alone cannot tell a slip of the scan from "
+    "one of the print.",
 )
 
 # %% [markdown]
-# For a general matrix it is easier to start from its inverse $\mathbf M$: inserting
-# $\mathbf y = \mu \mathbf M \mathbf u$ in $\mathbf a^T \mathbf y$ gives a linear form in $\mathbf u$.
+# For a general matrix it is easier to start from its inverse $\mathbf M$.  $\mathbf y = \mu \mathbf M \mathbf u$,
+# inserted in $\mathbf a^T \mathbf y$, gives a linear form in $\mathbf u$.
 
 # %%
 M_inverse = Matrix(4, 4, sympy.symbols("n:4:4"))
@@ -355,67 +396,4 @@ section.identity(
     "symmetric matrix of the image of a quadric",
     printed=M_inverse.T * A * M_inverse,
     derived=Matrix(4, 4, lambda i, j: diff(quadratic_form, Y[i], Y[j]) / 2),
-)
-
-# %% [markdown]
-# ## Code
-#
-# The inverse of the core is a core with the factors $1/\mu_j$, therefore
-# $a'_0 = a_0/\mu_0$ and $a'_j = (a_0 + a_j)/\mu_j - a_0/\mu_0$.
-
-# %%
-with_mu = {
-    "arguments": {"mu": vector(*factors)},
-    "describe": {"mu": "Projective parameters (mu0, mu1, mu2, mu3), up to a common factor; dimensionless."},
-}
-EXAMPLE_MU = {"mu": ("1", "0.625", "0.75", "1.25")}
-
-section.kernel(
-    "space.homography",
-    "Matrix M* of the regular projective transformation of space.",
-    **with_mu,
-    derived=M_star,
-    claims=["1.5.2", "1.5/core"],
-    example=EXAMPLE_MU,
-)
-section.kernel(
-    "space.mu_from_fifth_point",
-    "Projective parameters of the regular transformation of space from a fifth point, with mu4 = 1.",
-    arguments={"y4": fifth_point, "u4": fifth_image},
-    describe={
-        "y4": "Fifth point (y41, y42, y43) in affine coordinates; dimensionless.",
-        "u4": "Its image (u41, u42, u43) in affine coordinates; dimensionless.",
-    },
-    derived=mu_of_fifth.subs(mu4, 1),
-    form=vector(u0 / y0, u41 / y41, u42 / y42, u43 / y43),
-    where={y0: y40, u0: u40},
-    claims=["1.5.3", "1.5.4#mu0", "1.5.4#mu1", "1.5.4#mu2", "1.5.4#mu3"],
-    example={"y4": ("0.5", "0.25", "0.75"), "u4": ("0.375", "0.25", "0.5")},
-)
-weighted = sympy.Symbol("weighted")
-section.kernel(
-    "space.map_points",
-    "Image points of the regular projective transformation of space.",
-    arguments={**with_mu["arguments"], "y": point},
-    describe={**with_mu["describe"], "y": "Point (y1, y2, y3) in affine coordinates; dimensionless."},
-    derived=image,
-    form=vector(mu1 * y1 / weighted, mu2 * y2 / weighted, mu3 * y3 / weighted),
-    where={weighted: mu0 * (1 - y1 - y2 - y3) + mu1 * y1 + mu2 * y2 + mu3 * y3},
-    claims=["1.5.2", "1.5.5"],
-    example={**EXAMPLE_MU, "y": ("0.5", "0.25", "0.75")},
-)
-first = sympy.Symbol("first")
-section.kernel(
-    "space.map_plane",
-    "Coefficients of the image of a plane under the regular projective transformation of space.",
-    arguments={**with_mu["arguments"], "a": a},
-    describe={
-        **with_mu["describe"],
-        "a": "Plane a0 + a1 y1 + a2 y2 + a3 y3 = 0 as (a0, a1, a2, a3), up to a common factor; dimensionless.",
-    },
-    derived=inverse(M_star).T * a,
-    form=vector(first, *((a[0] + a[j]) / factors[j] - first for j in (1, 2, 3))),
-    where={first: a[0] / mu0},
-    claims=["1.5.2", "1.5.7"],
-    example={**EXAMPLE_MU, "a": ("-1", "0.5", "0.75", "2")},
 )

@@ -1,12 +1,16 @@
 # %% [markdown]
 # # 1.6 Optical projection
 #
-# An ideal lens maps space to space, and does so projectively.  The axes $\xi_1, \xi_2$ span the principal plane $H$ of
-# the lens, $\xi_3$ is the optical axis, $f$ the focal length; primes denote the image space.
+# An ideal lens maps space to space, and does so projectively.  Which planes does it make sharp, and how must they be
+# placed to rectify an image?
+#
+# The axes $\xi_1, \xi_2$ span the principal plane $H$ of the lens, $\xi_3$ is the optical axis, $f$ the focal length.
+# Primes denote the image space.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
@@ -38,8 +42,8 @@ def coefficients(form: sympy.Expr, coordinates: Matrix) -> Matrix:
 # %% [markdown]
 # ## The lens
 #
-# Two rays leave a point $\boldsymbol\xi$ of object space.  The one parallel to the axis meets $H$ in
-# $(\xi_1, \xi_2, 0)$ and goes on through the focal point $(0, 0, f)$; the one through the center of the lens goes
+# **Definition.**  Two rays leave a point $\boldsymbol\xi$ of object space.  The one parallel to the axis meets $H$ in
+# $(\xi_1, \xi_2, 0)$ and goes on through the focal point $(0, 0, f)$.  The one through the center of the lens goes
 # straight on.  They meet in the image point: $(1 - t)\, \xi_i = s\, \xi_i$ for $i = 1, 2$ and $t f = s\, \xi_3$.
 
 # %%
@@ -50,10 +54,11 @@ xi = vector(xi1, xi2, xi3)
 forward_matrix, forward_right_side = linear_system([s + t - 1, t * f - s * xi3], [s, t])
 scale = solve(forward_matrix, forward_right_side)[0]
 image = vector(*(scale * component for component in xi))
+image
 
 # %% [markdown]
-# Backwards: the ray parallel to the axis in image space came through the focal point $(0, 0, -f)$ of object space, so
-# that $(1 + t)\, \xi'_i = s\, \xi'_i$ and $t f = s\, \xi'_3$.
+# **Backwards.**  The ray parallel to the axis in image space came through the focal point $(0, 0, -f)$ of object
+# space.  So $(1 + t)\, \xi'_i = s\, \xi'_i$ and $t f = s\, \xi'_3$.
 
 # %%
 xip1, xip2, xip3 = sympy.symbols("xip1 xip2 xip3")
@@ -64,8 +69,8 @@ backward_scale = solve(backward_matrix, backward_right_side)[0]
 object_point = vector(*(backward_scale * component for component in xi_prime))
 
 # %% [markdown]
-# The quasihomogeneous image, multiplied by the divisor $\tau = f + \xi_3$, is linear in $\boldsymbol\xi$: its
-# coefficients are the matrix $\mathbf M_f$.
+# **The matrix of a lens.**  The quasihomogeneous image, multiplied by the divisor $\tau = f + \xi_3$, is linear in
+# $\boldsymbol\xi$.  Its coefficients are the matrix $\mathbf M_f$:
 
 # %%
 tau_of_xi = determinant(forward_matrix)
@@ -73,7 +78,9 @@ tau_of_image = determinant(backward_matrix)
 image_vector = divided(tau_of_xi * homogeneous(image))
 object_vector = divided(tau_of_image * homogeneous(object_point))
 M_f = rows(*(coefficients(component, xi) for component in image_vector))
+M_f
 
+# %%
 M_f_printed = f * Matrix([[1, 0, 0, 1 / f], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
 M_f_inverse_printed = Matrix([[1, 0, 0, -1 / f], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) / f
 section.identity("1.6/M_f", "projective matrix of the lens", printed=M_f_printed, derived=M_f)
@@ -88,7 +95,8 @@ section.up_to_scale(
 # %% [markdown]
 # ## Points
 #
-# From object to image, with Gauss' law for the distances.
+# From object to image, by matrix and by coordinates.  Gauss' law for the distances comes with it.  In these coordinates
+# an object in front of the lens has a negative $\xi_3$.
 
 # %%
 tau = sympy.Symbol("tau")
@@ -97,7 +105,6 @@ section.identity(
     "from object to image",
     printed=M_f_printed * homogeneous(xi),
     derived=tau_of_xi * homogeneous(image),
-    note="The left side of the print, tau z', is the derived one, with tau = f + xi3.",
 )
 section.identity(
     "1.6.1#scalar",
@@ -110,11 +117,10 @@ section.identity(
     "Gauss' law",
     printed=1 / f,
     derived=over(1, image[2]) - over(1, xi3),
-    note="Derived from the two rays.  In these coordinates an object in front of the lens has a negative xi3.",
 )
 
 # %% [markdown]
-# From image to object; $\tau$ is the same number, $f + \xi_3$, expressed by the image.
+# From image to object.  $\tau$ is the same number, $f + \xi_3$.
 
 # %%
 section.identity(
@@ -123,7 +129,6 @@ section.identity(
     printed=tau * M_f_inverse_printed * homogeneous(xi_prime),
     where={tau: f + object_point[2]},
     derived=homogeneous(object_point),
-    note="tau = f + xi3 as in (1.6.1).",
 )
 section.identity(
     "1.6.2#scalar",
@@ -139,7 +144,8 @@ section.identity(
 )
 
 # %% [markdown]
-# The scale of the image is the same for all three coordinates.
+# **How large is the image?**  Its scale is the same for all three coordinates.  The paper has it by the distance of the
+# object, and by that of the image.  That the two agree is Gauss' law again.
 
 # %%
 section.identity(
@@ -161,14 +167,13 @@ section.identity(
     printed=1 / f,
     derived=over(1, xip3) - over(1, xi3),
     constraints=[f**2 - (f + xi3) * (f - xip3)],
-    note="The constraint is f/(f + xi3) = (f - xip3)/f, multiplied by both divisors.",
 )
 
 # %% [markdown]
 # ## Planes
 #
-# A plane $E$ with the coefficients $\mathbf a$ is mapped to a plane $E'$: its equation holds for the object points that
-# belong to $\boldsymbol\xi'$.
+# **Definition.**  A plane $E$ with the coefficients $\mathbf a$ is mapped to a plane $E'$.  Its equation holds for the
+# object points that belong to $\boldsymbol\xi'$.
 
 # %%
 a = vector(*sympy.symbols("a:4"))
@@ -191,8 +196,8 @@ section.up_to_scale(
 )
 
 # %% [markdown]
-# The equation of $E$ itself and the sentence around it are lost in the scan.  What survives fixes it: it is the plane
-# whose image satisfies the surviving equation of $E'$.
+# **Print.**  The equation of $E$ itself and the sentence around it are lost in the scan.  What survives fixes it: $E$
+# is the plane whose image satisfies the surviving equation of $E'$.
 
 # %%
 pulled_back = dot(coefficients(E_image_printed, xi_prime), image_vector)
@@ -203,15 +208,14 @@ section.up_to_scale(
     derived=coefficients(pulled_back, xi),
     expect="illegible",
     corrected=a,
-    note="Coefficients of 1, xi1, xi2, xi3.  The scan has a gap between the scale m' and the coefficients of E'.  "
-    "Reconstructed is E: a0 + a1 xi1 + a2 xi2 + a3 xi3 = 0, the preimage of the surviving equation of E'; the "
-    "equations of S and V presuppose it.",
+    note="The scan has a gap between the scale m' and the coefficients of E'.  Reconstructed is E: a0 + a1 xi1 + a2 "
+    "xi2 + a3 xi3 = 0; the equations of S and V presuppose it.",
 )
 
 # %% [markdown]
 # ## The Scheimpflug line
 #
-# $E$ and $E'$ meet the principal plane in the same line $S$, because the points of $H$ are their own images.
+# Where do $E$ and $E'$ meet?  In a line $S$ of the principal plane, for the points of $H$ are their own images.
 
 # %%
 in_plane, in_image_plane = vector(xi1, xi2), vector(xip1, xip2)
@@ -225,17 +229,19 @@ section.up_to_scale(
     printed=vector(f * a[0], f * a[1], f * a[2]),
     derived=S_image_line,
 )
+
+# %%
 section.up_to_scale("1.6/S#identical", "the two lines are identical", printed=S_line, derived=S_image_line)
 section.identity(
     "1.6/beyond/principal-plane",
     "the points of the principal plane are their own images",
     printed=vector(xi1, xi2, 0),
     derived=image.subs(xi3, 0),
-    note="Not in the paper: why S and its image coincide point by point.",
 )
 
 # %% [markdown]
-# Three planes share a line if their matrix of coefficients (3 by 4) has rank 2.
+# **Meaning.**  Object plane, image plane and principal plane meet in one line: the minors of their three rows of
+# coefficients vanish.  A plane through the center of the lens, $a_0 = 0$, is its own image.
 
 # %%
 principal_plane = vector(0, 0, 0, 1)
@@ -245,11 +251,31 @@ section.identity(
     "object plane, image plane and principal plane meet in one line",
     printed=Matrix.zeros(4, 1),
     derived=vector(*(determinant(columns(*(pencil.col(j) for j in range(4) if j != omitted))) for omitted in range(4))),
-    note="The minors of the three planes.  A plane through the center of the lens, a0 = 0, is its own image.",
+)
+
+# %% [markdown]
+# **An example.**  For $f = 1$ the point $A$ of a plane $E$ is imaged to
+
+# %%
+A, S1, S2 = vector(sympy.Rational(1, 2), 0, -3), vector(2, -1, 0), vector(2, 1, 0)
+A_image = image.xreplace({f: sympy.Integer(1), **dict(zip(xi, A, strict=True))}).doit()
+A_image
+
+# %%
+SpaceDrawing(
+    "A plane E through A, and its image E' through A', meet in the line S1 S2 of the principal plane.  Two rays lead "
+    "from A to A': one through the center C of the lens, one parallel to the axis to K and on.",
+    {"C": vector(0, 0, 0), "A": A, "K": vector(A[0], A[1], 0), "A'": A_image, "S1": S1, "S2": S2},
+    segments=[("A", "A'"), ("A", "K"), ("K", "A'")],
+    triangles=[("S1", "S2", "A"), ("S1", "S2", "A'"), ("S1", "S2", "C")],
+    letter=r"\xi",
 )
 
 # %% [markdown]
 # ## The vanishing lines
+#
+# **Definition.**  $V$ is the line of $E$ whose image is at infinity, where $\xi_3 = -f$.  $V'$, the horizon, is the
+# image of the line at infinity, where $\xi'_3 = f$.
 
 # %%
 V_line = coefficients(E_form.subs(xi3, -f), in_plane)
@@ -260,9 +286,10 @@ section.up_to_scale(
 )
 
 # %% [markdown]
-# The points at infinity of a plane are its directions, spanned by that of $S$, at right angles to the axis and to the
-# normal of the plane, and by the one at right angles to $S$.  The line through the images of these two points is the
-# image of the line at infinity.  As it lies at a constant distance from $H$, the coordinates $\xi_1, \xi_2$ suffice.
+# **Are these the images of the lines at infinity?**  The points at infinity of a plane are its directions.  One is
+# that of $S$, at right angles to the axis and to the normal of the plane; another is at right angles to $S$.  The
+# line through the images of these two points lies at a constant distance from $H$, so that $\xi_1, \xi_2$ suffice for
+# it.
 
 
 # %%
@@ -291,7 +318,11 @@ section.up_to_scale(
     derived=line_of_images(M_f, normal),
 )
 
+# %% [markdown]
+# Both vanishing lines are parallel to $S$.
 
+
+# %%
 def parallel(first: Matrix, second: Matrix) -> sympy.Expr:
     """Return what is zero if two lines, at constant distances from the principal plane, are parallel."""
     return determinant(columns(first[1:, :], second[1:, :]))
@@ -307,8 +338,8 @@ section.identity(
 # %% [markdown]
 # ## Affine coordinates in the planes
 #
-# With basic points in $E$ and their images in $E'$ the regular transformation of section 1.5 has its counterpart in the
-# plane: $\mu_j \mathbf e'_j = \mathbf M^* \mathbf e_j$ for three unit points.
+# **Definition.**  With basic points in $E$ and their images in $E'$ the regular transformation of section 1.5 has its
+# counterpart in the plane: $\mu_j \mathbf e'_j = \mathbf M^* \mathbf e_j$ for three unit points.
 
 # %%
 factors = (mu0, mu1, mu2)
@@ -322,9 +353,9 @@ section.identity("1.6/M*", "matrix from E to E'", printed=M_star_printed, derive
 section.identity("1.6/M", "matrix from E' to E", printed=M_printed, derived=M)
 
 # %% [markdown]
-# The lens itself gives the factors.  A point of $E$ with the affine coordinates $u_1, u_2$ is
-# $G_0 + u_1 (G_1 - G_0) + u_2 (G_2 - G_0)$, and the first component of $\mathbf M_f \mathbf z$ at a basic point is
-# $\mu_j = f + \xi_3(G_j)$.
+# **What are the factors of a lens?**  A point of $E$ with the affine coordinates $u_1, u_2$ is
+# $G_0 + u_1 (G_1 - G_0) + u_2 (G_2 - G_0)$.  The first component of $\mathbf M_f \mathbf z$ at a basic point is
+# $\mu_j = f + \xi_3(G_j)$.  With these factors the image of the point has the transformed coordinates.
 
 # %%
 u = vector(u1, u2)
@@ -351,11 +382,10 @@ section.identity(
     printed=affine_point(image_basic_points, mapped_u),
     where=mu_of_lens,
     derived=imaged(E_point),
-    note="With mu_j = f + xi3 at the basic point G_j.",
 )
 
 # %% [markdown]
-# Conversely the lens determines $\mathbf u'$: its image point is a combination of the three image points $G'_j$ as
+# Conversely the lens determines $\mathbf u'$.  Its image point is a combination of the three image points $G'_j$, as
 # vectors, with weights that add up to 1.
 
 # %%
@@ -367,7 +397,6 @@ section.up_to_scale(
     printed=M_star_printed * homogeneous(u),
     where=mu_of_lens,
     derived=vector(sum(weights), weights[1], weights[2]),
-    note="The derived side is u' itself, and the factor is mu.",
 )
 section.identity(
     "1.6.5#backward",
@@ -375,14 +404,13 @@ section.identity(
     printed=mu_symbol * M_printed * homogeneous(vector(up1, up2)),
     where={mu_symbol: mapped[0], up1: mapped_u[0], up2: mapped_u[1]},
     derived=homogeneous(u),
-    note="mu is the same factor as in the other direction.",
 )
 
 # %% [markdown]
 # ## The vanishing lines in affine coordinates
 #
-# A point is mapped to infinity where the first component vanishes.  In terms of lines this is the line at infinity,
-# $(1, 0, 0)$, of the other plane, carried over as in (1.5.6) and (1.5.7).
+# **Definition.**  A point is mapped to infinity where the first component vanishes.  In terms of lines this is the
+# line at infinity, $(1, 0, 0)$, of the other plane, carried over as in (1.5.6) and (1.5.7).
 
 # %%
 at_infinity = vector(1, 0, 0)
@@ -398,8 +426,8 @@ section.identity(
 )
 
 # %% [markdown]
-# Do they coincide with $V$ and $V'$?  The plane $E$ passes through the basic points; (1.6.3), taken at a point of $E$,
-# is a linear form in $u_1, u_2$.
+# **Do they coincide with $V$ and $V'$?**  The plane $E$ passes through the basic points.  (1.6.3), taken at a point
+# of $E$, is a linear form in $u_1, u_2$: the form $f + \xi_3$ of the point.
 
 
 # %%
@@ -420,12 +448,11 @@ section.up_to_scale(
     printed=g,
     where=mu_of_lens,
     derived=in_affine_coordinates(V_line.xreplace(E_through), basic_points, u),
-    note="With mu_j = f + xi3(G_j), in agreement with 1.6.5#lens; the form g is f + xi3 of the point.",
 )
 
 # %% [markdown]
-# On the side of the image the points $G'_j$ are given, the basic points are their preimages, and the coefficients of
-# $E$ follow from those of $E'$ by (1.5.6).
+# On the side of the image the points $G'_j$ are given.  The basic points are their preimages, with the same $\mu_j$,
+# and the coefficients of $E$ follow from those of $E'$ by (1.5.6).
 
 # %%
 u_prime = vector(up1, up2)
@@ -439,13 +466,16 @@ section.up_to_scale(
     printed=g_image,
     where=mu_of_images,
     derived=in_affine_coordinates(V_image_line.xreplace(E_of_images), given_images, u_prime),
-    note="With the same mu_j = f + xi3(G_j), where G_j is the preimage of the given G'_j.",
 )
 
 # %% [markdown]
-# ## One more control point
+# ## Is one control point enough?
 #
-# Where the basic points correspond, the line $\mathbf g$ alone fixes the parameters but for a common factor.
+# **The paper's answer.**  Where the vanishing lines coincide, one control point ensures the projection of all others.
+# That depends on what else is known.
+#
+# *If basic points correspond*, the line $\mathbf g$ alone fixes the parameters but for a common factor.  One more
+# point is a check.
 
 # %%
 g_given = vector(*sympy.symbols("g0 g1 g2"))
@@ -455,16 +485,15 @@ section.up_to_scale(
     "the vanishing line fixes the parameters but for a common factor",
     printed=vector(g_given[0], g_given[0] + g_given[1], g_given[0] + g_given[2]),
     derived=solve(*linear_system(list(k * g - g_given), factors)),
-    note="Favourable reading of the sentence of 1.6/control-point, with basic points that correspond: mu0, mu1, mu2 "
-    "solved from k g = given line; the projection of one more point is a check.",
+    note="Favourable reading of the sentence of 1.6/control-point, with basic points that correspond.",
 )
 
 # %% [markdown]
-# Without basic points, let the axes of $E$ be $V$ and the principal normal, the line at right angles to $V$ that meets
-# the optical axis (see below), and those of $E'$ be $V'$ and the principal normal there.  Turn the system about the
-# axis until $V$ is parallel to $\xi_1$: with $(0, p_2, p_3)$ for the direction of the principal normal, $E$ has the
-# points $(x, v + y\, p_2, -f + y\, p_3)$.  Their images are $(x', v' + y' q_2, f + y' q_3)$ with $x' = k x/y$ and
-# $y' = c/y$; one control point fixes $k$ and $c$.
+# *If principal normals correspond*, one control point is enough.  Let the axes of $E$ be $V$ and the principal
+# normal, the line at right angles to $V$ that meets the optical axis (see below), and those of $E'$ be $V'$ and the
+# principal normal there.  Turn the system about the axis until $V$ is parallel to $\xi_1$.  With $(0, p_2, p_3)$ for
+# the direction of the principal normal, $E$ has the points $(x, v + y\, p_2, -f + y\, p_3)$.  Their images are $(x',
+# v' + y' q_2, f + y' q_3)$ with $x' = k x/y$ and $y' = c/y$.  One control point and its image fix $k$ and $c$.
 
 # %%
 x, y, v, p2, p3 = sympy.symbols("x y v p2 p3")
@@ -485,13 +514,13 @@ section.identity(
     where={k: over(control_x * y4, x4), c: control_y * y4},
     derived=image_in_axes(x, y),
     note="Favourable reading of the sentence of 1.6/control-point, together with the end of the section, where the "
-    "principal normals are brought to coincidence as well.  k and c come from the coordinates of one control point and "
-    "its image.",
+    "principal normals are brought to coincidence as well.",
 )
 
 # %% [markdown]
-# If $E$ is displaced along $V$ by $\delta$, and $E'$ along $V'$ so that the control point keeps its image, the
-# vanishing lines still coincide; but points of other ordinates $y$ move.
+# *If nothing else is known*, it is not enough.  Displace $E$ along $V$ by $\delta$, and $E'$ along $V'$ so that the
+# control point keeps its image.  The vanishing lines still coincide, and the planes still meet in $H$.  But points of
+# other ordinates $y$ move: one control point vouches for its own ordinate alone.
 
 # %%
 delta = sympy.Symbol("delta")
@@ -504,24 +533,21 @@ section.identity(
     derived=image_in_axes(x, y)[0],
     expect="false",
     instead="1.6/beyond/control-point",
-    note="Planes that are displaced along their vanishing lines meet what the sentence asks: the vanishing lines "
-    "coincide, E and E' intersect in the principal plane, and the control point has its image.  Favourable readings: "
-    "1.6/control-point#g with basic points that correspond, 1.6/control-point#normals with principal normals that "
-    "coincide.",
+    note="Favourable readings: 1.6/control-point#g with basic points that correspond, 1.6/control-point#normals with "
+    "principal normals that coincide.",
 )
 section.vanishing(
     "1.6/beyond/control-point",
     "after a displacement along the vanishing lines, one control point vouches for its own ordinate alone",
     printed=(f, delta, y - y4),
     derived=displaced - image_in_axes(x, y)[0],
-    note="Not in the paper: how far a point is displaced that should not be; f = 0 is no lens.",
 )
 
 # %% [markdown]
 # ## Parallels through the origins
 #
-# The line through $G_0$ that meets $\mathbf g$ at infinity joins the origin, $(1, 0, 0)$, with the direction
-# $(0, -g_2, g_1)$.
+# **Definition.**  The line through $G_0$ that meets $\mathbf g$ at infinity joins the origin, $(1, 0, 0)$, with the
+# direction $(0, -g_2, g_1)$.
 
 
 # %%
@@ -541,26 +567,30 @@ section.up_to_scale(
     printed=g_image_origin_printed,
     derived=g_image_origin,
 )
+
+# %% [markdown]
+# **Do the two parallels correspond?**  Yes.  With the coefficients as printed, $\mathbf M^T \mathbf g_0 = -\mu_0
+# \mathbf g'_0$.
+
+# %%
 section.up_to_scale(
     "1.6/g0'",
     "the two parallels correspond",
     printed=M_printed.T * g_origin_printed,
     derived=g_image_origin,
-    note="With the coefficients as printed in (1.6.6), M^T g0 is -mu0 times g0': equal as homogeneous coordinates.",
 )
 section.identity(
     "1.6/beyond/g0'",
     "the factor between the two sides",
     printed=-mu0 * g_image_origin_printed,
     derived=M.T * g_origin_printed,
-    note="Not in the paper: M^T g0 = -mu0 g0' with the coefficients of (1.6.6).",
 )
 
 # %% [markdown]
 # ## Principal normals
 #
-# The plane through the optical axis at right angles to $S$ has the direction of $S$ for its normal; it cuts $E$ and
-# $E'$ in the principal normals $\mathbf h_p$ and $\mathbf h'_p$.  Such a plane is its own image.
+# **Definition.**  The plane through the optical axis at right angles to $S$ cuts $E$ and $E'$ in the principal normals
+# $\mathbf h_p$ and $\mathbf h'_p$.  It is its own image.  So the principal normals correspond.
 
 # %%
 S_direction, h_direction = directions(normal)
@@ -571,7 +601,6 @@ section.up_to_scale(
     "the plane of the principal normals is its own image",
     printed=meridian,
     derived=inverse(M_f).T * meridian,
-    note="Not in the paper: why the two principal normals correspond.",
 )
 h_p = in_affine_coordinates(vector(*meridian[:3, 0]).xreplace(E_through), basic_points, u)
 h_p_image = in_affine_coordinates(vector(*meridian[:3, 0]).xreplace(E_through), image_basic_points, u_prime)
@@ -581,12 +610,11 @@ section.up_to_scale(
     printed=M_printed.T * h_p,
     where=mu_of_lens,
     derived=h_p_image,
-    note="In affine coordinates of E and E', with mu_j = f + xi3(G_j).",
 )
 
 # %% [markdown]
-# The principal normals are at right angles to the vanishing lines and to $S$, and therefore to the parallels of
-# (1.6.6).
+# **Meaning.**  The principal normals are at right angles to the vanishing lines and to $S$, and therefore to the
+# parallels of (1.6.6): natural axes of both planes.
 
 
 # %%
@@ -627,9 +655,9 @@ section.identity(
 )
 
 # %% [markdown]
-# Of all directions $\mathbf h + t\, \mathbf s$ of a plane, $\mathbf s$ the direction of $S$, the principal normal
-# $t = 0$ is inclined most to $H$: the squared sine of the inclination is stationary there and nowhere else, and goes to
-# zero for large $t$.
+# They are also the lines of maximum inclination.  Of all directions $\mathbf h + t\, \mathbf s$ of a plane, $\mathbf
+# s$ the direction of $S$, the principal normal $t = 0$ is inclined most to $H$.  The squared sine of the inclination
+# is stationary there and nowhere else, as its derivative shows, and goes to zero for large $t$.
 
 # %%
 for name, plane_normal in (("E", normal), ("E'", image_normal)):
@@ -641,89 +669,4 @@ for name, plane_normal in (("E", normal), ("E'", image_normal)):
         f"the principal normal is the line of maximum inclination of {name}",
         printed=(t,),
         derived=over(-(inclined[2] ** 2) * diff(squared, t), squared**2),
-        note="The derivative of the squared sine with respect to t.",
     )
-
-# %% [markdown]
-# ## Code
-
-# %%
-with_f = {"arguments": {"f": f}, "describe": {"f": "Focal length; in the unit of the coordinates."}}
-EXAMPLE_F = {"f": "0.15"}
-magnification = sympy.Symbol("magnification")
-x3 = sympy.Symbol("x3")
-AXES = "with the optical axis as third axis and the center of the lens as origin; in any unit of length."
-
-section.kernel(
-    "optics.lens_matrix",
-    "Projective matrix M_f of an ideal lens.",
-    **with_f,
-    derived=M_f,
-    claims=["1.6/M_f"],
-    example=EXAMPLE_F,
-)
-section.kernel(
-    "optics.image_point",
-    "Image point of an ideal lens.",
-    arguments={**with_f["arguments"], "x": xi},
-    describe={**with_f["describe"], "x": f"Object point (xi1, xi2, xi3), {AXES}"},
-    derived=image,
-    form=magnification * xi,
-    where={magnification: f / (f + xi3)},
-    claims=["1.6.1", "1.6.1#scalar"],
-    example={**EXAMPLE_F, "x": ("0.4", "-0.25", "-1.2")},
-)
-section.kernel(
-    "optics.object_point",
-    "Object point that an ideal lens maps to a given image point.",
-    arguments={**with_f["arguments"], "x": xi_prime},
-    describe={**with_f["describe"], "x": f"Image point (xip1, xip2, xip3), {AXES}"},
-    derived=object_point,
-    form=magnification * xi_prime,
-    where={magnification: f / (f - xip3)},
-    claims=["1.6.2", "1.6.2#scalar"],
-    example={**EXAMPLE_F, "x": ("-0.06", "0.0375", "0.175")},
-)
-section.kernel(
-    "optics.scale",
-    "Image scale of an ideal lens.",
-    arguments={**with_f["arguments"], "x3": x3},
-    describe={**with_f["describe"], "x3": f"Third coordinate xi3 of the object point, {AXES}"},
-    derived=scale.subs(xi3, x3),
-    form=f / (f + x3),
-    claims=["1.6/scale"],
-    example={**EXAMPLE_F, "x3": "-1.2"},
-)
-with_mu = {
-    "arguments": {"mu": vector(*factors)},
-    "describe": {"mu": "Projective parameters (mu0, mu1, mu2), up to a common factor; dimensionless."},
-}
-EXAMPLE_MU = {"mu": ("1", "0.75", "1.25")}
-section.kernel(
-    "optics.plane_homography",
-    "Matrix M* of the optical projection from plane to plane, in affine coordinates.",
-    **with_mu,
-    derived=M_star,
-    claims=["1.6/M*", "1.6.5"],
-    example=EXAMPLE_MU,
-)
-weighted = sympy.Symbol("weighted")
-section.kernel(
-    "optics.map_plane_points",
-    "Affine coordinates of the optical projection of points of a plane.",
-    arguments={**with_mu["arguments"], "u": u},
-    describe={**with_mu["describe"], "u": "Point (u1, u2) in affine coordinates of the plane; dimensionless."},
-    derived=mapped_u,
-    form=vector(mu1 * u1 / weighted, mu2 * u2 / weighted),
-    where={weighted: mu0 * (1 - u1 - u2) + mu1 * u1 + mu2 * u2},
-    claims=["1.6/M*", "1.6.5", "1.6.5#lens"],
-    example={**EXAMPLE_MU, "u": ("0.5", "0.25")},
-)
-section.kernel(
-    "optics.vanishing_line",
-    "Vanishing line g of the plane E, in affine coordinates.",
-    **with_mu,
-    derived=g,
-    claims=["1.6/g", "1.6/g#V"],
-    example=EXAMPLE_MU,
-)

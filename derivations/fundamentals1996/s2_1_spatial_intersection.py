@@ -1,14 +1,17 @@
 # %% [markdown]
 # # 2.1 Spatial intersection and the matrix of correlation
 #
-# Two images $P'$ and $P''$ of one object.  Where the two rays to an object point meet, their directions and the base
-# are coplanar; written in image coordinates this is one bilinear equation, and its coefficients are the matrix of
-# correlation $\mathbf C$.  In the names of symbols a letter `p` stands for one prime and `pp` for two; the elements of
-# $\mathbf P'$ and $\mathbf P''$ are $p_{ij}$ and $q_{ij}$.
+# Two images $P'$ and $P''$ of one object: what does one of them know of the other?  The two rays to an object point
+# meet, so their directions and the base are coplanar.  In image coordinates this is one bilinear equation.  Its
+# coefficients are the matrix of correlation $\mathbf C$.
+#
+# In the names of symbols a letter `p` stands for one prime and `pp` for two.  The elements of $\mathbf P'$ and
+# $\mathbf P''$ are $p_{ij}$ and $q_{ij}$.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
@@ -16,6 +19,7 @@ from algebroproj_sym.expressions import (
     columns,
     cross,
     determinant,
+    diff,
     dot,
     homogeneous,
     inverse,
@@ -30,8 +34,9 @@ section = Section("fundamentals1996", "2.1", "Spatial intersection and the matri
 # %% [markdown]
 # ## The base
 #
-# By (1.1.4) a ray goes from the center to the object point: $\mathbf y - \mathbf y'_0 = \mu' \mathbf p'$ and
-# $\mathbf y - \mathbf y''_0 = \mu'' \mathbf p''$.  The base $\mathbf d$ is the difference of the two.
+# **Definition.**  By (1.1.4) a ray goes from the center to the object point: $\mathbf y - \mathbf y'_0 = \mu' \mathbf
+# p'$ and $\mathbf y - \mathbf y''_0 = \mu'' \mathbf p''$.  The base $\mathbf d$ is what remains of the object point
+# in the difference of the two.
 
 # %%
 factor_left, factor_right = sympy.symbols("mup mupp")
@@ -42,6 +47,9 @@ to_point_left, to_point_right = point - center_left, point - center_right
 
 d = vector(*sympy.symbols("d1 d2 d3"))
 base = to_point_left - to_point_right
+base
+
+# %%
 p_left, p_right = (vector(*sympy.symbols(f"{name}1 {name}2 {name}3")) for name in ("pp", "ppp"))
 seen_from_centers = {
     **dict(zip(d, base, strict=True)),
@@ -49,6 +57,10 @@ seen_from_centers = {
     **{symbol: over(entry, factor_right) for symbol, entry in zip(p_right, to_point_right, strict=True)},
 }
 
+# %% [markdown]
+# **Print.**  $\mathbf y'_0 - \mathbf y''_0$, the opposite one.
+
+# %%
 section.identity(
     "2.1/d",
     "base of the two centers",
@@ -56,26 +68,28 @@ section.identity(
     derived=base,
     expect="misprint",
     corrected=center_right - center_left,
-    note="With the printed base (2.1.1) would hold for rays from the object to the centers, but (1.1.4), on which the "
-    "section goes on to build, has mu p = y - y0; a negative sign of both mu, or an interchange of the two images, "
-    "would contradict (1.1.4) and (2.1.1).  In all that is homogeneous in d the sign does not matter.  The scan alone "
-    "cannot tell a slip of the scan from one of the print.",
+    note="Ruled out: a negative sign of both mu, or an interchange of the two images, would contradict (1.1.4) and "
+    "(2.1.1).  The scan alone cannot tell a slip of the scan from one of the print.",
 )
+
+# %% [markdown]
+# (2.1.1) is right with $\mathbf d = \mathbf y''_0 - \mathbf y'_0$.  Both sides are held against the ray from the left
+# center to the object point.  In all that is homogeneous in $\mathbf d$ the sign does not matter.
+
+# %%
 section.identity(
     "2.1.1",
     "spatial intersection",
     printed=columns(factor_left * p_left, d + factor_right * p_right),
     where=seen_from_centers,
     derived=columns(to_point_left, to_point_left),
-    note="Both sides are held against the ray from the left center to the object point, with d = y''0 - y'0; see "
-    "2.1/d for its sign.",
 )
 
 # %% [markdown]
-# ## Coplanarity
+# ## When do two rays meet?
 #
-# The vector product with $\mathbf d$ and then the scalar product with $\mathbf p''$ leave nothing of the right side of
-# (2.1.1).
+# The vector product of (2.1.1) with $\mathbf d$, and then the scalar product with $\mathbf p''$, leave nothing of its
+# right side.
 
 # %%
 section.identity(
@@ -92,34 +106,48 @@ section.identity(
 )
 
 # %% [markdown]
-# The vector product is a product with a skew-symmetric matrix, $\mathbf D \mathbf v = \mathbf d \times \mathbf v$ and
-# $\mathbf v^T \mathbf D = (\mathbf v \times \mathbf d)^T$.
+# The vector product is a product with a skew-symmetric matrix: $\mathbf D \mathbf v = \mathbf d \times \mathbf v$,
+# and the row $\mathbf v^T \mathbf D$ is $\mathbf v \times \mathbf d$.
 
 # %%
 D_printed = Matrix([[0, -d[2], d[1]], [d[2], 0, -d[0]], [-d[1], d[0], 0]])
 unit_vectors = (vector(1, 0, 0), vector(0, 1, 0), vector(0, 0, 1))
 D = columns(*(cross(d, unit) for unit in unit_vectors))
+D
+
+# %%
 
 section.identity(
     "2.1/D",
     "the vector product with the base as a product of matrices",
     printed=D_printed.T * p_left,
     derived=cross(p_left, d),
-    note="The row vector of the print is compared as a column.",
 )
 
 # %% [markdown]
 # ## The matrix of correlation
 #
-# A ray is $\mathbf p = \mathbf P \mathbf u$.  The condition of coplanarity becomes bilinear in the image coordinates;
-# its coefficients are $c_{ij} = (\mathbf p'_i \times \mathbf d) \cdot \mathbf p''_j$ with the columns of $\mathbf P'$
-# and $\mathbf P''$.
+# **Definition.**  A ray is $\mathbf p = \mathbf P \mathbf u$.  So the condition of coplanarity is bilinear in the
+# image coordinates.  Its coefficients are triple products, $c_{ij} = (\mathbf p'_i \times \mathbf d) \cdot \mathbf
+# p''_j$, with the columns of $\mathbf P'$ and $\mathbf P''$.
 
 # %%
 P_left, P_right = (Matrix(3, 3, sympy.symbols(f"{name}:3:3")) for name in ("p", "q"))
 columns_left, columns_right = ([P.col(j) for j in range(3)] for P in (P_left, P_right))
 u_left, u_right = (homogeneous(vector(*sympy.symbols(f"{name}1 {name}2"))) for name in ("up", "upp"))
-C = Matrix(3, 3, lambda i, j: dot(cross(columns_left[i], d), columns_right[j]))
+
+
+def correlation_matrix(left: Matrix, right: Matrix, base: Matrix) -> Matrix:
+    """Return C from the matrices of reconstruction and the base."""
+    return Matrix(3, 3, lambda i, j: dot(cross(left.col(i), base), right.col(j)))
+
+
+C = correlation_matrix(P_left, P_right, d)
+
+# %% [markdown]
+# **Print.**  Three members, each of which must be the triple product of the two rays and the base.
+
+# %%
 C_elements = Matrix(3, 3, sympy.symbols("c:3:3"))
 correlation = dict(zip(C_elements, C, strict=True))
 triple = dot(cross(P_left * u_left, d), P_right * u_right)
@@ -137,14 +165,16 @@ section.identity(
     | dict(zip(p_right, P_right * u_right, strict=True)),
     derived=vector(triple, triple, triple),
 )
+
+# %% [markdown]
+# As a product, and by components:
+
+# %%
 section.identity(
     "2.1.4",
     "matrix of correlation, as a product",
     printed=P_left.T * D_printed * P_right,
     derived=C,
-    note="Read as rows p'_j^T and columns p''_j: the scan has the vectors of both matrices one below the other, and "
-    "the T of a transposition behind the first stack.  (2.1.9) has the same product with the transpositions in their "
-    "places.",
 )
 p0_left, p1_left, p2_left = columns_left
 p0_right, p1_right, p2_right = columns_right
@@ -162,8 +192,9 @@ section.identity(
 )
 
 # %% [markdown]
-# Homologous points are images of one object point.  With $\mathbf u'$ and $\mu'$ given, the ray of $P'$ ends at the
-# object point, and $\mu'' \mathbf u'' = \mathbf P''^* (\mu' \mathbf P' \mathbf u' - \mathbf d)$.
+# **Do homologous points satisfy it?**  They are images of one object point.  With $\mathbf u'$ and $\mu'$ given, the
+# ray of $P'$ ends there, and the right image sees it at $\mu'' \mathbf u'' = \mathbf P''^* (\mu' \mathbf P' \mathbf
+# u' - \mathbf d)$.
 
 # %%
 ray_left = factor_left * P_left * u_left
@@ -184,41 +215,92 @@ section.identity(
 )
 
 # %% [markdown]
+# **An example.**  Two cameras in $(0, 0, 0)$ and $(4, 0, 0)$ look at the point $P = (2, 1, 4)$.  Their matrix of
+# correlation is
+
+# %%
+EXAMPLE_BASE, SEEN = vector(4, 0, 0), vector(2, 1, 4)
+HALF = sympy.Rational(1, 2)
+corners_left = [vector(3 * HALF, -HALF, -HALF), vector(-HALF, -HALF, 3 * HALF), vector(HALF, 1, HALF)]
+corners_right = [vector(-2, 0, -1), vector(-HALF, -HALF, -HALF), vector(0, HALF, 2)]
+
+
+def reconstruction(corners: list[Matrix]) -> Matrix:
+    return columns(corners[0], corners[1] - corners[0], corners[2] - corners[0])
+
+
+cameras = reconstruction(corners_left), reconstruction(corners_right)
+correlation_matrix(*cameras, EXAMPLE_BASE)
+
+# %% [markdown]
+# and all that this section is about can be seen at once.
+
+
+# %%
+def pierced(camera: Matrix, direction: Matrix) -> Matrix:
+    """Return where a ray of a direction meets the image plane, seen from the center."""
+    return (direction / solve(camera, direction)[0]).doit()
+
+
+SpaceDrawing(
+    "Two centers C' and C'', and the images p' and p'' of a point P.  The rays and the base lie in one plane.  It cuts "
+    "the image planes in the epipolar lines, through the epipoles E' and E''.",
+    {"C'": vector(0, 0, 0), "C''": EXAMPLE_BASE, "P": SEEN}
+    | {"p'": pierced(cameras[0], SEEN), "p''": EXAMPLE_BASE + pierced(cameras[1], SEEN - EXAMPLE_BASE)}
+    | {"E'": pierced(cameras[0], EXAMPLE_BASE), "E''": EXAMPLE_BASE + pierced(cameras[1], -EXAMPLE_BASE)}
+    | {f"G'{j}": corner for j, corner in enumerate(corners_left)}
+    | {f"G''{j}": EXAMPLE_BASE + corner for j, corner in enumerate(corners_right)},
+    segments=[("p'", "E'"), ("p''", "E''")],
+    triangles=[("C'", "C''", "P"), ("G'0", "G'1", "G'2"), ("G''0", "G''1", "G''2")],
+)
+
+# %% [markdown]
 # ## 1. The determinant
+#
+# $\mathbf D$ takes the base to zero.  So $\mathbf D$ is singular, and with it $\mathbf C$.
 
 # %%
 section.identity("2.1/det-D", "the matrix of the base is singular", printed=0, derived=determinant(D))
 section.identity("2.1/det-C", "the matrix of correlation is singular", printed=0, derived=determinant(C))
 
 # %% [markdown]
-# ## 2. The dual transformations
+# ## 2. Where is the partner of a point?
 #
-# A point of one image is transformed to a line of the other: the line on which its homologous point lies.
+# **Definition.**  $\mathbf C$ takes a point of one image to a line of the other, $\mathbf h' = \mathbf C \mathbf u''$
+# and $\mathbf h'' = \mathbf C^T \mathbf u'$.
 
 # %%
 h_left, h_right = (vector(*sympy.symbols(f"{name}0 {name}1 {name}2")) for name in ("hp", "hpp"))
 
 section.definition("2.1.5", "dual transformations", printed=columns((u_left.T * C_elements).T, C_elements * u_right))
+
+# %% [markdown]
+# **Meaning.**  The homologous point lies on this line.
+
+# %%
 section.identity(
     "2.1/lines",
     "homologous points lie on the lines",
     printed=vector(0, 0),
     derived=vector(dot(C * seen_right, u_left), dot(C.T * u_left, seen_right)),
-    note="h'^T u' = 0 with h' = C u'', and h''^T u'' = 0 with h'' = C^T u'.",
 )
+
+# %% [markdown]
+# The line is the image of the whole ray, the locus of homologous points of which item 4 speaks.  It joins the image
+# of the left center with that of the point at infinity of the left ray.
+
+# %%
 section.up_to_scale(
     "2.1/locus",
     "the line is the image of the ray",
     printed=C.T * u_left,
     derived=cross(solve(P_right, -d), solve(P_right, P_left * u_left)),
-    note="The sentence of item 4 on the loci of homologous points.  Derived is the line through the images of the left "
-    "center and of the point at infinity of the left ray.",
 )
 
 # %% [markdown]
 # ## 3. The epipoles
 #
-# An epipole is the image of the other center of projection.
+# **Definition.**  An epipole is the image of the other center of projection.
 
 # %%
 inverse_left, inverse_right = (Matrix(3, 3, sympy.symbols(f"{name}:3:3")) for name in ("ps", "qs"))
@@ -227,13 +309,17 @@ inverses = dict(zip(inverse_left, inverse(P_left), strict=True)) | dict(
 )
 at_centers = dict(zip(d, center_right - center_left, strict=True))
 
+# %% [markdown]
+# **Print.**  The factor $\mu_0$ is free.  For the right image it takes the sign, for the left center lies in the
+# direction $-\mathbf d$.
+
+# %%
 section.up_to_scale(
     "2.1/epipoles#left",
     "epipole in P'",
     printed=inverse_left * d,
     where=inverses | at_centers,
     derived=solve(P_left, center_right - center_left),
-    note="The factor mu_0 of the print is free.",
 )
 section.up_to_scale(
     "2.1/epipoles#right",
@@ -241,32 +327,45 @@ section.up_to_scale(
     printed=inverse_right * d,
     where=inverses | at_centers,
     derived=solve(P_right, center_left - center_right),
-    note="The factor mu_0 of the print is free; here it takes the sign, for the left center lies in direction -d.",
 )
+
+# %% [markdown]
+# **What does $\mathbf C$ do to an epipole?**  $\mathbf P^*$ is the inverse of $\mathbf P$ by (1.1.5), and $\mathbf D
+# \mathbf d = \mathbf 0$.
+
+# %%
 epipole_left, epipole_right = solve(P_left, d), solve(P_right, d)
 
 section.definition(
     "2.1/inverse",
     "matrices of projection and reconstruction",
     printed=inverse(P_left) * P_left,
-    note="P* is the inverse of P by (1.1.5).",
 )
 section.identity("2.1/Dd", "the base annihilates itself", printed=vector(0, 0, 0), derived=D * d)
+
+# %% [markdown]
+# So the epipole of $P''$ is annihilated.  Both sides of the chain, the product and zero, are held against $\mathbf C
+# \mathbf u''_0$.
+
+# %%
 section.identity(
     "2.1/Cu0''",
     "dual transformation of the epipole of P''",
     printed=columns(P_left.T * D_printed * P_right * (inverse_right * d), vector(0, 0, 0)),
     where=inverses,
     derived=columns(C * epipole_right, C * epipole_right),
-    note="Both sides of the chain, the product and zero, are held against C u''0.",
 )
+
+# %% [markdown]
+# The other chain is for the epipole of $P'$.
+
+# %%
 section.identity(
     "2.1/u0'C",
     "dual transformation of the epipole of P'",
     printed=(d.T * inverse_left.T * P_left.T * D_printed * P_right).T,
     where=inverses,
     derived=C.T * epipole_left,
-    note="u'0^T = d^T P'*^T has the three marks that are lost, and the line above has all of its own.",
 )
 section.identity(
     "2.1/u0'C#zero",
@@ -274,6 +373,12 @@ section.identity(
     printed=vector(0, 0, 0),
     derived=C.T * epipole_left,
 )
+
+# %% [markdown]
+# **Meaning.**  The epipoles are the solutions of $\mathbf C^T \mathbf u'_0 = \mathbf 0$ and $\mathbf C
+# \mathbf u''_0 = \mathbf 0$.  The images of the centers satisfy them.  As long as the rank is 2 there are no others.
+
+# %%
 section.identity(
     "2.1.6",
     "equations for the epipoles",
@@ -282,7 +387,6 @@ section.identity(
         C.T.xreplace(at_centers) * solve(P_left, center_right - center_left),
         C.xreplace(at_centers) * solve(P_right, center_left - center_right),
     ),
-    note="Put in are the images of the centers.",
 )
 section.rank(
     "2.1/rank-C",
@@ -290,12 +394,11 @@ section.rank(
     printed=2,
     derived=C,
     kernel=[epipole_right],
-    note="The equations (2.1.6) are consistent, and fix the epipoles as long as the rank is 2.",
 )
 
 # %% [markdown]
-# That $\mathbf C$ alone gives the epipoles: the solution of two of the three equations is the vector product of their
-# coefficients.
+# So $\mathbf C$ alone gives the epipoles, without any camera.  The solution of two of the three equations is the vector
+# product of their coefficients.
 
 # %%
 section.up_to_scale(
@@ -314,7 +417,8 @@ section.up_to_scale(
 # %% [markdown]
 # ## 4. Epipolar lines
 #
-# Whatever the point $\mathbf u'$ is, its line goes through the epipole.
+# Whatever the point $\mathbf u'$ is, its line goes through the epipole of the other image.  All lines of an image meet
+# there.  The scan begins the item with 'transformation $P'$ to $P''$'; $\mathbf u'$ to $\mathbf h''$ is meant.
 
 # %%
 section.identity(
@@ -322,22 +426,23 @@ section.identity(
     "every line h'' contains the epipole of P''",
     printed=vector(0, 0),
     derived=vector(dot(C.T * u_left, epipole_right), dot(u_left, C * epipole_right)),
-    note="The scan begins this item with 'transformation P' -> P'''; u' -> h'' is meant, as in item 2.",
 )
 section.identity(
     "2.1/beyond/epipolar-line-left",
     "every line h' contains the epipole of P'",
     printed=0,
     derived=dot(C * u_right, epipole_left),
-    note="Not in the paper: the other image.",
 )
 
 # %% [markdown]
 # ## 5. Relations with both factors
 #
-# $\mathbf D$ takes the base away: $\mathbf D \mathbf z' = \mathbf D \mathbf z''$ for the two rays
-# $\mathbf z' = \mathbf d + \mathbf z''$ to one point.  The derived sides below are
-# $\mathbf d \times \mathbf z'$ and what $\mathbf P'^T$ and $\mathbf P''^T$ make of it.
+# The equation $\mathbf u'^T \mathbf C \mathbf u'' = 0$ has lost the factors $\mu'$ and $\mu''$.  Can they be kept?
+#
+# **Definition.**  For the two rays $\mathbf z' = \mathbf d + \mathbf z''$ to one point, $\mathbf D$ takes the base
+# away: $\mathbf D \mathbf z' = \mathbf D \mathbf z''$.  This common value is the moment $\mathbf d \times \mathbf
+# z'$.  The sides of all equations below are held against it, and against what $\mathbf P'^T$ and $\mathbf P''^T$ make
+# of it.
 
 # %%
 moment = cross(d, ray_left)
@@ -359,6 +464,12 @@ section.identity(
     where=homologous,
     derived=columns(moment, moment),
 )
+
+# %% [markdown]
+# **Print.**  (2.1.7), multiplied from the left by $\mathbf P'^T$, is the first equation (2.1.8).  Its members 1, 3
+# and 4 are right.  In the second one $\mathbf P''^T$ is printed.
+
+# %%
 section.identity(
     "2.1.8#left",
     "first equation: first, third and fourth member",
@@ -378,12 +489,16 @@ section.identity(
     derived=moment_left,
     expect="error",
     corrected=P_left.T * (D_printed * (P_right * mu_u_right)),
-    note="The first factor must be P'^T, and in the second equation P''^T: the same exchange twice, in products that "
-    "exist, so that the scan alone did not make it.  The equation is (2.1.7) multiplied from the left by P'^T on both "
-    "sides, and its third member, mu'' C u'', needs C = P'^T D P''.  An interchange of the images changes all members.",
+    note="The same exchange stands in both equations, in products that exist: the scan alone did not make it.  Ruled "
+    "out: an interchange of the images changes all members.",
     follows="The second members are those of the other image. Who used them would get the moment of the wrong bundle; "
     "the first and third members are right.",
 )
+
+# %% [markdown]
+# The second equation is (2.1.7) multiplied by $\mathbf P''^T$.  The same exchange again.
+
+# %%
 section.identity(
     "2.1.8#right",
     "second equation: first, third and fourth member",
@@ -402,7 +517,7 @@ section.identity(
     derived=moment_right,
     expect="error",
     corrected=P_right.T * (D_printed * (P_left * (factor_left * u_left))),
-    note="The first factor must be P''^T, as in the first equation it must be P'^T: see 2.1.8#left-second.",
+    note="The first factor must be P''^T, as in the first equation it must be P'^T.",
     same_as="2.1.8#left-second",
 )
 section.identity(
@@ -413,12 +528,35 @@ section.identity(
 )
 
 # %% [markdown]
+# **What do the equations contain?**  All elements of both transformations, says the paper, and they are very
+# nonlinear.  There are 21 elements, those of $\mathbf P'$, $\mathbf P''$ and $\mathbf d$.  Each of them occurs: no
+# derivative of the equations vanishes.  They are of the third degree: every term has two elements of the matrices and
+# one of the base.
+
+# %%
+k, n = sympy.symbols("k n")
+members = Matrix.vstack(P_left.T * D * P_left * u_left, C * u_right, P_right.T * D * P_right * u_right, C.T * u_left)
+mixture = dot(members, vector(*sympy.symbols("w:12")))
+elements = (*P_left, *P_right, *d)
+section.rank(
+    "2.1/all-elements",
+    "the equations contain all elements of both transformations",
+    printed=21,
+    derived=Matrix(21, 21, lambda i, j: diff(mixture, elements[i]) if i == j else sympy.S.Zero),
+)
+section.identity(
+    "2.1/beyond/degree",
+    "the equations are of the third degree in these elements",
+    printed=k**2 * n * members,
+    derived=members.xreplace({element: n * element if element in d else k * element for element in elements}),
+)
+
+# %% [markdown]
 # ## The matrix K
 #
-# $\mathbf K = \mathbf P^T \mathbf D \mathbf P$ belongs to one image, $\mathbf P = \mathbf P'$ or
-# $\mathbf P = \mathbf P''$.  Its elements are the triple products of the base and two columns of $\mathbf P$; with the
-# rows $\mathbf p^j$ of $\mathbf P^*$, the reciprocal vectors of the columns, they are
-# $\mathbf p_i \times \mathbf p_j = \det(\mathbf P)\, \mathbf p^k$, for $i, j, k$ cyclic.
+# **Definition.**  The left sides of (2.1.8) contain $\mathbf K = \mathbf P^T \mathbf D \mathbf P$.  It belongs to one
+# image, $\mathbf P = \mathbf P'$ or $\mathbf P = \mathbf P''$.  Its elements are the triple products of the base and
+# two columns of $\mathbf P$.
 
 # %%
 P, P_inverse = P_left, inverse_left
@@ -441,8 +579,12 @@ section.rank(
     printed=2,
     derived=K,
     kernel=[solve(P, d)],
-    note="The sentence names C as well: see 2.1/rank-C.",
 )
+
+# %% [markdown]
+# **Print.**  (2.1.9) has $\mathbf K$ in five forms.
+
+# %%
 section.identity(
     "2.1.9#product",
     "K as a product",
@@ -467,6 +609,13 @@ section.identity(
     printed=skew(dot(cross(p1, p2), d), dot(cross(p2, p0), d), dot(cross(p0, p1), d)),
     derived=P.T * D * P,
 )
+
+# %% [markdown]
+# For the fourth form the vector products are expressed by the rows $\mathbf p^j$ of $\mathbf P^*$, the reciprocal
+# vectors of (1.1.3): $\mathbf p_i \times \mathbf p_j = \det(\mathbf P)\, \mathbf p^k$, for $i, j, k$ cyclic.  The
+# factor is $D = \det \mathbf P$.  The print has $1/D$.
+
+# %%
 reciprocal_products = [dot(P_inverse.row(j), d) for j in range(3)]
 section.identity(
     "2.1.9#reciprocal",
@@ -476,13 +625,17 @@ section.identity(
     derived=P.T * D * P,
     expect="error",
     corrected=DET * skew(*reciprocal_products),
-    note="The factor is D = det(P), not 1/D: the reciprocal vectors of (1.1.3) are cross products divided by D, hence "
-    "the cross products are D times the reciprocal vectors.  1/D is right if D is the determinant of P*, but the text "
-    "defines D = det(P); with the adjugate of P for P* the factor would be 1.  The factor as a whole is "
-    "inverted, which no single sign or letter explains.",
+    note="1/D is right if D is the determinant of P*, but the text defines D = det(P).  With the adjugate of P for P* "
+    "the factor would be 1.  No single sign or letter explains an inverted factor.",
     follows="K differs from its definition by the factor det(P)^2. Epipoles, which are homogeneous, do not notice "
     "it. The relations (2.1.13), which have no free factor, do.",
 )
+
+# %% [markdown]
+# **Meaning.**  Three numbers remain, $\kappa_0, \kappa_1, \kappa_2$.  They are the projection of the base:
+# $\boldsymbol\kappa = \det(\mathbf P)\, \mathbf P^* \mathbf d$.
+
+# %%
 section.structure("2.1.9#kappa", "K is skew-symmetric", printed=skew(*kappa), derived=P.T * D * P)
 section.identity(
     "2.1/beyond/kappa",
@@ -490,11 +643,13 @@ section.identity(
     printed=DET * (P_inverse * d),
     where={DET: determinant(P)} | inverses,
     derived=kappa_elements,
-    note="Not in the paper: kappa = det(P) P* d, which is why (2.1.12) gives the epipole.",
 )
 
 # %% [markdown]
 # ## Points, lines and epipoles of one image
+#
+# With $\mathbf K$ the equations (2.1.8) relate a point to the line of its partner, in one and the same image, with the
+# factors $\mu$.
 
 # %%
 K_left = K
@@ -513,12 +668,17 @@ section.identity(
     where=homologous | lines,
     derived=K_right * seen_right,
 )
+
+# %% [markdown]
+# $\mathbf K$ annihilates the epipole, and its elements are the epipole: that of either image, for $\mathbf d$ and
+# $-\mathbf d$ have the same quotients.
+
+# %%
 section.identity(
     "2.1.11",
     "K annihilates the epipole",
     printed=vector(0, 0, 0),
     derived=K * solve(P, d),
-    note="For either image; the scan shows the primes of either as a superscript theta or (i).",
 )
 projected_base = solve(P, d)
 section.identity(
@@ -527,16 +687,16 @@ section.identity(
     printed=kappa / kappa0,
     where=dict(zip(kappa, kappa_elements, strict=True)),
     derived=homogeneous(vector(over(projected_base[1], projected_base[0]), over(projected_base[2], projected_base[0]))),
-    note="For either image: the epipole of P'' is the projection of -d, with the same quotients.",
 )
 
 # %% [markdown]
 # ## The basic points
 #
-# For the basic point $G_j$ the equations (2.1.8) hold with $\mathbf u = \mathbf e'_j$, and its factor $\mu_j$ is a
-# parameter of orientation.  As in section 1.2 the rays to $G_0, G_1, G_2$ and $\mu_0, \mu_1, \mu_2$ fix
-# $\mathbf P$, and $\mathbf P^*$ fixes $\mu_3$ and $\mathbf u_3$.  The base vectors are
-# $\mathbf b_j = (\mathbf e_j - \mathbf y_0) / \mu_j$.
+# What do four known points tell?  For the basic point $G_j$ the equations (2.1.8) hold with $\mathbf u = \mathbf
+# e'_j$, and its factor $\mu_j$ is a parameter of orientation.
+#
+# **Definition.**  As in section 1.2 the rays to $G_0, G_1, G_2$ and $\mu_0, \mu_1, \mu_2$ fix $\mathbf P$: the base
+# vectors are $\mathbf b_j = (\mathbf e_j - \mathbf y_0) / \mu_j$.  Then $\mathbf P^*$ fixes $\mu_3$ and $\mathbf u_3$.
 
 # %%
 parameters_left, parameters_right = (vector(*sympy.symbols(f"{name}:4")) for name in ("mup", "mupp"))
@@ -569,13 +729,16 @@ images_left = weighted_images(parameters_left, fourth_left)
 images_right = weighted_images(parameters_right, fourth_right)
 moments = columns(*(cross(center_right - center_left, unit - center_left) for unit in object_units))
 
+# %% [markdown]
+# **Print.**  The columns are the left sides for $j = 0, 1, 2, 3$, and then the right sides.
+
+# %%
 section.identity(
     "2.1.13#left",
     "first relation for the four basic points",
     printed=columns(*(K_left * image for image in images_left), *(C * image for image in images_right)),
     where=at_basic_points | fourth_points,
     derived=columns((P_left.T).xreplace(at_left) * moments, (P_left.T).xreplace(at_left) * moments),
-    note="The columns are the left sides for j = 0, 1, 2, 3 and then the right sides.",
 )
 section.identity(
     "2.1.13#right",
@@ -583,5 +746,4 @@ section.identity(
     printed=columns(*(K_right * image for image in images_right), *(-C.T * image for image in images_left)),
     where=at_basic_points | fourth_points,
     derived=columns((P_right.T).xreplace(at_right) * moments, (P_right.T).xreplace(at_right) * moments),
-    note="The columns are the left sides for j = 0, 1, 2, 3 and then the right sides.",
 )

@@ -16,7 +16,7 @@ from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion, ratios
 from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import Delta, P, y0_of_mu
-from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C, at_basic_points
+from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C, at_basic_points, correlation_matrix
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -40,8 +40,9 @@ section = Section("fundamentals1996", "2.2", "Determination and utilization of t
 # %% [markdown]
 # ## How many numbers is a matrix of correlation?
 #
-# **Definition.**  $\mathbf C$ has nine elements and a free factor.  Division by $c_{10}$ leaves the eight quotients
-# $z_{jk}$ of $\mathbf Z$.
+# **Definition.**  $\mathbf C$ has nine elements and a free factor.  Division by $c_{10}$, which must not vanish,
+# leaves the eight quotients $z_{jk}$ of $\mathbf Z$.  As unknowns of linear equations they are eight.  That the
+# determinant makes one of them depend on the others is not used yet.
 
 # %%
 c = Matrix(3, 3, sympy.symbols("c:3:3"))
@@ -55,7 +56,6 @@ section.identity(
     printed=c[1, 0] * Z_general,
     where={z[j, k]: over(c[j, k], c[1, 0]) for j, k in product(range(3), repeat=2)},
     derived=c,
-    note="The divisor c10 must not vanish, as the text says.",
 )
 section.count(
     "2.2/eight-unknowns",
@@ -64,14 +64,13 @@ section.count(
     derived=c.applyfunc(lambda element: over(element, c[1, 0])),
     variables=tuple(c),
     kernel=[vector(*c)],
-    note="As unknowns of linear equations.  The determinant makes one of them depend on the others, see "
-    "2.2/beyond/seven-parameters.",
 )
 
 # %% [markdown]
-# In the normal case the base is parallel to the first axis of both image planes, and homologous points agree in their
-# ordinates.  The base vectors of the basic points are $(x_j, y_j, f)$; the structure of $\mathbf C$ shows which
-# elements can be divisors.
+# **Which element can be the divisor?**  In the normal case the base is parallel to the first axis of both image
+# planes, and homologous points agree in their ordinates.  The base vectors of the basic points are $(x_j, y_j, f)$.
+# Four elements of $\mathbf C$ remain, and $c_{01} = -c_{10}$ is a divisor unless $G_0$ and $G_1$ have the same
+# ordinate.
 
 # %%
 distance, base_length = sympy.symbols("f d1")
@@ -83,29 +82,24 @@ def normal_case(abscissas: tuple[sympy.Symbol, ...]) -> Matrix:
     return columns(b0, b1 - b0, b2 - b0)
 
 
-def correlation_matrix(left: Matrix, right: Matrix, base: Matrix) -> Matrix:
-    """Return C from the matrices of reconstruction and the base: the triple products of section 2.1."""
-    return Matrix(3, 3, lambda i, j: dot(cross(left.col(i), base), right.col(j)))
-
-
 C_normal = correlation_matrix(normal_case(abscissas_left), normal_case(abscissas_right), vector(base_length, 0, 0))
 section.structure(
     "2.2/normal-case",
     "the matrix of correlation in the normal case",
     printed=Matrix([[0, -z10, -z20], [z10, 0, 0], [z20, 0, 0]]),
     derived=C_normal,
-    note="What the sentence on the approximate normal case rests on, for the exact one.",
 )
 section.vanishing(
     "2.2/normal-case#divisor",
     "c10 and c01 are divisors in the normal case",
     printed=(base_length, distance, ordinates[1] - ordinates[0]),
     derived=C_normal[1, 0],
-    note="As c01 = -c10, it is a divisor as well, unless G0 and G1 have the same ordinate.",
 )
 
 # %% [markdown]
-# Which element is the largest one depends on the ordinates of the basic points, and on nothing else.
+# **Which element is the largest?**  That depends on the ordinates of the basic points, and on nothing else.  $c_{10}$
+# and $c_{01}$ are, if the ordinates of $G_0$ and $G_1$ differ at least as much as those of $G_0$ and $G_2$.  Two
+# normal cases with the ordinates 0, 2, 1 and 0, 1, 2 show both.
 
 # %%
 section.identity(
@@ -113,8 +107,6 @@ section.identity(
     "quotient of the elements in the normal case",
     printed=(ordinates[2] - ordinates[0]) / (ordinates[1] - ordinates[0]),
     derived=over(C_normal[2, 0], C_normal[1, 0]),
-    note="Not in the paper: c10 and c01 are the largest elements where the ordinates of G0 and G1 differ at least as "
-    "much as those of G0 and G2.",
 )
 
 
@@ -136,15 +128,15 @@ section.identity(
     "the largest element cannot be predicted",
     printed=vector(largest_square(C_with_c10), largest_square(C_with_c20)),
     derived=vector(C_with_c10[1, 0] ** 2, C_with_c20[2, 0] ** 2),
-    note="Two normal cases, of which one has c10, the other c20 for its largest element: the ordinates are 0, 2, 1 and "
-    "0, 1, 2.  That c01 or c10 is the largest is advice for an approximate normal case, and not judged; it holds for "
-    "basic points like those of Fig. 1.2/1, where G1 has the ordinate that differs most from that of G0.",
+    note="That c01 or c10 is the largest is advice for an approximate normal case, and not judged; it holds for basic "
+    "points like those of Fig. 1.2/1, where G1 has the ordinate that differs most from that of G0.",
 )
 
 # %% [markdown]
 # ## Which equations do the points give?
 #
-# **Definition.**  Each pair of homologous points gives one equation, linear in the eight unknowns.
+# **Definition.**  Each pair of homologous points gives one equation, (2.1.3) divided by $c_{10}$.  It is linear in
+# the eight unknowns.
 
 # %%
 up1, up2, upp1, upp2 = sympy.symbols("up1 up2 upp1 upp2")
@@ -168,7 +160,6 @@ section.identity(
     printed=equation(Z_general),
     where={z[j, k]: over(c[j, k], c[1, 0]) for j, k in product(range(3), repeat=2)},
     derived=over(dot(u_left, c * u_right), c[1, 0]),
-    note="(2.1.3) divided by c10.",
 )
 
 # %% [markdown]
@@ -190,8 +181,9 @@ section.identity(
 )
 
 # %% [markdown]
-# **How many points?**  Conventional photogrammetry knows the interior orientation: $\mathbf C$ is made of a
-# rotation and a base, in a system of coordinates in which the left image is not rotated.
+# **How many points?**  Conventional photogrammetry knows the interior orientation: $\mathbf C$ is made of a rotation
+# and a base, in a system of coordinates in which the left image is not rotated.  Five independent parameters need
+# five points.  Without the interior orientation there are seven; the eighth point is the price of linear equations.
 
 # %%
 base_of_rotation = vector(*sympy.symbols("d1 d2 d3"))
@@ -202,8 +194,6 @@ section.count(
     derived=ratios(correlation_matrix(E3, scaled_rotation, base_of_rotation)),
     variables=(*quaternion, *base_of_rotation),
     kernel=[vector(*quaternion, 0, 0, 0), vector(0, 0, 0, 0, *base_of_rotation)],
-    note="The matrix of correlation of calibrated images has five independent parameters, and each point gives one "
-    "equation.",
 )
 a, b = vector(*sympy.symbols("a:3")), vector(*sympy.symbols("b:3"))
 s, t = sympy.symbols("s t")
@@ -214,13 +204,13 @@ section.count(
     derived=ratios(columns(a, b, s * a + t * b)),
     variables=(*a, *b, s, t),
     kernel=[vector(*a, *b, 0, 0)],
-    note="Not in the paper: without knowledge of the interior orientation seven points are necessary; the eighth is "
-    "the price of linear equations.",
 )
 
 # %% [markdown]
-# Basic points that are homologous have the coordinates $(0, 0)$, $(1, 0)$ and $(0, 1)$ in both images: the first three
-# rows of the system are numbers.
+# ## What do the basic points give?
+#
+# Basic points that are homologous have the coordinates $(0, 0)$, $(1, 0)$ and $(0, 1)$ in both images.  So the first
+# three rows of the system are numbers.  Of the rows 3 to 7 the table shows one; its last column is the right side.
 
 
 # %%
@@ -241,7 +231,6 @@ section.identity(
         ]
     ),
     derived=basic_rows.col_join(design),
-    note="Rows 0, 1, 2, and one row for 3 to 7; the last column is the right side a.",
 )
 
 # %% [markdown]
@@ -265,7 +254,8 @@ section.identity(
 # %% [markdown]
 # Do eight points fix the eight unknowns?  Take five pairs beside the basic points, with $u''_2$ as the equation has it,
 # for a matrix with $\det \mathbf Z = 0$, as section 2.1 demands.  The determinant is linear in $z_{12}$, which is
-# eliminated.
+# eliminated.  The matrix and its right side together have rank 8.  The one kernel vector is the solution, with $-1$ for
+# the right side, so that the matrix itself is regular.
 
 # %%
 determinant_of_correlation = determinant(Z)
@@ -286,9 +276,6 @@ section.rank(
     printed=8,
     derived=eight_rows,
     kernel=[vector(*unknowns, -1).xreplace(eliminated).xreplace(singular)],
-    note="The rank of A8 and a together, for three basic points and five further homologous points.  The one kernel "
-    "vector is the solution z, with -1 for the right side; hence A8 itself is regular.  The system does not use "
-    "det(Z) = 0: with it seven points would do, at the cost of a cubic equation.",
 )
 
 # %% [markdown]
@@ -309,14 +296,14 @@ section.up_to_scale(
         cross(divided_by_c10.col(1), divided_by_c10.col(2)), cross(divided_by_c10.row(1).T, divided_by_c10.row(2).T)
     ),
     derived=columns(cross(c.col(1), c.col(2)), cross(c.row(1).T, c.row(2).T)),
-    note="The solutions of (2.1.6) as in 2.1.6#left and 2.1.6#right.",
 )
 
 # %% [markdown]
 # ## Change of coordinates
 #
-# With $\mathbf u = \mathbf A \mathbf v$ in both images the equation keeps its form; the new matrix are the coefficients
-# of $v'_i v''_j$.
+# Must $\mathbf u$ be the coordinates?  With any homogeneous transformation $\mathbf u = \mathbf A \mathbf v$ of both
+# images the equation keeps its form.  The elements of the new matrix are the coefficients of $v'_i v''_j$.  The scan
+# has lost the prime of $\mathbf v'^T$.  The paper refers to section 1.4 here, by wrong numbers.
 
 # %%
 A_left, A_right = (Matrix(3, 3, sympy.symbols(f"{name}:3:3")) for name in ("ap", "app"))
@@ -327,8 +314,6 @@ section.identity(
     "correlation in other coordinates",
     printed=A_left.T * c * A_right,
     derived=Matrix(3, 3, lambda i, j: diff(transformed, v_left[i], v_right[j])),
-    note="Read as v'^T in the products, where the scan has lost the prime.  For any homogeneous transformation of the "
-    "images.",
 )
 AFFINE_REFERENCE = (
     "Subsection 1.3 has nothing of the kind.  'Again' takes up subsection 1.4, where (1.4.5) holds for image "
@@ -407,7 +392,6 @@ section.rank(
     printed=5,
     derived=Matrix.vstack(*(homologous_row(reduced, index) for index in range(3, 8))),
     kernel=[vector(*remaining, -1).xreplace(singular)],
-    note="Coefficients and right side together, as in 2.2/eight-points.",
 )
 section.rank(
     "2.2/five-rays",
@@ -433,7 +417,6 @@ section.count(
     printed=5,
     derived=Z_printed,
     variables=remaining,
-    note="As elements of (2.2.3).  Independent of one another are four: 2.2/beyond/four-parameters.",
 )
 section.count(
     "2.2/beyond/four-parameters",
@@ -444,9 +427,8 @@ section.count(
 )
 
 # %% [markdown]
-# The three relations hold for the matrix of correlation of any two images that are referred to the same basic points,
-# with the matrices of reconstruction and the base of section 2.1.
-
+# **A check.**  The three relations hold for the matrix $\mathbf C = c_{10} \mathbf Z$ of any two images that are
+# referred to the same basic points, with the matrices of reconstruction and the base of (2.1.13).
 
 # %%
 C_of_basic_points = C.xreplace(at_basic_points)
@@ -459,8 +441,6 @@ section.identity(
     printed=c[1, 0] * Z_printed,
     where={c[1, 0]: C_of_basic_points[1, 0], **elements_of_basic_points},
     derived=C_of_basic_points,
-    note="C = c10 Z with C as in (2.1.4); the matrices of reconstruction are those of the four basic points as in "
-    "2.1.13#left.",
 )
 
 # %% [markdown]
@@ -493,6 +473,8 @@ section.identity(
     ),
     derived=h_left,
 )
+
+# %%
 section.identity(
     "2.2.5#right",
     "epipolar line in P'', as a product",
@@ -599,7 +581,6 @@ section.identity(
     derived=columns(Z.T * homogeneous(epipole_left), Z * homogeneous(epipole_right)),
     constraints=[determinant_of_correlation],
     nonzero=[D_printed],
-    note="The equations (2.1.6) with Z for C, whose determinant is zero by section 2.1.",
 )
 
 # %% [markdown]
@@ -624,8 +605,8 @@ ImageDrawing(
 )
 
 # %% [markdown]
-# Any two of the three equations would do: where $\det \mathbf Z = 0$ the adjugate has rank 1, every column of it is
-# the epipole of $P''$ and every row the epipole of $P'$.
+# **Why the second and the third equation?**  Any two would do: where $\det \mathbf Z = 0$ the adjugate has rank 1,
+# every column of it is the epipole of $P''$ and every row the epipole of $P'$.
 
 # %%
 minors = adjugate(Z_singular)
@@ -635,14 +616,12 @@ for row in range(3):
         f"epipole in P'' from the equations other than equation {row}",
         printed=minors.col(row),
         derived=homogeneous(epipole_right).xreplace(singular),
-        note="Not in the paper, which selects the second and the third equation.",
     )
     section.up_to_scale(
         f"2.2/beyond/two-equations#left{row}",
         f"epipole in P' from the equations other than equation {row}",
         printed=minors.row(row).T,
         derived=homogeneous(epipole_left).xreplace(singular),
-        note="Not in the paper, which selects the second and the third equation.",
     )
 
 # %% [markdown]
@@ -650,7 +629,7 @@ for row in range(3):
 #
 # **Definition.**  $\mathbf K \mathbf u = \boldsymbol\kappa \times \mathbf u$ by the pattern of (2.1.9), and the
 # vector product changes its sign when the factors are interchanged: the same line is a product with a matrix of
-# the point.  Up to a factor $\boldsymbol\kappa$ is the epipole, (2.1.12).
+# the point.  Up to a factor $\boldsymbol\kappa$ is the epipole, as $\mathbf K \mathbf u_0 = \mathbf 0$ by (2.1.11).
 
 # %%
 u = homogeneous(vector(u1, u2))
@@ -665,7 +644,6 @@ section.identity(
     "epipolar line as a product with K",
     printed=Matrix([[0, -kappa2, kappa1], [kappa2, 0, -kappa0], [-kappa1, kappa0, 0]]) * u,
     derived=line,
-    note="The vector b of the print is the line h.",
 )
 section.identity(
     "2.2.8",
@@ -673,12 +651,13 @@ section.identity(
     printed=Matrix([[0, u2, -u1], [-u2, 0, 1], [u1, -1, 0]]) * kappa,
     derived=line,
 )
+
+# %%
 section.identity(
     "2.2/kappa",
     "the matrix of the epipole, applied to kappa",
     printed=Matrix([[0, u02, -u01], [-u02, 0, 1], [u01, -1, 0]]) * kappa,
     derived=cross(kappa, epipole),
-    note="It vanishes by (2.1.11), K u0 = 0.",
 )
 section.rank(
     "2.2/kappa#epipole",
@@ -686,7 +665,6 @@ section.rank(
     printed=2,
     derived=linear_system(list(cross(kappa, epipole)), tuple(kappa))[0],
     kernel=[epipole],
-    note="The sentence after the display: kappa is (1, u01, u02) times a constant.",
 )
 
 # %% [markdown]
@@ -721,6 +699,8 @@ section.identity(
     note="The matrix is K with (1, u01, u02) for kappa and must be skew-symmetric.  A free factor changes all "
     "elements.  The scan alone cannot tell a slip of the scan from one of the print.",
 )
+
+# %%
 section.identity(
     "2.2.9",
     "epipolar line from the epipole and the point, by components",
@@ -733,21 +713,25 @@ section.identity(
     printed=vector(0, 0),
     derived=vector(dot(joining, epipole), dot(joining, u)),
 )
+
+# %% [markdown]
+# **Meaning.**  The line joins the epipole and the point.  For homologous points it is the line of (2.2.5).
+
+# %%
 section.up_to_scale(
     "2.2/beyond/two-ways",
     "the line through the epipole is the line of the homologous point",
     printed=cross(homogeneous(epipole_left), homogeneous(vector(up1, up2))).xreplace(singular),
     where={up1: solve(*linear_system([equation(Z_singular)], [up1]))[0]},
     derived=Z_singular * u_right,
-    note="Not in the paper: for homologous points (2.2.9) and (2.2.5) give the same line.  det(Z) = 0, solved for z12, "
-    "and the equation of correlation, solved for u'1, are put in.",
 )
 
 # %% [markdown]
 # ## The matrix of correlation from the parameters of orientation
 #
 # With $\mathbf P$ and $\mathbf y_0$ of section 1.3 for both images, $\mathbf C$ is a matrix of polynomials divided by
-# the two determinants $\Delta'$ and $\Delta''$.  The polynomials are made of differences between the images.
+# the two determinants $\Delta'$ and $\Delta''$.  The polynomials are made of differences between the images, and
+# satisfy (2.2.2).
 
 
 # %%
@@ -786,5 +770,4 @@ section.identity(
     printed=polynomials / (delta_left * delta_right),
     where=differences | {delta_left: primed(Delta, "p"), delta_right: primed(Delta, "pp")},
     derived=C_of_cameras,
-    note="Not in the paper: c00 = 0, c11 = -c01 - c10 and c22 = -c02 - c20 are (2.2.2).",
 )

@@ -1,9 +1,9 @@
 # %% [markdown]
 # # 2.3 Critical situations of projective image correlation
 #
-# The eight equations of section 2.2 fail where their determinant vanishes.  Five points beside the basic points decide
-# about that, through a determinant of quadratic forms: as a function of one of the points it is a quadric.  What the
-# paper says about it is judged here; s2_3_factorisation goes on from there.
+# Section 2.2 solves eight equations for eight unknowns.  When do they fail?  Five points beside the basic points decide
+# about that, through a determinant of quadratic forms.  As a function of one of the points it is a quadric.  Which
+# quadrics are dangerous?  The paper's answer is judged here; s2_3_factorisation gives the whole answer.
 
 # %%
 import sympy
@@ -48,10 +48,11 @@ from algebroproj_sym.expressions import (
 section = Section("fundamentals1996", "2.3", "Critical situations of projective image correlation")
 
 # %% [markdown]
-# ## Image coordinates
+# ## The images of a point are quotients of planes
 #
-# The rows of $\mathbf M^*$ are $\mathbf m_0^T, \mathbf m_1^T, \mathbf m_2^T$; applied to $(1, \mathbf y)$ they are the
-# denominator $d$ and the numerators $n_1, n_2$ of the image coordinates.
+# **Definition.**  The rows of $\mathbf M^*$ are $\mathbf m_0^T, \mathbf m_1^T, \mathbf m_2^T$; applied to $(1,
+# \mathbf y)$ they are the denominator $d$ and the numerators $n_1, n_2$ of the image coordinates.  Each of the three
+# is the equation of a plane through the center.
 
 # %%
 M = M_star[:3, :]
@@ -60,6 +61,10 @@ d, n1, n2, yj = sympy.symbols("d n1 n2 yj")
 image = u_of_y.subs(mu0, 1)
 denominator = 1 + (mu1 - 1) * y1 + (mu2 - 1) * y2 + (mu3 - 1) * y3
 
+# %% [markdown]
+# **Print.**  In the numerator $y$ has the index $j$ of the sum.  There is a sum in the denominator alone.
+
+# %%
 section.identity(
     "2.3.1",
     "image coordinates",
@@ -67,11 +72,16 @@ section.identity(
     derived=image,
     expect="misprint",
     corrected=vector((y1 * mu1 + y3 * u31 * mu3) / denominator, (y2 * mu2 + y3 * u32 * mu3) / denominator),
-    note="The first term of the numerator has y with the index j of the sum, of which there is one in the denominator "
-    "only; (1.3.1), to which the text refers, has y_i.  The coordinates of the sum carry a second index i that no "
-    "coordinate can have in a formula for one point; it is left out here.  The scan alone cannot tell a slip of the "
-    "scan from one of the print.",
+    note=(
+        "(1.3.1), to which the text refers, has y_i.  The second index of the coordinates of the sum is left out."
+        "  The scan alone cannot tell a slip of the scan from one of the print."
+    ),
 )
+
+# %% [markdown]
+# As quotients of the three forms they are right.
+
+# %%
 section.identity(
     "2.3.1#forms",
     "image coordinates as quotients of linear forms",
@@ -80,6 +90,11 @@ section.identity(
     derived=image,
 )
 section.identity("2.3/d", "the denominator", printed=denominator, derived=(M * point)[0])
+
+# %% [markdown]
+# Of the separate numerators the print drops the image coordinate of $G_3$, which (2.3.1) has.
+
+# %%
 section.identity(
     "2.3/n",
     "the numerators",
@@ -87,13 +102,13 @@ section.identity(
     derived=(M * point)[1:, :],
     expect="misprint",
     corrected=vector(y1 * mu1 + y3 * u31 * mu3, y2 * mu2 + y3 * u32 * mu3),
-    note="The image coordinate u_3i of the fourth basic point is missing in the second term; (2.3.1) has it.",
 )
 
 # %% [markdown]
 # ## The determinant of the eight equations
 #
-# `homologous` are the forms $(d', n'_1, n'_2)$ and $(d'', n''_1, n''_2)$ of one point.
+# **Definition.**  In the equations of 2.2 the image coordinates are replaced by these quotients.  A point enters by its
+# forms $(d', n'_1, n'_2)$ and $(d'', n''_1, n''_2)$.
 
 # %%
 dp, n1p, n2p, dpp, n1pp, n2pp = sympy.symbols("dp n1p n2p dpp n1pp n2pp")
@@ -107,6 +122,12 @@ def homologous(y: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
 
 
 d1p, d2p, d1pp, d2pp = sympy.symbols("d1p d2p d1pp d2pp")
+
+# %% [markdown]
+# **Print.**  The rows of the three basic points are numbers; one row stands for the points 3 to 7.  The print gives
+# $d$ two indices, for two coordinates that have one denominator.
+
+# %%
 section.identity(
     "2.3.2",
     "the matrix of the eight equations in object coordinates",
@@ -131,8 +152,6 @@ section.identity(
     | {denominators: homologous(point)[dpp] for denominators in (d1pp, d2pp)}
     | homologous(point),
     derived=basic_rows.col_join(design.xreplace(quotients).xreplace(homologous(point)))[:, :8],
-    note="The rows of the basic points and the row of one of the points 3 to 7.  d with two indices, d_1k and d_2k, is "
-    "the one denominator d_k of both coordinates.",
 )
 
 # %% [markdown]
@@ -155,7 +174,8 @@ section.identity("2.3/A7", "the determinants of A8 and A7", printed=determinant(
 # %% [markdown]
 # ## Six determinants of five points
 #
-# $\mathbf A_7$ has two ones in its first row, the second row of $\mathbf A_8$, and three in its second row.
+# $\mathbf A_7$ has two ones in its first row and three in its second row.  The paper expands by both: two times three
+# determinants of five points remain.
 
 
 # %%
@@ -171,10 +191,14 @@ section.identity(
     "two expansions leave six determinants of five points",
     printed=vector(2, 6),
     derived=vector(sum(A7.row(0)), len(minors)),
-    note="Two by the ones of the first row, and each of them three by the ones of the second row.",
 )
 subdeterminants = vector(*(sign * determinant(A7[2:, list(five)]) for sign, five in minors))
 
+# %% [markdown]
+# **Print.**  Each subdeterminant has five of seven columns, which the image products below name.  In the third and in
+# the sixth one a column is wrong.
+
+# %%
 entry = {
     "1": upp1,
     "2": upp2,
@@ -202,17 +226,15 @@ printed_terms = [
 SLIPS = {
     2: (
         partial(-1, "2", "11", "12", "20", "21"),
-        "The ones of columns 01 and 22 leave the columns 02, 11, 12, 20 and 21: the last numerator must be n'2 n''1 "
-        "over d'2 d''1, not n'2 n''2.  The sentence on complete coplanarity needs the columns 12 and 21 together in "
-        "every determinant.",
+        "The last numerator must be n'2 n''1 over d'2 d''1.  The sentence on complete coplanarity needs the columns 12 "
+        "and 21 together in every determinant.",
     ),
     5: (
         partial(-1, "1", "2", "12", "20", "21"),
-        "The second column must be n''2 over d''2; the print repeats its fourth column, n'2 over d'2, so that the "
-        "printed determinant is zero.",
+        "The second column must be n''2 over d''2.  With the fourth column repeated the determinant is zero.",
     ),
 }
-UNSURE = "  Signs and other columns are right.  The scan alone cannot tell a slip of the scan from one of the print."
+UNSURE = "  The scan alone cannot tell a slip of the scan from one of the print."
 for place, printed_term in enumerate(printed_terms):
     slip = SLIPS.get(place)
     section.identity(
@@ -222,6 +244,11 @@ for place, printed_term in enumerate(printed_terms):
         derived=subdeterminants[place],
         **({"expect": "misprint", "corrected": slip[0], "note": slip[1] + UNSURE} if slip else {}),
     )
+
+# %% [markdown]
+# With the two columns corrected the sum is the determinant.  All six signs are right.
+
+# %%
 section.identity(
     "2.3/A7#sum",
     "the determinant of A7 as a sum of six determinants",
@@ -229,15 +256,13 @@ section.identity(
     derived=determinant(A7),
     expect="misprint",
     corrected=sympy.Add(*(SLIPS[place][0] if place in SLIPS else term for place, term in enumerate(printed_terms))),
-    note="With the third and the sixth determinant corrected; the six signs are right.",
     same_as="2.3/A7#3",
 )
 
 # %% [markdown]
-# ## Coplanar points
+# ## May the points lie in one plane?
 #
-# In the plane of $G_0, G_1, G_2$ the two images are related by a projectivity, and the columns 12 and 21 are
-# proportional.  In the following the row of a point is multiplied by its $d' d''$.
+# In the plane of $G_0, G_1, G_2$, where $y_3 = 0$, the columns 12 and 21 are proportional.
 
 # %%
 in_plane = {y3: sympy.Integer(0)}
@@ -251,8 +276,11 @@ section.identity(
     printed=vector(mup1 * mupp2 * y1 * y2 / (dp * dpp), mup2 * mupp1 * y1 * y2 / (dp * dpp)),
     where={symbol: homologous(point.xreplace(in_plane))[symbol] for symbol in (dp, dpp)},
     derived=vector(entry["12"], entry["21"]).xreplace(quotients).xreplace(homologous(point.xreplace(in_plane))),
-    note="The print shows the first of the two columns, with the index k of the point.",
 )
+
+# %% [markdown]
+# So all six determinants vanish, if the five points lie in this plane.  From here on the row of a point is multiplied
+# by its $d' d''$, which changes no zero.
 
 
 # %%
@@ -276,12 +304,12 @@ section.identity(
     "all six determinants vanish for coplanar points",
     printed=Matrix.zeros(6, 1),
     derived=vector(*(determinant(rows_on_plane[:, list(five)]) for _, five in minors)),
-    note="The determinants as derived.  The third one as printed vanishes as well, but not for proportional columns.",
+    note=("The determinants as derived.  The third one as printed vanishes as well, but not for proportional columns."),
 )
 
 # %% [markdown]
-# The plane holds three independent conics through the basic points, hence the five columns of $\mathbf A_5$ below have
-# rank 3 there: four of five points in the plane are too many, three are not.
+# **Meaning.**  How many may lie there?  The plane holds three independent conics through the basic points.  So five
+# columns have rank 3 there: three of the five points may lie in the plane of the basic points, four are too many.
 
 # %%
 five_forms = divided(linear_system([dot(left, Z * right)], remaining)[0])
@@ -300,30 +328,36 @@ section.rank(
         vector(0, mup2 * mupp1, 0, -mup1 * mupp2, 0),
         vector(0, over(mup2 * (mup1 - mupp1), mup1), mupp2, 0, mup2 - mupp2),
     ],
-    note="Not in the paper, which only has that the rank is not 5.",
 )
+
+# %% [markdown]
+# The paper's two sentences agree.  Two of the points 3 to 7 have to be outside; nothing is special about $G_3$.  With
+# two outside, six coplanar points do no harm.
+
+# %%
 section.identity(
     "2.3/two-points",
     "the determinant vanishes if only one point is outside the plane",
     printed=0,
     derived=determinant(Matrix.vstack(*(forms_at(on_plane(k)) for k in range(4, 8)), forms_at(in_space(3)))),
-    note="At least two of the points 3 to 7 have to be outside the plane.  One of them may be G3; nothing is special "
-    "about it.",
 )
 section.rank(
     "2.3/six-coplanar",
     "six points may be coplanar",
     printed=5,
     derived=Matrix.vstack(*(forms_at(on_plane(k)) for k in range(3, 6)), *(forms_at(in_space(k)) for k in (6, 7))),
-    note="The three basic points and three others in their plane, two points outside of it: the equations are "
-    "independent in general.",
 )
+
+# %% [markdown]
+# Why does a plane say so little?  Two images of it are related by a projectivity, as in a rectification.  It predicts
+# one image from the other, and leaves the cameras open.
+
+# %%
 section.up_to_scale(
     "2.3/projectivity",
     "images of a plane are related by a projectivity",
     printed=flat_right * flat_left.adjugate() * M_left * on_plane(3),
     derived=M_right * on_plane(3),
-    note="Rectification is the subject of section 1.6, as the text says.",
 )
 section.vanishing(
     "2.3/projectivity#regular",
@@ -335,8 +369,8 @@ section.vanishing(
 # %% [markdown]
 # ## The determinant of five equations
 #
-# Column operations leave one 1 in each of the first two rows of $\mathbf A_7$: column 01 is subtracted from column 11,
-# and column 02 from the columns 20 and 22.
+# The same number has a shorter form.  Column operations leave one 1 in each of the first two rows of $\mathbf A_7$:
+# column 01 is subtracted from column 11, and column 02 from the columns 20 and 22.
 
 # %%
 operations = Matrix(7, 7, lambda i, j: int(i == j) - int((i, j) in ((0, 2), (1, 4), (1, 6))))
@@ -347,8 +381,13 @@ section.identity(
     "A7 after the column operations",
     printed=Matrix.eye(7)[:2, :],
     derived=A7_reduced[:2, :],
-    note="The first column is subtracted from the third, the second from the fifth and the seventh, as the text says.",
 )
+
+# %% [markdown]
+# The paper then expands "with respect to the first columns".  It must be the rows: the first row has a single
+# element, the first column has the coordinate $u''_1$ of every point.
+
+# %%
 section.identity(
     "2.3/A5#expansion",
     "the line along which the determinant is expanded has one element",
@@ -356,15 +395,25 @@ section.identity(
     derived=A7_reduced[0, :].T,
     expect="misprint",
     corrected=vector(1, *[0] * 6),
-    note="Printed: expanding two times with respect to the first columns.  The first column keeps the coordinates u''1 "
-    "of all points; the first row, and then the next one, has a single element.",
+    note="Printed: expanding two times with respect to the first columns.",
 )
+
+# %% [markdown]
+# What remains is the determinant of the five equations (2.2.4).
+
+# %%
 section.identity(
     "2.3/A5",
     "the determinant is that of the five equations (2.2.4)",
     printed=determinant(A5),
     derived=determinant(A7),
 )
+
+# %% [markdown]
+# **Print.**  Each entry is a product of two planes, one of each image; the third entry is a difference of two
+# products.  Which row belongs to which image cannot be read: the scan lost a prime here and doubled a T there.
+
+# %%
 m0_left, m1_left, m2_left = (M_left.row(i).T for i in range(3))
 m0_right, m1_right, m2_right = (M_right.row(i).T for i in range(3))
 planes = {
@@ -378,8 +427,7 @@ outer["20"] = dot(point, (m2_left * m0_right.T - m2_right * m0_left.T) * point)
 both_denominators = dot(m0_left, point) * dot(m0_right, point)
 COLUMNS = ("11", "12", "20", "21", "22")
 PRIMES = (
-    "The scan shows two primes as one and a double prime with T as TT.  With single primes only, as scanned, no row of "
-    "the second image would be left, and the third entry would vanish.  The equation (2.2.4), to which the text "
+    "With single primes only, as scanned, no row of the second image would be left.  (2.2.4), to which the text "
     "refers, decides which rows belong to which image; where the scan shows TT it agrees."
 )
 for place, name in enumerate(COLUMNS):
@@ -395,7 +443,8 @@ for place, name in enumerate(COLUMNS):
     )
 
 # %% [markdown]
-# The denominators are common to a row: only the numerators, quadratic forms of $(1, \mathbf y)$, decide.
+# **Meaning.**  The denominators are common to a row and cancel.  Only the numerators decide, quadratic forms of
+# $(1, \mathbf y)$.
 
 
 # %%
@@ -412,9 +461,10 @@ section.identity(
 )
 
 # %% [markdown]
-# ## The quadric
+# ## Where may the last point not lie?
 #
-# The rows 3 to 6 are any numbers here.  $D_l$ is the minor without column $l$.
+# **Definition.**  Four points are fixed, the last one moves.  The determinant is expanded with respect to the last row;
+# $D_l$ is the minor of the fixed rows without column $l$.
 
 # %%
 fixed_rows = Matrix(4, 5, sympy.symbols("f(3:7)(1:6)"))
@@ -440,8 +490,12 @@ section.identity(
             for place, element in enumerate(last_row)
         )
     ),
-    note="What the scan preserves of (2.3.3).",
 )
+
+# %% [markdown]
+# **Print.**  The signs of (2.3.3) are legible, the primes are not.
+
+# %%
 section.identity(
     "2.3.3",
     "the determinant as a function of the last point",
@@ -450,16 +504,20 @@ section.identity(
     derived=determinant(fixed_rows.col_join(forms_at(point))),
     expect="illegible",
     corrected=outer["11"] * D1 - outer["12"] * D2 + outer["20"] * D3 - outer["21"] * D4 + outer["22"] * D5,
-    note=f"The five signs are legible, see 2.3.3#signs.  {PRIMES}",
+    note=PRIMES,
 )
 
 # %% [markdown]
-# With the signs the minors are the elements of a matrix $\mathbf X$ that has the pattern of $\mathbf Z$ but for a zero
-# in the place of the 1: the quadratic form is $(\mathbf M' \mathbf y)^T \mathbf X (\mathbf M'' \mathbf y)$.
+# **Meaning.**  The signed minors are the elements of a matrix $\mathbf X$ that looks like $\mathbf Z$, with a zero in
+# the place of the 1.  The determinant is the quadratic form $(\mathbf M' \mathbf y)^T \mathbf X (\mathbf M'' \mathbf
+# y)$, and where it vanishes is a quadric.
 
 # %%
 signed = dict(zip(remaining, (D1, -D2, D3, -D4, D5), strict=True))
 X = divided(Z - Z.xreplace(dict.fromkeys(remaining, sympy.Integer(0)))).xreplace(signed)
+X
+
+# %%
 bilinear = M_left.T * X * M_right
 
 
@@ -478,13 +536,23 @@ section.identity(
     printed=outer["11"] * D1 - outer["12"] * D2 + outer["20"] * D3 - outer["21"] * D4 + outer["22"] * D5,
     derived=surface,
 )
+
+# %% [markdown]
+# As a symmetric matrix it is the sum of both orders.
+
+# %%
 section.identity(
     "2.3/Q",
     "the quadric as a symmetric matrix",
     printed=dot(point, Q_of_minors * point),
     derived=dot(forms_at(point), vector(D1, -D2, D3, -D4, D5)),
-    note="Q consists of the minors and of symmetrised outer products of the rows of both matrices.",
 )
+
+# %% [markdown]
+# This is no statement about any four rows alone.  With two cameras and five points put in, both sides agree as
+# polynomials in all 25 variables.
+
+# %%
 four_points = [in_space(k) for k in range(3, 7)]
 minors_of_points = dict(zip(D, minors_of(Matrix.vstack(*map(forms_at, four_points))), strict=True))
 section.identity(
@@ -493,13 +561,12 @@ section.identity(
     printed=dot(M_left * point, X * (M_right * point)),
     where=minors_of_points,
     derived=determinant(Matrix.vstack(*map(forms_at, (*four_points, point)))),
-    note="Not in the paper: both sides as polynomials in all 25 variables.",
 )
 
 # %% [markdown]
-# ## Points of the quadric
+# ## Which points lie on the quadric?
 #
-# A center is taken to zero by the matrix of its image, (1.1.7).
+# Both centers do: a center is taken to zero by the matrix of its image, (1.1.7), whatever the minors are.
 
 # %%
 center_left, center_right = primed(homogeneous_center, "p"), primed(homogeneous_center, "pp")
@@ -520,15 +587,19 @@ section.identity(
     "both centers are points of the quadric",
     printed=vector(0, 0),
     derived=vector(surface_at(center_left), surface_at(center_right)),
-    note="For any minors D.",
 )
+
+# %% [markdown]
+# So do the four fixed points, as a determinant with two equal rows is zero.  And so do $G_0, G_1, G_2$, where each of
+# the five forms vanishes.  The paper does not say this.  Where the determinant vanishes there are *ten* points on the
+# quadric, not seven.
+
+# %%
 section.identity(
     "2.3/beyond/fixed-points",
     "the four fixed points are points of the quadric",
     printed=Matrix.zeros(4, 1),
     derived=vector(*(determinant(fixed_rows.col_join(fixed_rows[k, :])) for k in range(4))),
-    note="Not in the paper: a determinant with two equal rows.  The fifth point is one exactly if the determinant "
-    "vanishes, by (2.3.3).",
 )
 basic_points = [homogeneous(e) for e in (e0, e1, e2)]
 section.identity(
@@ -536,23 +607,27 @@ section.identity(
     "the basic points of the images are points of the quadric",
     printed=Matrix.zeros(3, 5),
     derived=Matrix.vstack(*map(forms_at, basic_points)),
-    note="Not in the paper: each of the five forms vanishes at G0, G1 and G2, hence the whole quadric does.  Where the "
-    "determinant vanishes ten points lie on it, not seven.",
 )
+
+# %% [markdown]
+# $G_3$ is a point like any other.  It lies on the quadric exactly if its images satisfy the bilinear equation.
+
+# %%
 up31, up32, upp31, upp32 = (*primed(fourth_image, "p"), *primed(fourth_image, "pp"))
 section.vanishing(
     "2.3/beyond/G3",
     "the fourth basic point is not a point of the quadric in general",
     printed=(mup3, mupp3, dot(vector(1, up31, up32), X * vector(1, upp31, upp32))),
     derived=surface_at(homogeneous(e3)),
-    note="Not in the paper: G3 lies on it exactly if its images satisfy the bilinear equation, as for any other point.",
 )
 
 # %% [markdown]
-# ## Which quadrics are critical
+# ## Is it the ruled quadrics that are critical?
 #
-# Through seven points there is always a quadric, and in general many.  Five points and the centers on a ruled quadric
-# make the determinant vanish only if $G_0$, $G_1$ and $G_2$ lie on it as well.
+# **The paper's answer.**  $\mathbf A_5$ becomes singular if the points 3 to 7 and both centers lie on a ruled quadric.
+#
+# **A counterexample.**  Take them on the hyperbolic paraboloid $y_3 = y_1 y_2 + 1$, on which the basic points do not
+# lie.  The five equations stay independent.
 
 
 # %%
@@ -585,9 +660,10 @@ section.rank(
     derived=equations(*saddle_cameras, [homogeneous(y) for y in saddle[2:]]),
     expect="false",
     instead="2.3/beyond/theorem",
-    note="Both centers and the points 3 to 7 lie on the hyperbolic paraboloid y3 = y1 y2 + 1, the basic points do not: "
-    "A5 is regular.  The sentence is right if its quadric is the one of (2.3.3), on which the basic points lie.  "
-    "Nor is a quadric necessary: 2.3/beyond/normalisation#A5.",
+    note=(
+        "The sentence is right if its quadric is the one of (2.3.3), on which the basic points lie.  Nor is a "
+        "quadric necessary: 2.3/beyond/normalisation#A5."
+    ),
     grade="results",
     follows="A test of these seven points for a ruled quadric rejects good configurations: in the example they lie "
     "on one, and the five equations are independent. The quadric has to contain the three basic points as "
@@ -608,18 +684,22 @@ QuadricDrawing(
     named(saddle),
 )
 
+# %% [markdown]
+# **Meaning.**  A quadric through seven points says nothing.  It has ten coefficients, and seven points impose seven
+# conditions: there is always one, and in general there are many.
+
 # %%
 section.rank(
     "2.3/beyond/seven-points",
     "conditions that seven points impose on a quadric",
     printed=7,
     derived=Matrix.vstack(*(monomials(in_space(k)) for k in range(1, 8))),
-    note="Not in the paper: seven conditions for ten coefficients leave quadrics through any seven points.",
 )
 
 # %% [markdown]
-# The sphere with the diameter $G_0$ to $(1, 1, 1)$ goes through the basic points; the second intersections of lines
-# through $G_0$ are rational points of it.
+# **And need it be ruled?**  No straight line lies on a sphere.  Take the one with the diameter from $G_0$ to $(1, 1,
+# 1)$, which goes through the basic points.  Lines through $G_0$ meet it again in points with rational coordinates:
+# two of them become centers, five become points, $G_3$ first.
 
 
 # %%
@@ -657,6 +737,11 @@ def dependence(matrix: Matrix) -> Matrix:
     return vector(m1, -m2, m3, -m4, m5)
 
 
+# %% [markdown]
+# With ten points on the sphere the five equations are dependent, although both cameras are regular.  The relative
+# orientation itself fails on ruled quadrics alone.  But the linear equations fail on every quadric.
+
+# %%
 sphere = equations(*on_quadric(diagonal(1, 1, 1)))
 section.rank(
     "2.3/beyond/sphere",
@@ -664,10 +749,6 @@ section.rank(
     printed=4,
     derived=sphere,
     kernel=[dependence(sphere)],
-    note="Not in the paper, which calls ruled quadrics critical and says nothing of others.  Both centers, the basic "
-    "points, G3 as point 3 and four further points lie on a sphere, with regular cameras.  For relative orientation "
-    "itself only ruled quadrics are critical, but the linear equations fail on every quadric: see "
-    "2.3/beyond/discriminant.",
 )
 QuadricDrawing(
     "Both centers, the basic points and the points P3 to P7 lie on a sphere, which is not ruled, and yet the five "
@@ -679,8 +760,8 @@ QuadricDrawing(
 # %% [markdown]
 # ## Vanishing columns
 #
-# If the form of one column is zero at all five points, the determinant is zero.  That is no surface beside the general
-# one: such a form is a special $\mathbf Q$.
+# The paper adds three cases.  A column that is zero at all five points makes the determinant zero: in the plane
+# $n''_1 = 0$ or $n''_2 = 0$ through the right center, and so for the left image, and on a certain quadric.
 
 # %%
 
@@ -709,8 +790,14 @@ for number, title, form, solved, zero_columns in (
         printed=5 - len(zero_columns),
         derived=Matrix.vstack(*(forms_at(on_form(form, solved, k)) for k in GENERAL)),
         kernel=[vector(*(int(j == place) for j in range(5))) for place in zero_columns],
-        note="A column with a factor of the left image vanishes in a plane through the left center as well.",
     )
+
+# %% [markdown]
+# They are right, but no cases of their own.  The surface of a column is the quadric $\mathbf Q$ with one minor alone:
+# it contains both centers as all of them do.  Four are pairs of planes, one through each center; the third carries
+# lines, as its determinant is a square.
+
+# %%
 section.identity(
     "2.3/columns#centers",
     "the surface of every column contains both centers",
@@ -726,7 +813,6 @@ for place, (name, minor) in enumerate(zip(COLUMNS, D, strict=True)):
             f"the surface of column {place + 1} is a pair of planes",
             printed=first * second.T + second * first.T,
             derived=column_quadric,
-            note="Not in the paper: one plane through each center.",
         )
     else:
         section.identity(
@@ -734,16 +820,15 @@ for place, (name, minor) in enumerate(zip(COLUMNS, D, strict=True)):
             f"the surface of column {place + 1} is a ruled quadric",
             printed=over(determinant(columns(m2_left, m0_right, m2_right, m0_left)) ** 2, 16),
             derived=determinant(column_quadric),
-            note="Not in the paper: the surface m2' m0'' = m2'' m0' carries lines, and its determinant is a square.",
         )
 
 # %% [markdown]
-# ## Rasters
+# ## Are rasters of points dangerous?
 #
-# Let the third axis be vertical.  In Gruber's arrangement two columns of points go through the two nadir points: all
-# points, and the centers above the nadir points, lie in two vertical planes, whatever the heights.  The condition for
-# a center in the plane $y_1 = 0$ is $u'_{31} = 0$, the one for $y_1 = 1$ is solved for $u''_{31}$.  The equations are
-# those for all six elements, $c_{10}$ the last one: it is not the division that fails.
+# Let the third axis be vertical.  In Gruber's arrangement two columns of points go through the two nadir points.
+# Then all points lie in two vertical planes, whatever the heights, and the centers above the nadir points do as well.
+# Two planes are a quadric.  The left center is in the plane $y_1 = 0$ if $u'_{31} = 0$; for the right one in $y_1 =
+# 1$ there is a condition for $u''_{31}$.
 
 # %%
 six_forms = five_forms.row_join(Matrix([[n1p * dpp - dp * n1pp]]))
@@ -759,7 +844,13 @@ section.identity(
     derived=vector(center_left[1], center_right[1] - center_right[0]).xreplace(in_columns),
 )
 
+# %% [markdown]
+# $G_0$, $G_2$ and two points lie in one column, $G_1$ and three points in the other.  The equations here are those
+# for all six elements, $c_{10}$ the last one: it is not the division that fails.  They have two solutions.  One is
+# the pair of planes, the other the true matrix of correlation.
 
+
+# %%
 def on_column(k: int, column: int) -> Matrix:
     return vector(1, column, *sympy.symbols(f"y{k}2 y{k}3"))
 
@@ -774,13 +865,11 @@ section.rank(
         vector(1, (mupp2 - 1) / mupp2, 0, 0, 0, -1),
         vector(*(C0[i, j] for i, j in ((1, 1), (1, 2), (2, 0), (2, 1), (2, 2), (1, 0)))).xreplace(in_columns),
     ],
-    note="G0, G2 and two points in one column, G1 and three points in the other, all heights and distances free.  The "
-    "first kernel vector stands for the pair of planes, the second one for the true matrix of correlation.  Where a "
-    "row of the raster from G0 to G1 is parallel to the base, the division fails as well: 2.3/beyond/divisor#parallel.",
 )
 
 # %% [markdown]
-# But a regular raster as such is not critical, if the heights are irregular.
+# A regular raster as such is not critical.  Eight nodes of a square raster of nine, with general heights, give five
+# independent equations.
 
 # %%
 raster = [(1, 1), (-1, 0), (-1, 1), (-1, -1), (1, -1)]
@@ -791,47 +880,4 @@ section.rank(
     derived=Matrix.vstack(
         *(forms_at(vector(1, *node, sympy.Symbol(f"y{k}3"))) for k, node in zip(GENERAL, raster, strict=True))
     ),
-    note="Not in the paper, which advises against a raster that corresponds to Gruber's; that one is critical: "
-    "2.3/gruber.  Eight nodes of a square raster of nine, with general heights and cameras, give five independent "
-    "equations.",
-)
-
-# %% [markdown]
-# ## Code
-#
-# The determinant stays a nested product of shared minors.
-
-# %%
-ABOUT_IMAGES = "five points (u1, u2) in affine coordinates, referred to the images of G0, G1, G2; dimensionless."
-factored_row = Matrix([[upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1)]])
-five_left, five_right = (Matrix(5, 2, sympy.symbols(f"{name}(3:8)(1:3)")) for name in ("up", "upp"))
-section.kernel(
-    "critical.determinant",
-    "Determinant of the five equations for the matrix of correlation.",
-    arguments={"u_left": five_left, "u_right": five_right},
-    describe={"u_left": f"Left image: {ABOUT_IMAGES}", "u_right": f"Right image: {ABOUT_IMAGES}"},
-    derived=determinant(A8),
-    form=determinant(Matrix.vstack(*(at(factored_row, index) for index in GENERAL))),
-    claims=["2.3/A7", "2.3/A5"],
-    example={
-        "u_left": (("0.25", "0.125"), ("0.625", "0.75"), ("-0.5", "0.875"), ("1.25", "-0.375"), ("0.75", "1.5")),
-        "u_right": (("0.3125", "-0.25"), ("0.5", "0.875"), ("-0.625", "0.75"), ("1.125", "-0.25"), ("0.875", "1.25")),
-    },
-    normwise=True,
-)
-Q = Matrix(4, 4, sympy.symbols("q:4:4"))
-section.kernel(
-    "critical.algebraic_distance",
-    "Value of the quadratic form of a quadric at a point; zero on the quadric.",
-    arguments={"Q": Q, "y": vector(y1, y2, y3)},
-    describe={
-        "Q": "Quadric in homogeneous coordinates (1, y1, y2, y3), as critical.quadric gives it; all entries are used.",
-        "y": "Point (y1, y2, y3) in affine coordinates; dimensionless.",
-    },
-    derived=dot(point, Q * point),
-    claims=["2.3/Q"],
-    example={
-        "Q": (("0", "-1", "-1", "-1"), ("-1", "2", "0", "0"), ("-1", "0", "2", "0"), ("-1", "0", "0", "2")),
-        "y": ("0.625", "0.75", "0.25"),
-    },
 )

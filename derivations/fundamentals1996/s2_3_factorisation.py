@@ -1,28 +1,25 @@
 # %% [markdown]
 # # 2.3 Critical situations: what is true
 #
-# The determinant of the five equations is a product, but for factors that vanish only where a center coincides with a
-# basic point: one factor vanishes where the element that the equations are divided by does, the other one where ten
-# points lie on a quadric.  The quadric may be of any type.  Whether the images themselves are ambiguous, and not the
-# linear equations alone, depends on the sign of its determinant.  None of this is in the paper.
+# When exactly do the five equations fail?  Their determinant is a product.  One factor vanishes where the element that
+# the equations are divided by does.  The other one vanishes where ten points lie on a quadric, of any type.  Are the
+# images themselves ambiguous then, or is it the linear equations alone that fail?  The sign of one determinant tells.
+# None of this is in the paper.
 
 # %%
 from itertools import combinations
 
 import sympy
 
-from algebroproj_derivations.drivers import classify
 from algebroproj_derivations.figures import QuadricDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
-from algebroproj_derivations.fundamentals1996.s2_2_correlation import differences, primed, q2
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import differences, q2
 from algebroproj_derivations.fundamentals1996.s2_3_critical_situations import (
     C0,
     GENERAL,
     D,
     M_left,
     M_right,
-    Q,
-    Q_of_minors,
     basic_points,
     center_left,
     center_right,
@@ -30,11 +27,9 @@ from algebroproj_derivations.fundamentals1996.s2_3_critical_situations import (
     diagonal,
     equations,
     forms_at,
-    four_points,
     homologous,
     in_space,
     minors_of,
-    minors_of_points,
     monomials,
     mup1,
     mup2,
@@ -58,9 +53,9 @@ section = Section("fundamentals1996", "2.3", "Critical situations: what is true"
 # %% [markdown]
 # ## Quadrics through the basic points
 #
-# Ten products of two homogeneous coordinates give a quadric its ten coefficients.  $G_0$, $G_1$ and $G_2$ impose three
-# independent conditions; seven products that vanish there remain.  $\mathbf q(\mathbf y)$ is the row of the seven
-# products, and the forms of the equations for all six elements are $\mathbf q(\mathbf y) \mathbf W$.
+# **Definition.**  A quadric has ten coefficients, one for each product of two homogeneous coordinates $h_i h_j$.
+# $G_0$, $G_1$ and $G_2$ impose three independent conditions.  Seven products that vanish there remain, the row
+# $\mathbf q(\mathbf h)$:
 
 # %%
 any_point = vector(*sympy.symbols("h0:4"))
@@ -71,6 +66,29 @@ def seven_products(y: Matrix) -> Matrix:
     return Matrix([[h1 * (h1 - h0), h2 * (h2 - h0), h3 * h3, h0 * h3, h1 * h2, h1 * h3, h2 * h3]])
 
 
+seven_products(any_point)
+
+# %% [markdown]
+# The seven products are the kernel of the three conditions.
+
+# %%
+section.rank(
+    "2.3/beyond/basic-conditions",
+    "the basic points impose three conditions on a quadric",
+    printed=3,
+    derived=Matrix.vstack(*map(monomials, basic_points)),
+    kernel=[
+        Matrix(10, 1, [sympy.Poly(product, *any_point).coeff_monomial(one) for one in monomials(any_point)])
+        for product in seven_products(any_point)
+    ],
+)
+
+# %% [markdown]
+# The equations for all six elements are quadrics of this kind: their forms are $\mathbf q(\mathbf h) \mathbf W$, with
+# a matrix $\mathbf W$ of the cameras alone.  All six vanish at both centers.
+
+
+# %%
 def coefficients(form: sympy.Expr) -> Matrix:
     """Return the coefficients of a quadratic form that vanishes at the basic points."""
     h0, h1, h2, h3 = any_point
@@ -81,18 +99,6 @@ def coefficients(form: sympy.Expr) -> Matrix:
 
 forms = six_forms.xreplace(homologous(any_point))
 W = columns(*map(coefficients, forms))
-
-section.rank(
-    "2.3/beyond/basic-conditions",
-    "the basic points impose three conditions on a quadric",
-    printed=3,
-    derived=Matrix.vstack(*map(monomials, basic_points)),
-    kernel=[
-        Matrix(10, 1, [sympy.Poly(product, *any_point).coeff_monomial(one) for one in monomials(any_point)])
-        for product in seven_products(any_point)
-    ],
-    note="The kernel vectors are the seven products.",
-)
 section.identity(
     "2.3/beyond/forms",
     "the six forms in terms of the seven products",
@@ -108,7 +114,7 @@ section.identity(
 )
 
 # %% [markdown]
-# The sixth form is no new one: the true matrix of correlation $\mathbf C_0$ gives the zero form, as
+# **How many quadrics are these?**  Not six.  The true matrix of correlation $\mathbf C_0$ gives the zero form, as
 # $\mathbf M'^T \mathbf C_0 \mathbf M''$ is skew-symmetric.
 
 # %%
@@ -120,13 +126,18 @@ section.identity(
     printed=Matrix.zeros(4, 4),
     derived=skew + skew.T,
 )
+
+# %% [markdown]
+# **Meaning.**  Five of ten dimensions remain.  As many quadrics go through the three basic points and both centers.
+# So the equations know all of these, and nothing else.
+
+# %%
 section.rank(
     "2.3/beyond/forms-rank",
     "the quadrics through the centers and the basic points",
     printed=5,
     derived=W,
     kernel=[elements],
-    note="Five of ten dimensions: the forms of the equations are all quadrics through the five points.",
 )
 section.identity(
     "2.3/beyond/skew#singular",
@@ -136,15 +147,17 @@ section.identity(
 )
 
 # %% [markdown]
-# ## The factorisation
+# ## The determinant is a product
 #
-# The equations of five points are $\mathbf V \mathbf W$, with the seven products of each point in a row of
+# **Claim.**  $\mu'_1 \mu'_2 \mu''_1 \mu''_2 \det \mathbf A_5 = c_{10}\, T$, with the denominators of $\mathbf A_5$
+# cleared.  $T$ is a determinant of ten points: both centers, $G_0, G_1, G_2$ and the points 3 to 7.  It is zero
+# exactly if they lie on a quadric.
+#
+# **Proof.**  The equations of five points are $\mathbf V \mathbf W$, with the seven products of each point in a row of
 # $\mathbf V$.  Let $S$ be five of the seven products, and $\mathbf V_S$, $\mathbf W_S$ the columns and rows that belong
-# to them.  By Cauchy and Binet, a minor of $\mathbf V \mathbf W$ is the sum of $\det \mathbf V_S \det \mathbf W_S$ over
-# the 21 sets $S$.  By Laplace, the determinant of the seven products at both centers and at the five points is the sum
-# of $\pm \det \mathbf V_S$ times the minor of the centers with the two other products.  The two sums agree term by
-# term, but for the factor in the claim: wherever the points are, a minor is the determinant $T$ of ten points times an
-# element of $\mathbf C_0$.
+# to them.  By Cauchy and Binet $\det \mathbf V \mathbf W$ is the sum of $\det \mathbf V_S \det \mathbf W_S$ over the 21
+# sets $S$.  By Laplace $T$ is the sum of $\pm \det \mathbf V_S$ times the minor of the centers with the two other
+# products.  The two sums agree term by term, wherever the points are.
 
 # %%
 FIVES = list(combinations(range(7), 5))
@@ -161,39 +174,29 @@ def minor_of_forms(five: tuple[int, ...], skipped: int) -> sympy.Expr:
     return determinant(W[list(five), [column for column in range(6) if column != skipped]])
 
 
-def is_product(number: str, title: str, skipped: int, note: str) -> None:
+def is_product(number: str, title: str, skipped: int) -> None:
     section.identity(
         number,
         title,
         printed=(-1) ** (skipped + 1) * elements[skipped] * vector(*map(minor_of_centers, FIVES)),
         derived=scale * vector(*(minor_of_forms(five, skipped) for five in FIVES)),
-        note=note,
     )
 
 
-is_product(
-    "2.3/beyond/theorem",
-    "the determinant of the five equations is a product",
-    skipped=5,
-    note="Term by term, for the 21 choices of five products: mu1' mu2' mu1'' mu2'' det(A5) times all d'_k d''_k is "
-    "c10 T.  T vanishes exactly where both centers, G0, G1, G2 and the points 3 to 7 lie on a quadric.  For cameras "
-    "with nonzero mu, A5 is singular in this case, where c10 = 0, and nowhere else.",
-)
+is_product("2.3/beyond/theorem", "the determinant of the five equations is a product", skipped=5)
+
+# %% [markdown]
+# **Would another divisor help?**  With $c_{11}$ or any other element in the place of $c_{10}$ the same is true.  On a
+# quadric all six minors vanish, and no choice of the divisor helps.
+
+# %%
 for skipped, element in enumerate(("c11", "c12", "c20", "c21", "c22")):
-    is_product(
-        f"2.3/beyond/theorem#{element}",
-        f"the determinant after division by {element} is a product",
-        skipped,
-        note=f"As in 2.3/beyond/theorem, with {element} in the place of c10.  On a quadric all six minors vanish: no "
-        "choice of the divisor helps.",
-    )
+    is_product(f"2.3/beyond/theorem#{element}", f"the determinant after division by {element} is a product", skipped)
 
 # %% [markdown]
 # ## The other factors
 #
-# $c_{10} = 0$ is a fault of normalisation alone: $\mathbf C_0$ cannot be divided by this element, but the six
-# homogeneous equations still determine it.  It means that $G_0$ and $G_1$ are coplanar with the base, for instance
-# parallel to it, as in a raster that is aligned with the base.
+# When is $c_{10} = 0$?  Where the centers are coplanar with $G_0$ and $G_1$.
 
 # %%
 section.vanishing(
@@ -210,6 +213,11 @@ section.vanishing(
     where=differences,
     derived=determinant(columns(center_left, center_right, *basic_points[:2])),
 )
+
+# %% [markdown]
+# The base may be parallel to the line from $G_0$ to $G_1$, for instance, as in a raster that is aligned with it.
+
+# %%
 distance = sympy.Symbol("distance")
 section.identity(
     "2.3/beyond/divisor#parallel",
@@ -217,6 +225,12 @@ section.identity(
     printed=0,
     derived=determinant(columns(homogeneous(center), homogeneous(center + distance * e1), *basic_points[:2])),
 )
+
+# %% [markdown]
+# **Meaning.**  This is a fault of the normalisation alone.  $\mathbf C_0$ cannot be divided by this element, but the
+# six homogeneous equations still determine it.
+
+# %%
 coplanar = {upp32: over(mupp2 * mup3 * up32, mup2 * mupp3)}
 six_rows = Matrix.vstack(*(six_forms.xreplace(homologous(in_space(k))) for k in GENERAL)).xreplace(coplanar)
 section.rank(
@@ -225,7 +239,6 @@ section.rank(
     printed=5,
     derived=six_rows,
     kernel=[elements.xreplace(coplanar)],
-    note="The matrix of correlation is determined, with c10 = 0.",
 )
 section.rank(
     "2.3/beyond/normalisation#A5",
@@ -250,13 +263,10 @@ for index, (parameter, basic_point) in enumerate(((mup1, e1), (mup2, e2)), start
 # %% [markdown]
 # ## Linear failure and true ambiguity
 #
-# Where the equations fail, any other solution $\mathbf C_1$ spans with $\mathbf C_0$ a pencil of solutions, and
-# $\mathbf M'^T \mathbf C_1 \mathbf M''$ gives the quadric.  But a matrix of correlation must be singular.  The
-# determinant of $\mathbf C_1 + t \mathbf C_0$ is of second degree in $t$, as $\mathbf C_0$ is singular itself, and its
-# discriminant is the determinant of the quadric.  A negative one leaves no other real matrix of correlation, a positive
-# one leaves two; among the quadrics with real points the sign tells those with two families of real lines from those
-# with none.  The images are ambiguous on ruled quadrics, as Krames and Wunderlich found for relative orientation; on
-# the others it is the linear method alone that fails, and $\det \mathbf C = 0$ still selects the true solution.
+# Where the equations fail, another solution $\mathbf C_1$ spans a pencil of solutions with $\mathbf C_0$, and
+# $\mathbf M'^T \mathbf C_1 \mathbf M''$ gives the quadric.  But a matrix of correlation must be singular.  Which
+# members of the pencil are?  The determinant of $\mathbf C_1 + t \mathbf C_0$ is of second degree in $t$ only, as
+# $\mathbf C_0$ is singular itself.
 
 # %%
 t = sympy.Symbol("t")
@@ -275,18 +285,31 @@ section.identity(
     printed=lowest + t * linear + t**2 * quadratic,
     derived=determinant(C1 + t * C0),
 )
+
+# %% [markdown]
+# Its discriminant is the determinant of the quadric, here of $2 \mathbf Q$, for any matrix $\mathbf C_1$.
+
+# %%
 double_quadric = M_left.T * C1 * M_right + (M_left.T * C1 * M_right).T
 section.identity(
     "2.3/beyond/discriminant",
     "the discriminant of the pencil is the determinant of the quadric",
     printed=determinant(double_quadric),
     derived=linear**2 - 4 * lowest * quadratic,
-    note="For any matrix C1, 2Q being the symmetric matrix.  det(2Q) > 0 on hyperboloids of one sheet and hyperbolic "
-    "paraboloids: two other singular matrices of the pencil.  det(2Q) < 0 on ellipsoids, hyperboloids of two sheets "
-    "and elliptic paraboloids: none.  det(2Q) = 0 on cones, cylinders and pairs of planes: a double one, which for a "
-    "pair of planes may have rank 1 and then is no matrix of correlation.",
 )
 
+# %% [markdown]
+# **Meaning.**  The sign of $\det 2 \mathbf Q$ tells the quadrics that carry two families of real lines from those
+# with none.
+#
+# * $\det 2 \mathbf Q > 0$: one-sheeted hyperboloids, hyperbolic paraboloids.  There are two other singular matrices,
+#   and the images are ambiguous.
+# * $\det 2 \mathbf Q < 0$: ellipsoids, two-sheeted hyperboloids, elliptic paraboloids.  There is no other real one.
+#   The linear method alone fails, and $\det \mathbf C = 0$ still selects the true solution.
+# * $\det 2 \mathbf Q = 0$: cones, cylinders, pairs of planes.  There is a double one.  For a pair of planes it may
+#   have rank 1, and then is no matrix of correlation.
+
+# %%
 hyperboloid = diagonal(1, 1, -1)
 QuadricDrawing(
     "Both centers, the basic points and the points P3 to P7 on a hyperboloid of one sheet, which two families of lines "
@@ -296,13 +319,17 @@ QuadricDrawing(
 )
 
 # %% [markdown]
+# So the ruled quadrics are those on which the images are ambiguous, as Krames and Wunderlich found for relative
+# orientation.
+#
 # ## Invariants of a quadric
 #
-# A symmetric matrix has real eigenvalues.  By the rule of Descartes the signs of the coefficients of its
-# characteristic polynomial then count the positive and the negative ones exactly: rank and signature.  The matrix gives
-# them for the quadric, its block at infinity for the conic at infinity; both together are the affine type.
+# How can one tell of which type a quadric is?  A symmetric matrix has real eigenvalues.  By the rule of Descartes the
+# signs of the coefficients of its characteristic polynomial count the positive and the negative ones exactly: rank and
+# signature.  Those of the matrix and of its block at infinity, the conic at infinity, are the affine type.
 
 # %%
+Q = Matrix(4, 4, sympy.symbols("q:4:4"))
 symmetric = Matrix(4, 4, lambda i, j: Q[min(i, j), max(i, j)])
 at_infinity = symmetric[1:, 1:]
 
@@ -328,12 +355,11 @@ for name, matrix in (("whole", symmetric), ("at-infinity", at_infinity)):
         derived=determinant(t * Matrix.eye(size) - matrix),
     )
 
+# %% [markdown]
+# Do they depend on the coordinates?  Both matrices change by congruence, and the law of inertia says that rank and
+# signature stay.
 
-def coefficients_of(polynomial: sympy.Expr, degree: int) -> Matrix:
-    """Return the coefficients of a polynomial of t below the leading one."""
-    return vector(*(sympy.Poly(polynomial, t).coeff_monomial(t ** (degree - k)) for k in range(1, degree + 1)))
-
-
+# %%
 affine = Matrix(3, 3, sympy.symbols("a:3:3"))
 change = columns(homogeneous(vector(*sympy.symbols("b1:4"))), Matrix.zeros(1, 3).col_join(affine))
 section.identity(
@@ -341,15 +367,15 @@ section.identity(
     "the block at infinity in other affine coordinates",
     printed=affine.T * at_infinity * affine,
     derived=(change.T * symmetric * change)[1:, 1:],
-    note="By the law of inertia, rank and signature of both matrices do not depend on the affine coordinates.",
 )
 
 # %% [markdown]
 # ## Every type of quadric is critical
 #
-# For each quadric two regular cameras with their centers on it, and five points of it, $G_3$ first; the basic points
-# lie on all of them.  The quadric that the minors of four points give is compared with the chosen one; the paper
-# names hyperbolic paraboloid, cone and cylinder.
+# The paper names hyperbolic paraboloid, cone and cylinder.  For each type here are two regular cameras with their
+# centers on such a quadric, and five points of it, $G_3$ first.  The basic points lie on all of them.  The rank is 4,
+# and the quadric that the minors of four points give is the one that was chosen.  The invariants are the coefficients
+# of the characteristic polynomials below the leading 1.  The fourth one is the determinant.
 
 # %%
 ELLIPTIC_PARABOLOID = Matrix([[0, -1, -1, -1], [-1, 2, 0, -2], [-1, 0, 2, 0], [-1, -2, 0, 2]])
@@ -388,8 +414,6 @@ for slug, (chosen, whole, infinite) in TYPES.items():
         f"invariants, {name}",
         printed=vector(*whole, *infinite),
         derived=vector(*characteristic(chosen), *characteristic(chosen[1:, 1:])),
-        note="Coefficients of the characteristic polynomials of the matrix and of its block at infinity, below the "
-        "leading 1.  The fourth one is the determinant.",
     )
 
 # %% [markdown]
@@ -408,8 +432,9 @@ section.vanishing(
 # %% [markdown]
 # ## The vertices of a parallelepiped
 #
-# Through the vertices of a cube there are three independent quadrics, $y_j^2 = y_j$.  The two centers impose two more
-# conditions, and one quadric is left: eight points in the vertices of a parallelepiped are critical for all cameras.
+# Which points should one avoid?  Through the vertices of a cube there are three independent quadrics, $y_j^2 = y_j$.
+# The two centers impose two more conditions, and one quadric is left.  So eight points in the vertices of a
+# parallelepiped are critical for *all* cameras.  Two congruent squares of points in two levels are such a raster.
 
 # %%
 vertices = [vector(0, 0, 1), vector(1, 1, 0), vector(1, 0, 1), vector(0, 1, 1), vector(1, 1, 1)]
@@ -418,125 +443,4 @@ section.identity(
     "the basic points, G3 and the other vertices of their parallelepiped",
     printed=0,
     derived=determinant(Matrix.vstack(*(forms_at(homogeneous(vertex)) for vertex in vertices))),
-    note="For any two cameras.  Two congruent squares of points in two levels are a raster to avoid.",
 )
-
-# %% [markdown]
-# ## Code
-#
-# Computed from the minors of four equations, as in (2.3.3), the quadric loses all digits where cameras or points are
-# badly scaled: the forms share what the factorisation takes out.  The code has it from the ten points instead.  In
-# barycentric coordinates $b_j$ the basic points are unit vectors, and the seven products are those of two different
-# coordinates, and $b_3^2$.  The coordinates of a center are polynomials, whose products have the factor $\mu_1 \mu_2$;
-# without it, and with $c_{10}$, the signed minors of six rows are the coefficients of the quadric.
-
-# %%
-PAIRS = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3), (3, 3))
-SHARED: dict[sympy.Symbol, sympy.Expr] = {}
-
-
-def named(name: str, expression: sympy.Expr) -> sympy.Symbol:
-    """Return the symbol of an abbreviation."""
-    symbol = sympy.Symbol(name)
-    SHARED[symbol] = expression
-    return symbol
-
-
-def row_of_point(k: int) -> list[sympy.Symbol]:
-    b1, b2, b3 = in_space(k)[1:, :]
-    b = (named(f"b{k}", 1 - b1 - b2 - b3), b1, b2, b3)
-    return [named(f"f{k}_{i}{j}", b[i] * b[j]) for i, j in PAIRS]
-
-
-def row_of_center(primes: str) -> list[sympy.Symbol]:
-    m1, m2, m3 = primed(mu, primes)
-    v1, v2 = primed(fourth_image, primes)
-    v0 = named(f"u{primes}30", 1 - v1 - v2)
-    b = (v0 * m1 * m2 * m3, v1 * m2 * m3, v2 * m1 * m3, -m1 * m2)
-    return [named(f"f{primes}_{i}{j}", b[i] * b[j] / (m1 * m2)) for i, j in PAIRS]
-
-
-six_points = Matrix([*(row_of_point(k) for k in range(3, 7)), row_of_center("p"), row_of_center("pp")])
-minors = {(j,): six_points[5, j] for j in range(7)}
-for row in reversed(range(5)):
-    for chosen in combinations(range(7), 6 - row):
-        terms = [
-            (-1) ** place * six_points[row, j] * minors[chosen[:place] + chosen[place + 1 :]]
-            for place, j in enumerate(chosen)
-        ]
-        minors[chosen] = named("m" + "".join(map(str, chosen)), sympy.Add(*terms))
-
-divisor = named("c10", elements[5])
-cofactors = {
-    pair: named(f"r{pair[0]}{pair[1]}", (-1) ** place * divisor * minors[tuple(j for j in range(7) if j != place)])
-    for place, pair in enumerate(PAIRS)
-}
-
-
-def coefficient(i: int, j: int) -> sympy.Expr:
-    """Return twice an element of the quadric in barycentric coordinates."""
-    return cofactors.get((min(i, j), max(i, j)), sympy.Integer(0)) * (1 + int(i == j))
-
-
-def element(i: int, j: int) -> sympy.Expr:
-    """Return an element of the quadric in affine coordinates."""
-    if i == j == 3:
-        return cofactors[3, 3] - cofactors[0, 3]
-    if i == j:
-        return -coefficient(0, i)
-    if 0 in (i, j):
-        return over(coefficient(i, j), 2)
-    return over(coefficient(i, j) - coefficient(0, i) - coefficient(0, j), 2)
-
-
-section.kernel(
-    "critical.quadric",
-    "Quadric of the points that, with four given points, make the five equations singular.",
-    arguments={
-        "mu_left": primed(mu, "p"),
-        "u3_left": primed(fourth_image, "p"),
-        "mu_right": primed(mu, "pp"),
-        "u3_right": primed(fourth_image, "pp"),
-        "y": Matrix.vstack(*(y[1:, :].T for y in four_points)),
-    },
-    describe={
-        "mu_left": f"Left image: {ABOUT_MU}",
-        "u3_left": f"Left image: {ABOUT_U3}",
-        "mu_right": f"Right image: {ABOUT_MU}",
-        "u3_right": f"Right image: {ABOUT_U3}",
-        "y": "Four points (y1, y2, y3) in affine coordinates; dimensionless.",
-    },
-    derived=Q_of_minors.xreplace(minors_of_points),
-    form=Matrix(4, 4, element),
-    where=SHARED,
-    claims=["2.3.3", "2.3/X", "2.3/Q", "2.3/beyond/theorem"],
-    example={
-        "mu_left": ("0.625", "0.75", "0.5"),
-        "u3_left": ("0.25", "0.125"),
-        "mu_right": ("0.75", "0.625", "0.875"),
-        "u3_right": ("0.3125", "-0.25"),
-        "y": (
-            ("0.625", "0.75", "0.25"),
-            ("-0.5", "0.875", "0.125"),
-            ("1.25", "-0.375", "-0.25"),
-            ("0.75", "1.5", "0.375"),
-        ),
-    },
-    normwise=True,
-)
-section.kernel(
-    "critical.invariants",
-    "Coefficients below the leading ones in the characteristic polynomials of a quadric and its block at infinity.",
-    arguments={"Q": Q},
-    describe={
-        "Q": "Symmetric matrix of a quadric in homogeneous coordinates (1, y1, y2, y3); the upper triangle is used."
-    },
-    derived={
-        "whole": coefficients_of(determinant(t * Matrix.eye(4) - symmetric), 4),
-        "at_infinity": coefficients_of(determinant(t * Matrix.eye(3) - at_infinity), 3),
-    },
-    form={"whole": characteristic(symmetric), "at_infinity": characteristic(at_infinity)},
-    claims=["2.3/beyond/invariants#whole", "2.3/beyond/invariants#at-infinity", "2.3/beyond/invariants#affine"],
-    example={"Q": (("0", "-1", "-1", "-1"), ("-1", "2", "0", "0"), ("-1", "0", "2", "0"), ("-1", "0", "0", "2"))},
-)
-section.driver("critical.classify", classify)

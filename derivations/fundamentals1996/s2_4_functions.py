@@ -131,14 +131,12 @@ section.identity(
     printed=four_equations.T * (four_equations * mean - right_sides),
     where=MINORS,
     derived=vector(0, 0, 0),
-    note="Not in the paper, which intersects two rays that do meet.",
 )
 section.identity(
     "2.4/beyond/intersection#exact",
     "four consistent equations have their common point as solution",
     printed=mean.xreplace(MINORS).xreplace(dict(zip(right_sides, four_equations * object_point, strict=True))),
     derived=object_point,
-    note="Not in the paper.",
 )
 
 # %% [markdown]
@@ -170,7 +168,6 @@ section.identity(
     "the minors are combinations of an equation of one image and the ray of the other",
     printed=Matrix(4, 4, lambda i, j: with_ray(augmented.row(partner[i][0]), partner[i][1], j)),
     derived=Matrix(4, 4, minor),
-    note="Not in the paper.  Row i omits equation i.",
 )
 
 

@@ -7,7 +7,6 @@
 # $\mathbf y_A$ and the left center those of the right one.
 
 # %%
-
 import sympy
 
 from algebroproj_derivations.figures import SpaceDrawing
@@ -15,7 +14,8 @@ from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star as M_star_any
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star, P, y0_of_mu
 from algebroproj_derivations.fundamentals1996.s1_5_space_to_space import M_star as core
-from algebroproj_derivations.fundamentals1996.s2_2_correlation import Z, correlation_matrix, remaining
+from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import correlation_matrix
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import Z, remaining
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -36,13 +36,18 @@ from algebroproj_sym.expressions import (
 
 section = Section("fundamentals1996", "2.4", "Relative orientation")
 
+# %% [markdown]
+# **Print.**  The paper numbers the equations of this section (2.3.0) to (2.3.4), as if it were 2.3.  Three of these
+# numbers occur there as well.  Here they are 2.4/2.3.0 and so on.
+
+# %%
 section.reference(
     "2.4/ref-2.3",
     "number of the subsection in its equations, its figure and its table",
     printed="2.3",
     meant="2.4",
-    note="The equations are numbered (2.3.0) to (2.3.4), of which (2.3.1) to (2.3.3) occur in subsection 2.3 as well; "
-    "the figure and the table are 2.3, too.  Later references to 'subsection 2.3' mean this one.",
+    note="The equations are numbered (2.3.0) to (2.3.4); the figure and the table are 2.3, too.  Later references to "
+    "'subsection 2.3' mean this one.",
 )
 
 # %% [markdown]
@@ -77,8 +82,7 @@ SpaceDrawing(
 # %% [markdown]
 # ## The epipoles
 #
-# Two rays are coplanar where $(\mathbf p' \times \mathbf d) \cdot \mathbf p'' = 0$; in image coordinates this is
-# $\mathbf u'^T \mathbf C \mathbf u'' = 0$.  The images of the base $\mathbf d$ are taken to zero by $\mathbf C$.
+# **Definition.**  $\mathbf C$ is the matrix of (2.1.4).  It takes the images of the base $\mathbf d$ to zero.
 
 # %%
 p_left, p_right = Matrix(3, 3, sympy.symbols("p:3:3")), Matrix(3, 3, sympy.symbols("q:3:3"))
@@ -98,7 +102,7 @@ section.identity(
 )
 
 # %% [markdown]
-# Any point of the axis may stand for it: on a line through the center all points have the same image.
+# **Which point of the axis is it?**  Any.  On a line through the center all points have the same image.
 
 # %%
 t = sympy.Symbol("t")
@@ -107,13 +111,15 @@ section.up_to_scale(
     "all points of a line through the center have one image",
     printed=M * homogeneous(axis_point),
     derived=M * homogeneous(y0_of_mu + t * (axis_point - y0_of_mu)),
-    note="Either bundle; the right center is a second point of the axis as seen from the left one, and vice versa.",
 )
 
 # %% [markdown]
 # ## The projection of a point of the axis
 #
-# $\mathbf M^* (1, \mathbf y_A) = \mu_A (1, \mathbf u_0)$, three equations.
+# **Definition.**  $\mathbf M^* (1, \mathbf y_A) = \mu_A (1, \mathbf u_0)$, three equations.
+#
+# **Print.**  Row 2 of the matrix is $(0, \mu_1, 0, u_{31} \mu_3)$, row 3 is $(0, 0, \mu_2, u_{32} \mu_3)$.  Of the
+# second equation the print has a term in $\mu_2$ too many, and both factors of $\mu_3$ are missing.
 
 # %%
 image_of_axis = M * homogeneous(axis_point)
@@ -131,9 +137,8 @@ section.identity(
     derived=image_of_axis[1],
     expect="misprint",
     corrected=ya1 * mu1 + ya3 * u31 * mu3,
-    note="Row 2 of the matrix is (0, mu1, 0, u31 mu3): there is no term in mu2, and a factor u31 is missing.  (2.3.1), "
-    "as printed, follows from the corrected equation only.  No exchange of rows and columns gives the printed form; "
-    "whether the scan or the print is at fault cannot be told.",
+    note="(2.3.1), as printed, follows from the corrected equation only.  No exchange of rows and columns gives the "
+    "printed form; whether the scan or the print is at fault cannot be told.",
 )
 section.identity(
     "2.4/2.3.0#3",
@@ -142,12 +147,11 @@ section.identity(
     derived=image_of_axis[2],
     expect="misprint",
     corrected=ya2 * mu2 + ya3 * u32 * mu3,
-    note="The factor u32 of row 3, (0, 0, mu2, u32 mu3), is missing; otherwise as 2.4/2.3.0#2.",
     same_as="2.4/2.3.0#2",
 )
 
 # %% [markdown]
-# The first equation gives $\mu_A$; inserted into the others, it leaves two linear equations for $\mu_1, \mu_2, \mu_3$.
+# The first equation gives $\mu_A$.  Inserted into the others, it leaves two linear equations for three unknowns.
 
 # %%
 mu_a = image_of_axis[0]
@@ -223,6 +227,8 @@ section.up_to_scale(
 )
 D_printed = ya1 * ya3 * (u32 * (1 - u01) - u02 * (1 - u31)) + ya2 * ya3 * (-u31 * (1 - u02) + u01 * (1 - u32))
 section.identity("2.4/2.3.2#D", "determinant of the left bundle", printed=D_printed, derived=D_left)
+
+# %%
 section.identity(
     "2.4/2.3.2#mu2",
     "first and second parameter of the left bundle",
@@ -252,8 +258,6 @@ section.identity(
     "the point may be assumed everywhere on the axis",
     printed=vector(0, 0),
     derived=vector(*left_equations).xreplace(at_other_point),
-    note="The parameters satisfy the equations of every point of the axis, and are their one solution where D' is not "
-    "zero.",
 )
 
 # %% [markdown]
@@ -274,6 +278,12 @@ for number, title, conditions in (
         derived=D_left,
         constraints=conditions,
     )
+
+# %% [markdown]
+# What the cases are in space: the first one is the plane of $\mathbf e_1$ and $\mathbf e_2$, and the third one says
+# that $G_3$ lies on the axis.
+
+# %%
 section.vanishing(
     "2.4/singular#plane",
     "the plane of e1 and e2",
@@ -291,7 +301,6 @@ section.up_to_scale(
     "the axis goes through G3 if the epipole is the image of G3",
     printed=e3 - y0_of_mu,
     derived=P * image_e3,
-    note="The other direction: the ray of u3, and therefore the axis, has the direction from the center to G3.",
 )
 
 # %% [markdown]
@@ -308,26 +317,35 @@ section.identity(
     nonzero=[ya3],
     expect="false",
     instead="2.4/beyond/singular",
-    note="'In other words' read as: D' = 0 exactly if yA3 = 0, or yA1 = yA2 = 0, or u0 = u3.  The derived products are "
-    "zero exactly in the last two cases.  Read as a list of examples the sentence is true: 2.4/singular#1 to #3.",
+    note="'In other words' read as: D' = 0 exactly if yA3 = 0, or yA1 = yA2 = 0, or u0 = u3.  Read as a list of "
+    "examples the sentence is true: 2.4/singular#1 to #3.",
 )
+
+# %% [markdown]
+# **When exactly?**  The plane of $\mathbf y_A$ and the $\mathbf e_3$-axis meets the line $G_1 G_2$ in a point.  Its
+# image, for $\mu_1 = \mu_2$, is $(y_{A1} + y_{A2}, y_{A1}, y_{A2})$.  The epipole, $G'_3$ and this image must not be
+# collinear.
+
+# %%
 pierced = ya1 * image_e1 + ya2 * image_e2
 section.vanishing(
     "2.4/beyond/singular",
     "where the left bundle is singular",
     printed=(ya3, determinant(columns(pierced, image_epipole, image_e3))),
     derived=D_left,
-    note="Not in the paper: the plane of y_A and the e3-axis meets the line G1 G2 in a point, whose image for "
-    "mu1 = mu2 is (yA1 + yA2, yA1, yA2); epipole, G'3 and this image must not be collinear.",
 )
+
+# %% [markdown]
+# Nor may a parameter vanish, or the solution is no projection.  So $\mathbf y_A$ must not lie in the plane of $G_1,
+# G_2, G_3$.  And neither $G'_3$ nor the point above may be collinear with $G'_0$ and the epipole.
+
+# %%
 section.vanishing(
     "2.4/beyond/no-projection#mu2",
     "where the first and second parameter of the left bundle are zero",
     printed=(ya0, determinant(columns(image_e0, image_epipole, image_e3))),
     where=COMPLETED,
     derived=mu_left[1],
-    note="Not in the paper: y_A must not lie in the plane of G1, G2, G3 either, nor the epipole on the line G'0 G'3, "
-    "or the solution is no projection.",
 )
 section.vanishing(
     "2.4/beyond/no-projection#mu3",
@@ -335,14 +353,14 @@ section.vanishing(
     printed=(ya0, determinant(columns(image_e0, image_epipole, pierced))),
     where=COMPLETED,
     derived=mu_left[2],
-    note="Not in the paper: nor must G'0, the epipole and the point of 2.4/beyond/singular be collinear.",
 )
 
 # %% [markdown]
 # ## b) The right bundle
 #
-# The epipole is now the image of two known points, $\mathbf y_A$ and the left center $\mathbf y'_0$, here
-# $(y_{01}, y_{02}, y_{03})$ as in print.  Of each pair of equations, $\mu''_1$ and $\mu''_2$ follow from $\mu''_3$.
+# **Definition.**  The epipole is now the image of two known points, $\mathbf y_A$ and the left center $\mathbf y'_0$,
+# here $(y_{01}, y_{02}, y_{03})$ as in print.  Of each pair of equations, $\mu''_1$ and $\mu''_2$ follow from
+# $\mu''_3$.
 
 # %%
 AT_CENTER = dict(zip(axis_point, center, strict=True))
@@ -360,18 +378,24 @@ for number, equation, printed_form in (
         derived=as_form(equation, mu1, mu2),
     )
 
+# %% [markdown]
+# Both points lie on the axis: what a bundle maps to the epipole is collinear with its center.
+
+# %%
 section.up_to_scale(
     "2.4/collinear",
     "the axis point and the center define the direction of the base",
     printed=axis_point - y0_of_mu,
     derived=P * homogeneous(image_of_axis_point),
-    note="The ray of the epipole: all points that a bundle maps to the epipole, y_A and the other center among them, "
-    "are collinear with its center.",
 )
 pair_matrix, pair_right_side = linear_system(axis_equations, [mu1, mu2])
 mu12_of_axis_point = solve(pair_matrix, pair_right_side)
 mu12_of_center = vector(*(component.subs(AT_CENTER) for component in mu12_of_axis_point))
 
+# %% [markdown]
+# The two parameters, from either point:
+
+# %%
 section.identity(
     "2.4/D''",
     "determinant of the right bundle",
@@ -401,7 +425,9 @@ for name, source, derived, (Y0, Y1, Y2, Y3) in (
     )
 
 # %% [markdown]
-# ### When $D''$ vanishes
+# ### When does $D''$ vanish?
+#
+# The paper has two cases, $\mathbf y_A$ or the left center on the axis of $\mathbf e_3$, and $u_{00} = 0$.
 
 # %%
 section.identity(
@@ -410,7 +436,6 @@ section.identity(
     printed=0,
     derived=determinant(pair_matrix),
     constraints=[ya1, ya2],
-    note="For y_A; the determinant of the pair for the left center is the same expression in its coordinates.",
 )
 section.identity(
     "2.4/b#u00",
@@ -424,18 +449,27 @@ section.reference(
     "equation with the restrictions that are extended to the epipole",
     printed="1.3.6",
     meant="1.3.8",
-    note="The restrictions a) and b) follow (1.3.8) and refer to it; (1.3.6) is the matrix P* in y0 and u3, for which "
-    "the paper states none.",
+    note="The restrictions a) and b) follow (1.3.8) and refer to it; for (1.3.6) the paper states none.",
 )
+
+# %% [markdown]
+# The first one is too narrow.  The points must avoid both *planes* $y_1 = 0$ and $y_2 = 0$, or $\mu_1$ and $\mu_2$ do
+# not follow from $\mu_3$.
+
+# %%
 section.vanishing(
     "2.4/beyond/D''",
     "where the right bundle is singular",
     printed=(ya1, ya2, u00),
     where=COMPLETED,
     derived=determinant(pair_matrix),
-    note="Not in the paper: y_A, and as well the left center, must avoid not only the axis of e3 but both the planes "
-    "y1 = 0 and y2 = 0, or mu1 and mu2 do not follow from mu3.",
 )
+
+# %% [markdown]
+# The line $u_{00} = 0$ goes through $G'_1$ and $G'_2$.  On it are the images of the plane of $G_1$, $G_2$ and the
+# center.
+
+# %%
 section.up_to_scale(
     "2.4/b#line",
     "the line that the epipole must avoid",
@@ -443,8 +477,7 @@ section.up_to_scale(
     derived=cross(image_e1, image_e2),
     expect="illegible",
     corrected=vector(1, -1, -1),
-    note="The scan reads '-mu_1 - mu_2 = -10': most likely 1 - u1 - u2 = 0, that is u00 = 0.  Derived is the line "
-    "through G'1 and G'2.",
+    note="The scan reads '-mu_1 - mu_2 = -10': most likely 1 - u1 - u2 = 0, that is u00 = 0.",
 )
 point = vector(y1, y2, y3)
 section.up_to_scale(
@@ -452,8 +485,12 @@ section.up_to_scale(
     "on the line are the images of the plane of G1, G2 and the center",
     printed=as_form(dot(vector(1, -1, -1), M * homogeneous(point)), y1, y2, y3),
     derived=as_form(determinant(columns(*map(homogeneous, (point, y0_of_mu, e1, e2)))), y1, y2, y3),
-    note="Coefficients of the plane of the points with u00 = 0, and of the plane through the three points.",
 )
+
+# %% [markdown]
+# But there the bundle is not lost.  The sum of the two equations contains $\mu_3$ alone, which follows at once.
+
+# %%
 section.identity(
     "2.4/beyond/u00",
     "on the line the third parameter follows at once",
@@ -462,14 +499,12 @@ section.identity(
     derived=mu3,
     constraints=[COMPLETED[u00], *axis_equations],
     nonzero=[ya3],
-    note="Not in the paper: where u00 = 0, (2.3.3) cannot be solved for mu1 and mu2, for the sum of the two equations "
-    "contains mu3 alone; mu3 is then known, and the bundle is not lost.",
 )
 
 # %% [markdown]
 # ### The third parameter
 #
-# Both points give the same $\mu''_1$, and the same $\mu''_2$: two equations for $\mu''_3$.
+# Both points must give the same $\mu''_1$, and the same $\mu''_2$: two equations for $\mu''_3$.
 
 # %%
 equal_mu1 = mu12_of_axis_point[0] - mu12_of_center[0]
@@ -495,13 +530,16 @@ section.up_to_scale(
 # %%
 mu1_and_mu3 = solve(*linear_system([mu12_of_axis_point[0] - mu1, mu12_of_center[0] - mu1], [mu1, mu3]))
 mu2_and_mu3 = solve(*linear_system([mu12_of_axis_point[1] - mu2, mu12_of_center[1] - mu2], [mu2, mu3]))
+
+# %% [markdown]
+# **Print.**  The text inserts into (2.2.3), which is the matrix $\mathbf Z$.  It means (2.3.3) of this section.
+
+# %%
 section.reference(
     "2.4/ref-2.2.3",
     "equations into whose solutions the third parameter is inserted",
     printed="2.2.3",
     meant="2.3.3",
-    note="(2.2.3) is the matrix Z; the solutions for mu''1 and mu''2 in terms of mu''3 are those of (2.3.3) of this "
-    "section.",
 )
 section.identity(
     "2.4/beyond/mu1,mu2",
@@ -512,12 +550,11 @@ section.identity(
     ),
     where=COMPLETED,
     derived=vector(mu1_and_mu3[0], mu2_and_mu3[0]),
-    note="Not in the paper: mu1 with mu3 from the first of the two equations, mu2 with mu3 from the second.",
 )
 
 # %% [markdown]
-# With fewer divisors the same follows from sums of the four equations that leave one parameter out: no longer do
-# $y_{A1}, y_{A2}, y_{01}, y_{02}$ matter.
+# **Can divisors be saved?**  Yes.  Sums of the four equations leave one parameter out, so that it may be set to zero.
+# $y_{A1}, y_{A2}, y_{01}, y_{02}$ are no divisors any longer.
 
 # %%
 without_mu3 = [y03 * a - ya3 * b for a, b in zip(axis_equations, center_pair, strict=True)]
@@ -525,13 +562,15 @@ without_mu1 = [u02 * first + (1 - u01) * second for first, second in (axis_equat
 mu1_mu2 = solve(*linear_system([equation.subs(mu3, 0) for equation in without_mu3], [mu1, mu2]))
 mu3_right = solve(*linear_system([equation.subs(mu1, 0) for equation in without_mu1], [mu2, mu3]))[1]
 mu_right = vector(*mu1_mu2, mu3_right)
+mu_right
+
+# %%
 
 section.identity(
     "2.4/beyond/left-out",
     "the sums are free of the parameter that they leave out",
     printed=Matrix.zeros(4, 1),
     derived=vector(*(diff(e, mu3) for e in without_mu3), *(diff(e, mu1) for e in without_mu1)),
-    note="Not in the paper: why the parameter may be set to zero there.",
 )
 section.identity(
     "2.4/beyond/right-bundle",
@@ -543,8 +582,13 @@ section.identity(
     ),
     where=COMPLETED,
     derived=mu_right,
-    note="Not in the paper: mu3 is that of the second of its two equations.",
 )
+
+# %% [markdown]
+# **When do the equations for $\mu''_3$ fail?**  The first one if the axis meets the line $G_0 G_2$, or if the epipole
+# is collinear with $G''_2$ and $G''_3$.  The second one likewise, with $G_1$ for $G_2$.
+
+# %%
 section.vanishing(
     "2.4/beyond/mu3#1",
     "where the first equation does not give the third parameter",
@@ -553,8 +597,6 @@ section.vanishing(
         determinant(columns(image_epipole, image_e2, image_e3)),
     ),
     derived=as_form(equal_mu1, mu3)[0],
-    note="Not in the paper: the axis must not meet the line G0 G2, nor may the epipole be collinear with G''2 and "
-    "G''3.",
 )
 section.vanishing(
     "2.4/beyond/mu3#2",
@@ -564,16 +606,14 @@ section.vanishing(
         determinant(columns(image_epipole, image_e1, image_e3)),
     ),
     derived=as_form(equal_mu2, mu3)[0],
-    note="Not in the paper: the axis must not meet the line G0 G1, nor may the epipole be collinear with G''1 and "
-    "G''3.",
 )
 
 # %% [markdown]
-# ### Both equations have one solution
+# ### Two equations, one solution?
 #
-# $\mathbf u''_0$ is the image of the whole axis.  Take any right bundle, $\mathbf y_A$ anywhere, and
-# $\mathbf y'_0 = \mathbf y''_0 + t (\mathbf y_A - \mathbf y''_0)$ on the line through $\mathbf y_A$ and the right
-# center: the two products are equal, and both solutions are the $\mu''_3$ of the bundle.
+# **The paper's answer.**  Two products are equal, and so are both solutions.  This is true for an epipole that is the
+# image of the whole axis.  Take any right bundle, $\mathbf y_A$ anywhere, and $\mathbf y'_0 = \mathbf y''_0 +
+# t (\mathbf y_A - \mathbf y''_0)$ on the line through $\mathbf y_A$ and the right center.
 
 # %%
 left_product = (y01 * ya3 - y03 * ya1) * (y00 * ya2 - y02 * ya0) * first_braces * u02
@@ -588,8 +628,6 @@ section.identity(
     printed=left_product - right_product,
     where=ON_AXIS,
     derived=0,
-    note="True for an epipole that is the image of the axis.  It is no identity in y_A, y'0, u''0, u''3: see "
-    "2.4/beyond/cross-ratio.",
 )
 section.identity(
     "2.4/equality#mu3",
@@ -603,8 +641,9 @@ section.identity(
 )
 
 # %% [markdown]
-# So where exactly does it hold?  The four equations, two for each point, have three unknowns.  For them to agree, the
-# determinant of coefficients and right sides must be zero, and this determinant is the difference of the two products.
+# **Where exactly does it hold?**  It is no identity.  The four equations, two for each point, have three unknowns.
+# They agree only if the determinant of coefficients and right sides is zero.  This is the difference of the two
+# products.
 
 # %%
 four_forms = [as_form(equation, mu1, mu2, mu3) for equation in axis_equations + center_pair]
@@ -614,12 +653,10 @@ section.identity(
     printed=left_product - right_product,
     where=COMPLETED,
     derived=determinant(rows(*four_forms)),
-    note="Not in the paper: with no factor beside, so that the equality is necessary and, where three of the equations "
-    "determine the parameters, sufficient.",
 )
 
 # %% [markdown]
-# In terms of geometry: with $p_{jk} = y_{0j} y_{Ak} - y_{0k} y_{Aj}$, the quotient
+# **Meaning.**  With $p_{jk} = y_{0j} y_{Ak} - y_{0k} y_{Aj}$, the quotient
 # $\kappa = p_{13}\, p_{02} : p_{23}\, p_{01}$ is a cross ratio of the four planes that join the axis to the basic
 # points.  In the image the planes appear as the epipolar lines of the basic points, whose cross ratio is the rest of
 # the equality.
@@ -636,15 +673,13 @@ section.identity(
         - cross_ratio * (y02 * ya3 - y03 * ya2) * (y00 * ya1 - y01 * ya0),
         second_braces * u01 - cross_ratio * first_braces * u02,
     ],
-    note="Not in the paper: the planes are fixed by y_A and y'0, the lines by u''0 and u''3.  It holds with y00 and "
-    "yA0 as unknowns of their own.",
 )
 
 # %% [markdown]
-# The left bundle satisfies the equality with its own epipole: `2.4/equality` for $t = 0$, where $\mathbf y'_0$ is the
-# center of the bundle itself.  Hence the right one does exactly if the epipolar lines of the basic points have the same
-# cross ratio in both images.  And this is what correlation is about: epipoles and $G_0, G_1, G_2$ determine
-# $\mathbf Z$, (2.2.3), and the images of $G_3$ are homologous exactly if the cross ratios agree.
+# The left bundle satisfies the equality with its own epipole: `2.4/equality` for $t = 0$.  Hence the right one does
+# exactly if the epipolar lines of the basic points have the same cross ratio in both images.  And this is what
+# correlation is about.  Epipoles and $G_0, G_1, G_2$ determine $\mathbf Z$, (2.2.3): five equations for five
+# elements.
 
 # %%
 up01, up02, up31, up32 = sympy.symbols("up01 up02 up31 up32")
@@ -662,22 +697,26 @@ section.identity(
         *(Z_of_epipoles * image_epipole),
         *(dot(image, Z_of_epipoles * image) for image in (image_e0, image_e1, image_e2)),
     ),
-    note="Not in the paper: five equations for the five elements of (2.2.3) were solved; all six hold, and the images "
-    "of G0, G1, G2 are homologous.",
 )
+
+# %% [markdown]
+# The images of $G_3$ are homologous exactly if the cross ratios agree.  With measured image coordinates they do so
+# only approximately, and the two solutions for $\mu''_3$ differ.
+
+# %%
 section.vanishing(
     "2.4/beyond/homologous",
     "the images of G3 are homologous exactly if the cross ratios of both images agree",
     printed=(in_left_image[0] * first_braces * u02 - in_left_image[1] * second_braces * u01,),
     derived=dot(homogeneous(vector(up31, up32)), Z_of_epipoles * image_e3),
-    note="Not in the paper: G3 homologous is the constraint under which both equations for mu''3 have one solution.  "
-    "With measured image coordinates it holds only approximately, and the two solutions differ.",
 )
 
 # %% [markdown]
 # ## c) The relative model
 #
-# Both bundles map the model point $\bar{\mathbf y}$, here $\mathbf y$, by a matrix (1.2.3) of their own.
+# How is the model computed?  Both bundles map the model point $\bar{\mathbf y}$, here $\mathbf y$, by a matrix
+# (1.2.3) of their own.  Each image coordinate gives one equation for the point, with the rows $\mathbf m_i$ of the
+# matrix.
 
 # %%
 mu_p, mu_pp = (sympy.symbols(f"{name}1:4") for name in ("mup", "mupp"))
@@ -713,7 +752,6 @@ section.identity(
     printed=vector(*(dot(form, y) for form in intersection)),
     where=HOMOLOGOUS,
     derived=Matrix.zeros(4, 1),
-    note="The image coordinates are those of the point y by (1.1.6); m_i are the rows of (1.2.3), as the text says.",
 )
 section.rank(
     "2.4/four-equations",
@@ -721,9 +759,13 @@ section.rank(
     printed=3,
     derived=rows(*intersection).xreplace(HOMOLOGOUS),
     kernel=[y],
-    note="Coefficients and right sides for homologous image points: one of the four equations is redundant, and the "
-    "other three determine the point.",
 )
+
+# %% [markdown]
+# One of the four equations is redundant, and three determine the point.  **Print.**  The table has the coefficients
+# alone; the right sides are the image coordinates.
+
+# %%
 forms_of_point = [dot(form, y) for form in intersection]
 section.identity(
     "table:2.3",
@@ -743,12 +785,12 @@ section.identity(
     "right sides of relative reconstruction",
     printed=-vector(*image_coordinates),
     derived=linear_system(forms_of_point, point)[1],
-    note="Not in the paper: Table 2.3 gives the coefficients alone.",
 )
 
 # %% [markdown]
-# The original bundles have parameters of their own.  Both become those of the relative model if they are divided by the
-# same $\tau_j$; the matrix that takes the model to the object is a core (1.5.2).
+# **How does the model lie in the object?**  The original bundles have parameters of their own.  Both become those of
+# the relative model if they are divided by the same $\tau_j$.  The matrix that takes the model to the object is a
+# core (1.5.2).  The model is affine to the object only if all $\tau_j$ are equal.
 
 # %%
 all_mu, tau = (mu0, mu1, mu2, mu3), sympy.symbols("tau:4")
@@ -758,14 +800,15 @@ section.identity(
     printed=M_star_any.subs({m: m / factor for m, factor in zip(all_mu, tau, strict=True)}, simultaneous=True)
     * core.subs(dict(zip(all_mu, tau, strict=True)), simultaneous=True),
     derived=M_star_any,
-    note="The derived side is the original bundle; the printed one transforms a point by (1.5.2), with tau_j, and maps "
-    "it by a bundle of parameters mu_j / tau_j.  The model is affine to the object only if all tau_j are equal.",
 )
 
 # %% [markdown]
-# Therefore the images do not determine all of the five parameters.  The coplanarity of two rays,
-# $\mathbf M' \mathbf y = \mu' \mathbf u'$ and $\mathbf M'' \mathbf y = \mu'' \mathbf u''$, is
-# $\mathbf u'^T \mathbf C \mathbf u'' = 0$ with four-rowed minors for elements of $\mathbf C$.
+# ### How many parameters do the images determine?
+#
+# Not all five.  The coplanarity of two rays, $\mathbf M' \mathbf y = \mu' \mathbf u'$ and $\mathbf M'' \mathbf y =
+# \mu'' \mathbf u''$, is $\mathbf u'^T \mathbf C \mathbf u'' = 0$ with four-rowed minors for elements of $\mathbf C$.
+# Up to its factor it changes with three combinations of the five.  The other two multiply both bundles by $\tau_1 =
+# \tau_2$ and by $\tau_3$: the choice of $\mathbf y_A$ fixes them.
 
 
 # %%
@@ -789,10 +832,12 @@ section.rank(
     printed=4,
     derived=columns(minors, changes),
     kernel=[vector(-2, mup2, 0, mupp1, mupp2, 0), vector(-1, 0, mup3, 0, 0, mupp3)],
-    note="Not in the paper: the correlation, up to its common factor (the first column), changes with three "
-    "combinations of mu'2, mu'3, mu''1, mu''2, mu''3.  The other two are multiplications of both bundles by "
-    "tau_1 = tau_2 and by tau_3, and the choice of y_A fixes them.",
 )
+
+# %% [markdown]
+# The paper says that five parameters are necessary.  Of the six $\mu$, the intersection of rays determines three.
+
+# %%
 C_of_six = correlation_of(M_left, M_right)
 section.count(
     "2.4/five-parameters",
@@ -807,14 +852,14 @@ section.count(
     ],
     expect="false",
     instead="2.4/beyond/parameters",
-    note="Read as the number of parameters that the intersection of rays determines: it is three of the six mu, for "
-    "given images of G3.  Five is the number of conventional orientation, 2.2/conventional, and the number of mu that "
-    "remain when one is assumed.",
+    note="Read as the number of parameters that the intersection of rays determines, for given images of G3.  Five is "
+    "the number of conventional orientation, 2.2/conventional, and the number of mu that remain when one is "
+    "assumed.",
     same_as="2.2/five-rays",
 )
 
 # %% [markdown]
-# ### How many rays
+# ### How many rays?
 #
 # The rays of the basic points meet whatever the parameters are.  Each further pair of homologous points $\mathbf u'$,
 # $\mathbf u''$ gives one row $u'_i u''_j$ that the elements of $\mathbf C$ take to zero, and the changes of
@@ -842,6 +887,11 @@ def homologous_row(index: int) -> Matrix:
     return Matrix(1, 9, [a * b for a in left for b in right])
 
 
+# %% [markdown]
+# After four rays three parameters are open.  One more ray gives one condition, three more give three.  So it takes
+# seven.
+
+# %%
 further_rows = [homologous_row(index) for index in (4, 5, 6)]
 section.rank(
     "2.4/five-rays",
@@ -850,9 +900,8 @@ section.rank(
     derived=further_rows[0] * changes,
     expect="false",
     instead="2.4/beyond/seven-rays",
-    note="The first sentence of the section, read of any five rays: after the four of the basic points three "
-    "parameters are undetermined, 2.4/beyond/parameters, and one ray gives one condition.  It is true of conventional "
-    "orientation, 2.2/conventional, and of the epipolar axis as fifth ray, whose two known images are four data: "
+    note="The first sentence of the section, read of any five rays.  It is true of conventional orientation, "
+    "2.2/conventional, and of the epipolar axis as fifth ray, whose two known images are four data: "
     "2.4/beyond/epipoles.",
     same_as="2.2/five-rays",
 )
@@ -861,5 +910,4 @@ section.rank(
     "seven rays determine the relative orientation",
     printed=3,
     derived=Matrix.vstack(*further_rows) * changes,
-    note="Not in the paper: the conditions of three further rays are independent.",
 )

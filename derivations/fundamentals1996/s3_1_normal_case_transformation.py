@@ -1,13 +1,14 @@
 # %% [markdown]
 # # 3.1 Principles of the transformation to the normal case
 #
-# A second image plane $P_N$ cuts the bundle of rays that belongs to an image $P$: the center stays, and so do the
-# basic points $G_0, G_1, G_2$ as unit points of either plane.  Only the image of $G_3$ changes, from $\mathbf u_3$ to
-# $\mathbf u_{N3}$.
+# What happens to an image if its plane is exchanged for another one?  A second image plane $P_N$ cuts the bundle of
+# rays that belongs to an image $P$.  The center stays, and so do the basic points $G_0, G_1, G_2$ as unit points of
+# either plane.  Only the image of $G_3$ changes, from $\mathbf u_3$ to $\mathbf u_{N3}$.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import (
     P,
@@ -47,8 +48,8 @@ normal_mu_of_y0 = mu_of_y0.xreplace(IN_NORMAL_CASE)
 # %% [markdown]
 # ## Two bundles, one point
 #
-# A point $\mathbf y$ seen in an image gives $\mu\, \mathbf u = \mathbf P^* (\mathbf y - \mathbf y_0)$.  Reconstruction
-# leads back to the same point from either image.
+# **Definition.**  A point $\mathbf y$ seen in an image gives $\mu\, \mathbf u = \mathbf P^* (\mathbf y - \mathbf y_0)$,
+# (1.1.5).  Reconstruction leads back to the same point from either image.
 
 # %%
 bundle = (*center, *mu, *fourth_image)
@@ -69,13 +70,14 @@ section.identity(
     "the point from the left and from the right image",
     printed=columns(reconstructed, reconstructed.xreplace(RIGHT)),
     derived=columns(point, point),
-    note="The images u', u'' and the factors are those of the projection (1.1.5) of the point.",
 )
 
 # %% [markdown]
 # ## The matrix T
 #
-# The new image of the point is $\mu_N \mathbf u_N = \mathbf P_N^* (\mathbf y - \mathbf y_0)$.
+# **Definition.**  The new image of the point is $\mu_N \mathbf u_N = \mathbf P_N^* (\mathbf y - \mathbf y_0)$.  The
+# ray comes from the old image.  So $\tau \mathbf u_N = \mathbf T \mathbf u$ with $\tau = \mu_N / \mu$ and
+# $\mathbf T = \mathbf P_N^* \mathbf P$.
 
 # %%
 mu_normal = sympy.symbols("muN1 muN2 muN3")
@@ -94,15 +96,22 @@ section.identity(
     printed=tau_symbol * normal_image,
     where={tau_symbol: over(normal_factor, mu_seen)},
     derived=PN_star * P * u_seen,
-    note="With tau = mu_N/mu and T = P_N* P.",
 )
 
 # %% [markdown]
-# The structure can be foreseen.  $\mathbf P$ carries $\mathbf e'_j$ to the ray $(\mathbf e_j - \mathbf y_0)/\mu_j$,
-# and $\mathbf P_N^*$ carries it on to $\tau_j \mathbf e'_j$ with $\tau_j = \mu_{Nj}/\mu_j$ and $\tau_0 = 1$.
+# **What does $\mathbf T$ look like?**  $\mathbf P$ carries $\mathbf e'_j$ to the ray $(\mathbf e_j - \mathbf
+# y_0)/\mu_j$, and $\mathbf P_N^*$ carries it on to $\tau_j \mathbf e'_j$ with $\tau_j = \mu_{Nj}/\mu_j$ and $\tau_0 =
+# 1$.
 
 # %%
 T = columns(image_e0, tau1 * image_e1 - image_e0, tau2 * image_e2 - image_e0)
+T
+
+# %% [markdown]
+# **Print.**  This is the product of (1.3.6) and (1.3.7) itself, without a factor, and its parameters are quotients of
+# the fourth points.
+
+# %%
 T_of_y0 = PN_star_of_y0 * P_of_y0
 ratios = vector(1, *(over(normal_mu_of_y0[j], mu_of_y0[j]) for j in range(2)))
 tau_printed = [u30 * n / (un30 * u) for u, n in ((u31, un31), (u32, un32))]
@@ -114,7 +123,6 @@ section.identity(
     printed=T_printed,
     where={tau1: ratios[1], tau2: ratios[2]},
     derived=T_of_y0,
-    note="The product P_N* P of (1.3.6) and (1.3.7) itself, without a factor.",
 )
 section.identity(
     "3.1.2#tau",
@@ -122,8 +130,9 @@ section.identity(
     printed=vector(over(u30 * un30, un30 * u30), *tau_printed),
     where=FOURTH,
     derived=ratios,
-    note="i = 0 gives tau_0 = 1.",
 )
+
+# %%
 section.identity(
     "3.1.2#product",
     "the product, in terms of the fourth points",
@@ -141,9 +150,9 @@ section.identity(
 # %% [markdown]
 # ## Only the fourth points count
 #
-# No center is left in $\mathbf T$.  It can be had without one: a plane projectivity that keeps the three unit points
-# and carries $\mathbf u_3$ to $\mathbf u_{N3}$ satisfies $\mathbf T \mathbf u_3 = \tau_3 \mathbf u_{N3}$, three linear
-# equations for $\tau_1, \tau_2, \tau_3$.
+# No center is left in $\mathbf T$: another one gives the same.  It can be had without any.  A plane projectivity that
+# keeps the three unit points and carries $\mathbf u_3$ to $\mathbf u_{N3}$ satisfies $\mathbf T \mathbf u_3 = \tau_3
+# \mathbf u_{N3}$, three linear equations for $\tau_1, \tau_2, \tau_3$.
 
 # %%
 other_center = dict(zip(center, sympy.symbols("x01 x02 x03"), strict=True))
@@ -152,7 +161,6 @@ section.identity(
     "the transformation depends on the fourth points alone",
     printed=T_of_y0.xreplace(other_center),
     derived=T_of_y0,
-    note="The printed side has another center of projection.",
 )
 tau3 = sympy.Symbol("tau3")
 fourth_points = T * homogeneous(fourth_image) - tau3 * homogeneous(normal_fourth_image)
@@ -164,21 +172,25 @@ section.identity(
     printed=vector(*tau_printed),
     where=FOURTH,
     derived=tau_of_fourth_points,
-    note="u_N3 corresponds to u3 by T itself.",
 )
 
+# %% [markdown]
+# **When is it regular?**  Unless $G_3$ is on a side of the triangle of the basic points, in $P$ or in $P_N$.  The
+# divisors $u_{31}$, $u_{32}$ and $u_{N30}$ are the remaining sides.
+
+# %%
 section.vanishing(
     "3.1/regular",
     "the transformation is regular",
     printed=(u30, un31, un32),
     where=FOURTH,
     derived=determinant(T.subs(at_fourth_points)),
-    note="Regular but where one of these vanishes: G3 on a side of the triangle of the basic points, in P or in P_N.  "
-    "The divisors u31, u32 and uN30 are the remaining sides.",
 )
 
 # %% [markdown]
 # ## Coordinates
+#
+# Where does a point of the image go?
 
 # %%
 u = vector(u1, u2)
@@ -205,8 +217,9 @@ section.identity(
 )
 
 # %% [markdown]
-# The explanation by the common center: whatever the two planes, their matrices of projection are
-# $\mathbf P^* = (\mathbf B \mathbf U)^{-1}$, and the rays do not notice a common factor.
+# **Meaning.**  Two planes that cut one bundle are related by a regular projectivity.  With their roles exchanged it is
+# $\mathbf P^* \mathbf P_N$, the inverse.  A common factor of the parameters of a plane displaces it in parallel, and
+# changes nothing.
 
 # %%
 section.identity(
@@ -214,56 +227,37 @@ section.identity(
     "two planes that cut one bundle are related by a regular projectivity",
     printed=E3,
     derived=T_of_y0 * (P_star_of_y0 * inverse(PN_star_of_y0)),
-    note="The inverse of P_N* P is P* P_N: the relation of the planes with their roles exchanged.",
 )
 section.up_to_scale(
     "3.1/beyond/scale",
     "a common factor of the parameters of either plane does not change the projectivity",
     printed=T_of_y0,
     derived=PN_star_of_y0 * inverse(factor * P_star_of_y0),
-    note="Not in the paper: the plane P may be displaced in parallel, with k for the factor.",
 )
 
 # %% [markdown]
-# ## Code
+# **An example.**  For $\tau_1 = 3/2$ and $\tau_2 = 5/4$ the image point $(1/4, 1/2)$ goes to
 
 # %%
-ABOUT_TAU = "Parameters (tau1, tau2) of the transformation to the normal case for tau0 = 1; dimensionless."
-with_tau = {"arguments": {"tau": vector(tau1, tau2)}, "describe": {"tau": ABOUT_TAU}}
-EXAMPLE_TAU = {"tau": ("1.0063775", "1.0804274")}
-weight = sympy.Symbol("weight")
+TAUS = {tau1: sympy.Rational(3, 2), tau2: sympy.Rational(5, 4)}
+corners = [vector(-1, -1, 2), vector(1, -1, 2), vector(0, 1, 2)]
+normal_corners = [corners[0], corners[1] / TAUS[tau1], corners[2] / TAUS[tau2]]
+before = vector(sympy.Rational(1, 4), sympy.Rational(1, 2))
+after = mapped_u.xreplace(TAUS | dict(zip(u, before, strict=True))).doit()
+after
 
-section.kernel(
-    "normal_case.tau",
-    "Parameters of the transformation to the normal case from the images of the fourth basic point.",
-    arguments={"u3": fourth_image, "u3_normal": normal_fourth_image},
-    describe={
-        "u3": ABOUT_U3,
-        "u3_normal": "Image (uN31, uN32) of the fourth basic point in the normal case plane; dimensionless.",
-    },
-    derived=tau_of_fourth_points,
-    form=vector(*tau_printed),
-    where=FOURTH,
-    claims=["3.1.2#tau", "3.1.2#fourth-points"],
-    example={"u3": ("0.2718578", "0.0577379"), "u3_normal": ("0.2718578", "0.0619863")},
-    jacobian=True,
-)
-section.kernel(
-    "normal_case.transform",
-    "Matrix T of the transformation to the normal case.",
-    **with_tau,
-    derived=T,
-    claims=["3.1.2"],
-    example=EXAMPLE_TAU,
-)
-section.kernel(
-    "normal_case.map_points",
-    "Normal case coordinates of image points.",
-    arguments={**with_tau["arguments"], "u": u},
-    describe={**with_tau["describe"], "u": "Image point (u1, u2) in affine coordinates; dimensionless."},
-    derived=mapped_u,
-    form=vector(tau1 * u1 / weight, tau2 * u2 / weight),
-    where={weight: 1 + (tau1 - 1) * u1 + (tau2 - 1) * u2},
-    claims=["3.1.3"],
-    example={**EXAMPLE_TAU, "u": ("0.6355182", "0.1372296")},
+
+# %%
+def in_plane(basic: list[Matrix], image: Matrix) -> Matrix:
+    return columns(basic[0], basic[1] - basic[0], basic[2] - basic[0]) * homogeneous(image)
+
+
+SpaceDrawing(
+    "Two image planes cut the bundle of rays of a center C.  The basic points and a point p have their images GN and "
+    "pN on the same rays.",
+    {"C": vector(0, 0, 0), "p": in_plane(corners, before), "pN": in_plane(normal_corners, after)}
+    | {f"G'{j}": corner for j, corner in enumerate(corners)}
+    | {f"GN{j}": normal_corners[j] for j in (1, 2)},
+    segments=[("C", "p"), *(("C", f"G'{j}") for j in range(3))],
+    triangles=[("G'0", "G'1", "G'2"), ("G'0", "GN1", "GN2")],
 )

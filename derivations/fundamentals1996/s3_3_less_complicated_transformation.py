@@ -1,14 +1,18 @@
 # %% [markdown]
 # # 3.3 A less complicated transformation to the normal case
 #
-# The two plane projectivities of section 3.1 can be had from the elements of the correlation matrix $\mathbf Z$ alone.
-# One prime denotes the left image, two the right one.
+# Must the cameras be known to transform two images to the normal case?  No: the two plane projectivities of section 3.1
+# can be had from the elements of the correlation matrix $\mathbf Z$ alone.  One prime denotes the left image, two the
+# right one.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import P_star, point
+from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import correlation_matrix
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import SEEN, Z_example
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import (
     FOURTH,
     T,
@@ -44,7 +48,6 @@ from algebroproj_sym.expressions import (
     Matrix,
     adjugate,
     columns,
-    cross,
     determinant,
     divided,
     dot,
@@ -60,7 +63,7 @@ section = Section("fundamentals1996", "3.3", "A less complicated transformation 
 # %% [markdown]
 # ## The correlation matrix through the normal case
 #
-# Each image has a matrix $\mathbf T$ with two parameters.
+# **Definition.**  Each image has a matrix $\mathbf T$ with two parameters, (3.1.2).  Its coordinates follow by (3.1.3).
 
 # %%
 taup1, taup2, taupp1, taupp2 = sympy.symbols("taup1 taup2 taupp1 taupp2")
@@ -79,68 +82,74 @@ section.identity(
     printed=columns(taup * normal_left, taupp * normal_right),
     where=FACTORS,
     derived=columns(T_left * u_left, T_right * u_right),
-    note="With the inhomogeneous coordinates of (3.1.3).",
 )
+
+# %% [markdown]
+# Homologous points lie on one line of the family: the condition is the difference of the two sides of (3.2.3).
+
+# %%
 section.identity(
     "3.3/coplanarity",
     "condition of coplanarity of two normal case images",
     printed=dot(normal_left, Z_N * normal_right),
     derived=normal_left[1] + z_n * normal_left[2] - normal_right[1] - z_n * normal_right[2],
-    note="Derived is the difference of the two sides of (3.2.3): homologous points lie on one line of the family.",
 )
+
+# %%
 product = T_left.T * Z_N * T_right
 section.identity(
     "3.3.2",
     "coplanarity in the coordinates of the original images",
     printed=dot(u_left, product * u_right),
     derived=FACTORS[taup] * FACTORS[taupp] * dot(normal_left, Z_N * normal_right),
-    note="Zero where u'_N^T Z_N u''_N is zero; the scan has no N with u' in the preceding display.",
 )
 
 # %% [markdown]
-# Independently of coordinates: $\mathbf T = \mathbf P_N^* \mathbf P$, hence $\mathbf P = \mathbf P_N \mathbf T$, and
-# $\mathbf C = \mathbf P'^T \mathbf D \mathbf P''$ has the elements
-# $(\mathbf p'_j \times \mathbf d) \cdot \mathbf p''_k$.  The elements of $\mathbf Z$ are those of $\mathbf C$
-# divided by $c_{10}$.
-
+# **Is this the matrix of correlation of the original images?**  $\mathbf T = \mathbf P_N^* \mathbf P$, hence
+# $\mathbf P = \mathbf P_N \mathbf T$, and $\mathbf C$ of (2.1.4) changes by $\mathbf T'$ and $\mathbf T''$.  This holds
+# for the correlation of any two planes of the bundles.
 
 # %%
-def correlation(first: Matrix, second: Matrix, base: Matrix) -> Matrix:
-    return Matrix(3, 3, lambda j, k: dot(cross(first[:, j], base), second[:, k]))
-
-
 P_any_left, P_any_right = Matrix(3, 3, sympy.symbols("pp:3:3")), Matrix(3, 3, sympy.symbols("ppp:3:3"))
 any_base = vector(*sympy.symbols("d1 d2 d3"))
 section.identity(
     "3.3.3#C",
     "correlation of the original images from that of the normal case",
-    printed=T_left.T * correlation(P_any_left, P_any_right, any_base) * T_right,
-    derived=correlation(P_any_left * T_left, P_any_right * T_right, any_base),
+    printed=T_left.T * correlation_matrix(P_any_left, P_any_right, any_base) * T_right,
+    derived=correlation_matrix(P_any_left * T_left, P_any_right * T_right, any_base),
 )
-C_normal = correlation(*(adjugate(P_star.xreplace(side)) for side in (LEFT_FOURTH, RIGHT_FOURTH)), base)
+C_normal = correlation_matrix(*(adjugate(P_star.xreplace(side)) for side in (LEFT_FOURTH, RIGHT_FOURTH)), base)
 section.up_to_scale(
     "3.3.3",
     "relation of the correlation matrices",
     printed=product,
     where={z_n: over(C_normal[2, 0], C_normal[1, 0])},
     derived=T_left.T * C_normal * T_right,
-    note="Two normal case images with equal parameters and the correlation of any two other planes of their bundles, "
-    "see 3.3.3#C.  The adjugates of P_N* are P_N but for a factor.",
 )
+
+# %% [markdown]
+# **Meaning.**  $\mathbf T'^T \mathbf Z_N \mathbf T'' = \tau'_1 \mathbf Z$.  As an equation without a factor (3.3.3)
+# is a choice, $\tau'_1 = 1$.
+
+# %%
 section.identity(
     "3.3/beyond/factor",
     "the factor of the relation is the first parameter of the left image",
     printed=product,
     derived=taup1 * product.applyfunc(lambda entry: over(entry, product[1, 0])),
-    note="Not in the paper: T'^T Z_N T'' = tau1' Z.  As an equation without a factor (3.3.3) is a choice, tau1' = 1, "
-    "which the comparison of components below makes.",
 )
 
 # %% [markdown]
 # ## The product, entry by entry
+#
+# **Print.**  One entry is lost.  In the four of the inner block primes of $\tau$ are missing, so that the parameters
+# of the right image read like those of the left.
 
 # %%
 T_transposed_printed = Matrix([[1, 0, 0], [taup1 - 1, taup1, 0], [taup2 - 1, 0, taup2]])
+product
+
+# %%
 section.identity(
     "3.3.4#factors",
     "the three factors",
@@ -158,6 +167,8 @@ for (row, column), printed in {
     (2, 0): taup2 * z_n,
 }.items():
     section.identity(f"3.3.4#{row}{column}", f"entry ({row}, {column})", printed=printed, derived=product[row, column])
+
+# %%
 section.identity(
     "3.3.4#01",
     "entry (0, 1)",
@@ -165,12 +176,11 @@ section.identity(
     derived=product[0, 1],
     expect="illegible",
     corrected=-taupp1,
-    note="The scan has lost this entry.  (3.3.5) confirms it: tau1'' = -z01.",
+    note="(3.3.5) confirms it: tau1'' = -z01.",
 )
-PRIMES = (
-    "  Primes of tau are lost in the whole matrix of the scan, where the parameters of the right image read like those "
-    "of the left; a slip of the scan cannot be told from one of the print."
-)
+
+# %%
+PRIMES = "  A slip of the scan cannot be told from one of the print."
 for (row, column), printed, corrected, note in (
     (
         (1, 1),
@@ -211,7 +221,8 @@ for (row, column), printed, corrected, note in (
 # %% [markdown]
 # ## The parameters
 #
-# The first row and the first column of the equation are linear in the four parameters.
+# **How do they follow from $\mathbf Z$?**  The first row and the first column of the equation are linear in the four
+# parameters.
 
 # %%
 z01, z02, z11, z12, z20, z21, z22 = sympy.symbols("z01 z02 z11 z12 z20 z21 z22")
@@ -219,12 +230,21 @@ Z = Matrix([[0, z01, z02], [1, z11, z12], [z20, z21, z22]])
 parameters = vector(taup1, taup2, taupp1, taupp2)
 border = ((1, 0), (2, 0), (0, 1), (0, 2))
 parameters_of_z = solve(*linear_system([product[place] - Z[place] for place in border], list(parameters)))
+parameters_of_z
+
+# %%
 section.identity(
     "3.3.5",
     "the four parameters from the elements of Z",
     printed=vector(1, z20 / z_n, -z01, -z02 / z_n),
     derived=parameters_of_z,
 )
+
+# %% [markdown]
+# With these parameters the diagonal of the product gives two conditions, in agreement with (2.2.2), and the other two
+# entries give $z_N$.
+
+# %%
 inner = product.xreplace(dict(zip(parameters, parameters_of_z, strict=True)))
 section.identity(
     "3.3/a",
@@ -232,11 +252,10 @@ section.identity(
     printed=vector(-1 - z11, -z20 - z22),
     where={z11: inner[1, 1], z22: inner[2, 2]},
     derived=vector(z01, z02),
-    note="z11 and z22 are the entries (1, 1) and (2, 2) of the product with the parameters (3.3.5): in agreement with "
-    "(2.2.2).",
 )
 
 
+# %%
 def solved(place: tuple[int, int]) -> sympy.Expr:
     """Return z_N from one entry of the equation, multiplied by z_N."""
     equation = sympy.expand(z_n * divided(inner[place] - Z[place]))
@@ -249,7 +268,8 @@ section.identity("3.3.6#12", "z_N from entry (1, 2)", printed=form_12, derived=z
 section.identity("3.3.6#21", "z_N from entry (2, 1)", printed=form_21, derived=z_of_21)
 
 # %% [markdown]
-# The two forms are equal on $\det \mathbf Z = 0$.
+# **Two forms of one number?**  They are equal on $\det \mathbf Z = 0$.  Of this determinant the last term is
+# misprinted: it must be $z_{22} z_{01}$, from $z_{01} z_{10} z_{22}$.
 
 # %%
 determinant_printed = z01 * z12 * z20 + z02 * z21 - z20 * z11 * z02
@@ -260,10 +280,14 @@ section.identity(
     derived=determinant(Z),
     expect="misprint",
     corrected=determinant_printed - z22 * z01,
-    note="The last term must be z22 z01, from z01 z10 z22.  A product of z01 and z12 without a third element occurs "
-    "neither in the determinant nor in that of another arrangement with the same other three terms.  A slip of the "
-    "scan cannot be told from one of the print.",
+    note="Ruled out: a product of z01 and z12 without a third element occurs in no arrangement with the same other "
+    "three terms.  A slip of the scan cannot be told from one of the print.",
 )
+
+# %% [markdown]
+# Cleared of denominators, the difference of the two forms is the determinant.
+
+# %%
 CONDITIONS_A = {z11: -1 - z01, z22: -z20 - z02}
 determinant_of_z = determinant(Z).subs(CONDITIONS_A)
 section.identity(
@@ -273,15 +297,19 @@ section.identity(
     derived=form_21,
     constraints=[determinant_of_z],
     nonzero=[z02, z01, z20],
-    note="Constraint: det Z = 0 under the conditions of item a.",
 )
 section.identity(
     "3.3/beyond/det",
     "the determinant is the difference of the two forms, cleared of denominators",
     printed=z01 * z20 * (1 + z12) + z02 * (z01 + z20 + z21 + z01 * z20),
     derived=determinant_of_z,
-    note="Not in the paper.",
 )
+
+# %% [markdown]
+# **The second parameters.**  $\tau'_2 = z_{20} / z_N$ and $\tau''_2 = -z_{02} / z_N$.  Both fractions of (3.3.7) are
+# printed upside down.  The example of section 4 i has 1.079591 and 1.07973, the values of the corrected forms.
+
+# %%
 section.identity(
     "3.3.7#left",
     "second parameter of the left image",
@@ -289,10 +317,9 @@ section.identity(
     derived=parameters_of_z[1].xreplace({z_n: z_of_21}),
     expect="error",
     corrected=(z01 + z20 + z21 + z01 * z20) / z01,
-    note="The fraction is inverted: tau2' = z20/z_N.  The example of section 4 i has 1.079591, in agreement with the "
-    "corrected form.  The printed value would belong to the inverse transformation, from P_N to P, which is not that "
-    "of (3.3.1) and (3.3.5); an exchange of the two images, or of rows and columns, does not give it.  Both fractions "
-    "of (3.3.7) are inverted, which no slip of the press explains.",
+    note="Ruled out: the inverse transformation, from P_N to P, which is not that of (3.3.1) and (3.3.5); an exchange "
+    "of the two images, or of rows and columns.  Both fractions are inverted, which no slip of the press "
+    "explains.",
     same_as="3.3.7#right",
 )
 section.identity(
@@ -302,16 +329,15 @@ section.identity(
     derived=parameters_of_z[3].xreplace({z_n: z_of_12}),
     expect="error",
     corrected=1 + z12,
-    note="The fraction is inverted: tau2'' = -z02/z_N.  The example of section 4 i has 1.07973 = 1 + z12.  "
-    "Both fractions of (3.3.7) are inverted, which no slip of the press explains.",
+    note="Both fractions of (3.3.7) are inverted, which no slip of the press explains.",
     follows="Both fractions of (3.3.7) are upside down. In the example tau''2 is {4/i#right.tau2}. The printed "
     "formula gives {4/i/beyond/as-printed#right.tau2}, and the images are not in the normal case. See "
     "docs/findings/inverted-parameters.md.",
 )
 
 # %% [markdown]
-# The text eliminates $z_N$ in (3.3.4) by (3.3.5): with $\tau'_2 z_N = z_{20}$ and $\tau'_1 = 1$, the entries (2, 1) and
-# (1, 2) contain one parameter each.
+# The text eliminates $z_N$ in (3.3.4) by (3.3.5).  With $\tau'_2 z_N = z_{20}$ and $\tau'_1 = 1$, the entries (2, 1)
+# and (1, 2) contain one parameter each.  The result is the same, so the references are right.
 
 # %%
 without_z_n = {taup1: parameters_of_z[0], taupp1: parameters_of_z[2], z_n: over(z20, taup2)}
@@ -324,14 +350,36 @@ section.identity(
     "elimination of z_N in (3.3.4) gives what (3.3.6), inserted in (3.3.5), gives",
     printed=vector(parameters_of_z[1].xreplace({z_n: z_of_21}), parameters_of_z[3].xreplace({z_n: z_of_12})),
     derived=vector(*tau2_of_entries),
-    note="So that the references to (3.3.4) and (3.3.5) are right; (3.3.6) is not needed.  What is printed for the "
-    "result is the inverse of it: 3.3.7#left and 3.3.7#right.",
+)
+
+# %% [markdown]
+# **An example.**  The matrix $\mathbf Z$ of the example of section 2.2 has these parameters $\tau'_1, \tau'_2,
+# \tau''_1, \tau''_2$, with $z_N = -z_{02} / (1 + z_{12})$:
+
+# %%
+numbers = {Z[place]: Z_example[place] for place in ((0, 1), (0, 2), (1, 2), (2, 0))}
+example_z_n = z_of_12.xreplace(numbers).doit()
+example_parameters = parameters_of_z.xreplace(numbers | {z_n: example_z_n}).doit()
+example_parameters
+
+# %%
+TAUS = dict(zip(parameters, example_parameters, strict=True))
+lines = [Z_example * homogeneous(seen) for seen in SEEN.values()]
+to_normal = T_left.xreplace(TAUS)
+moved = {
+    name: mapped_u.xreplace(LEFT).xreplace(TAUS | {up1: seen[0], up2: seen[1]}).doit() for name, seen in SEEN.items()
+}
+ImageDrawing(
+    "The left image of section 2.2 before and after the transformation: the epipolar lines of the points P1 to P4 of "
+    "the right image become parallel.",
+    {"original": (SEEN, lines), "normal case": (moved, [adjugate(to_normal).T * line for line in lines])},
 )
 
 # %% [markdown]
 # ## All solutions
 #
-# $\mathbf Z$ is known but for a factor.  With $\tau'_1 = k$ the product is $k \mathbf Z$; every $k$ gives a solution.
+# **Is the solution unique?**  $\mathbf Z$ is known but for a factor.  With $\tau'_1 = k$ the product is $k \mathbf
+# Z$, and every $k$ gives a solution: a simple infinite manifold.
 
 # %%
 k = sympy.Symbol("k")
@@ -350,7 +398,6 @@ section.identity(
     "the solutions are a simple infinite manifold",
     printed=k * Z_regular,
     derived=product.xreplace(family),
-    note="One solution for every k = tau1'; z21 from det Z = 0.",
 )
 section.identity(
     "3.3/manifold#second",
@@ -360,7 +407,8 @@ section.identity(
 )
 
 # %% [markdown]
-# The first solution, with $u'_{N31} = u'_{31}$ in (3.1.2), has $\tau'_1 = u_{30}/u_{N30}$ in place (1, 0).
+# **The first solution**, with $u'_{N31} = u'_{31}$ in (3.1.2), has $\tau'_1 = u_{30}/u_{N30}$ in place (1, 0).  It is
+# 1 only if $u_{N32} = u_{32}$ as well.
 
 # %%
 SAME_31 = {un31: u31}
@@ -369,8 +417,13 @@ section.vanishing(
     "the first solution has an element z10 that is not 1",
     printed=(un32 - u32,),
     derived=product[1, 0].xreplace({taup1: tau_of_fourth_points[0].xreplace(SAME_31)}) - 1,
-    note="1 exactly where u_N32 = u32 as well.",
 )
+
+# %% [markdown]
+# Its parameters are those of the method (1.5.4), but for a factor.  In the print of that method numerator and
+# denominator are alike.
+
+# %%
 fourth_ratio = vector(u30, u31, u32)
 fourth_ratio_normal = vector(un30, un31, un32)
 tau0, tau3 = sympy.symbols("tau0 tau3")
@@ -385,8 +438,7 @@ section.identity(
     derived=vector(*by_1_5_4[1:, 0]),
     expect="misprint",
     corrected=vector(un31 / u31, un32 / u32),
-    note="Numerator and denominator are printed alike; without the N in the denominator it is (1.5.4) with mu4 = 1.  "
-    "In this method tau0 = u_N30/u30 is not 1.",
+    note="Without the N in the denominator it is (1.5.4) with mu4 = 1.  In this method tau0 = u_N30/u30 is not 1.",
 )
 section.up_to_scale(
     "3.3/method-1.5.4#scale",
@@ -394,8 +446,14 @@ section.up_to_scale(
     printed=vector(un30 / u30, un31 / u31, un32 / u32),
     where=FOURTH,
     derived=vector(1, *tau_of_fourth_points),
-    note="So that, for the same fourth points, it gives the same transformation.",
 )
+
+# %% [markdown]
+# **The second solution** has $\tau'_1 = 1$.  The paper says that it keeps $u'_{31}$.  But the table of section 4 i
+# has 0.270614 for point 2, and $u'_{31}$ is 0.2718578.  What is kept is the ratio of the first two barycentric
+# coordinates.
+
+# %%
 section.identity(
     "3.3/u'N31",
     "in the second solution the first coordinate of the fourth point is kept",
@@ -403,8 +461,6 @@ section.identity(
     derived=mapped_u[0].xreplace({tau1: sympy.Integer(1), u1: u31, u2: u32}),
     expect="false",
     instead="3.3/beyond/u'N31",
-    note="The second solution has tau1' = 1 together with tau0' = 1, which is not u'_N31 = u'_31: the table of section "
-    "4 i has u'_N1 = 0.270614 for point 2, and u'_1 = 0.2718578.",
 )
 kept = mapped_u.xreplace({tau1: sympy.Integer(1), u1: u31, u2: u32})
 section.identity(
@@ -413,12 +469,12 @@ section.identity(
     printed=u31 / u30,
     where=FOURTH,
     derived=over(kept[0], 1 - kept[0] - kept[1]),
-    note="Not in the paper: what tau1' = 1 means for the fourth point.",
 )
 
 # %% [markdown]
-# How do the solutions follow from one another?  Divided by $z_{10} = \tau'_1$, the correlation matrix of the first
-# solution is that of the second: this is 3.3/manifold.  The parameters are not.
+# **How do the solutions follow from one another?**  Divided by $z_{10} = \tau'_1$, the correlation matrix of the first
+# solution is that of the second.  The parameters are not.  In section 4 the first solution has $z_N = 0.1221364$ and
+# $\tau'_1 = 1.0063775$, hence 0.121362; the second one has 0.121456.
 
 # %%
 section.identity(
@@ -428,9 +484,8 @@ section.identity(
     derived=vector(*(at_one[symbol] for symbol in (*parameters, z_n))),
     expect="false",
     instead="3.3/beyond/relation",
-    note="True for tau1' and tau1'' (3.3/divided#tau1), not for tau2', tau2'' and z_N: in section 4, z_N = 0.1221364 "
-    "and tau1' = 1.0063775 of the first solution give 0.121362, the second solution is 0.121456.  If the sentence "
-    "means the components of the matrix (3.3.4), it is true: 3.3/manifold.",
+    note="True for tau1' and tau1'', 3.3/divided#tau1.  If the sentence means the components of the matrix (3.3.4), "
+    "it is true: 3.3/manifold.",
 )
 section.identity(
     "3.3/divided#tau1",
@@ -438,14 +493,18 @@ section.identity(
     printed=vector(over(family[taup1], k), over(family[taupp1], k)),
     derived=vector(at_one[taup1], at_one[taupp1]),
 )
+
+# %% [markdown]
+# What is true: one projectivity for both images takes the second solution to the first.  Its divisor
+# $1 + (k - 1)(u_1 + z_N u_2)$ is constant on every epipolar line.
+
+# %%
 relation = T.xreplace({tau1: k, tau2: 1 + (k - 1) * at_one[z_n]})
 section.identity(
     "3.3/beyond/relation",
     "the first solution is the second one followed by one projectivity for both images",
     printed=columns(relation * T_left.xreplace(at_one), relation * T_right.xreplace(at_one)),
     derived=columns(T_left.xreplace(family), T_right.xreplace(family)),
-    note="Not in the paper: the projectivity has the parameters k and 1 + (k - 1) z_N, z_N of the second solution.  "
-    "Its divisor 1 + (k - 1)(u1 + z_N u2) is constant on every epipolar line.",
 )
 
 section.reference(
@@ -459,9 +518,11 @@ section.reference(
 # %% [markdown]
 # ## Relative orientation from normal case images
 #
-# The point $\mathbf y_A$ of the epipolar axis is projected to the epipole, the equations (2.3.0).  Now the epipole goes
-# to infinity, in the direction $u_{01} : u_{02} = -z_N$.  In the following
-# $u_{01} = -z_N/\varepsilon + b_1$ and $u_{02} = 1/\varepsilon + b_2$.
+# **What becomes of section 2.4 in the normal case?**  There the point $\mathbf y_A$ of the epipolar axis is projected
+# to the epipole, the equations (2.3.0).  Now the epipole goes to infinity, in the direction $u_{01} : u_{02} = -z_N$.
+#
+# **Definition.**  $u_{01} = -z_N/\varepsilon + b_1$ and $u_{02} = 1/\varepsilon + b_2$, with $\varepsilon$ going to
+# zero.
 
 # %%
 eps, b1, b2 = sympy.symbols("eps b1 b2")
@@ -481,12 +542,16 @@ section.identity(
     where={z_n: z_of_pair},
     derived=over(w_left[1], w_left[2]),
 )
+
+# %% [markdown]
+# The text refers to the display of this limit, and to formulas of other sections, by wrong numbers.
+
+# %%
 section.reference(
     "3.3/ref-2.3",
     "subsection with the parameters of relative orientation",
     printed="2.3",
     meant="2.4",
-    note="The same finding as 2.4/ref-2.3.",
     same_as="2.4/ref-2.3",
 )
 section.reference(
@@ -494,7 +559,6 @@ section.reference(
     "subsection with the explicit expressions for mu",
     printed="2.3",
     meant="2.4",
-    note="The same finding as 2.4/ref-2.3.",
     same_as="2.4/ref-2.3",
 )
 section.reference(
@@ -504,6 +568,11 @@ section.reference(
     meant="3.2.9",
     note="There is no (2.3.9), neither in 2.3 nor in 2.4; (3.2.9) gives z_N as this quotient.",
 )
+
+# %% [markdown]
+# In the limit the coordinates keep their quotient.
+
+# %%
 section.limit(
     "3.3/quotient#limit",
     "the quotient in the limit",
@@ -516,21 +585,24 @@ section.reference(
     "display with the limiting process",
     printed="3.3.7",
     meant="3.3",
-    note="(3.3.7) gives tau'2 and tau''2, without any limit.  Meant is the display of subsection 3.3 with the limit of "
-    "u01/u02, which has no number: 3.3/quotient#limit.",
+    note="Meant is the display of subsection 3.3 with the limit of u01/u02, which has no number: 3.3/quotient#limit.",
 )
+
+# %% [markdown]
+# In the limit the left side of the first equation of (2.3.0) vanishes against the others: so does the first component
+# of the epipole $(1, u_{01}, u_{02})$, the third being 1.
+
+# %%
 section.limit(
     "3.3/first-equation",
     "the first equation equals zero",
     printed=vector(0, -z_n),
     derived=vector(over(1, u02), over(u01, u02)),
     variable=eps,
-    note="The first and second component of the epipole (1, u01, u02), the third being 1: the left side of the first "
-    "equation of (2.3.0) vanishes against the others.",
 )
 
 # %% [markdown]
-# a) Left bundle, with $\mu_1 = \mu_2$: two equations for two unknowns, before the limit.
+# **a) Left bundle**, with $\mu_1 = \mu_2$: two equations for two unknowns.  The print is the limit of their solution.
 
 # %%
 weights = weights_of(y_a).subs(mu2, mu1)
@@ -582,6 +654,9 @@ def infinite_equations(weights: Matrix) -> list[sympy.Expr]:
 
 
 mu_left = vector(*(solve(*linear_system(infinite_equations(weights), [mu1, mu3]))[i] for i in (0, 0, 1)))
+mu_left
+
+# %%
 mu_left_printed = vector(-ya0 * ya3 * sum_n, -ya0 * ya3 * sum_n, ya0 * (ya1 + z_n * ya2)) / D_left
 section.identity(
     "3.3.8",
@@ -592,8 +667,8 @@ section.identity(
 )
 
 # %% [markdown]
-# b) Right bundle: $\mathbf y_A$ and the left center $\mathbf y_0$ are projected to the epipole.  Each gives $\mu_1$ and
-# $\mu_2$ in terms of $\mu_3$.
+# **b) Right bundle.**  $\mathbf y_A$ and the left center $\mathbf y_0$ are projected to the epipole.  Each gives
+# $\mu_1$ and $\mu_2$ in terms of $\mu_3$.
 
 # %%
 u00 = 1 - epipole_symbols[0] - epipole_symbols[1]
@@ -634,7 +709,6 @@ for name, (c0, c1, c2, c3) in (("yA", (ya0, ya1, ya2, ya3)), ("y0", (y00, y01, y
             where=BOTH,
             derived=solutions[name][i].xreplace(AT_EPIPOLE),
             variable=eps,
-            note="" if name == "yA" else "y0 is the center of the left image.",
         )
 
 # %% [markdown]
@@ -655,13 +729,13 @@ for i, name, factor_printed, right_side in (
         where=BOTH,
         derived=mu3_found.xreplace(AT_EPIPOLE),
         variable=eps,
-        note="The printed equation, solved for mu3.",
     )
 
 # %% [markdown]
-# Without a limit: the homogeneous coordinates $(w_0, w_1, w_2)$ of the images of $\mathbf y_A$ and $\mathbf y_0$
-# satisfy $w_0 = 0$ and $w_1 + z_N w_2 = 0$.  These are four equations for three unknowns, consistent because the base
-# passes through both points; the parameters of the left image satisfy them.
+# **Are these the parameters of the left image again?**  In the normal case they must be.  Without a limit, the
+# homogeneous coordinates $(w_0, w_1, w_2)$ of the images of $\mathbf y_A$ and $\mathbf y_0$ satisfy $w_0 = 0$ and
+# $w_1 + z_N w_2 = 0$.  These are four equations for three unknowns, and the parameters of the left image satisfy
+# them.
 
 # %%
 right_weights = {name: weights_of(p).xreplace(FOURTH_RIGHT) for name, p in (("yA", y_a), ("y0", center))}
@@ -672,7 +746,6 @@ section.identity(
     derived=vector(*(equation for w in right_weights.values() for equation in infinite_equations(w))).xreplace(
         {z_n: z_of_pair} | dict(zip((*y_a, *center), (*axis_of_mu, *y0_left), strict=True))
     ),
-    note="The equations for the parameters of the right bundle are satisfied by the parameters of the left one.",
 )
 
 # %% [markdown]
@@ -693,99 +766,4 @@ section.identity(
     ),
     where=BOTH,
     derived=mu_right,
-)
-
-# %% [markdown]
-# ## Code
-#
-# Inserted one after the other, $\mu_3$ would cancel again in $\mu_1$ and $\mu_2$ where it is large.  The forms below
-# are quotients with the products that cancel taken out.
-
-# %%
-ABOUT_AXIS = "Point (yA1, yA2, yA3) of the epipolar axis in affine coordinates; dimensionless."
-ABOUT_ZN = "Factor z_N of the normal case correlation; dimensionless."
-weighted, difference, common, s0, s1, sz = sympy.symbols("weighted difference common s0 s1 sz")
-EXAMPLE_AXIS = {"y_a": ("-1.0", "0.5", "3.5")}
-
-section.kernel(
-    "normal_case.mu_left",
-    "Projective parameters of the left image of a normal case, with mu1 = mu2.",
-    arguments={"y_a": y_a, "u3": normal_fourth_image, "z_n": z_n},
-    describe={
-        "y_a": ABOUT_AXIS,
-        "u3": "Image (uN31, uN32) of the fourth basic point in the left normal case image; dimensionless.",
-        "z_n": ABOUT_ZN,
-    },
-    derived=mu_left,
-    form=vector(
-        -ya0 * weighted / difference,
-        -ya0 * weighted / difference,
-        ya0 * (ya1 + z_n * ya2) / (ya3 * difference),
-    ),
-    where=AXIS | {weighted: sum_n, difference: (ya1 + ya2) * weighted - (ya1 + z_n * ya2)},
-    claims=["3.3.8", "3.3.8#mu1", "3.3.8#mu3"],
-    example={**EXAMPLE_AXIS, "u3": ("0.270614", "0.062048"), "z_n": "0.1214564"},
-)
-section.kernel(
-    "normal_case.mu_right",
-    "Projective parameters of the right image of a normal case.",
-    arguments={"y_a": y_a, "y0": center, "u3": right_fourth, "z_n": z_n},
-    describe={
-        "y_a": ABOUT_AXIS,
-        "y0": "Center of projection (y01, y02, y03) of the left image in affine coordinates; dimensionless.",
-        "u3": "Image (uppN31, uppN32) of the fourth basic point in the right normal case image; dimensionless.",
-        "z_n": ABOUT_ZN,
-    },
-    derived=mu_right,
-    form=vector(
-        (
-            z_n * s1 * ya2 * ((1 - ya1 - ya2) * y03 + y02 * ya3)
-            + s0 * (1 - z_n) * ya3 * ((1 - ya1 - ya3) * y02 + y03 * ya2)
-            - sz * ya2 * ya3 * (1 - y01)
-        )
-        / ((1 - z_n) * s1 * common * ya1),
-        ((1 - ya1 - ya2) * y03 - (1 - y01 - y02) * ya3) / ((z_n - 1) * common),
-        ((1 - y01 - y03) * ya2 - (1 - ya1 - ya3) * y02) / (s1 * common),
-    ),
-    where={
-        s0: sum_r,
-        s1: z_n * r32 - (1 - r31),
-        sz: r31 - z_n * (1 - r32),
-        common: ya2 * y03 - y02 * ya3,
-    },
-    claims=["3.3.9", "3.3.9#mu1(yA)", "3.3.9#mu2(yA)", "3.3.9#mu3-second"],
-    example={
-        **EXAMPLE_AXIS,
-        "y0": ("-1.1281689", "-0.2586740", "4.3209568"),
-        "u3": ("0.309509", "-0.258189"),
-        "z_n": "0.1214564",
-    },
-)
-
-# %% [markdown]
-# The second solution for any multiple of $\mathbf Z$: $z_N$ from entry (1, 2) and the parameters (3.3.5).  With
-# $z_N$ inserted, the parameters of the right image lose the divisors $z_N$ and $z_{02}$.
-
-# %%
-z_any = Matrix(3, 3, sympy.symbols("z:3:3"))
-z10 = z_any[1, 0]
-DIVIDED = {element: over(element, z10) for element in (z01, z02, z12, z20)}
-second_solution = vector(z_of_12, *parameters_of_z.xreplace({z_n: z_of_12})).xreplace(DIVIDED)
-section.kernel(
-    "normal_case.from_correlation",
-    "Factor z_N and parameters (tau1, tau2) of both images for the normal case, from the matrix of correlation alone.",
-    arguments={"Z": z_any},
-    describe={"Z": "Singular matrix of correlation referred to the basic points, up to a factor; dimensionless."},
-    derived={
-        "z_N": second_solution[0],
-        "tau_left": vector(second_solution[1], second_solution[2]),
-        "tau_right": vector(second_solution[3], second_solution[4]),
-    },
-    form={
-        "z_N": -z02 / (z10 + z12),
-        "tau_left": vector(1, -z20 * (z10 + z12) / (z10 * z02)),
-        "tau_right": vector(-z01 / z10, (z10 + z12) / z10),
-    },
-    claims=["3.3.5", "3.3.6#12", "3.3.7#left", "3.3.7#right", "3.3/manifold#second"],
-    example={"Z": (("0", "-0.975", "-0.125"), ("1", "-0.025", "0.075"), ("0.125", "-0.083333", "0"))},
 )

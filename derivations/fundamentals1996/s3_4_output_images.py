@@ -1,17 +1,17 @@
 # %% [markdown]
 # # 3.4 Representation of output images
 #
-# The normal case coordinates are affine; a device needs rectangular ones.  A frame of two pairs of parallel lines,
-# epipolar lines and lines $\mathbf g_N$, is taken for a rectangle with the sides 1: one more affine transformation.
+# The normal case coordinates are affine.  A device needs rectangular ones.  Which affine transformation gives them
+# without vertical parallax?  The paper takes a frame of two pairs of parallel lines, epipolar lines and lines
+# $\mathbf g_N$, for a rectangle with the sides 1.
 
 # %%
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_6_optical_projection import parallel_through_origin
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import (
-    ABOUT_TAU,
-    EXAMPLE_TAU,
     T,
     tau1,
     tau2,
@@ -59,9 +59,9 @@ def coefficients(form: sympy.Expr) -> Matrix:
 # %% [markdown]
 # ## The families of parallels
 #
-# By (3.2.2) the coefficients $b_{N1} : b_{N2}$ of all epipolar lines are $1 : z_N$.  The line that $\mathbf T$ sends
-# to infinity is $\mathbf g = \mathbf T^T (1, 0, 0)^T$; its coefficients refer to the coordinates of the *original*
-# image.
+# **Definition.**  By (3.2.2) the coefficients $b_{N1} : b_{N2}$ of all epipolar lines are $1 : z_N$.  The line that
+# $\mathbf T$ sends to infinity is $\mathbf g = \mathbf T^T (1, 0, 0)^T$.  Its coefficients refer to the coordinates
+# of the *original* image.
 
 # %%
 at_infinity = vector(1, 0, 0)
@@ -77,7 +77,7 @@ section.identity(
     printed=vector(constant_g, tau1 - 1, tau2 - 1),
     derived=vector(constant_g, *g_direction),
     note="The numbers are those of the vanishing line g, (1.6/g) with mu0 = 1, mu_i = tau_i.  As lines of the normal "
-    "case plane, in the coordinates u_N, they are not parallels to its vanishing line: see 3.4/gN#parallels.",
+    "case plane they are not parallels to its vanishing line: 3.4/gN#parallels.",
 )
 section.identity(
     "3.4/hN",
@@ -85,14 +85,13 @@ section.identity(
     printed=vector(constant_h, 1, z_n),
     where={constant_h: any_epipolar_line[0]},
     derived=any_epipolar_line,
-    note="Derived is the line of any point of the right image.",
 )
 
 # %% [markdown]
-# Are they parallels to the vanishing line?  In the normal case plane that line is the image of the line at infinity of
-# $P$, $\mathbf g' = \mathbf T^{-T} (1, 0, 0)^T$, with $1/\tau_i - 1$ for $\tau_i - 1$.  The parallels through the
-# origins correspond: $\mathbf T$ carries $(\tau_1 - 1)\, u_1 + (\tau_2 - 1)\, u_2 = 0$ to
-# $(1/\tau_1 - 1)\, u_{N1} + (1/\tau_2 - 1)\, u_{N2} = 0$.
+# **Are they parallels to the vanishing line?**  In the normal case plane that line is the image of the line at
+# infinity of $P$, $\mathbf g' = \mathbf T^{-T} (1, 0, 0)^T$, with $1/\tau_i - 1$ for $\tau_i - 1$.  So the printed
+# coefficients are right for the coordinates $\mathbf u$ of the original image, and wrong for $\mathbf u_N$, for which
+# the display uses them.  The rest of this section is checked with them all the same.
 
 # %%
 g_normal = inverse(T).T * at_infinity
@@ -105,31 +104,30 @@ section.up_to_scale(
     derived=parallel_through_origin(g_normal),
     expect="false",
     instead="3.4/beyond/gN",
-    note="Right for the coordinates u of the original image, wrong for u_N, for which the display uses it.  No slip "
-    "of print: Table 3.4, (3.4.1) and the matrix A'' of section 4 i (a21 = -0.333615) follow the printed coefficients, "
-    "and everything else of this section is checked with them.",
+    note="No slip of print: Table 3.4, (3.4.1) and the matrix A'' of section 4 i (a21 = -0.333615) follow the printed "
+    "coefficients.",
 )
 section.up_to_scale(
     "3.4/gN#original",
     "the same lines in the coordinates of the original image",
     printed=printed_family,
     derived=g_origin,
-    note="The reading under which the coefficients are right.",
 )
 section.up_to_scale(
     "3.4/beyond/gN",
     "the parallel to the vanishing line in the normal case plane",
     printed=vector(0, 1 / tau1 - 1, 1 / tau2 - 1),
     derived=inverse(T).T * g_origin,
-    note="Not in the paper: carried over from the original image as in (1.5.7); it agrees with (1.6.6).",
 )
 
 # %% [markdown]
 # ## Right angles
 #
-# Where are the two families at right angles?  Let the normal case plane have any positions of the basic points in
-# rectangular coordinates, $\xi_3 = 0$, and let the center of projection be anywhere.  Then $P$ passes through the
-# points $\mathbf y_0 + \tau_j (G_{Nj} - \mathbf y_0)$, and the base has the direction of the epipolar lines.
+# **Are the two families at right angles?**  The paper says so.  An image frame is rectangular if the affine
+# coordinates of the device are declared to be.  The directions on the normal case plane are not at right angles.  Let
+# the basic points have any positions in that plane, $\xi_3 = 0$, and let the center of projection be anywhere.  Then
+# $P$ passes through the points $\mathbf y_0 + \tau_j (G_{Nj} - \mathbf y_0)$, and the base has the direction of the
+# epipolar lines.
 
 # %%
 g_points = [vector(*sympy.symbols(f"gN{j}1 gN{j}2"), 0) for j in range(3)]
@@ -152,25 +150,27 @@ section.identity(
     derived=dot(metric_direction(g_direction), metric_direction(epipolar_direction)),
     expect="false",
     instead="3.4/beyond/right-angles",
-    note="An image frame is rectangular if the affine coordinates of the device are declared to be; the directions on "
-    "the normal case plane are not at right angles.  The parallels to the vanishing line of 3.4/beyond/gN are not "
-    "either, in general: they have the direction of the line in which P cuts the normal case plane, which need not be "
-    "at right angles to the base.",
+    note="The parallels to the vanishing line of 3.4/beyond/gN are not at right angles to the epipolar lines either, "
+    "in general.",
 )
+
+# %% [markdown]
+# **What is true.**  The parallels to the vanishing line have the direction in which $P$ cuts the normal case plane.
+# With them the frame has right angles exactly where this intersection is at right angles to the base.
+
+# %%
 section.up_to_scale(
     "3.4/beyond/right-angles",
     "the parallels to the vanishing line have the direction of the intersection of P and the normal case plane",
     printed=metric_direction(vector(1 / tau1 - 1, 1 / tau2 - 1)),
     derived=intersection,
-    note="Not in the paper: a frame of epipolar lines and parallels to the vanishing line has right angles exactly "
-    "where this intersection is at right angles to the base.",
 )
 
 # %% [markdown]
 # ## The four lines
 #
-# The frame consists of the epipolar lines through $G_{N0}$ and $G_{N1}$ and the lines of the other family through
-# $G_{N0}$ and $G_{N2}$.
+# **Definition.**  The frame consists of the epipolar lines through $G_{N0}$ and $G_{N1}$ and the lines of the other
+# family through $G_{N0}$ and $G_{N2}$.
 
 # %%
 h_lines = [line_through(epipolar_direction, point) for point in (origin, unit1)]
@@ -180,7 +180,7 @@ section.reference(
     "figure of the frame lines",
     printed="4.2",
     meant="3.4",
-    note="There is no Fig. 4.2; Fig. 3.4 shows the oblique and the rectangular coordinates, with this frame.",
+    note="There is no Fig. 4.2.",
 )
 for name, printed, line in (
     ("hN0", un1 + z_n * un2, h_lines[0]),
@@ -191,7 +191,7 @@ for name, printed, line in (
     section.identity(f"3.4/{name}", f"frame line {name}", printed=coefficients(printed), derived=line)
 
 # %% [markdown]
-# Their points of intersection.
+# **Where do they meet?**  Four corners follow.
 
 # %%
 delta = sympy.Symbol("delta")
@@ -228,6 +228,11 @@ for name, printed in (
         derived=corners[name],
     )
 
+# %% [markdown]
+# **On what do the corners depend?**  On the three parameters that the sentence names, and on nothing else.  Of
+# $\tau_1$ and $\tau_2$ only the quotient of $\tau_1 - 1$ and $\tau_2 - 1$ matters.
+
+# %%
 section.count(
     "3.4/exclusively",
     "of the parameters of the transformation the corners depend on no more than two quantities",
@@ -235,14 +240,13 @@ section.count(
     derived=vector(*(coordinate for corner in corners.values() for coordinate in corner)),
     variables=(tau1, tau2, z_n),
     kernel=[vector(tau1 - 1, tau2 - 1, 0)],
-    note="The sentence names three parameters, and nothing else occurs, as the corners of Table 3.4 show.  Of tau1 and "
-    "tau2 only the quotient of tau1 - 1 and tau2 - 1 matters.",
 )
 
 # %% [markdown]
 # ## The affine transformation
 #
-# $\mathbf A$ carries $U_0$, $U_1$, $U_2$ to $(0, 0)$, $(1, 0)$, $(0, 1)$: six linear equations for the last two rows.
+# **Definition.**  $\mathbf A$ carries $U_0$, $U_1$, $U_2$ to $(0, 0)$, $(1, 0)$, $(0, 1)$: six linear equations for
+# the last two rows.
 
 # %%
 a = Matrix(2, 3, sympy.symbols("a1:3(0:3)"))
@@ -255,9 +259,17 @@ requirements = [
 solution = solve(*linear_system(requirements, list(a)))
 elements = dict(zip(a, solution, strict=True))
 A = Matrix.vstack(Matrix([[1, 0, 0]]), a.xreplace(elements))
+A
+
+# %%
 
 section.definition("3.4/A", "form of the affine transformation", printed=Matrix.vstack(Matrix([[1, 0, 0]]), a))
 section.identity("3.4/a10", "no translation", printed=vector(0, 0), derived=vector(elements[a10], elements[a20]))
+
+# %% [markdown]
+# **Print.**  The conditions at $U_1$ and $U_2$, multiplied by $\delta$, and what follows from them.
+
+# %%
 for row, (first, second) in enumerate(((a11, a12), (a21, a22)), start=1):
     printed_equations = [
         -(tau2 - 1) * first + (tau1 - 1) * second - (delta if row == 1 else 0),
@@ -271,7 +283,6 @@ for row, (first, second) in enumerate(((a11, a12), (a21, a22)), start=1):
             printed=printed,
             where={delta: DELTA_PRINTED},
             derived=DELTA_PRINTED * required,
-            note="The derived side is the condition at the corner, multiplied by delta.",
         )
 section.identity(
     "3.4/a11,a12", "elements of the first row", printed=vector(1, z_n), derived=vector(elements[a11], elements[a12])
@@ -282,6 +293,11 @@ section.identity(
     printed=vector((tau1 - 1) / (tau2 - 1), 1),
     derived=vector(elements[a21], elements[a22]),
 )
+
+# %% [markdown]
+# The matrix, the coordinates, and a control: the fourth corner was not used, and becomes the unit point.
+
+# %%
 section.identity(
     "3.4.1#matrix",
     "matrix of the transformation to the output system",
@@ -299,13 +315,31 @@ section.identity(
     "the fourth corner becomes the unit point",
     printed=vector(1, 1, 1),
     derived=A * homogeneous(corners["unit"]),
-    note="A control: the unit point was not used to determine A.",
 )
 
 # %% [markdown]
-# The rows of $\mathbf A$ are the frame lines through the origin themselves, scaled to 1 at the basic point on the
-# opposite side: $x_1 = \mathbf h_{N0}^T \mathbf u_N$ and
-# $x_2 = \mathbf g_{N0}^T \mathbf u_N / (\tau_2 - 1)$.  So $\mathbf A$ can be had without the corners.
+# **An example.**  The frame of the left image, with $z_N$ and $\tau$ of section 4 f and g:
+
+# %%
+EXAMPLE = {z_n: sympy.Rational("0.1221364"), tau1: sympy.Rational("1.0063775"), tau2: sympy.Rational("1.0804274")}
+A_example = A.xreplace(EXAMPLE).doit()
+frame_points = {name: corner.xreplace(EXAMPLE).doit() for name, corner in corners.items()}
+frame_lines = [line.xreplace(EXAMPLE) for line in (*h_lines, *g_lines)]
+ImageDrawing(
+    "The frame of two pairs of parallels in the left normal case image, and the rectangle that it becomes.",
+    {
+        "normal case": (frame_points, frame_lines),
+        "output": (
+            {name: (A_example * homogeneous(corner))[1:, :] for name, corner in frame_points.items()},
+            [solve(A_example.T, line).doit() for line in frame_lines],
+        ),
+    },
+)
+
+# %% [markdown]
+# **Are the corners needed?**  No.  The rows of $\mathbf A$ are the frame lines through the origin themselves, scaled
+# to 1 at the basic point on the opposite side: $x_1 = \mathbf h_{N0}^T \mathbf u_N$ and $x_2 = \mathbf g_{N0}^T
+# \mathbf u_N / (\tau_2 - 1)$.  The corners need $\delta$, the lines do not.
 
 
 # %%
@@ -320,21 +354,25 @@ section.identity(
     "the rows of the transformation are the frame lines through the origin",
     printed=A,
     derived=A_of_lines,
-    note="Not in the paper.  The corners need delta, the lines do not.",
 )
+
+# %% [markdown]
+# Where $\delta = 0$ the two families are parallel, and the frame degenerates.  $\tau_2 = 1$ is excluded as well, for
+# then the line through $G_{N2}$ is the line through $G_{N0}$.
+
+# %%
 section.vanishing(
     "3.4/beyond/regular",
     "the frame degenerates where delta is zero",
     printed=(DELTA_PRINTED,),
     derived=determinant(A_of_lines),
-    note="Not in the paper: the two families are then parallel.  tau2 = 1 is excluded as well, for then the line "
-    "through G_N2 is the line through G_N0.",
 )
 
 # %% [markdown]
 # ## No vertical parallax
 #
-# Left and right image have matrices $\mathbf A$ of their own, with the same $z_N$.
+# Left and right image have matrices $\mathbf A$ of their own, with the same $z_N$.  **Is $x'_1 = x''_1$?**  Under the
+# condition (3.2.3) it is, for the first coordinate does not depend on $\tau$.
 
 # %%
 LEFT = dict(zip((un1, un2, tau1, tau2), sympy.symbols("upN1 upN2 taup1 taup2"), strict=True))
@@ -347,7 +385,6 @@ section.identity(
     derived=x_left[1],
     constraints=[dot(vector(1, z_n), vector(LEFT[un1] - RIGHT[un1], LEFT[un2] - RIGHT[un2]))],
     nonzero=[1 - side[tau2] for side in (LEFT, RIGHT)],
-    note="x1' = x1'' under the condition (3.2.3): the first coordinate does not depend on tau.",
 )
 section.identity(
     "3.4/x1#condition",
@@ -374,8 +411,9 @@ section.identity(
 )
 
 # %% [markdown]
-# Whatever is done to the image by an affine transformation, scaling or not, the coordinates that refer to the images of
-# the basic points are the same as before, and so is the model.
+# **Does that distort the model?**  No.  Whatever is done to the image by an affine transformation, the coordinates that
+# refer to the images of the basic points are $\mathbf u_N$ again.  So the reconstruction is the same, and its
+# transformation to the object as well.
 
 # %%
 unit_images = columns(image_e0, image_e1, image_e2)
@@ -385,21 +423,4 @@ section.identity(
     "an affine distortion of the output does not concern the model",
     printed=homogeneous(u_normal),
     derived=unit_images * solve(output * unit_images, output * homogeneous(u_normal)),
-    note="The sentence, made precise: referred to the basic points the distorted coordinates are u_N again; the "
-    "reconstruction and the transformation (1.5.2) by five control points are the same as without distortion.",
-)
-
-# %% [markdown]
-# ## Code
-
-# %%
-section.kernel(
-    "normal_case.frame",
-    "Matrix A of the affine transformation from the normal case to rectangular coordinates.",
-    arguments={"z_n": z_n, "tau": vector(tau1, tau2)},
-    describe={"z_n": "Factor z_N of the normal case correlation; dimensionless.", "tau": ABOUT_TAU},
-    derived=A_of_lines,
-    form=Matrix([[1, 0, 0], [0, 1, z_n], [0, (tau1 - 1) / (tau2 - 1), 1]]),
-    claims=["3.4.1#matrix", "3.4/beyond/frame-lines"],
-    example={"z_n": "0.1221364", **EXAMPLE_TAU},
 )

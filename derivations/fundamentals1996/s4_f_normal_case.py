@@ -17,12 +17,14 @@ from algebroproj_derivations.fundamentals1996.printed_tables import (
     FIRST_T,
     FIRST_U,
     FIRST_Z_N,
+    MODEL,
     MODEL_AGAIN,
     NORMAL_FOURTH,
     NORMAL_MU,
     PAIR_Z_N,
     PIXELS,
     PRINTED_A,
+    PRINTED_CENTERS,
     PRINTED_ZN_MATRIX,
     SECOND_CENTERS,
     SECOND_MU,
@@ -73,19 +75,13 @@ from algebroproj_derivations.fundamentals1996.s3_4_output_images import A_of_lin
 from algebroproj_derivations.fundamentals1996.s4_a_coordinates import TRUE_HALF_TURN, follows, item_b, rotations
 from algebroproj_derivations.fundamentals1996.s4_a_coordinates import section as coordinates_section
 from algebroproj_derivations.fundamentals1996.s4_c_correlation import (
-    MODEL,
-    PRINTED_CENTERS,
     SIDES,
     Y_A,
     Images,
     Pair,
-    Values,
-    at,
     center_of,
     correlation,
     correlation_matrix,
-    declare_cells,
-    entries_of,
     fourth_points,
     full_centers,
     full_epipoles,
@@ -96,12 +92,12 @@ from algebroproj_derivations.fundamentals1996.s4_c_correlation import (
     item_d,
     item_e,
     model,
-    named,
     orientation,
     projected,
     rotation_u,
 )
 from algebroproj_derivations.fundamentals1996.s4_c_correlation import section as correlation_section
+from algebroproj_derivations.fundamentals1996.tables import Values, at, declare_cells, entries_of, named
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -121,8 +117,8 @@ section = Section("fundamentals1996", "4", "Numerical example")
 # %% [markdown]
 # ## f. First transformation to the normal case
 #
-# $u'_{N31} = u'_{31}$; (3.2.7) gives $u'_{N32}$, (1.3.5) the parameters, the projection of $\mathbf y_A$ the direction
-# $z_N$ of the base, (3.2.8) the fourth point of the right image.
+# **Method.**  $u'_{N31} = u'_{31}$ is kept.  (3.2.7) gives $u'_{N32}$, (1.3.5) the parameters, the projection of
+# $\mathbf y_A$ the direction $z_N$ of the base, (3.2.8) the fourth point of the right image.
 
 # %%
 second_of_fourth = sympy.Symbol("uN32")
@@ -171,6 +167,11 @@ def item_f(images: Images) -> Values:
     return values
 
 
+# %% [markdown]
+# **Print.**  Fourth points, centers and parameters.  The centers follow from parameters and fourth point, and are
+# those of the pictures.
+
+# %%
 full_f = item_f(full_u)
 full_fourth = normal_fourth_points(full_centers, full_u3["left"])
 full_normal_mu = {side: parameters_of(full_centers[side], full_fourth[side]) for side in SIDES}
@@ -190,7 +191,6 @@ for side in SIDES:
         f"center of the {side} normal case image",
         named(f"{side}.y0", PRINTED_CENTERS[side]),
         full_f,
-        "Derived from the parameters and the fourth point of the normal case image: it has the center of the picture.",
     )
     section.definition(f"4/f#{side}.muN0", f"normalization of the {side} normal case", printed=sympy.Integer(1))
     declare_cells(
@@ -201,6 +201,10 @@ for side in SIDES:
         full_f,
     )
 
+# %% [markdown]
+# **Do both images agree?**  Without rounding their parameters are equal, and the epipole is at infinity.
+
+# %%
 full_weights = direction_of_base(full_normal_mu["left"], full_fourth["left"])
 declare_cells(section, "4/f", "homogeneous coordinates of the epipole", named("w0", W), full_f)
 declare_cells(section, "4/f", "factor of the normal case", {"zN": FIRST_Z_N}, full_f)
@@ -209,29 +213,26 @@ section.identity(
     "the parameters of both images are equal",
     printed=full_normal_mu["left"],
     derived=full_normal_mu["right"],
-    note="Without rounding.",
 )
 section.identity(
     "4/f/beyond/w00",
     "the epipole of the normal case image is at infinity",
     printed=sympy.Integer(0),
     derived=full_weights[0],
-    note="Not in the paper: the first homogeneous coordinate of section 3.2, without rounding.",
 )
 section.reference(
     "4/f/ref-fourth-point",
     "fourth point of the right normal case image",
     printed="3.3.8",
     meant="3.2.8",
-    note="(3.3.8) are parameters of the left bundle in the second solution.  Section 3.2 makes the same slip when it "
-    "refers to (3.3.6) for (3.2.6).",
+    note="(3.3.8) are parameters of the left bundle in the second solution.",
 )
 
 # %% [markdown]
 # ## g. Transformed coordinates
 #
-# (3.1.2) from the fourth points, and the transformation (3.1.3) of all points; the correlation of the points 1 to 8
-# must be $\mathbf Z_N$.
+# **Method.**  (3.1.2) from the fourth points, and the transformation (3.1.3) of all points.  The correlation of the
+# points 1 to 8 must be $\mathbf Z_N$.
 
 # %%
 TAU = (tau1, tau2)
@@ -286,15 +287,20 @@ for side in SIDES:
         section, "4/g", f"transformation of the {side} picture", entries_of(f"{side}.t", FIRST_T[side]), full_g
     )
 
+# %% [markdown]
+# **Print.**  In the table three last digits differ.  The limit between two roundings is less than 3e-10 away there,
+# and a change of a parameter $\tau$ by 2e-9 moves the number across: rounding of intermediate results has
+# accumulated.
+
+# %%
 rotation_first_u = first_normal_case(rotation_u)[1]
 NEARLY_HALF = {
     f"4/g#{cell}": {
         "expect": "misprint",
         "corrected": corrected,
-        "note": f"Without rounding {digits}: the limit between the two roundings is less than 3e-10 away.  A change of "
-        "a parameter tau by 2e-9 moves the number across: accumulated rounding of intermediate results.  Neither "
-        "numbers that are cut off nor numbers that are first rounded to nine decimals explain it, for other cells "
-        "of the table would differ.  From the printed rotation matrices the cell follows as printed.",
+        "note": f"Without rounding {digits}.  Neither numbers that are cut off nor numbers that are first rounded to "
+        "nine decimals explain it, for other cells of the table would differ.  From the printed rotation matrices the "
+        "cell follows as printed.",
         "same_as": "" if cell == "2.right.u2" else "4/g#2.right.u2",
     }
     for cell, corrected, digits in (
@@ -312,13 +318,17 @@ for name, printed in FIRST_U.items():
         full_g,
         exceptions=NEARLY_HALF,
     )
+
+# %% [markdown]
+# Does everything follow from the printed rotation matrices as well?  All numbers of the items d) to h) but one,
+# beside the matrix of item e): this one would round to 0.79506664, the print has 0.79506665.
+
+# %%
 section.numeric(
     "4/g/beyond/printed-rotations",
     "the coordinate u''N2 of point 6 that follows from the printed rotation matrices",
     printed="0.7950666447",
     derived=rotation_first_u["right"]["6"][1],
-    note="Not in the paper: rounded to eight decimals it is 0.79506664, not the printed 0.79506665.  Beside "
-    "the matrix of item e), the one number of the items d) to h) that does not follow from the printed matrices.",
 )
 declare_cells(
     section,
@@ -329,7 +339,7 @@ declare_cells(
 )
 
 # %% [markdown]
-# **What it means.**  All epipolar lines are parallel now, with one direction in both images: homologous points lie on
+# **Meaning.**  All epipolar lines are parallel now, with one direction in both images: homologous points lie on
 # the same line of $u_1 + z_N u_2$.
 
 # %%
@@ -350,7 +360,8 @@ ImageDrawing(
 # %% [markdown]
 # ## h. Reconstruction from the normal case
 #
-# The equations of section 2.4 with the coordinates, parameters and fourth points of the normal case.
+# **Method.**  The equations of section 2.4 with the coordinates, parameters and fourth points of the normal case.
+# **Is the model the same?**  Yes, without rounding it is that of the direct reconstruction.
 
 
 # %%
@@ -376,13 +387,12 @@ section.identity(
     "the model of the normal case is that of the direct reconstruction",
     printed=columns(*full_model.values()),
     derived=columns(*full_normal_model.values()),
-    note="Without rounding.",
 )
 
 # %% [markdown]
 # ## i. Second transformation to the normal case
 #
-# (3.3.5) and (3.3.6), from the matrix of item c).
+# **Method.**  (3.3.5) and (3.3.6), from the matrix of item c) alone.
 
 # %%
 ELEMENTS = (z01, z02, z11, z12, z20, z21, z22)
@@ -430,19 +440,17 @@ section.identity(
     "the second expression for the factor gives the same",
     printed=full_forms[0],
     derived=full_forms[1],
-    note="Without rounding, as (3.3.6) says.",
 )
 
 # %% [markdown]
-# Three parameters look like single-precision numbers: seven digits, filled up with zeros.
+# **Print.**  Three parameters look like single-precision numbers: seven digits, filled up with zeros to the eight
+# decimals of the display.  The first row of the same matrix has $\tau - 1$ with all its digits.
 
 # %%
-FILLED = "Seven digits, filled up with zeros to the eight decimals of the display; "
-FIRST_ROW = FILLED + "the first row of the same matrix has the element tau - 1 with all its digits."
+FIRST_ROW = "The first row of the same matrix has the element tau - 1 with all its digits."
 ONE_STEP = (
-    FILLED + "the seventh is too large by 1, for the computation had the single-precision number 16330955/2^24 = "
-    "0.97340077, see 4/i/beyond/single.  The element tau''1 - 1 in the first row of the same matrix, and z01 of item "
-    "c), give the correction."
+    "The seventh digit is too large by 1, see 4/i/beyond/single.  The element tau''1 - 1 in the first row of the same "
+    "matrix, and z01 of item c), give the correction."
 )
 FILLED_UP = {
     f"4/i#{cell}": {
@@ -475,26 +483,32 @@ for side in SIDES:
         full_i,
         exceptions=FILLED_UP,
     )
+
+# %% [markdown]
+# (3.3.7) as printed would give the reciprocals of the second parameters.
+
+# %%
 declare_cells(
     section,
     "4/i/beyond/as-printed",
     "what (3.3.7) as printed gives",
     {"left.tau2": "0.92627658", "right.tau2": "0.92615716"},
     {f"{side}.tau2": 1 / full_tau[side][1] for side in SIDES},
-    "Not in the paper: the reciprocal, by 3.3.7#left and 3.3.7#right.",
 )
 section.reference(
     "4/i/ref-tau",
     "equations for the parameters",
     printed="3.31.7",
     meant="3.3.7",
-    note="There is no (3.31.7); (3.3.5), (3.3.6) and (3.3.7) are the equations for the parameters.",
+    note="There is no (3.31.7).",
 )
 
 # %% [markdown]
-# The single-precision $\tau''_1$ explains the whole item: with it in the middle of $\mathbf T''$, whose first row is
-# exact, the coordinates $\mathbf u''_N$ give the column $z_N$ to the last digit, though all its cells should be equal,
-# and the parameters and the center of the right bundle as well.
+# **What did the author's computer do?**  It had $\tau''_1$ in single precision.  With it in the middle of $\mathbf
+# T''$, whose first row is exact, the coordinates $\mathbf u''_N$ give the whole column $z_N$ to the last digit, and
+# the parameters and the center of the right bundle as well.  The cells $z_N$ allow $\tau''_1$ from 0.9734007712 to
+# 0.9734007760.  Of the single-precision numbers 0.97340071, 0.97340077, 0.97340083 only the second is among them, and
+# it has the seven digits 0.9734008 of the print.
 
 # %%
 SINGLE_TAU = sympy.Rational(16330955, 2**24)
@@ -502,9 +516,6 @@ section.definition(
     "4/i/beyond/single",
     "tau''1 as the computation had it",
     printed=SINGLE_TAU,
-    note="Not in the paper: found from the cells z_N, which allow tau''1 from 0.9734007712 to 0.9734007760.  Of the "
-    "single-precision numbers 0.97340071, 0.97340077, 0.97340083 only the second is among them, and it has the seven "
-    "digits 0.9734008 of the print.",
 )
 
 
@@ -526,14 +537,12 @@ for name, printed in SECOND_U.items():
     )
 
 # %% [markdown]
-# $z_N$ from each pair of points, by (3.2.3).  The basic points 1, 4, 5 do not give it.
+# **$z_N$ from each pair of points**, by (3.2.3).  Without rounding it is 0.12145642 for every point; the printed cells
+# differ in the sixth decimal.  Three cells are empty: of the basic points 1, 4, 5 numerator and denominator are zero.
 
 # %%
 pair_factor = solve(*linear_system([coplanarity], [z_n]))
-SAME_FOR_ALL = (
-    "Without rounding the number is 0.12145642 for every point.  The derived number starts from T'' with tau''1 in "
-    "single precision."
-)
+SAME_FOR_ALL = "The derived number starts from T'' with tau''1 in single precision."
 
 
 def factor_of_pair(images: Images, name: str) -> Matrix:
@@ -554,19 +563,18 @@ section.identity(
     "all points give the same factor",
     printed=vector(*[full_z] * len(PAIR_Z_N)),
     derived=vector(*(factor_of_pair(full_second_u, name)[0] for name in PAIR_Z_N)),
-    note="Not in the paper, whose cells differ in the sixth decimal: without rounding.",
 )
 section.identity(
     "4/i/no-zN",
     "the basic points do not give the factor",
     printed=Matrix.zeros(2, 3),
     derived=columns(*(full_second_u["left"][name] - full_second_u["right"][name] for name in ("1", "4", "5"))),
-    note="Why three cells are empty: numerator and denominator are zero.",
 )
 
 # %% [markdown]
-# Parameters and centers.  The left bundle by (3.3.8); the right one by (3.3.9) from the left center, which enters with
-# the seven decimals that are printed.
+# **Parameters and centers.**  The left bundle follows by (3.3.8), the right one by (3.3.9) from the left center,
+# which enters with the seven decimals that are printed.  Without rounding the parameters of both bundles are equal;
+# the printed ones differ in the last digit of $\mu_{N3}$.
 
 
 # %%
@@ -597,8 +605,8 @@ def bundles_of(images: Images, factor: sympy.Rational) -> Values:
 full_i |= bundles_of(computed_second_u, full_z)
 for side in SIDES:
     note = (
-        "Unrounded but for the left center, with seven decimals, and tau''1 in single precision.  Without these the "
-        "parameters are those of the left bundle, 4/i/equal-mu, and the last digits of mu''N3 and y''03 would differ."
+        "The left center has seven decimals, and tau''1 is in single precision.  Without these the last digits of "
+        "mu''N3 and y''03 would differ."
         if side == "right"
         else ""
     )
@@ -628,7 +636,6 @@ section.identity(
     "the parameters of both bundles are equal",
     printed=full_second_mu["left"],
     derived=full_second_mu["right"],
-    note="Without rounding; the printed ones differ in the last digit of mu_N3.",
 )
 
 # %% [markdown]
@@ -654,7 +661,10 @@ for side in SIDES:
     )
 
 # %% [markdown]
-# $X_i = 100 + 256\, x_i$; to $X''_2$ a constant is added, and $p = X'_2 - X''_2$.
+# **Pixels.**  $X_i = 100 + 256\, x_i$.  To $X''_2$ a constant is added, and $p = X'_2 - X''_2$ is the parallax.
+# Origin and scale are not printed, but the points 1, 4 and 5 show them; the scale is half the width of the image
+# field of 512 pixels.  The constant is printed as 45.4.  The cells of $X''_2$ and $p$ allow a shift from 45.6973 to
+# 45.7006.
 
 # %%
 ORIGIN, SCALE, SHIFT = sympy.Integer(100), sympy.Integer(256), sympy.Rational("45.7")
@@ -662,9 +672,6 @@ section.definition(
     "4/i/pixels",
     "origin, scale and shift of the output images, in pixels",
     printed=vector(ORIGIN, SCALE, SHIFT),
-    note="Not printed: the scale is half the width of the image field of 512 x 512 pixels, which contains all points.  "
-    "The cells of the points 1, 4 and 5 show origin and scale; those of X''2 and p allow a shift from 45.6973 to "
-    "45.7006, where the text has 45.4, see 4/i/shift.",
 )
 section.numeric(
     "4/i/shift",
@@ -714,16 +721,22 @@ for name, printed in PIXELS.items():
         full_i,
         exceptions=LOST_SIGN,
     )
+
+# %% [markdown]
+# **Meaning.**  $X'_1$ and $X''_1$ are equal, the aim of section 3.4: there is no vertical parallax.
+
+# %%
 section.identity(
     "4/i/beyond/no-vertical-parallax",
     "X'1 and X''1 are equal",
     printed=vector(*(pixels(full_second_u, A_full, name)[0] for name in PIXELS)),
     derived=vector(*(pixels(full_second_u, A_full, name)[2] for name in PIXELS)),
-    note="Not in the paper in so many words: the aim of section 3.4, without rounding.",
 )
 
 # %% [markdown]
-# The rows $O'$ and $O''$ of the table: each epipole is at infinity, in the direction of $X_2$.
+# **The rows of the centers.**  Each epipole is at infinity, in the direction of $X_2$.  A cell with the sign of
+# infinity is compared by its reciprocal.  Of $X_1$ the second homogeneous coordinate is zero as well: it has no
+# value, and the sign says that the point is at infinity, not that $X_1$ grows beyond all limits.
 
 # %%
 ROWS_OF_CENTERS = {"O1": "right", "O2": "left"}
@@ -735,7 +748,6 @@ for name, side in ROWS_OF_CENTERS.items():
         f"epipole of the {side} output image",
         printed=vector(0, 0, 1),
         derived=output,
-        note="Not in the paper: the point at infinity of the axis X2, in homogeneous coordinates.",
     )
     for cell, reciprocal in (
         ("u1", weights[0] / weights[1]),
@@ -747,16 +759,18 @@ for name, side in ROWS_OF_CENTERS.items():
             f"epipole of the {side} image, coordinate {cell} is infinite",
             printed=sympy.Integer(0),
             derived=reciprocal,
-            note="The reciprocal of the coordinate.",
         )
     section.identity(
         f"4/i#{name}.{side}.X1",
         f"epipole of the {side} image, coordinate X1 belongs to a point at infinity",
         printed=sympy.Integer(0),
         derived=output[0],
-        note="The first homogeneous coordinate.  The second one is zero as well, so that X1 itself has no value: the "
-        "sign says that the point is at infinity, not that X1 grows beyond all limits.",
     )
+
+# %% [markdown]
+# The left center has no image in its own picture: all homogeneous coordinates are zero.
+
+# %%
 for cell in ("u1", "X1"):
     section.identity(
         f"4/i#O1.left.{cell}",
@@ -770,17 +784,16 @@ for cell in ("u1", "X1"):
         ),
         expect="illegible",
         corrected=Matrix.zeros(3, 1),
-        note="The scan has the sign of infinity in two cells of the row O' that cannot have one: the center of a "
-        "picture has no image in it, all homogeneous coordinates are zero.  The other cells of the left image in this "
-        "row are empty, as in the table of item b).",
+        note="The scan has the sign of infinity in two cells of the row O' that cannot have one.  The other cells of "
+        "the left image in this row are empty, as in the table of item b).",
     )
 
 # %% [markdown]
 # ## What rests on the round angles
 #
 # All numbers of the items b) to i) but a few constants start from the six round angles and from 3.14159159 for $\pi$,
-# see 4/b/beyond/gon.  With the true $\pi$ the coordinates $u$ of the points move by less than 1e-8, and 55 last digits
-# differ.
+# see 4/b/beyond/gon.  All are computed twice, with both constants.  With the true $\pi$ the coordinates $u$ of the
+# points move by less than 1e-8, and 55 last digits differ.
 
 
 # %%
@@ -844,5 +857,4 @@ section.identity(
     "pi and not with pi",
     printed=vector(598, 421, 55),
     derived=vector(*RESTING.values()),
-    note="Not in the paper.  The exact numbers of all items are computed twice, with both constants.",
 )

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 5 Final remarks
 #
-# The section weighs advantages and drawbacks against those of conventional photogrammetry, and lists open problems.
-# What can be checked in the comparison are linearity and counts.
+# What is gained, and what does it cost?  The section weighs advantages and drawbacks against those of conventional
+# photogrammetry, and lists open problems.  What can be checked are linearity and counts.
 
 # %%
 import sympy
@@ -42,8 +42,11 @@ section = Section("fundamentals1996", "5", "Final remarks")
 # %% [markdown]
 # ## Linearity
 #
-# The steps of the paper and the unknowns of each, what is known from the step before being given: an equation is linear
-# exactly if it is its value at the origin plus the unknowns times their slopes there.
+# **Is every step linear?**  In each step the results of the steps before are given.  An equation is linear exactly if
+# it is its value at the origin plus the unknowns times their slopes there.
+#
+# All steps are.  The condition $\det \mathbf Z = 0$, which no step uses, is not linear.  2.2/beyond/first-equation
+# tells what it is needed for.
 
 # %%
 steps = (
@@ -67,17 +70,13 @@ for slug, title, equations, sought in steps:
         f"linear equations: {title}",
         printed=linear_part,
         derived=forms,
-        note="Complete linearity is read of the steps, one after the other.  The condition det(Z) = 0, which no step "
-        "uses, is not linear; see 2.2/beyond/first-equation for what it is needed for."
-        if slug == "correlation"
-        else "",
     )
 
 # %% [markdown]
 # ## Interior orientation
 #
-# Principal point and normal distance are an affine transformation of the image, which the coordinates that refer to the
-# basic points do not notice.
+# **Must it be known?**  No.  Principal point and normal distance, three parameters, are an affine transformation of the
+# image.  The coordinates that refer to the basic points do not notice it.
 
 # %%
 c, principal_point = sympy.Symbol("c"), vector(*sympy.symbols("xC yC"))
@@ -92,14 +91,14 @@ section.identity(
     "the interior orientation need not be known",
     printed=coordinates(v, g),
     derived=coordinates(calibrated(v), Matrix.vstack(*(calibrated(g.row(n).T).T for n in range(3)))),
-    note="In terms of 1.4/uncalibrated, for the three parameters of interior orientation.",
 )
 
 # %% [markdown]
 # ## Unknowns and control points
 #
-# Absolute orientation by a similarity, here with an unnormalised quaternion, whose norm is the scale, and by a
-# projectivity of space.
+# **What does it cost?**  More unknowns.  Absolute orientation by a projectivity of space has fifteen, by a similarity
+# seven.  The similarity here has an unnormalised quaternion, whose norm is the scale.  For one image see 1.1/general,
+# for two images 2.2/beyond/seven-parameters and 2.2/conventional.
 
 # %%
 H = Matrix(4, 4, sympy.symbols("h:4:4"))
@@ -124,8 +123,6 @@ section.count(
     derived=ratios(H),
     variables=tuple(H),
     kernel=[vector(*H)],
-    note="The sentence on more unknowns, as a count; a similarity has seven, 5/unknowns#conventional.  For one image "
-    "see 1.1/general, for two images 2.2/beyond/seven-parameters and 2.2/conventional.",
 )
 section.count(
     "5/unknowns#conventional",
@@ -134,6 +131,11 @@ section.count(
     derived=columns(translation, scaled_rotation),
     variables=seven,
 )
+
+# %% [markdown]
+# And more control points.  Fifteen unknowns need five points, seven need three.
+
+# %%
 for slug, title, printed, images in (
     ("", "five points determine the projectivity", 15, [projected(x) for x in control_points]),
     (
@@ -150,10 +152,6 @@ for slug, title, printed, images in (
         derived=vector(*(component for image in images for component in image)),
         variables=tuple(H),
         kernel=[vector(*H)],
-        note="The sentence on more control points, as a count: fifteen unknowns need five points, the seven of a "
-        "similarity three, 5/control-points#conventional."
-        if not slug
-        else "",
     )
 for slug, title, printed, images in (
     ("conventional", "three points determine the similarity", 7, [moved(x) for x in control_points[:3]]),
@@ -172,8 +170,9 @@ for slug, title, printed, images in (
 #
 # The list is no statement that could be checked.  Two of its items are decided by a short derivation.
 #
-# *A plane object.*  By 3.2/flat-model its images leave all matrices
-# $\mathbf M'^{-T} \mathbf S \mathbf M''^{-1}$ with a skew-symmetric $\mathbf S$ as matrices of correlation.
+# **A plane object.**  There is no relative orientation without knowledge of the cameras.  By 3.2/flat-model its
+# images leave all matrices $\mathbf M'^{-T} \mathbf S \mathbf M''^{-1}$ with a skew-symmetric $\mathbf S$ as matrices
+# of correlation.
 
 # %%
 axis = vector(*sympy.symbols("s1 s2 s3"))
@@ -186,12 +185,10 @@ section.count(
     derived=left_undetermined.applyfunc(lambda element: over(element, left_undetermined[1, 0])),
     variables=tuple(axis),
     kernel=[axis],
-    note="First item of the list.  Together with 3.2/flat-model: without knowledge of the cameras there is no relative "
-    "orientation of images of a plane object.",
 )
 
 # %% [markdown]
-# *Relative orientation from the normal case.*  (3.3.8) and (3.3.9) give the parameters $\mu_{Nj}$ of the normal case;
+# **Relative orientation from the normal case.**  (3.3.8) and (3.3.9) give the parameters $\mu_{Nj}$ of the normal case;
 # by $\tau_j = \mu_{Nj} / \mu_j$ they give those of the original bundles, with $\tau_3$ from
 # $\mathbf T \mathbf u_3 = \tau_3 \mathbf u_{N3}$.
 
@@ -206,8 +203,10 @@ section.identity(
     "the bundle of the normal case is the original one with its parameters divided by tau",
     printed=T * M_star[:3, :].xreplace(original),
     derived=M_star[:3, :].xreplace(of_normal_case),
-    note="Second item of the list.  Of the others, critical configurations are treated by the claims of section 2.3.  "
-    "On stability there are the claims that say exactly where a system is singular, such as 2.4/beyond/singular and "
-    "2.4/beyond/D'', and rounding errors of the generated functions are measured against the exact derivation.  Not "
-    "treated are image triangulation, the propagation of errors of measurement, and optical distortion.",
 )
+
+# %% [markdown]
+# **The others.**  Critical configurations are treated in section 2.3.  On stability there are the claims that say
+# where a system is singular, such as 2.4/beyond/singular and 2.4/beyond/D'', and rounding errors of the generated
+# functions are measured against the exact derivation.  Not treated are image triangulation, the propagation of errors
+# of measurement, and optical distortion.

@@ -769,7 +769,7 @@ def to_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray
     The result is not finite, and NumPy warns, where one of these is zero: ``-c*k3 + i3*x + j3*y``. The function
     `hypotheses` of this package computes them.
 
-    Operations: 69 (2 additions, 12 subtractions, 50 multiplications, 2 divisions, 3 negations).
+    Operations: 68 (2 additions, 12 subtractions, 49 multiplications, 2 divisions, 3 negations).
     The derived expression takes 270 as written.
     With compensation of sums that may cancel: 239 (22 of them compute errors of products).
     This is the cheapest accurate one of 8 programs that are proved equal.
@@ -786,27 +786,27 @@ def _to_normal_jacobian(
     i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
     c: Any,
 ) -> tuple[Any, ...]:
-    t72 = wide(c) * k3 - wide(i3) * x - wide(j3) * y
-    t5 = 1 / rounded(t72)
+    t71 = wide(c) * k3 - wide(i3) * x - wide(j3) * y
+    t5 = 1 / rounded(t71)
     t7 = c * (x * t5)
     t9 = c * (y * t5)
-    t73 = 1 / -t72
-    t11 = rounded(t73)
-    t13 = c * (c * t11)
+    t72 = 1 / -t71
+    t11 = rounded(t72)
+    t12 = c * t11
+    t13 = c * t12
     t14 = x * t11
-    t77 = (wide(i1) * x + wide(j1) * y - wide(c) * k1) * t73
-    t20 = rounded(t77)
+    t76 = (wide(i1) * x + wide(j1) * y - wide(c) * k1) * t72
+    t20 = rounded(t76)
     t23 = y * t11
-    t26 = c * t11
-    t84 = (wide(i2) * x + wide(j2) * y - wide(c) * k2) * t73
-    t48 = rounded(t84)
+    t83 = (wide(i2) * x + wide(j2) * y - wide(c) * k2) * t72
+    t47 = rounded(t83)
     return (
-        t7, t9, t13, 0, 0, 0, c * (t14 * t20), c * (t23 * t20), -(c * (t26 * t20)),
-        c * (rounded(wide(i3) * t77 - i1) * t11), c * (rounded(wide(j3) * t77 - j1) * t11),
-        rounded(wide(c) * ((wide(k1) - wide(k3) * t77) * t73) - t77), 0, 0, 0, t7, t9, t13, c * (t14 * t48),
-        c * (t23 * t48), -(c * (t26 * t48)), c * (rounded(wide(i3) * t84 - i2) * t11),
-        c * (rounded(wide(j3) * t84 - j2) * t11),
-        rounded(wide(c) * ((wide(k2) - wide(k3) * t84) * t73) - t84),
+        t7, t9, t13, 0, 0, 0, c * (t14 * t20), c * (t23 * t20), -(c * (t12 * t20)),
+        c * (rounded(wide(i3) * t76 - i1) * t11), c * (rounded(wide(j3) * t76 - j1) * t11),
+        rounded(wide(c) * ((wide(k1) - wide(k3) * t76) * t72) - t76), 0, 0, 0, t7, t9, t13, c * (t14 * t47),
+        c * (t23 * t47), -(c * (t12 * t47)), c * (rounded(wide(i3) * t83 - i2) * t11),
+        c * (rounded(wide(j3) * t83 - j2) * t11),
+        rounded(wide(c) * ((wide(k2) - wide(k3) * t83) * t72) - t83),
     )
 
 
@@ -962,7 +962,7 @@ def from_normal_jacobian(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArr
     The result is not finite, and NumPy warns, where one of these is zero: ``-c*k3 + k1*x + k2*y``. The function
     `hypotheses` of this package computes them.
 
-    Operations: 70 (2 additions, 12 subtractions, 50 multiplications, 2 divisions, 4 negations).
+    Operations: 68 (2 additions, 12 subtractions, 48 multiplications, 2 divisions, 4 negations).
     The derived expression takes 270 as written.
     With compensation of sums that may cancel: 239 (22 of them compute errors of products).
     This is the cheapest accurate one of 8 programs that are proved equal.
@@ -979,26 +979,26 @@ def _from_normal_jacobian(
     i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
     c: Any,
 ) -> tuple[Any, ...]:
-    t73 = wide(c) * k3 - wide(k1) * x - wide(k2) * y
-    t7 = c * (x * (1 / rounded(t73)))
-    t74 = 1 / -t73
-    t9 = rounded(t74)
+    t71 = wide(c) * k3 - wide(k1) * x - wide(k2) * y
+    t7 = c * (x * (1 / rounded(t71)))
+    t72 = 1 / -t71
+    t9 = rounded(t72)
     t10 = x * t9
-    t78 = (wide(i1) * x + wide(i2) * y - wide(c) * i3) * t74
-    t16 = rounded(t78)
-    t21 = -(c * (y * t9))
-    t22 = y * t9
-    t26 = c * (c * t9)
-    t27 = c * t9
-    t85 = (wide(j1) * x + wide(j2) * y - wide(c) * j3) * t74
-    t49 = rounded(t85)
+    t76 = (wide(i1) * x + wide(i2) * y - wide(c) * i3) * t72
+    t16 = rounded(t76)
+    t19 = y * t9
+    t21 = -(c * t19)
+    t24 = c * t9
+    t25 = c * t24
+    t83 = (wide(j1) * x + wide(j2) * y - wide(c) * j3) * t72
+    t47 = rounded(t83)
     return (
-        t7, 0, c * (t10 * t16), t21, 0, c * (t22 * t16), t26, 0, -(c * (t27 * t16)),
-        c * (rounded(wide(k1) * t78 - i1) * t9), c * (rounded(wide(k2) * t78 - i2) * t9),
-        rounded(wide(c) * ((wide(i3) - wide(k3) * t78) * t74) - t78), 0, t7, c * (t10 * t49), 0, t21,
-        c * (t22 * t49), 0, t26, -(c * (t27 * t49)), c * (rounded(wide(k1) * t85 - j1) * t9),
-        c * (rounded(wide(k2) * t85 - j2) * t9),
-        rounded(wide(c) * ((wide(j3) - wide(k3) * t85) * t74) - t85),
+        t7, 0, c * (t10 * t16), t21, 0, c * (t19 * t16), t25, 0, -(c * (t24 * t16)),
+        c * (rounded(wide(k1) * t76 - i1) * t9), c * (rounded(wide(k2) * t76 - i2) * t9),
+        rounded(wide(c) * ((wide(i3) - wide(k3) * t76) * t72) - t76), 0, t7, c * (t10 * t47), 0, t21,
+        c * (t19 * t47), 0, t25, -(c * (t24 * t47)), c * (rounded(wide(k1) * t83 - j1) * t9),
+        c * (rounded(wide(k2) * t83 - j2) * t9),
+        rounded(wide(c) * ((wide(j3) - wide(k3) * t83) * t72) - t83),
     )
 
 
@@ -1134,7 +1134,7 @@ def jacobian_image(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any
     The result is not finite, and NumPy warns, where one of these is zero: ``-c*k3 + i3*x + j3*y``. The function
     `hypotheses` of this package computes them.
 
-    Operations: 55 (5 additions, 11 subtractions, 37 multiplications, 2 divisions).
+    Operations: 42 (3 additions, 9 subtractions, 29 multiplications, 1 division).
     The derived expression takes 84 as written.
     With compensation of sums that may cancel: 211 (30 of them compute errors of products).
     This is the cheapest accurate one of 8 programs that are proved equal.
@@ -1152,9 +1152,6 @@ def _jacobian_image(
     c: Any,
 ) -> tuple[Any, ...]:
     depth = wide(i3) * x + wide(j3) * y - wide(c) * k3
-    t10 = 1 / depth
-    slope_x = (wide(i1) * x + wide(j1) * y - wide(c) * k1) * t10
-    slope_y = (wide(i2) * x + wide(j2) * y - wide(c) * k2) * t10
     t20 = wide(c) * (1 / (depth * depth))
     t27 = wide(i1) * j3 - wide(i3) * j1
     t44 = wide(i2) * j3 - wide(i3) * j2

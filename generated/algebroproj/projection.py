@@ -394,9 +394,9 @@ def projection_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None 
     The result is not finite, and NumPy warns, where one of these is zero: ``u31 + u32 - 1``, ``y01``, ``y02``,
     ``y03``. The function `hypotheses` of this package computes them.
 
-    Operations: 23 (1 addition, 7 subtractions, 12 multiplications, 3 divisions).
+    Operations: 26 (1 addition, 7 subtractions, 12 multiplications, 3 divisions, 3 negations).
     The derived expression takes 121 as written.
-    With compensation of sums that may cancel: 77 (5 of them compute errors of products).
+    With compensation of sums that may cancel: 80 (5 of them compute errors of products).
     This is the cheapest accurate one of 18 programs that are proved equal.
 
     Examples
@@ -412,19 +412,19 @@ def _projection_matrix(
 ) -> tuple[Any, ...]:
     y00 = 1 - wide(y01) - y02 - y03
     u30 = 1 - wide(u31) - u32
-    t18 = wide(u31) * y00
-    t5 = rounded(t18)
-    t21 = u30 * y01
-    t8 = 1 / rounded(t21)
-    t26 = wide(u32) * y00
-    t10 = rounded(t26)
-    t27 = u30 * y02
-    t13 = 1 / rounded(t27)
-    t29 = u30 * y03
-    t17 = -1 / rounded(t29)
+    t26 = wide(u31) * y00
+    t5 = rounded(t26)
+    t27 = u30 * y01
+    t8 = 1 / rounded(t27)
+    t29 = wide(u32) * y00
+    t10 = rounded(t29)
+    t30 = u30 * y02
+    t13 = 1 / rounded(t30)
+    t32 = u30 * y03
+    t17 = 1 / rounded(t32)
     return (
-        rounded_twice(t18 - t21) * t8, rounded_twice(t26 - t27) * t13, rounded_twice(y00 + t29) * t17,
-        t5 * t8, 0, t5 * t17, 0, t10 * t13, t10 * t17,
+        rounded_twice(t26 - t27) * t8, rounded_twice(t29 - t30) * t13, -(rounded_twice(y00 + t32) * t17),
+        t5 * t8, 0, -(t5 * t17), 0, t10 * t13, -(t10 * t17),
     )
 
 
@@ -531,7 +531,7 @@ def projection_matrix_jacobian(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any
     The result is not finite, and NumPy warns, where one of these is zero: ``u31 + u32 - 1``, ``y01``, ``y02``,
     ``y03``. The function `hypotheses` of this package computes them.
 
-    Operations: 62 (1 addition, 11 subtractions, 32 multiplications, 9 divisions, 9 negations).
+    Operations: 60 (1 addition, 10 subtractions, 31 multiplications, 9 divisions, 9 negations).
     The derived expression takes 1275 as written.
     With compensation of sums that may cancel: 345 (37 of them compute errors of products).
     This is the cheapest accurate one of 12 programs that are proved equal.
@@ -548,9 +548,10 @@ def _projection_matrix_jacobian(
     y01: Any, y02: Any, y03: Any, u31: Any, u32: Any,
 ) -> tuple[Any, ...]:
     t0 = 1 - wide(y01)
-    y00 = t0 - y02 - y03
-    t3 = 1 - wide(u31)
-    u30 = t3 - u32
+    t1 = t0 - y02
+    y00 = t1 - y03
+    b2 = 1 - wide(u31)
+    u30 = b2 - u32
     a1 = 1 - wide(y02) - y03
     a2 = t0 - y03
     b1 = 1 - wide(u32)
@@ -567,22 +568,21 @@ def _projection_matrix_jacobian(
     t28 = rounded(a2 * d_w2_y01 / (t26 * y02))
     t31 = y00 * (1 / (t26 * u30))
     t33 = rounded(-(t31 * d_w2_y01))
-    t34 = rounded(t31 * t3)
-    t67 = 1 / (u30 * y03)
-    t36 = rounded(t67)
-    t38 = wide(y03) * u30
-    t40 = 1 / (t38 * y03)
-    t43 = 1 / (t38 * u30)
-    t45 = rounded(-(y00 * t43))
-    t47 = rounded(-(wide(d_w1_y02) * t67))
-    t50 = (wide(y01) - 1 + y02) * t40
-    t52 = y00 * t43
-    t57 = rounded(-(wide(d_w2_y01) * t67))
+    t34 = rounded(t31 * b2)
+    t64 = 1 / (u30 * y03)
+    t36 = rounded(t64)
+    t37 = wide(y03) * u30
+    t39 = 1 / (t37 * y03)
+    t43 = y00 * (1 / (t37 * u30))
+    t44 = rounded(-t43)
+    t46 = rounded(-(wide(d_w1_y02) * t64))
+    t49 = (wide(y01) - 1 + y02) * t39
+    t55 = rounded(-(wide(d_w2_y01) * t64))
     return (
-        t14, t16, t16, t20, t22, t24, t28, t24, t33, t34, t36, t36, rounded((t0 - y02) * t40), t45, t45, t14,
-        t16, t16, t20, t22, 0, 0, 0, 0, 0, t47, t47, rounded(t50 * d_w1_y02), rounded(-(t52 * b1)),
-        rounded(t52 * d_w1_y02), 0, 0, 0, 0, 0, t24, t28, t24, t33, t34, t57, t57, rounded(t50 * d_w2_y01),
-        rounded(t52 * d_w2_y01), rounded(-(t52 * t3)),
+        t14, t16, t16, t20, t22, t24, t28, t24, t33, t34, t36, t36, rounded(t1 * t39), t44, t44, t14, t16,
+        t16, t20, t22, 0, 0, 0, 0, 0, t46, t46, rounded(t49 * d_w1_y02), rounded(-(t43 * b1)),
+        rounded(t43 * d_w1_y02), 0, 0, 0, 0, 0, t24, t28, t24, t33, t34, t55, t55, rounded(t49 * d_w2_y01),
+        rounded(t43 * d_w2_y01), rounded(-(t43 * b2)),
     )
 
 

@@ -1,7 +1,7 @@
 """How many functions are independent: the rank that their Jacobian matrix has in general.
 
 From below by the Jacobian at a rational point; from above by independent directions, in the variables, along which all
-functions stay what they are.  The derivatives are those of dual numbers, over fractions and over rational functions.
+functions stay what they are.  The derivatives are taken over fractions and over rational functions.
 """
 
 from __future__ import annotations

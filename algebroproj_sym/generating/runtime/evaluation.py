@@ -27,7 +27,7 @@ __all__ = ["Signature", "evaluate"]
 BLOCK = 8192
 """How many points of a batch are computed at once."""
 
-COMPILED = (np.dtype(np.float64), np.dtype(np.float32), np.dtype(np.longdouble))
+COMPILED = (np.dtype(np.float64), np.dtype(np.float32))
 """Of which dtypes there are compiled functions."""
 
 Shape = tuple[int, ...]

@@ -17,15 +17,15 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "5b28e8372d3e991f"
+DIGEST = "82b16d574f6edaba"
 """What identifies the C source that belongs to this package."""
 
 
 def backend() -> Literal["numpy", "compiled"]:
     """Return which version of the functions was chosen when the package was imported.
 
-    Some calls run the NumPy source in both cases: those with object or complex numbers, those with arrays of other
-    libraries, and those of functions that need a sine, cosine or arctangent.
+    Some calls run the NumPy source in both cases: those with long doubles, objects or complex numbers, those with
+    arrays of other libraries, and those of functions that need a sine, cosine or arctangent.
     """
     return "numpy" if _COMPILED is None else "compiled"
 

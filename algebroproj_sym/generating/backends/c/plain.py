@@ -16,11 +16,11 @@ from math import prod
 from algebroproj_sym.declaring import LINEAR, Kernel
 from algebroproj_sym.generating.backends.c.printer import (
     c_name,
-    c_operand,
     core_shapes,
     is_compiled_plain,
     rendered,
     solvers_of,
+    solving,
     statements,
 )
 from algebroproj_sym.generating.lowering import Lowered
@@ -130,11 +130,5 @@ def _arrays(kernel: Kernel) -> dict[str, int]:
 def solved_once(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
     """Return the statements that solve a linear system."""
     size = len(call.rows)
-    return [
-        f"const real system{place}[{size}][{size + 1}] = {{",
-        *(f"    {{{', '.join(c_operand(operand, names) for operand in row)}}}," for row in call.rows),
-        "};",
-        f"real solution{place}[{len(call.names)}];",
-        f"NAME({call.primitive}_once_{size})(system{place}, solution{place});",
-        *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names)),
-    ]
+    solved = f"NAME({call.primitive}_once_{size})(system{place}, solution{place});"
+    return solving(call, place, names, solved, size + 1)

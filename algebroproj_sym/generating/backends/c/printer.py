@@ -51,7 +51,6 @@ TYPES = (
         "multiply_add": "fmaf",
         "headroom": "(FLT_MAX - FLT_MAX / 4096)",
         "splitter": "4097.0f",
-        "has_fused": True,
     },
     {
         "name": "double",
@@ -60,19 +59,9 @@ TYPES = (
         "multiply_add": "fma",
         "headroom": "(DBL_MAX - DBL_MAX / 4096)",
         "splitter": "134217729.0",
-        "has_fused": True,
-    },
-    {
-        "name": "longdouble",
-        "loop": "longdouble",
-        "absolute": "fabsl",
-        "multiply_add": "fmal",
-        "headroom": "(LDBL_MAX - LDBL_MAX / 4096)",
-        "splitter": "((longdouble)((npy_ulonglong)1 << (LDBL_MANT_DIG + 1) / 2) + 1)",
-        "has_fused": False,
     },
 )
-"""The types of numbers, and what belongs to each; where it pays, there is a version for fused multiply-add."""
+"""The types of numbers that are compiled, and what belongs to each."""
 
 BLOCK = 64
 """How many points are gathered at a time: few enough that all entries of a kernel stay in the first-level cache."""
@@ -355,15 +344,37 @@ def _products(program: Program) -> list[Step]:
 
 def _solve(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
     size = len(call.rows)
-    written = [[c_operand(operand, names) for operand in row] for row in call.rows]
-    padded = [[*row, *["0"] * (2 * size + 2 - len(row))] for row in written]
-    rows = [f"    {{{', '.join(row)}}}," for row in padded]
+    solved = f"range = NAME({call.primitive}_{size})(system{place}, solution{place}, range);"
+    return solving(call, place, names, solved, 2 * size + 2)
+
+
+def solving(
+    call: Call, place: int, names: Mapping[Operand, str], solved: str, columns: int, initial: str = ""
+) -> list[str]:
+    """Return the statements that solve a linear system.
+
+    Parameters
+    ----------
+    call : Call
+        Of a primitive function that solves.
+    place : int
+        Of the system among those of a function.
+    names : mapping
+        The C names of operands.
+    solved : str
+        The statement that calls the function.
+    columns : int
+        How many entries a row has; those that are not given are zero.
+    initial : str
+        The value that a solution has before.
+    """
+    rows = [[*(c_operand(operand, names) for operand in row), *["0"] * (columns - len(row))] for row in call.rows]
     return [
-        f"const real system{place}[{size}][{2 * size + 2}] = {{",
-        *rows,
+        f"const real system{place}[{len(rows)}][{columns}] = {{",
+        *(f"    {{{', '.join(row)}}}," for row in rows),
         "};",
-        f"real solution{place}[{len(call.names)}];",
-        f"range = NAME({call.primitive}_{size})(system{place}, solution{place}, range);",
+        f"real solution{place}[{len(call.names)}]{initial};",
+        solved,
         *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names)),
     ]
 

@@ -14,7 +14,7 @@ from textwrap import wrap
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.declaring import LINEAR, Driver, Kernel
-from algebroproj_sym.generating.backends.c.printer import c_operand, computations, is_compiled, is_free, solver
+from algebroproj_sym.generating.backends.c.printer import computations, is_compiled, is_free, solver, solving
 from algebroproj_sym.generating.description import formula, singularities
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered
@@ -108,16 +108,8 @@ def _parameter(name: str, shape: tuple[int, ...]) -> str:
 
 def _solved(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
     size = len(call.rows)
-    rows = [[c_operand(operand, names) for operand in row] for row in call.rows]
-    padded = [[*row, *["0"] * (2 * size + 2 - len(row))] for row in rows]
-    return [
-        f"const real system{place}[{size}][{2 * size + 2}] = {{",
-        *(f"    {{{', '.join(row)}}}," for row in padded),
-        "};",
-        f"real solution{place}[{len(call.names)}] = {{}};",
-        f"{call.primitive}_{size}(system{place}, solution{place});",
-        *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names)),
-    ]
+    solved = f"{call.primitive}_{size}(system{place}, solution{place});"
+    return solving(call, place, names, solved, 2 * size + 2, " = {}")
 
 
 def _documentation(low: Lowered) -> list[str]:

@@ -1,4 +1,4 @@
-"""Derivatives by dual numbers are the derivatives of calculus, over every field, and fail only where there are none."""
+"""Derivatives at points are those of calculus, over every field, and fail only where there are none."""
 
 from fractions import Fraction
 

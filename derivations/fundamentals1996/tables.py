@@ -1,0 +1,48 @@
+# %% [markdown]
+# # 4 Numerical example: from tables to claims
+#
+# A table becomes claims cell by cell.  What does not follow would be a slip: `exceptions` has the options of its claim.
+
+# %%
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+from typing import Any
+
+import sympy
+
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import Matrix, at_point
+
+Values = dict[str, sympy.Rational]
+Exceptions = Mapping[str, Mapping[str, Any]]
+
+
+def declare_cells(
+    into: Section,
+    number: str,
+    title: str,
+    cells: Mapping[str, str],
+    values: Mapping[str, sympy.Rational],
+    note: str = "",
+    exceptions: Exceptions = MappingProxyType({}),
+) -> None:
+    """Declare printed numbers, part by part of one claim number, each beside its exact value."""
+    for part, printed in cells.items():
+        claim = f"{number}#{part}"
+        options = {"note": note} | dict(exceptions.get(claim, {}))
+        into.numeric(claim, f"{title}, {part}", printed=printed, derived=values[part], **options)
+
+
+def named(prefix: str, numbers: Iterable[Any]) -> dict[str, Any]:
+    return {f"{prefix}{index}": cell for index, cell in enumerate(numbers, start=1)}
+
+
+def entries_of(prefix: str, matrix: Any) -> dict[str, Any]:
+    rows = matrix.tolist() if isinstance(matrix, sympy.MatrixBase) else matrix
+    return {f"{prefix}{i}{j}": cell for i, row in enumerate(rows) for j, cell in enumerate(row)}
+
+
+def at(expressions: Matrix, *values: tuple[Iterable[sympy.Symbol], Iterable[sympy.Rational]]) -> Matrix:
+    """Return the exact values of a matrix of expressions, given symbols and their values group by group."""
+    pairs = (zip(symbols, numbers, strict=True) for symbols, numbers in values)
+    return at_point(expressions, {symbol: value for group in pairs for symbol, value in group})

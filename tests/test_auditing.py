@@ -17,12 +17,12 @@ from algebroproj_sym.auditing import (
     audited,
     lines_of,
     misplaced,
-    numbers_in,
     stale,
 )
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import DeclarationError, Quotations, Quote, located, quotations, select
 from algebroproj_sym.declaring.quotes import Edit
+from algebroproj_sym.declaring.transcription import numbers_in
 from algebroproj_sym.expressions import Matrix, entries, over, vector
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving import prove
@@ -321,7 +321,12 @@ def _again(finding, claim=None, quote=None):
     folder = next(d.path.parent for d, c in located((finding.claim.paper,)) if c is finding.claim)
     chosen = quote or finding.quote
     claim = claim or finding.claim
-    return audited(claim, Quotations("", {claim.number: chosen}), symbols_for(claim, tables_in(folder)), [claim]).status
+    return audited(
+        claim,
+        Quotations("", {claim.number: chosen}),
+        symbols_for(claim.section, claim.number, tables_in(folder)),
+        [claim],
+    ).status
 
 
 def _differs(left, right):

@@ -5,7 +5,7 @@ what the claim says is printed, symbol by symbol (`audit`).
 Which claims quote which line of a paper, `coverage` tells.
 """
 
-from algebroproj_sym.auditing.audit import STATUSES, Finding, Status, audited, numbers_in
+from algebroproj_sym.auditing.audit import STATUSES, Finding, Status, audited
 from algebroproj_sym.auditing.collection import audit, stale
 from algebroproj_sym.auditing.coverage import Line, coverage, ranges
 from algebroproj_sym.auditing.scans import lines_of, misplaced
@@ -20,7 +20,6 @@ __all__ = [
     "coverage",
     "lines_of",
     "misplaced",
-    "numbers_in",
     "ranges",
     "stale",
 ]

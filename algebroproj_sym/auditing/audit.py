@@ -4,24 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from decimal import Decimal
-from itertools import product
 from typing import Any, Literal, get_args
 
 import sympy
 
 from algebroproj_sym.declaring import Claim, Quotations, Quote
-from algebroproj_sym.expressions import TextForm, entries, remembered, shape, vector
+from algebroproj_sym.declaring.transcription import numbers_in, readings
+from algebroproj_sym.expressions import TextForm, entries, shape, vector
 from algebroproj_sym.proving import prove
-from algebroproj_sym.reading import Side, Symbols, UnreadableError, read_formula
+from algebroproj_sym.reading import Symbols, UnreadableError
 
 Status = Literal["equal", "number", "quoted", "unquoted", "failed"]
 STATUSES: tuple[Status, ...] = get_args(Status)
 _COUNTED = ("rank", "count", "reference")
-_DIGITS = re.compile(r"(?<![\d.,])[-−]?\s?(?:\d+(?:[.,]\d+)?|\.\d+)(?!\d)")
-_PLAIN = str.maketrans({"−": "-", ",": "."})
-_BROKEN = re.compile(r"\\n(?!eq|u(?![a-z]))")
 _WORDS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 
 
@@ -79,17 +76,6 @@ def audited(claim: Claim, quotations: Quotations, symbols: Symbols, printed_toge
     return _compared(claim, quote, symbols)
 
 
-def numbers_in(text: str) -> list[Decimal]:
-    """Return the decimal numbers of a text in their order; a comma before digits is a decimal point.
-
-    Examples
-    --------
-    >>> numbers_in("1 & - 0.50 & u = 1,64746")
-    [Decimal('1'), Decimal('-0.50'), Decimal('1.64746')]
-    """
-    return [Decimal(re.sub(r"\s", "", found).translate(_PLAIN)) for found in _DIGITS.findall(text)]
-
-
 def _missing_numbers(quote: Quote, claims: Sequence[Claim]) -> str:
     """Say which number the quote has not, where the claims that share it are about its numbers in their order."""
     remaining = iter(numbers_in(quote.text))
@@ -123,52 +109,13 @@ def _in_words(number: str, text: str) -> bool:
 
 def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
     try:
-        read = [expression for piece in quote.read for expression in _readings(piece, quote, symbols)]
+        read = readings(quote, symbols)
     except UnreadableError as error:
         return Finding(claim, "failed", f"cannot be read: {error}", quote)
     printed = claim.printed if isinstance(claim.printed, tuple) else (claim.printed,)
     if any(_are_equal(theirs, ours) for theirs, ours in _layouts(read, printed, quote)):
         return Finding(claim, "equal", "", quote)
     return Finding(claim, "failed", f"the quote reads {', '.join(map(str, read))}", quote)
-
-
-def _readings(piece: str, quote: Quote, symbols: Symbols) -> Iterator[Any]:
-    for values in product(*quote.indices.values()):
-        chosen = replace(symbols, indices=tuple(zip(quote.indices, values, strict=True)))
-        for cell in _cells(piece):
-            yield from _parts(read_formula(cell, chosen), quote)
-
-
-def _cells(piece: str) -> list[str]:
-    r"""Return the cells of a row of a table, which tabulators separate, or the formula; a scanned ``\n`` is a space."""
-    cells = [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
-    return [_BROKEN.sub(" ", cell) for cell in cells]
-
-
-def _parts(sides: tuple[Side, ...], quote: Quote) -> list[Any]:
-    if not quote.equation:
-        wrong = [side for side in quote.sides if not -len(sides) <= side < len(sides)]
-        if wrong:
-            raise UnreadableError(f"the formula has {len(sides)} sides, and no side {wrong[0]}")
-        return [sides[side]() for side in quote.sides]
-    left, right = sides[0](), sides[-1]()
-    if len(sides) < 2 or (shape(left) != shape(right) and right != 0):
-        raise UnreadableError("the formula is no equation whose two sides have one shape")
-    difference = left if right == 0 else left - right
-    return _coefficients(difference, quote.coefficients) if quote.coefficients else [difference]
-
-
-def _coefficients(difference: Any, unknowns: tuple[str, ...]) -> list[Any]:
-    """Return the coefficients of an equation that is linear in some unknowns."""
-    symbols = [sympy.Symbol(name) for name in unknowns if name not in ("1", "-1")]
-    plain = remembered(difference).doit()
-    constant = plain.xreplace(dict.fromkeys(symbols, sympy.Integer(0)))
-    by_name = {symbol.name: plain.diff(symbol) for symbol in symbols}
-    if any(value.has(*symbols) for value in by_name.values()):
-        raise UnreadableError(f"the formula is no equation that is linear in {', '.join(unknowns)}")
-    if not {"1", "-1"} & {*unknowns} and prove(constant, 0).verdict != "proved":
-        raise UnreadableError(f"the equation has a term without {', '.join(unknowns)}")
-    return [{**by_name, "1": constant, "-1": -constant}[name] for name in unknowns]
 
 
 def _layouts(read: Sequence[Any], printed: Sequence[Any], quote: Quote) -> Iterator[tuple[list[Any], list[Any]]]:

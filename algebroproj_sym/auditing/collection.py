@@ -28,7 +28,7 @@ def audit(located: Sequence[tuple[Derivation, Claim]], papers: Path | None = Non
         found = quotations(folder)
         quote = found.quotes.get(claim.number)
         sharing = [by_folder[folder][number] for number in quote.claims if number in by_folder[folder]] if quote else []
-        finding = audited(claim, found, symbols_for(claim, tables_in(folder)), sharing)
+        finding = audited(claim, found, symbols_for(claim.section, claim.number, tables_in(folder)), sharing)
         wrong = misplaced(quote, papers / found.source) if quote and papers else ""
         yield replace(finding, status="failed", reason=wrong) if wrong else finding
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from pathlib import Path
 from typing import Any, Literal, Protocol, TypedDict, get_args
 
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, Grade, Verdict
+from algebroproj_sym.declaring.transcription import transcribed
 from algebroproj_sym.expressions import Rounding
 from algebroproj_sym.proving import Proof
 
@@ -18,6 +20,15 @@ Field = Literal[
 ]  # fmt: skip
 FIELDS: tuple[Field, ...] = get_args(Field)
 """What only some kinds of claims use."""
+
+
+class _Quoted:
+    def __repr__(self) -> str:
+        return "what the quote says"
+
+
+QUOTED: Any = _Quoted()
+"""In place of a printed form: it is read from the quote of the claim."""
 
 
 class Options(TypedDict, total=False):
@@ -66,6 +77,9 @@ class Kind:
         `Proof`.  Every decision in it is made by `prove`.
     says : str, or callable from Claim to str
         A sentence: how the printed form is compared with the derived one.
+    transcribe : callable
+        It takes the folder of the quotes, section and number of a claim, and what is derived, and returns the printed
+        form that the quote has.
     takes : tuple of str
         Which fields of a claim it uses, of those that not every kind uses.
     one_shape : bool
@@ -96,6 +110,7 @@ class Kind:
     declare: Callable[..., Claim]
     compare: Callable[[Claim, Any, str], Proof]
     says: str | Callable[[Claim], str]
+    transcribe: Callable[[Path, str, str, Any], Any] = transcribed
     takes: tuple[Field, ...] = ()
     one_shape: bool = False
     require: Callable[[Claim, str], None] | None = None

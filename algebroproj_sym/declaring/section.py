@@ -10,7 +10,7 @@ from algebroproj_sym.declaring.declaration import declared
 from algebroproj_sym.declaring.driver import Driver, declared_driver
 from algebroproj_sym.declaring.jacobian import jacobian_parts
 from algebroproj_sym.declaring.kernel import Kernel, KernelParts, declared_kernel
-from algebroproj_sym.declaring.kind import Kind
+from algebroproj_sym.declaring.kind import QUOTED, Kind
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.declaring.source import calling
 from algebroproj_sym.expressions import provenance
@@ -20,7 +20,8 @@ class Section:
     """A section of a paper, which collects the claims and kernels in the order of their declaration.
 
     Each kind of claims has a method, such as `identity`, `rank` and `limit`.  It takes the number and the title of the
-    claim, what is ``printed`` and what is ``derived``, and `Options`.
+    claim, what is ``printed`` and what is ``derived``, and `Options`.  Without ``printed``, the quote of the number in
+    the file ``quotes.toml`` beside the module is read.
 
     Parameters
     ----------
@@ -72,6 +73,11 @@ class Section:
         if any(claim.number == number for claim in self.claims):
             raise DeclarationError(f"claim {self.paper}:{number}: expected each number once, got this one twice")
         source = calling(depth=2)
+        if printed is QUOTED:
+            try:
+                printed = kind.transcribe(source.folder, self.number, number, derived)
+            except DeclarationError as error:
+                raise DeclarationError(f"claim {self.paper}:{number}, printed: {error}") from error
         derived = provenance.declare((self.paper, number), derived)
         claim = declared(self.paper, self.number, number, title, kind.name, printed, derived, source=source, **options)
         self.claims.append(claim)

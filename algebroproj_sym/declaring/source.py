@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
+from pathlib import Path
 from types import CodeType
 from typing import Any, TypeAlias
 
@@ -38,6 +39,12 @@ class Source:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _left_behind, ()
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the module; in a notebook, the working directory."""
+        file = Path(self.code.co_filename)
+        return file.parent if file.is_file() else Path.cwd()
 
     def argument(self, name: str) -> ast.expr | None:
         """Return an argument of the call as it is written; None if it cannot be read, or is not written there."""

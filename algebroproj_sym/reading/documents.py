@@ -11,12 +11,13 @@ from itertools import islice
 from pathlib import Path
 
 from algebroproj_sym.reading.lexing import Piece, UnreadableError, pieces_of
-from algebroproj_sym.reading.macros import Macro, expanded, macros_in
+from algebroproj_sym.reading.macros import Macro, expanded, macros_in, redefinitions
 
 MAX_CHARACTERS = 5_000_000
 MAX_FORMULAS = 20_000
 MAX_DISPLAY = 50_000
 MAX_WORDS = 2_000
+MAX_INCLUDED = 100
 
 _ENVIRONMENTS = (
     *("equation", "align", "gather", "multline", "alignat", "flalign", "eqnarray", "displaymath", "dmath", "math"),
@@ -30,6 +31,7 @@ _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
 _CODE = re.compile(
     r"\\begin\{((?:[vV]erbatim|lstlisting|minted|comment)\*?)\}|\\(?:verb\*?|lstinline)([^a-zA-Z*\s{\[])|\\iffalse\b"
 )
+_INCLUDED = re.compile(r"\\(input|include|subfile|usepackage)\s*(?:\[[^\]]*\])?\s*\{\s*([^{}\s]+)\s*\}")
 _FENCE = re.compile(r"^(```|~~~).*?^\1|`[^`\n]*`", re.DOTALL | re.MULTILINE)
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
@@ -111,7 +113,50 @@ def document_at(path: Path) -> Document:
         raise UnreadableDocumentError(f"{path}: expected at most {MAX_CHARACTERS} characters, got {len(text)}")
     if path.suffix == ".ipynb":
         return _notebook(path, text)
-    return document_of(text, latex=path.suffix == ".tex")
+    if path.suffix != ".tex":
+        return document_of(text, latex=False)
+    lines, characters = list[tuple[str, int]](), 0
+    for line, number in _with_included(text, path.resolve().parent, {path.resolve()}):
+        characters += len(line) + 1
+        if characters > MAX_CHARACTERS + 1:
+            raise UnreadableDocumentError(
+                f"{path}: expected at most {MAX_CHARACTERS} characters with its files, got more"
+            )
+        lines.append((line, number))
+    return document_of("\n".join(line for line, _ in lines), lines=tuple(number for _, number in lines))
+
+
+def _with_included(text: str, folder: Path, seen: set[Path]) -> Iterator[tuple[str, int]]:
+    r"""Yield the lines of a text with those of the files that it includes, which have the number of the line that does.
+
+    Only files in the folder of the document are read, each once, also packages: they may define macros.  What cannot be
+    read stays out.
+    """
+    for number, line in enumerate(text.split("\n"), 1):
+        place = 0
+        for match in _INCLUDED.finditer(_COMMENT.sub(_blank, line)):
+            included = _file_in(folder, match[2], ".tex" if match[1] in ("input", "include", "subfile") else ".sty")
+            if included is None or included in seen:
+                continue
+            if len(seen) > MAX_INCLUDED:
+                raise UnreadableDocumentError(f"expected at most {MAX_INCLUDED} included files, got more")
+            seen.add(included)
+            try:
+                inside = included.read_text(encoding="utf-8") if included.stat().st_size <= MAX_CHARACTERS else ""
+            except (OSError, UnicodeDecodeError):
+                continue
+            yield line[place : match.start()], number
+            yield from ((each, number) for each, _ in _with_included(inside, folder, seen))
+            place = match.end()
+        yield line[place:], number
+
+
+def _file_in(folder: Path, name: str, suffix: str) -> Path | None:
+    for candidate in (name, name + suffix):
+        path = (folder / candidate).resolve()
+        if path.is_relative_to(folder) and path.is_file():
+            return path
+    return None
 
 
 def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None = None) -> Document:
@@ -135,10 +180,11 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
     numbers = lines or tuple(range(1, len(starts) + 1))
     plain = _without_code(_COMMENT.sub(_blank, text)) if latex else _FENCE.sub(_blank, text)
     macros, spans = macros_in(plain)
+    changes = redefinitions(plain)
     for begin, end in spans:
         plain = plain[:begin] + " " * (end - begin) + plain[end:]
     document = Document((), starts, numbers[: len(starts)])
-    formulas = tuple(islice(_formulas(plain, macros, document), MAX_FORMULAS + 1))
+    formulas = tuple(islice(_formulas(plain, macros, changes, document), MAX_FORMULAS + 1))
     if len(formulas) > MAX_FORMULAS:
         raise UnreadableDocumentError(f"expected at most {MAX_FORMULAS} formulas, got more")
     return Document(formulas, starts, document.lines)
@@ -173,13 +219,19 @@ def _blank(found: re.Match[str]) -> str:
     return re.sub(r"[^\n]", " ", found.group())
 
 
-def _formulas(text: str, macros: Mapping[str, Macro], document: Document) -> Iterator[Display]:
+def _formulas(
+    text: str, macros: dict[str, Macro], changes: list[tuple[int, str, Macro]], document: Document
+) -> Iterator[Display]:
+    changes = changes[::-1]
     openers, closers = _own_environments(macros)
     begin = re.compile("|".join([_BEGIN.pattern, *(rf"({re.escape(name)})(?![a-zA-Z])" for name in openers)]))
     place, words, part, group, groups = 0, "", 0, 0, 0
     following = _Following(text)
     while match := begin.search(text, place):
         words = (words + text[place : match.start()])[-MAX_WORDS:]
+        while changes and changes[-1][0] < match.start():
+            _, name, macro = changes.pop()
+            macros[name] = macro
         mark = match.group()
         place = match.end()
         if mark.endswith("{subequations}"):

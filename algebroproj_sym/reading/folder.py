@@ -12,7 +12,7 @@ from pathlib import Path
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.reading.documents import UnreadableDocumentError
 from algebroproj_sym.reading.judging import Link, Reading
-from algebroproj_sym.reading.vocabulary import SymbolsFile
+from algebroproj_sym.reading.symbols import SymbolsFile
 
 _WIDTH = 100
 _HEADER = """
@@ -135,7 +135,7 @@ def _symbols(given: SymbolsFile | None) -> str:
     text = "# What the letters of the document stand for.\n\n[[table]]\n"
     if given is None:
         return text
-    letters = "".join(f"{json.dumps(name)} = {json.dumps(value)}\n" for name, value in given.letters.items())
+    letters = "".join(f"{json.dumps(name)} = {json.dumps(value)}\n" for name, value in given.whole.letters.items())
     return f"{text}\n[table.letters]\n{letters}" if letters else text
 
 

@@ -56,13 +56,13 @@ class Parsed:
         What the relations join.
     relations : tuple of str
         One less than the sides.
-    chose : bool
-        Whether LaTeX leaves open how far the argument of a function goes.
+    chose : str
+        What LaTeX leaves open, and the reader chose; empty for nothing.
     """
 
     sides: tuple[Formula, ...]
     relations: tuple[str, ...]
-    chose: bool = False
+    chose: str = ""
 
 
 def parsed(
@@ -176,13 +176,14 @@ def evaluated(tree: Formula, names: Names) -> Expression:
         If a symbol is not known, shapes do not fit, or what it stands for is no expression.
     """
     try:
-        expression: Expression = _Expressions(names).transform(_wrapped(tree)).children[0]
+        expression: Expression = _Expressions(names).transform(wrapped(tree)).children[0]
     except VisitError as error:
         raise _as_unreadable(error.orig_exc) from error
     return expression
 
 
-def _wrapped(tree: Formula) -> Formula:
+def wrapped(tree: Formula) -> Formula:
+    """Return a tree under a root that a transformer leaves as it is."""
     return Tree("start", [tree])
 
 
@@ -214,7 +215,7 @@ def symbols_in(tree: Formula) -> list[str]:
 
 def text_of(tree: Formula, names: Callable[[str], str]) -> str:
     """Return a tree as text; `names` gives the name of a symbol."""
-    return str(_Texts(names).transform(_wrapped(tree)).children[0])
+    return str(_Texts(names).transform(wrapped(tree)).children[0])
 
 
 @v_args(inline=True)

@@ -23,10 +23,13 @@ from algebroproj_sym.proving.reals.prove import may_agree, often_agree
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.reading.documents import Document
 from algebroproj_sym.reading.grammar import Formula, Parsed, parsed, regrouped, symbols_in
+from algebroproj_sym.reading.letters import has_shape, lettered
 from algebroproj_sym.reading.lexing import UnreadableError, tokens_of
+from algebroproj_sym.reading.phrases import properties_in, sizes_in
 from algebroproj_sym.reading.repairs import STRONG, Repair, repairs
 from algebroproj_sym.reading.statements import Statement, inline_statements, statements
-from algebroproj_sym.reading.vocabulary import Definition, SymbolsFile, Vocabulary
+from algebroproj_sym.reading.symbols import SymbolsFile
+from algebroproj_sym.reading.vocabulary import Definition, UnsizedError, Vocabulary
 from algebroproj_sym.replaying.reals.terms import has_functions, written
 
 Verdict = Literal["definition", "follows", "contradicts", "independent", "not decided", "not read"]
@@ -50,12 +53,10 @@ DEFINES = re.compile(r"(?:\bwhere|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset
 """Words before an inline formula by which it is a definition."""
 NOT_COMPUTED = "stands for is not computed"
 MOST_REPAIRS = 8
+MOST_REPAIRS_OF_LETTERS = 40
 POINTS = (Fraction(3, 2), Fraction(-5, 3), Fraction(7, 5), Fraction(11, 4), Fraction(-13, 7))
 NEAR = 250
 """How many characters beside a formula are searched for words about it."""
-_SPACE_OF = re.compile(
-    r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
-)
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf{j}"))
 _E = Tree("symbol", [Token("SYMBOL", "e")])
@@ -206,8 +207,8 @@ class _Reader:
         self.all = sorted([*displayed, *inline], key=lambda each: order[id(each.display)])
         self.functions = self._functions()
         self.trees = {id(each): self._parsed(each) for each in self.all}
-        sizes = dict(self._sizes())
-        self.vocabulary = Vocabulary(given, sizes, self._matrices(), euler=self._has_euler())
+        sizes, properties = sizes_in(self.all), properties_in(self.all)
+        self.vocabulary = Vocabulary(given.whole, sizes, self._matrices(), properties, euler=self._has_euler())
         self.seen: dict[str, int] = {}
 
     # -- what is known of the whole document
@@ -227,20 +228,9 @@ class _Reader:
         if not statement.pieces:
             return UnreadableError(statement.reason or "there is no formula")
         try:
-            return parsed(statement.pieces, lambda name: name in self.given.symbols, self.functions)
+            return parsed(statement.pieces, lambda name: name in self.given.whole.symbols, self.functions)
         except UnreadableError as error:
             return error
-
-    def _sizes(self) -> Iterator[tuple[str, tuple[int, int]]]:
-        for each in self.all:
-            if match := _SPACE_OF.match(each.latex):
-                for symbol in match[1].split(","):
-                    try:
-                        tree = parsed(symbol).sides[0]
-                    except UnreadableError:
-                        continue
-                    if isinstance(tree, Tree) and tree.data == "symbol":
-                        yield str(tree.children[0]), (int(match[2]), int(match[3] or 1))
 
     def _matrices(self) -> frozenset[str]:
         """Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace."""
@@ -350,7 +340,7 @@ class _Reader:
         relation = formula.relations[0]
         left, right = formula.sides[:2] if relation != "=:" else (formula.sides[1], formula.sides[0])
         symbol, parameters = _defined(left)
-        if not symbol or self._named(statement, self.given.statements) or symbol in self.given.symbols:
+        if not symbol or self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
             return None
         named = self._named(statement, self.given.definitions)
         explicit = explicit or relation in (":=", "=:") or named
@@ -373,7 +363,7 @@ class _Reader:
         try:
             require_bounded(self.vocabulary.value(definition.tree), definition.symbol)
         except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
-            return False
+            return has_shape(self.vocabulary, definition.tree)
         return True
 
     # -- relations
@@ -406,7 +396,7 @@ class _Reader:
     def _narrow(self, statement: Statement, formula: Parsed, index: int) -> Iterator[tuple[Formula, Formula]]:
         """Yield a relation with the arguments of functions as short as possible, where LaTeX leaves that open."""
         if formula.chose:
-            known = lambda name: name in self.given.symbols  # noqa: E731
+            known = lambda name: name in self.given.whole.symbols  # noqa: E731
             narrow = parsed(statement.pieces, known, self.functions, wide_arguments=False)
             yield narrow.sides[index], narrow.sides[index + 1]
 
@@ -438,7 +428,7 @@ class _Reader:
         if imaginary := sorted(symbols & _IMAGINARY):
             return f"{imaginary[0]} may be the imaginary unit"
         if formula.chose:
-            return "LaTeX leaves open how far the argument of a function goes"
+            return formula.chose
         unusable = sorted(
             s for s in symbols if s in self.vocabulary.definitions and not self.vocabulary.definitions[s].usable
         )
@@ -533,6 +523,8 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[
     UnreadableError
         If a side is no expression, or their shapes differ.
     """
+    if any(vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)):
+        raise UnsizedError("a property of a letter says more than its entries")
     values = [vocabulary.value(tree) for tree in (left, right)]
     shapes = [shape(value) for value in values]
     if shapes[0] != shapes[1]:
@@ -571,7 +563,12 @@ def _asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Que
     """Return the questions, or why there are none."""
     try:
         return questions_of(vocabulary, left, right)
-    except (UnreadableError, TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError) as error:
+    except UnreadableError as unread:
+        try:
+            return [lettered(vocabulary, left, right)]
+        except (UnreadableError, RecursionError) as error:
+            return str(error if isinstance(unread, UnsizedError) else unread).partition("\n")[0][:200]
+    except (TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError) as error:
         return str(error).partition("\n")[0][:200] or type(error).__name__
 
 
@@ -612,17 +609,24 @@ def _answers(
     questions = [question for group in asked if isinstance(group, list) for question in group]
     decided = outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions))) if questions else iter(())
     return [
-        (_both(each), _of_entries([*islice(decided, len(each))]))
+        (_both(each), _with_letters(each[0], _of_entries([*islice(decided, len(each))])))
         if isinstance(each, list)
         else (None, Outcome("open", "none", 0.0, each))
         for each in asked
     ]
 
 
+def _with_letters(question: Question, outcome: Outcome) -> Outcome:
+    """Return an outcome with what its letters are taken for among its hypotheses."""
+    taken = tuple(f"{name} is {text}" for name, text in (question.letters or {}).items())
+    return replace(outcome, hypotheses=(*outcome.hypotheses, *taken))
+
+
 def _both(questions: Sequence[Question]) -> tuple[str, str] | None:
     """Return the sides as a derivation states them; none if they have real functions, which it does not."""
     sides = questions[0].lhs, questions[0].rhs
-    return sides if len(questions) == 1 and not any(map(has_functions, sides)) else None
+    plain = len(questions) == 1 and questions[0].letters is None
+    return sides if plain and not any(map(has_functions, sides)) else None
 
 
 def _of_entries(found: Sequence[Outcome]) -> Outcome:
@@ -648,8 +652,15 @@ def _likely_repairs(asked: _Asked) -> list[tuple[Repair, Sides]]:
     right = [(repair, (asked.left, repair.formula)) for repair in repairs(asked.right, symbols)]
     left = [(repair, (repair.formula, asked.right)) for repair in repairs(asked.left, symbols)]
     found = sorted([*right, *left], key=lambda pair: pair[0].kind not in STRONG)
-    likely = (pair for pair in found if pair[1][0] != pair[1][1] and _agree(vocabulary, pair[1]))
-    return [*islice(likely, MOST_REPAIRS)]
+    changed = [pair for pair in found if pair[1][0] != pair[1][1]]
+    if _is_lettered(asked):
+        return changed[:MOST_REPAIRS_OF_LETTERS]
+    return [*islice((pair for pair in changed if _agree(vocabulary, pair[1])), MOST_REPAIRS)]
+
+
+def _is_lettered(asked: _Asked) -> bool:
+    questions = _asked_of(asked.vocabulary, asked.left, asked.right)
+    return isinstance(questions, list) and questions[0].letters is not None
 
 
 def _agree(vocabulary: Vocabulary, sides: Sides) -> bool:
@@ -669,11 +680,19 @@ def _agree(vocabulary: Vocabulary, sides: Sides) -> bool:
     return True
 
 
-def _often_agree(asked: _Asked) -> bool:
-    """Whether the sides have functions, and agree at many points with positive letters: in one case of several."""
-    questions = questions_of(asked.vocabulary, asked.left, asked.right)
+def _doubt_of_refutation(asked: _Asked) -> str:
+    """Return why sides that differ at a point may still be meant to be equal; empty for no reason."""
+    questions = _asked_of(asked.vocabulary, asked.left, asked.right)
+    assert isinstance(questions, list)
+    letters = questions[0].letters
+    if letters is not None:
+        if any(re.search(r"[a-z]x|x[a-z]", text.partition(" ")[0]) for text in letters.values()):
+            return "the sizes of its letters are not stated"
+        values = any("'" in text for _, text in questions[0].named_texts)
+        return f"what a function, a sum or an integral in it {NOT_COMPUTED}" if values else ""
     elementary = [each for each in questions if has_functions(each.lhs) or has_functions(each.rhs)]
-    return bool(elementary) and all(often_agree(each.lhs, each.rhs) for each in elementary)
+    positive = bool(elementary) and all(often_agree(each.lhs, each.rhs) for each in elementary)
+    return "it holds where its letters are positive" if positive else ""
 
 
 def _link_of(asked: _Asked, outcome: Outcome, other: Sides | None) -> Link:
@@ -695,10 +714,12 @@ def _refuted(asked: _Asked, refutation: Outcome, repair: Repair | None) -> Link:
     if repair is not None:
         now, before = (asked.vocabulary.text(tree) for tree in (repair.now, repair.before))
         suggestion = f"{now} instead of {before}"
-    doubt = asked.doubt or ("it holds where its letters are positive" if _often_agree(asked) else "")
-    asserted = asked.identity or (not doubt and (asked.certain or (repair is not None and repair.kind in STRONG)))
+    doubt = _doubt_of_refutation(asked)
+    doubt = doubt if doubt.endswith(NOT_COMPUTED) else asked.doubt or doubt
+    certain = asked.certain or (repair is not None and repair.kind in STRONG)
+    asserted = (certain and not doubt) or (asked.identity and not (doubt and _is_lettered(asked)))
     reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"
-    undecided = asked.doubt.endswith(NOT_COMPUTED)
+    undecided = doubt.endswith(NOT_COMPUTED)
     return replace(
         asked.link,
         verdict="contradicts" if asserted else "not decided" if undecided else "independent",

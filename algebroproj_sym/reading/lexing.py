@@ -42,8 +42,8 @@ def _words(text: str) -> frozenset[str]:
 
 
 _STYLES = _words(
-    r"\mathbf \mathcal \mathscr \mathfrak \mathbb \mathsf \mathit \mathtt \tilde \bar \hat \dot \ddot \dddot \vec "
-    r"\overline \underline \widehat \widetilde \check \breve \mathring \acute \grave \overrightarrow"
+    r"\mathbf \mathcal \mathscr \mathfrak \mathbb \mathds \mathsf \mathit \mathtt \tilde \bar \hat \dot \ddot \dddot "
+    r"\vec \overline \underline \widehat \widetilde \check \breve \mathring \acute \grave \overrightarrow"
 )
 _UPRIGHT = _words(r"\mathrm \operatorname \operatorname* \text \textrm \mathop \textit")
 _DROPPED = _words(
@@ -54,6 +54,14 @@ _DROPPED = _words(
 _DROPPED |= {"\\\n"}
 _WIDE = frozenset((r"\quad", r"\qquad", "\\ "))
 _WITH_ARGUMENT = _words(r"\hspace \vspace \label \phantom \hphantom \vphantom \tag \tag*")
+_NO_LETTERS = _words(
+    r"\forall \exists \mid \cup \cap \setminus \wedge \vee \bullet \because \therefore \over \atop \choose \hbox "
+    r"\begin \end \lfloor \rfloor \lceil \rceil \langle \rangle \neg \land \lor \asymp \prec \succ \supset \subseteq "
+    r"\supseteq \def \let \newcommand \color \bmod \mod \pmod \top \not \overbrace \underbrace \stackrel \overset "
+    r"\underset \substack \binom"
+)
+"""Commands that stand for no letter."""
+_BEFORE_LETTER = _words(r"\leftexp \leftidx \prescript \presuper")
 _FRACTIONS = _words(r"\frac \dfrac \tfrac \cfrac")
 _BIG = _words(r"\sum \prod \int \iint \iiint \oint \lim \max \min \sup \inf \bigcup \bigcap \argmin \argmax")
 FUNCTIONS = _words(
@@ -78,12 +86,15 @@ _MARKS = {**dict.fromkeys(_TRANSPOSED, "T"), r"\wedge": "hat", r"\times": "hat",
 _PART_OF_NAME = re.compile(
     r"\(.*\)|\\math(?:cal|scr|frak|bb)\W.*|[-+*]|\\(?:star|ast|dagger|circ|perp|parallel|prime)|\[.*\]"
 )
-_MATRIX = re.compile(r"\\begin\{(?:[bpvVB]?matrix|smallmatrix|array)\}")
+_MATRIX = re.compile(r"\\begin\{(?:[bpvVB]?matrix\*?|smallmatrix|array)\}")
 _OPENING = {"(": "LP", "[": "LS", r"\{": "LB", r"\lbrace": "LB", r"\lbrack": "LS", r"\langle": "ANGLE_OPEN"}
 _CLOSING = {")": "RP", "]": "RS", r"\}": "RB", r"\rbrace": "RB", r"\rbrack": "RS", r"\rangle": "ANGLE_CLOSE"}
 _BARS = {"|": "BAR", r"\vert": "BAR", r"\lvert": "BAR", r"\rvert": "BAR"} | dict.fromkeys(
     (r"\|", r"\Vert", r"\lVert", r"\rVert"), "NORM"
 )
+ARGUMENT = "LaTeX leaves open how far the argument of a function goes"
+_INDICES = re.compile(r"(?:[a-zA-Z]|\\[a-zA-Z]+){2,}")
+_LETTER = re.compile(r"[a-zA-Z]|\\[a-zA-Z]+")
 _VALUE_ENDS = frozenset(
     ("NUMBER", "SYMBOL", "OPAQUE", "CLOSE", "RP", "RS", "RB", "BAR_CLOSE", "NORM_CLOSE", "ANGLE_CLOSE", "END", "MARK")
 )
@@ -172,8 +183,8 @@ def tokens_of(
     known: Callable[[str], bool],
     functions: Collection[str] | None = None,
     wide_arguments: bool = True,
-) -> tuple[list[Token], bool]:
-    """Return the tokens of a formula, and whether the reader had to choose how far the argument of a function goes.
+) -> tuple[list[Token], str]:
+    """Return the tokens of a formula, and what the reader had to choose, such as how far an argument goes.
 
     Parameters
     ----------
@@ -206,7 +217,7 @@ class _Lexer:
     wide: bool
     depth: int = 0
     index: int = 0
-    chose: bool = False
+    chose: str = ""
     out: list[Token] = field(default_factory=list)
     opened: list[str] = field(default_factory=list)
 
@@ -289,7 +300,7 @@ class _Lexer:
             raise self.fail(f"expected at most {MAX_NESTING} levels of nesting, got more")
         lexer = _Lexer(list(pieces), self.known, self.functions, self.wide, self.depth + 1)
         lexer.until_end()
-        self.chose |= lexer.chose
+        self.chose = self.chose or lexer.chose
         self.emit("OPEN", "{")
         self.out += lexer.out
         self.emit("CLOSE", "}")
@@ -337,7 +348,9 @@ class _Lexer:
             self.bracket()
         elif text == "{":
             self.braces()
-        elif text == "_":
+        elif text in _BEFORE_LETTER:
+            self.command_before_letter()
+        elif text in ("_", "^"):
             self.before_letter()
         else:
             self.operator()
@@ -352,6 +365,8 @@ class _Lexer:
         elif text == ":" and self.peek(1) == "=":
             self.emit("RELATION", ":=")
             self.index += next(i for i, p in enumerate(self.pieces[self.index :]) if p.text == "=")
+        elif text in (":", r"\colon"):
+            self.emit("CIRCLED", ":")
         elif text in (r"\stackrel", r"\overset"):
             self.index += 1
             over = "".join(piece.text for piece in self.group())
@@ -372,6 +387,12 @@ class _Lexer:
             self.emit(kinds[text], text)
         elif text in (r"\ldots", r"\dots", r"\cdots", r"\vdots", r"\ddots", "…"):
             raise self.fail("an ellipsis is not read")
+        elif self.functions is not None and self.is_unknown_letter():
+            self.chose = f"the command {text} is not known"
+            start = self.place
+            self.index += 1
+            self.scripted(text, start)
+            return
         elif text.startswith("\\"):
             raise self.fail(f"the command {text} is not known")
         else:
@@ -449,8 +470,10 @@ class _Lexer:
                 return primes, below, above
 
     def next_is_script(self) -> bool:
-        rest = [piece.text for piece in self.pieces[self.index : self.index + 8] if not piece.text.isspace()]
-        return rest[:2] == ["{", "}"] and len(rest) > 2 and rest[2] in ("_", "^", "'")
+        rest = [piece.text for piece in self.pieces[self.index : self.index + 12] if not piece.text.isspace()]
+        if rest[:2] != ["{", "}"] or len(rest) < 3 or rest[2] not in ("_", "^", "'"):
+            return False
+        return rest[2] != "^" or _is_behind(rest[3:])
 
     def symbol(self) -> None:
         start, command = self.place, self.text
@@ -474,10 +497,27 @@ class _Lexer:
             self.power(above[1:], self.raised[1:])
         elif _PART_OF_NAME.fullmatch(above):
             self.name(whole, start)
+        elif self.functions is not None and self.has_indices(letter, below, above):
+            self.chose = "letters above may be indices"
+            self.name(whole, start)
         else:
             self.name(bare, start, raised=True)
             self.power(above, [piece for piece in self.raised if piece.text not in ("'", r"\prime")])
         self.after()
+
+    def is_unknown_letter(self) -> bool:
+        """Whether a command of the document that nothing defines may be a letter: it takes no argument."""
+        named = re.fullmatch(r"\\[a-zA-Z]+", self.text) is not None
+        return named and self.text not in _NO_LETTERS and self.peek(1) != "{"
+
+    def has_indices(self, letter: str, below: str, above: str) -> bool:
+        r"""Whether what stands above a letter may be indices, as in ``T^{\mu\nu}`` and ``g_\mu^\nu``, and no power."""
+        if letter in ("e", r"\mathrm{e}") or above in _MARKS:
+            return False
+        letters = [*_LETTER.findall(above)]
+        alone = all(each in GREEK or len(each) == 1 for each in letters)
+        mixed = len(letters) == 1 and {above, below} <= GREEK
+        return (_INDICES.fullmatch(above) is not None and alone) or mixed
 
     def is_factor_symbol(self) -> bool:
         here = self.text
@@ -507,7 +547,7 @@ class _Lexer:
                 break
             inside.append(piece)
         body = [piece for piece in inside if not piece.text.isspace() and piece.text not in _DROPPED][1:]
-        if any(piece.text in (",", ";") for piece in body):
+        if any(piece.text in (",", ";") for piece in _outside_braces(body)):
             return True
         if not body or any(piece.text in "+-*/()=|" for piece in body):
             return False
@@ -642,7 +682,7 @@ class _Lexer:
 
     def power_of_bracket(self, begin: int, mark: int) -> None:
         r"""Choose what is raised in ``\ln(x)^2``: the value of the function, or its argument."""
-        self.chose = True
+        self.chose = ARGUMENT
         if not self.wide:
             while self.text != "^":
                 self.index += 1
@@ -673,13 +713,14 @@ class _Lexer:
                 continue
             number = self.text.isdigit() or self.text == "."
             if not (number or self.text in _FRACTIONS or self.text == r"\sqrt" or self.is_symbol()):
-                self.chose |= self.index > start and self.peek() in ("(", "[")
+                if self.index > start and self.peek() in ("(", "["):
+                    self.chose = ARGUMENT
                 break
             if values and not self.wide:
-                self.chose = True
+                self.chose = ARGUMENT
                 break
             if values:
-                self.chose = True
+                self.chose = ARGUMENT
             if number:
                 self.index += 1
                 self.scripts() if self.text == "^" else None
@@ -733,7 +774,7 @@ class _Lexer:
         inside = self.environment_body(name, start)
         lexer = _Lexer(inside, self.known, self.functions, self.wide, self.depth + 1)
         lexer.until_end()
-        self.chose |= lexer.chose
+        self.chose = self.chose or lexer.chose
         while lexer.out and lexer.out[-1].type == "ROW":
             lexer.out.pop()
         self.emit("BEGIN", name)
@@ -813,18 +854,75 @@ class _Lexer:
         return alone
 
     def before_letter(self) -> None:
-        """Read a subscript before its letter: it goes first in the one behind it."""
+        """Read scripts before their letter, as of a frame: they go first in those behind it."""
+        if (
+            self.text == "^"
+            and self.ends_value()
+            and _is_behind([piece.text for piece in self.pieces[self.index + 1 :]])
+        ):
+            self.after()
+            return
         start = self.place
+        first = {"_": "", "^": ""}
+        while self.text in first:
+            mark = self.text
+            self.index += 1
+            first[mark] += _bare(self.group())
+            self.skip()
+        self.with_scripts(first["_"], first["^"], start)
+
+    def command_before_letter(self) -> None:
+        r"""Read a letter with scripts before it, as in ``\leftexp{B}{\omega}`` and ``\prescript{a}{b}{R}``."""
+        start, command = self.place, self.text
         self.index += 1
-        first = _bare(self.group())
+        above = _bare(self.group())
+        below = _bare(self.group()) if command == r"\prescript" else ""
+        above, _, marked = above.lstrip("^").partition("_")
+        inside = self.group()
+        behind = self.group() if command == r"\leftidx" and self.peek() == "{" else []
+        rest = self.pieces[self.index :]
+        lexer = _Lexer(inside, self.known, self.functions, self.wide, self.depth + 1)
+        if lexer.depth < MAX_NESTING and lexer.is_lone_letter():
+            self.pieces, self.index = [*inside, *behind, *rest], 0
+            self.with_scripts(below or marked, above, start)
+        else:
+            self.inner(inside)
+            self.after()
+
+    def with_scripts(self, below: str, above: str, start: int) -> None:
+        """Read a letter, and put scripts before its own."""
         self.skip()
-        if not self.is_symbol():
-            raise self.fail("a subscript is read beside a letter only")
+        while self.text == "{" and not self.is_symbol():
+            inside = self.group()
+            self.pieces, self.index = [*inside, *self.pieces[self.index :]], 0
+            self.skip()
+        if self.functions is not None and not self.is_symbol() and self.is_unknown_letter():
+            self.chose = f"the command {self.text} is not known"
+        elif not self.is_symbol():
+            raise self.fail("scripts are read beside a letter only")
         letter = self.letter()
-        primes, below, above = self.scripts()
-        self.name(written(letter, primes, f"{first}_{below}", ""), start)
-        self.power(above, self.raised)
+        primes, own_below, own_above = self.scripts()
+        subscript = ",".join(part for part in (f"{below}|" if below else "", own_below) if part)
+        if above:
+            subscript = f"{above}^{subscript}"
+        self.name(written(letter, primes, subscript, ""), start)
+        self.power(own_above, self.raised)
         self.after()
+
+
+def _is_behind(script: Sequence[str]) -> bool:
+    r"""Whether a script above belongs to what stands before it, as in ``(AB){}^T``: a mark of matrices or a number."""
+    inside = list(script[1 : [*script, "}"].index("}")]) if script[:1] == ["{"] else list(script[:1])
+    return "".join(inside) in _MARKS or inside[:1] == ["-"] or all(each.isdigit() for each in inside)
+
+
+def _outside_braces(pieces: Sequence[Piece]) -> list[Piece]:
+    kept, depth = list[Piece](), 0
+    for piece in pieces:
+        depth += (piece.text == "{") - (piece.text == "}")
+        if depth == 0:
+            kept.append(piece)
+    return kept
 
 
 def _partner(opening: str) -> str:

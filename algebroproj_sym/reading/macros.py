@@ -3,6 +3,7 @@ r"""Macros of a document: ``\newcommand``, ``\def`` and ``\DeclareMathOperator``
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -19,6 +20,7 @@ _DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)((?:#\d)*)")
 _OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
 _FRAMES = (r"\boxed", r"\fbox", r"\mathrel", r"\mathopen", r"\mathclose")
 """Commands that change the looks of their argument only."""
+_BOLD_BOX = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")
 _PARAMETER = re.compile(r"#([1-9])")
 
 
@@ -34,6 +36,8 @@ class Macro:
 def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
     r"""Return the macros that a text defines, and where their definitions begin and end.
 
+    A macro that is defined several times has its first meaning here; `redefinitions` has the others.
+
     Examples
     --------
     >>> macros_in(r"\newcommand{\half}[1]{\frac{#1}{2}}")[0]
@@ -45,9 +49,20 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
         end = _closing(text, start)
         if end is not None:
             body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
-            found[name] = Macro(count, default, body)
+            found.setdefault(name, Macro(count, default, body))
             spans.append((abs(begin), end + 1))
     return found, spans
+
+
+def redefinitions(text: str) -> list[tuple[int, str, Macro]]:
+    """Return the definitions of macros that have several, in order: place, name and meaning."""
+    made = list[tuple[int, str, Macro]]()
+    for name, count, default, begin, start in _begun(text):
+        if (end := _closing(text, start)) is not None:
+            body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
+            made.append((abs(begin), name, Macro(count, default, body)))
+    times = Counter(name for _, name, _ in made)
+    return sorted((each for each in made if times[each[1]] > 1), key=lambda each: each[0])
 
 
 def _begun(text: str) -> Iterator[tuple[str, int, str | None, int, int]]:
@@ -96,7 +111,7 @@ def expanded(pieces: Sequence[Piece], macros: Mapping[str, Macro]) -> list[Piece
             out.append(piece)
             continue
         expansions += 1
-        body = _filled(macro, piece, waiting)
+        body = _BOLD_BOX.sub(r"\\mathbf{\1}", _filled(macro, piece, waiting))
         waiting += [Piece(each.text, piece.place) for each in reversed(pieces_of(body))]
         if expansions > MAX_EXPANSIONS or len(waiting) + len(out) > MAX_PIECES:
             raise UnreadableError(f"the macro {piece.text} expands without end", piece.place)

@@ -9,7 +9,9 @@ from dataclasses import dataclass
 from algebroproj_sym.reading.documents import Display, Document, label_of, tag_of
 from algebroproj_sym.reading.lexing import RELATIONS, Piece, split_pieces
 
-_INNER = re.compile(r"\\(begin|end)\{(?:split|aligned|gathered|alignedat|multlined|subarray)\}")
+_INNER = re.compile(
+    r"\\(begin|end)\{(?:split|aligned|gathered|alignedat|multlined|subarray|(?:align|equation|gather|multline)\*?)\}"
+)
 _TAGGED = re.compile(r"\\(?:nonumber|notag|tag)(?![a-z])")
 _WORDS = (r"\text", r"\mbox", r"\textrm", r"\textnormal", r"\intertext", r"\shortintertext")
 _WIDE = (r"\quad", r"\qquad")
@@ -210,7 +212,11 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
         depth += (text in ("{", "(", "[", r"\{") or text.startswith(r"\begin{")) - (
             text in ("}", ")", "]", r"\}") or text.startswith(r"\end{")
         )
-        if depth <= 0 and text in _WORDS:
+        if depth <= 0 and text == r"\forall":
+            yield part, "".join(piece.text for piece in column[place:])
+            part, place = [], len(column)
+            continue
+        if depth <= 0 and text in _WORDS and not _is_script(part):
             end = _group_end(column, place + 1)
             words = "".join(piece.text for piece in column[place + 1 : end]).strip(" {}~")
             if _is_unit(part, words, column[end:]):
@@ -227,6 +233,12 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
             part.append(column[place])
         place += 1
     yield part, ""
+
+
+def _is_script(before: Sequence[Piece]) -> bool:
+    r"""Whether words are a script, as in ``x^\text{min}``."""
+    last = next((piece.text for piece in reversed(before) if not piece.text.isspace()), "")
+    return last in ("^", "_")
 
 
 def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> bool:

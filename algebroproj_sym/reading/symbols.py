@@ -1,11 +1,17 @@
-r"""What the symbols of a paper stand for: the reviewed tables in the file ``symbols.toml`` of its derivations.
+r"""What the symbols of a paper stand for: the reviewed tables in its file ``symbols.toml``.
 
 ::
 
+    definitions = ["3", "eq:area"]               equations of a document that define the letter on their left
+    statements = ["line 12"]                     equations that define nothing
+    identities = ["7", "all"]                    equations that hold for all values of their letters
+
     [[table]]
-    claims = ["1.1", "2.2.6"]                    sections and numbers; without, all claims
+    claims = ["1.1", "2.2.6"]                    sections and numbers; without, the whole paper
     letters = { '\mathcal{J}' = "y" }            a letter, or its scan, and how names of symbols begin
     symbols = { '\mathbf{u}' = "[[1], [u1], [u2]]" }   a symbol, and the expression it stands for
+    sizes = { '\mathbf{R}' = [3, 3] }            a vector or matrix, and its size
+    properties = { '\mathbf{R}' = "rotation" }   what a vector or matrix is
     primes = false                               where the claims write no primes
 
 A symbol that no table has is named by rule: letter, a p for each prime, subscript.  Later tables come first.
@@ -16,20 +22,28 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from functools import cache
+from dataclasses import dataclass, field
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
 import sympy
 
-from algebroproj_sym.declaring import Claim, DeclarationError
-from algebroproj_sym.expressions import Expression, ParseError, parse
-from algebroproj_sym.reading.lexing import GREEK, split_symbol, written
+from algebroproj_sym.expressions import Expression, Matrix, ParseError, parse
+from algebroproj_sym.proving.letters import PROPERTIES
+from algebroproj_sym.reading.documents import UnreadableDocumentError
+from algebroproj_sym.reading.lexing import GREEK, UnreadableError, split_symbol, written
 
 FILE = "symbols.toml"
 OF_ANGLES = (r"\sin", r"\cos", r"\tan")
 """Functions that a table may name together with their argument."""
+MOST_ENTRIES = 6
+"""How many rows or columns a letter that stands for a vector or matrix may have."""
+
+Size = tuple[int, int]
+_LISTS = ("definitions", "statements", "identities")
+_KEYS = frozenset((*_LISTS, "table"))
+_TABLE_KEYS = frozenset(("claims", "letters", "symbols", "sizes", "properties", "primes"))
 
 
 @dataclass(frozen=True)
@@ -46,21 +60,46 @@ class Table:
         What whole symbols stand for, written as `written` does.
     primes : bool
         Whether the names of symbols have a p for each prime.
+    sizes : mapping of str to (int, int)
+        Rows and columns of the symbols that are vectors or matrices.
+    properties : mapping of str to tuple of str
+        What vectors and matrices are: one of `algebroproj_sym.proving.letters.PROPERTIES`, or "identity".
     """
 
-    claims: tuple[str, ...]
-    letters: Mapping[str, str]
-    symbols: Mapping[str, Expression]
+    claims: tuple[str, ...] = ()
+    letters: Mapping[str, str] = field(default_factory=dict)
+    symbols: Mapping[str, Expression] = field(default_factory=dict)
     primes: bool = True
+    sizes: Mapping[str, Size] = field(default_factory=dict)
+    properties: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
-    def covers(self, claim: Claim) -> bool:
-        """Whether the table is for a claim."""
-        return not self.claims or any(_is_part(claim, part) for part in self.claims)
+    def covers(self, section: str, number: str) -> bool:
+        """Whether the table is for the claim with a number in a section."""
+        return not self.claims or any(
+            section == part or section.startswith(f"{part}.") or re.match(rf"{re.escape(part)}(#|/|$)", number)
+            for part in self.claims
+        )
 
 
-def _is_part(claim: Claim, part: str) -> bool:
-    in_section = claim.section == part or claim.section.startswith(f"{part}.")
-    return in_section or re.match(rf"{re.escape(part)}(#|/|$)", claim.number) is not None
+@dataclass(frozen=True)
+class SymbolsFile:
+    """A file of symbols: its tables, and what the user says of the equations of a document."""
+
+    definitions: frozenset[str] = frozenset()
+    statements: frozenset[str] = frozenset()
+    identities: frozenset[str] = frozenset()
+    tables: tuple[Table, ...] = ()
+
+    @cached_property
+    def whole(self) -> Table:
+        """What the tables for the whole paper say together."""
+        tables = [table for table in self.tables if not table.claims]
+        return Table(
+            letters={name: text for table in tables for name, text in table.letters.items()},
+            symbols={name: value for table in tables for name, value in table.symbols.items()},
+            sizes={name: size for table in tables for name, size in table.sizes.items()},
+            properties={name: listed for table in tables for name, listed in table.properties.items()},
+        )
 
 
 @dataclass(frozen=True)
@@ -80,7 +119,11 @@ class Symbols:
         for table in self.tables:
             if whole in table.symbols:
                 return table.symbols[whole]
-        return None if function or superscript else self._by_rule(letter, primes, subscript)
+        if function or superscript:
+            return None
+        named = self._by_rule(letter, primes, subscript)
+        size = next((table.sizes[whole] for table in self.tables if whole in table.sizes), None)
+        return named if size is None or named is None else letters_of(named.name, size)
 
     def _by_rule(self, letter: str, primes: int, subscript: str) -> sympy.Symbol | None:
         begin = next((table.letters[letter] for table in self.tables if letter in table.letters), None)
@@ -91,37 +134,92 @@ class Symbols:
         return sympy.Symbol(name) if re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) else None
 
 
+def letters_of(name: str, size: Size) -> Matrix:
+    """Return a vector or matrix of letters.
+
+    Examples
+    --------
+    >>> letters_of("x", (2, 1)).T, letters_of("R", (1, 2))
+    (Matrix([[x_1, x_2]]), Matrix([[R_11, R_12]]))
+    """
+    rows, columns = size
+    places = [str(i + 1) + ("" if columns == 1 else str(j + 1)) for i in range(rows) for j in range(columns)]
+    return Matrix(rows, columns, [sympy.Symbol(f"{name}_{place}") for place in places])
+
+
 def tables_in(folder: Path) -> tuple[Table, ...]:
     """Return the tables of a folder of derivations.
 
     Raises
     ------
-    DeclarationError
+    UnreadableDocumentError
         If the file cannot be read.
     """
     path = folder / FILE
-    return _read(path, path.stat().st_mtime_ns) if path.is_file() else ()
+    return _read(path, path.stat().st_mtime_ns).tables if path.is_file() else ()
 
 
-def symbols_for(claim: Claim, tables: Sequence[Table]) -> Symbols:
-    """Return what symbols stand for in a claim."""
-    return Symbols(tuple(table for table in reversed(tables) if table.covers(claim)))
+def symbols_for(section: str, number: str, tables: Sequence[Table]) -> Symbols:
+    """Return what symbols stand for in the claim with a number in a section."""
+    return Symbols(tuple(table for table in reversed(tables) if table.covers(section, number)))
 
 
 @cache
-def _read(path: Path, stamp: int) -> tuple[Table, ...]:
+def _read(path: Path, stamp: int) -> SymbolsFile:
+    return symbols_file(path)
+
+
+def symbols_file(path: Path) -> SymbolsFile:
+    """Read a file of symbols.
+
+    Raises
+    ------
+    UnreadableDocumentError
+        Naming the key, what was expected and what came.
+    """
     try:
         content = tomllib.loads(path.read_text(encoding="utf-8"))
-        return tuple(_table(entry) for entry in content.get("table", ()))
-    except (tomllib.TOMLDecodeError, ParseError) as error:
-        raise DeclarationError(f"{path}: {error}") from error
+        _require_keys(content, _KEYS)
+        lists = {key: frozenset(map(str, content.get(key, ()))) for key in _LISTS}
+        return SymbolsFile(**lists, tables=tuple(map(_table, content.get("table", ()))))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise UnreadableDocumentError(f"{path}: expected TOML, got {error}") from error
+    except (ParseError, UnreadableError, ValueError, TypeError, AttributeError) as error:
+        raise UnreadableDocumentError(f"{path}: {error}") from error
+
+
+def _require_keys(content: Mapping[str, Any], known: frozenset[str]) -> None:
+    if unknown := sorted(set(content) - known):
+        raise ValueError(f"expected keys of {sorted(known)}, got {unknown}")
 
 
 def _table(entry: Mapping[str, Any]) -> Table:
-    symbols = {_canonical(symbol): parse(text, symbol) for symbol, text in entry.get("symbols", {}).items()}
-    return Table(tuple(entry.get("claims", ())), dict(entry.get("letters", {})), symbols, entry.get("primes", True))
+    _require_keys(entry, _TABLE_KEYS)
+    return Table(
+        claims=tuple(map(str, entry.get("claims", ()))),
+        letters={_canonical(name): str(text) for name, text in entry.get("letters", {}).items()},
+        symbols={_canonical(name): parse(text, name) for name, text in entry.get("symbols", {}).items()},
+        primes=bool(entry.get("primes", True)),
+        sizes={_canonical(name): _size(size, name) for name, size in entry.get("sizes", {}).items()},
+        properties={_canonical(name): _known(given, name) for name, given in entry.get("properties", {}).items()},
+    )
 
 
 def _canonical(symbol: str) -> str:
     function = next((name for name in OF_ANGLES if symbol.startswith(name)), "")
     return function + written(*split_symbol(symbol.removeprefix(function).strip()))
+
+
+def _known(given: Any, name: str) -> tuple[str, ...]:
+    listed = (given,) if isinstance(given, str) else tuple(given)
+    known = (*PROPERTIES, "identity")
+    if unknown := [each for each in listed if each not in known]:
+        raise ValueError(f"properties, {name}: expected one of {', '.join(known)}, got {unknown[0]!r}")
+    return listed
+
+
+def _size(size: Any, name: str) -> Size:
+    rows, columns = (size, 1) if isinstance(size, int) else size
+    if not (isinstance(rows, int) and isinstance(columns, int) and 1 <= rows <= MOST_ENTRIES >= columns >= 1):
+        raise ValueError(f"sizes, {name}: expected one or two numbers from 1 to {MOST_ENTRIES}, got {size}")
+    return rows, columns

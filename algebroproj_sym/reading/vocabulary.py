@@ -1,93 +1,27 @@
-r"""What the letters of a document stand for: the symbols file, the definitions above, and names for the rest.
-
-::
-
-    definitions = ["3", "eq:area"]         equations that define the letter on their left
-    statements = ["line 12"]               equations that define nothing
-    identities = ["7", "all"]              equations that hold for all values of their letters
-
-    [[table]]
-    letters = { '\lambda' = "lam" }        how the names of symbols with a letter begin
-    symbols = { '\mathbf{u}' = "[[1], [u1], [u2]]" }   a symbol, and the expression it stands for
-    sizes = { '\mathbf{R}' = [3, 3] }      a vector or matrix, and its size
-"""
+"""What the letters of a document stand for: the symbols file, the definitions above, and names for the rest."""
 
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import Matrix, ParseError, parse
-from algebroproj_sym.reading.documents import UnreadableDocumentError
 from algebroproj_sym.reading.grammar import Formula, evaluated, symbols_in, text_of
-from algebroproj_sym.reading.lexing import UnreadableError, split_symbol, written
+from algebroproj_sym.reading.lexing import UnreadableError, split_symbol
+from algebroproj_sym.reading.symbols import Table, letters_of
 
-MOST_ENTRIES = 6
 MOST_DEFINITIONS = 20_000
 
+_IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z])")
-_KEYS = frozenset(("definitions", "statements", "identities", "table"))
-_TABLE_KEYS = frozenset(("letters", "symbols", "sizes"))
 
 
-@dataclass(frozen=True)
-class SymbolsFile:
-    """What the user says of a document; see the docstring of the module."""
-
-    definitions: frozenset[str] = frozenset()
-    statements: frozenset[str] = frozenset()
-    identities: frozenset[str] = frozenset()
-    letters: Mapping[str, str] = field(default_factory=dict)
-    symbols: Mapping[str, Any] = field(default_factory=dict)
-    sizes: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-
-
-def symbols_file(path: Path) -> SymbolsFile:
-    """Read a symbols file.
-
-    Raises
-    ------
-    UnreadableDocumentError
-        Naming the key, what was expected and what came.
-    """
-    try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise UnreadableDocumentError(f"{path}: expected TOML, got {error}") from error
-    tables = content.get("table", [])
-    for mapping, known in ((content, _KEYS), *((table, _TABLE_KEYS) for table in tables)):
-        if unknown := sorted(set(mapping) - known):
-            raise UnreadableDocumentError(f"{path}: expected keys of {sorted(known)}, got {unknown}")
-    try:
-        symbols = {
-            _canonical(name): parse(text, name) for table in tables for name, text in table.get("symbols", {}).items()
-        }
-        sizes = {
-            _canonical(name): _size(size, name) for table in tables for name, size in table.get("sizes", {}).items()
-        }
-        letters = {_canonical(name): str(text) for table in tables for name, text in table.get("letters", {}).items()}
-        lists = {key: frozenset(map(str, content.get(key, ()))) for key in ("definitions", "statements", "identities")}
-    except (ParseError, UnreadableError, ValueError, TypeError) as error:
-        raise UnreadableDocumentError(f"{path}: {error}") from error
-    return SymbolsFile(**lists, letters=letters, symbols=symbols, sizes=sizes)
-
-
-def _canonical(symbol: str) -> str:
-    return written(*split_symbol(symbol))
-
-
-def _size(size: Any, name: str) -> tuple[int, int]:
-    rows, columns = (size, 1) if isinstance(size, int) else size
-    if not (isinstance(rows, int) and isinstance(columns, int) and 1 <= rows <= MOST_ENTRIES >= columns >= 1):
-        raise ValueError(f"sizes, {name}: expected one or two numbers from 1 to {MOST_ENTRIES}, got {size}")
-    return rows, columns
+class UnsizedError(UnreadableError):
+    """A vector or matrix is known as a letter only."""
 
 
 @dataclass(frozen=True)
@@ -131,9 +65,10 @@ class Vocabulary:
 
     def __init__(
         self,
-        given: SymbolsFile,
+        given: Table,
         sizes: Mapping[str, tuple[int, int]],
         matrices: frozenset[str],
+        properties: Mapping[str, tuple[str, ...]],
         *,
         euler: bool = False,
     ) -> None:
@@ -142,6 +77,7 @@ class Vocabulary:
         self.definitions: dict[str, Definition] = {}
         self._sizes = {**sizes, **given.sizes}
         self._matrices = matrices
+        self._properties = {**properties, **given.properties}
         self._names: dict[str, str] = {}
         self._taken: dict[str, str] = {}
         self._values: dict[str, Any] = {}
@@ -149,7 +85,7 @@ class Vocabulary:
 
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
-        copied = Vocabulary(self.given, self._sizes, self._matrices, euler=self.euler)
+        copied = Vocabulary(self.given, self._sizes, self._matrices, self._properties, euler=self.euler)
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
@@ -196,20 +132,37 @@ class Vocabulary:
             return constant
         if symbol == r"\infty":
             raise UnreadableError("infinity is no number")
-        size = self._sizes.get(symbol) or self._sizes.get(split_symbol(symbol)[0] if " " not in symbol else symbol)
-        if size is not None:
+        size = self.size_of(symbol)
+        if size is not None and not self.is_component(symbol):
             name = self.name(symbol)
             if size == (1, 1):
                 return sympy.Symbol(name)
-            places = [str(i + 1) + ("" if size[1] == 1 else str(j + 1)) for i in range(size[0]) for j in range(size[1])]
-            return Matrix(*size, [sympy.Symbol(f"{name}_{place}") for place in places])
+            return letters_of(name, size)
         if self.is_matrix(symbol):
-            raise UnreadableError(f"the size of {self.name(symbol)} is not known; a symbols file can give it")
+            raise UnsizedError(f"the size of {self.name(symbol)} is not known; a symbols file can give it")
         return sympy.Symbol(self.name(symbol))
 
     def is_matrix(self, symbol: str) -> bool:
         """Whether a symbol is written as a vector or a matrix."""
-        return symbol in self._matrices or _BOLD.search(symbol) is not None
+        return symbol in self._matrices or symbol in self._properties or _BOLD.search(symbol) is not None
+
+    def size_of(self, symbol: str) -> tuple[int, int] | None:
+        """Return rows and columns of a symbol; None if nothing says them."""
+        if identity := _IDENTITY.fullmatch(symbol):
+            return int(identity[1]), int(identity[1])
+        return self._sizes.get(symbol) or self._sizes.get(split_symbol(symbol)[0] if " " not in symbol else symbol)
+
+    def is_component(self, symbol: str) -> bool:
+        """Whether a symbol is a component of a vector: a thin letter of a known size with a number or axis below."""
+        if symbol in self._sizes or " " in symbol or _BOLD.search(symbol):
+            return False
+        letter, _, below, _ = split_symbol(symbol)
+        size = self._sizes.get(letter)
+        return size is not None and size[1] == 1 and below in (*"xyzw", *map(str, range(1, size[0] + 1)))
+
+    def properties_of(self, symbol: str) -> tuple[str, ...]:
+        """Return what a symbol is said to be, such as a rotation."""
+        return ("identity",) if _IDENTITY.fullmatch(symbol) else self._properties.get(symbol, ())
 
     def used_in(self, tree: Formula) -> list[Definition]:
         """Return the definitions on which a formula rests, each before those that use it."""

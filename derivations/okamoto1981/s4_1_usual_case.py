@@ -33,7 +33,6 @@ xh, yh = sympy.symbols("xH yH")
 section.identity(
     "49",
     "measured coordinates",
-    printed=vector(x, y),
     derived=measured - comparator_center,
 )
 
@@ -51,8 +50,6 @@ section.identity(
 section.identity(
     "50",
     "measured coordinates, referred to the principal point",
-    printed=vector(x, y),
-    where={},
     derived=measured - vector(xh, yh).xreplace(of_principal_point),
 )
 

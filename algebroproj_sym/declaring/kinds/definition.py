@@ -6,7 +6,7 @@ from itertools import islice
 from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.expressions import Expression, evaluate, symbols_of
 from algebroproj_sym.proving import Point, Proof, prove, rational_points, seed_of
 
@@ -33,7 +33,9 @@ def _values(printed: Expression, point: Point) -> tuple[Any, ...] | None:
         return None
 
 
-def definition(section: Declaring, number: str, title: str, *, printed: Any, **options: Unpack[Options]) -> Claim:
+def definition(
+    section: Declaring, number: str, title: str, *, printed: Any = QUOTED, **options: Unpack[Options]
+) -> Claim:
     """Declare a notation."""
     return section.declare(DEFINITION, number, title, printed, None, **options)
 

@@ -10,7 +10,7 @@ from typing import Any, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.expressions import Scalar, TextForm
 from algebroproj_sym.proving import Proof, prove
 from algebroproj_sym.proving.statements import prove as prove_any
@@ -69,7 +69,7 @@ def decided_text(claim: Claim, left: TextForm, right: str, engine: str) -> Proof
 
 
 def identity(
-    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+    section: Declaring, number: str, title: str, *, printed: Any = QUOTED, derived: Any, **options: Unpack[Options]
 ) -> Claim:
     """Declare that two scalars, vectors or matrices are equal, wherever the constraints hold."""
     kind = CONSTRAINED if options.get("constraints") else IDENTITY

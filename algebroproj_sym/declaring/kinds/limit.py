@@ -8,7 +8,7 @@ from typing import Any, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.expressions import entries, evaluate, over, symbols_of, text, vector
 from algebroproj_sym.proving import Proof, RationalFunction, RationalFunctionField, prove
 
@@ -61,7 +61,7 @@ def _lowest(field: RationalFunctionField, polynomial: Any, variable: sympy.Symbo
 
 
 def limit(
-    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+    section: Declaring, number: str, title: str, *, printed: Any = QUOTED, derived: Any, **options: Unpack[Options]
 ) -> Claim:
     """Declare the limit of an expression where `variable` goes to zero."""
     return section.declare(LIMIT, number, title, printed, derived, **options)

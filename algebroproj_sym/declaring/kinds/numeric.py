@@ -7,7 +7,8 @@ from decimal import Decimal
 from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
+from algebroproj_sym.declaring.transcription import transcribed_number
 from algebroproj_sym.expressions import decimals, evaluate, rounded, shape, symbols_of
 from algebroproj_sym.proving import Proof
 
@@ -28,13 +29,14 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
 
 
 def numeric(
-    section: Declaring, number: str, title: str, *, printed: str, derived: Any, **options: Unpack[Options]
+    section: Declaring, number: str, title: str, *, printed: str = QUOTED, derived: Any, **options: Unpack[Options]
 ) -> Claim:
     """Declare that a printed decimal number is the derived rational number, rounded as `rounding` says."""
     where = f"claim {section.paper}:{number}"
     if "corrected" in options:
         options["corrected"] = decimal(options["corrected"], f"{where}, corrected")
-    return section.declare(NUMERIC, number, title, decimal(printed, f"{where}, printed"), derived, **options)
+    form = printed if printed is QUOTED else decimal(printed, f"{where}, printed")
+    return section.declare(NUMERIC, number, title, form, derived, **options)
 
 
 def decimal(value: Any, where: str) -> Decimal:
@@ -65,6 +67,7 @@ NUMERIC = Kind(
     numeric,
     compare,
     lambda claim: _ROUNDED[claim.rounding],
+    transcribe=transcribed_number,
     takes=("rounding",),
     require=_require_number,
     relation=r"\approx",

@@ -8,7 +8,7 @@ from itertools import combinations, takewhile
 from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.declaring.kinds.identity import decided, decided_text
 from algebroproj_sym.expressions import Scalar, TextForm, entries, evaluate, vector
 from algebroproj_sym.proving import Point, Proof, point_record
@@ -92,7 +92,7 @@ def _is_zero(claim: Claim, entry: Scalar, engine: str) -> Proof:
 
 
 def up_to_scale(
-    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+    section: Declaring, number: str, title: str, *, printed: Any = QUOTED, derived: Any, **options: Unpack[Options]
 ) -> Claim:
     """Declare that two vectors or matrices are equal up to a common factor."""
     return section.declare(PROJECTIVE, number, title, printed, derived, **options)

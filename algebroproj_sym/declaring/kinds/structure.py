@@ -9,7 +9,7 @@ from typing import Any, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.expressions import entries, vector
 from algebroproj_sym.proving import Proof, prove
 
@@ -55,7 +55,7 @@ def _expected(mark: Any, entry: sympy.Expr, representatives: dict[sympy.Expr, sy
 
 
 def structure(
-    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+    section: Declaring, number: str, title: str, *, printed: Any = QUOTED, derived: Any, **options: Unpack[Options]
 ) -> Claim:
     """Declare where a matrix has zeros, equal entries and opposite entries: `printed` is a pattern of symbols."""
     return section.declare(STRUCTURE, number, title, printed, derived, **options)

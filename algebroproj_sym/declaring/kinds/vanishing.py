@@ -15,7 +15,8 @@ from typing import Any, TypeAlias, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
+from algebroproj_sym.declaring.transcription import transcribed_factors
 from algebroproj_sym.expressions import evaluate, symbols_of, written
 from algebroproj_sym.proving import (
     Point,
@@ -123,10 +124,12 @@ def _tells_apart(point: Point, derived: sympy.Expr, product: sympy.Expr, nonzero
 
 
 def vanishing(
-    section: Declaring, number: str, title: str, *, printed: Any, derived: Any, **options: Unpack[Options]
+    section: Declaring, number: str, title: str, *, printed: Any = QUOTED, derived: Any, **options: Unpack[Options]
 ) -> Claim:
     """Declare that an expression is zero exactly where one of the factors `printed` is."""
-    return section.declare(VANISHING, number, title, tuple(printed), derived, **options)
+    return section.declare(
+        VANISHING, number, title, printed if printed is QUOTED else tuple(printed), derived, **options
+    )
 
 
 VANISHING = Kind(
@@ -134,6 +137,7 @@ VANISHING = Kind(
     vanishing,
     compare,
     "The expression is zero exactly where one of the printed factors is.",
+    transcribe=transcribed_factors,
     takes=("nonzero",),
     printed="Printed: where it is zero",
     derived="Derived: the expression",

@@ -1,0 +1,166 @@
+"""Transcription: what a paper prints, read from its quote with the paper's tables of symbols."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from decimal import Decimal
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.declaring.claim import DeclarationError
+from algebroproj_sym.declaring.quotes import FILE, UNPARSED, Quote, quotations
+from algebroproj_sym.expressions import Matrix, entries, remembered, shape
+from algebroproj_sym.proving import prove
+from algebroproj_sym.reading import (
+    Side,
+    Symbols,
+    UnreadableDocumentError,
+    UnreadableError,
+    read_formula,
+    symbols_for,
+    tables_in,
+)
+
+_DIGITS = re.compile(r"(?<![\d.,])[-−]?\s?(?:\d+(?:[.,]\d+)?|\.\d+)(?!\d)")
+_PLAIN = str.maketrans({"−": "-", ",": "."})
+_BROKEN = re.compile(r"\\n(?!eq|u(?![a-z]))")
+
+
+def transcribed(folder: Path, section: str, number: str, derived: Any) -> Any:
+    """Return what is printed, as the quote of a claim has it.
+
+    Parameters
+    ----------
+    folder : Path
+        Where the quotes and the tables of symbols are.
+    section, number : str
+        Where the claim stands.
+    derived : Expression or None
+        What is derived: several expressions of a quote fill its shape by rows.
+
+    Raises
+    ------
+    DeclarationError
+        If there is no quote, or it cannot be read: with its line, the place and the reason.
+    """
+    quote, found = _read(folder, section, number)
+    wanted = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
+    if len(found) == 1 and (shape(found[0]) or not wanted):
+        return found[0]
+    parts = [entry for form in found for entry in entries(form)]
+    if wanted and all(entry == 0 for entry in parts):
+        return Matrix.zeros(*wanted)
+    if wanted and len(parts) == wanted[0] * wanted[1]:
+        return Matrix(*wanted, parts)
+    of = f"a matrix of shape {wanted}" if wanted else "one expression"
+    raise DeclarationError(f"expected {of}, got {len(parts)} expressions in the quote on line {quote.line}")
+
+
+def transcribed_factors(folder: Path, section: str, number: str, derived: Any) -> tuple[Any, ...]:
+    """Return the expressions of a quote; see `transcribed`."""
+    return tuple(entry for form in _read(folder, section, number)[1] for entry in entries(form))
+
+
+def transcribed_number(folder: Path, section: str, number: str, derived: Any) -> Decimal:
+    """Return the decimal number that a quote has for a claim; claims that share a quote share its numbers in order.
+
+    Raises
+    ------
+    DeclarationError
+        If the quote does not have one number for each of its claims.
+    """
+    quote = _quote_of(folder, number)
+    found = numbers_in(quote.text)
+    if len(found) != len(quote.claims):
+        wanted = f"a number for each of {len(quote.claims)} claims"
+        raise DeclarationError(f"expected {wanted}, got {len(found)} in the quote on line {quote.line}")
+    return found[quote.claims.index(number)]
+
+
+def _read(folder: Path, section: str, number: str) -> tuple[Quote, list[Any]]:
+    quote = _quote_of(folder, number)
+    try:
+        return quote, readings(quote, symbols_for(section, number, tables_in(folder)))
+    except UnreadableDocumentError as error:
+        raise DeclarationError(str(error)) from error
+    except UnreadableError as error:
+        place = "" if error.place is None else f", at character {error.place + 1}"
+        raise DeclarationError(
+            f"expected a quote that can be read, got the one on line {quote.line}{place}: {error}"
+        ) from error
+
+
+def _quote_of(folder: Path, number: str) -> Quote:
+    quote = quotations(folder).quotes.get(number)
+    if quote is None:
+        raise DeclarationError(f"expected a form, or a quote of the number in {folder / FILE}, got none")
+    if quote.unparsed:
+        why = UNPARSED[quote.unparsed]
+        raise DeclarationError(f"expected a form, since the quote on line {quote.line} is not read: {why}")
+    return quote
+
+
+def readings(quote: Quote, symbols: Symbols) -> list[Any]:
+    """Return the expressions that a quote has for its claims.
+
+    Raises
+    ------
+    UnreadableError
+        If the quote is no formula, has no such side, or a symbol of it is not known.
+    """
+    return [expression for piece in quote.read for expression in _readings(piece, quote, symbols)]
+
+
+def numbers_in(text: str) -> list[Decimal]:
+    """Return the decimal numbers of a text in their order; a comma before digits is a decimal point.
+
+    Examples
+    --------
+    >>> numbers_in("1 & - 0.50 & u = 1,64746")
+    [Decimal('1'), Decimal('-0.50'), Decimal('1.64746')]
+    """
+    return [Decimal(re.sub(r"\s", "", found).translate(_PLAIN)) for found in _DIGITS.findall(text)]
+
+
+def _readings(piece: str, quote: Quote, symbols: Symbols) -> Iterator[Any]:
+    for values in product(*quote.indices.values()):
+        chosen = replace(symbols, indices=tuple(zip(quote.indices, values, strict=True)))
+        for cell in _cells(piece):
+            yield from _parts(read_formula(cell, chosen), quote)
+
+
+def _cells(piece: str) -> list[str]:
+    r"""Return the cells of a row of a table, which tabulators separate, or the formula; a scanned ``\n`` is a space."""
+    cells = [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
+    return [_BROKEN.sub(" ", cell) for cell in cells]
+
+
+def _parts(sides: tuple[Side, ...], quote: Quote) -> list[Any]:
+    if not quote.equation:
+        wrong = [side for side in quote.sides if not -len(sides) <= side < len(sides)]
+        if wrong:
+            raise UnreadableError(f"the formula has {len(sides)} sides, and no side {wrong[0]}")
+        return [sides[side]() for side in quote.sides]
+    left, right = sides[0](), sides[-1]()
+    if len(sides) < 2 or (shape(left) != shape(right) and right != 0):
+        raise UnreadableError("the formula is no equation whose two sides have one shape")
+    difference = left if right == 0 else left - right
+    return _coefficients(difference, quote.coefficients) if quote.coefficients else [difference]
+
+
+def _coefficients(difference: Any, unknowns: tuple[str, ...]) -> list[Any]:
+    """Return the coefficients of an equation that is linear in some unknowns."""
+    symbols = [sympy.Symbol(name) for name in unknowns if name not in ("1", "-1")]
+    plain = remembered(difference).doit()
+    constant = plain.xreplace(dict.fromkeys(symbols, sympy.Integer(0)))
+    by_name = {symbol.name: plain.diff(symbol) for symbol in symbols}
+    if any(value.has(*symbols) for value in by_name.values()):
+        raise UnreadableError(f"the formula is no equation that is linear in {', '.join(unknowns)}")
+    if not {"1", "-1"} & {*unknowns} and prove(constant, 0).verdict != "proved":
+        raise UnreadableError(f"the equation has a term without {', '.join(unknowns)}")
+    return [{**by_name, "1": constant, "-1": -constant}[name] for name in unknowns]

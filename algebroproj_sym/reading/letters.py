@@ -1,0 +1,478 @@
+"""Relations of vectors and matrices as letters: their shapes are found from what can be added and multiplied.
+
+A bold small letter is a column.  A size that nothing says is a letter, so that what is proved holds for every size.
+The value of a function, a sum or an integral is a letter of its own, the same for the same text.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import reduce
+from typing import Any
+
+from lark import Token, Transformer, v_args
+from lark.exceptions import VisitError
+
+from algebroproj_sym.proving import Question
+from algebroproj_sym.reading.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, wrapped
+from algebroproj_sym.reading.lexing import UnreadableError
+from algebroproj_sym.reading.vocabulary import Vocabulary
+
+MOST_PARTS = 1_000
+"""How many parts a side may have, with all definitions put in."""
+_COLUMN = re.compile(r"\\(?:mathbf|vec|overrightarrow)\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}")
+_SIZES = "nmklpqrstuvw"
+
+
+class _Size:
+    """A number of rows or columns, which may be found to be another one."""
+
+    def __init__(self, value: int | None = None) -> None:
+        self._value = value
+        self._same: _Size | None = None
+
+    @property
+    def root(self) -> _Size:
+        found = self
+        while found._same is not None:
+            found = found._same
+        return found
+
+    @property
+    def value(self) -> int | None:
+        return self.root._value
+
+    def unite(self, other: _Size) -> None:
+        one, two = self.root, other.root
+        if one is two or (one._value is not None and one._value == two._value):
+            return
+        if one._value is not None and two._value is not None:
+            raise UnreadableError(f"the shapes do not fit: {one._value} and {two._value} rows or columns")
+        if one._value is None:
+            one._same = two
+        else:
+            two._same = one
+
+
+Shape = tuple[_Size, _Size]
+
+
+class _Part:
+    """A part of a relation.
+
+    Attributes
+    ----------
+    shape : tuple of _Size
+        Its rows and columns.
+    text : callable
+        Its text, once all sizes are known.
+    square : callable or None
+        The text of its square, if that is simpler.
+    weight : int
+        Of how many parts it is made.
+    is_zero : bool
+        Whether it is the number 0.
+    """
+
+    def __init__(self, shape: Shape, text: Callable[[], str], *inside: _Part) -> None:
+        self.shape = shape
+        self.text = text
+        self.square: Callable[[], str] | None = None
+        self.weight: int = 1 + sum(part.weight for part in inside)
+        self.is_zero = False
+        if self.weight > MOST_PARTS:
+            raise UnreadableError(f"expected at most {MOST_PARTS} parts with all definitions put in, got more")
+
+    @property
+    def is_number(self) -> bool:
+        return self.shape[0].value == 1 and self.shape[1].value == 1
+
+
+def lettered(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question:
+    """Return the question whether two sides are equal, with vectors and matrices as letters.
+
+    Raises
+    ------
+    UnreadableError
+        If shapes do not fit, or something is read and not computed.
+    """
+    reader = _Reader(vocabulary)
+    sides = [reader.part(tree) for tree in (left, right)]
+    zero = next((place for place, side in enumerate(sides) if side.is_zero), None)
+    if zero is None:
+        _same_shape(*sides)
+    return reader.question(sides)
+
+
+def has_shape(vocabulary: Vocabulary, tree: Formula) -> bool:
+    """Whether a formula can be written with vectors and matrices as letters."""
+    try:
+        _Reader(vocabulary).part(tree)
+    except UnreadableError:
+        return False
+    return True
+
+
+class _Reader:
+    def __init__(self, vocabulary: Vocabulary) -> None:
+        self._vocabulary = vocabulary
+        self._letters: dict[str, Shape] = {}
+        self._known: dict[str, _Part] = {}
+        self._sizes: dict[_Size, str] = {}
+        self._functions: dict[str, str] = {}
+        self._wholes: dict[str, tuple[str, Shape]] = {}
+
+    def part(self, tree: Formula) -> _Part:
+        """Return a formula as a part, with all definitions put in."""
+        for definition in self._vocabulary.used_in(tree):
+            if definition.symbol not in self._known and not definition.parameters:
+                self._known[definition.symbol] = self._read(definition.tree)
+        return self._read(tree)
+
+    def _read(self, tree: Formula) -> _Part:
+        try:
+            found: _Part = _Parts(self).transform(wrapped(tree)).children[0]
+        except VisitError as error:
+            if isinstance(error.orig_exc, UnreadableError):
+                raise error.orig_exc from error
+            raise UnreadableError(str(error.orig_exc).partition("\n")[0]) from error
+        return found
+
+    def symbol(self, symbol: str) -> _Part:
+        """Return what a symbol stands for."""
+        if symbol in self._known:
+            return self._known[symbol]
+        vocabulary = self._vocabulary
+        if symbol in vocabulary.given.symbols or vocabulary.constant(symbol) is not None or symbol == r"\infty":
+            raise UnreadableError(f"{symbol} stands for no letter")
+        name, size, properties = vocabulary.name(symbol), vocabulary.size_of(symbol), vocabulary.properties_of(symbol)
+        if vocabulary.is_component(symbol):
+            raise UnreadableError(f"{name} is a component of a letter")
+        if size is None and not properties and not vocabulary.is_matrix(symbol):
+            return _number(name)
+        rows, columns = (_Size(), _Size()) if size is None else (_Size(size[0]), _Size(size[1]))
+        if "unit" in properties or (size is None and _COLUMN.search(symbol)):
+            columns.unite(_Size(1))
+        elif properties:
+            rows.unite(columns)
+        if "identity" in properties:
+            return _Part((rows, columns), lambda: f"eye({self.size(rows)})")
+        shape = self._letters.setdefault(symbol, (rows, columns))
+        return _Part(shape, lambda: name)
+
+    def size(self, size: _Size) -> str:
+        """Return a size as text."""
+        if size.value is not None:
+            return str(size.value)
+        if size.root not in self._sizes and len(self._sizes) >= len(_SIZES):
+            raise UnreadableError("there are too many sizes")
+        return self._sizes.setdefault(size.root, _SIZES[len(self._sizes) % len(_SIZES)])
+
+    def function(self, name: str, argument: str) -> str:
+        """Return the name of the number that is the value of a function."""
+        return self._functions.setdefault(f"{name}({argument})", f"value{len(self._functions) + 1}'")
+
+    def is_defined(self, symbol: str) -> bool:
+        """Whether a symbol has a definition."""
+        return symbol in self._vocabulary.definitions
+
+    def is_letter(self, symbol: str) -> bool:
+        """Whether a symbol is a vector or a matrix."""
+        return self._vocabulary.is_matrix(symbol) or self._vocabulary.size_of(symbol) is not None
+
+    def whole(self, name: str, arguments: list[_Part], shape: Shape) -> _Part:
+        """Return a sum, an integral or a value of a function as a letter of its own, the same for the same text."""
+
+        def text() -> str:
+            key = f"{name}({', '.join(each.text() for each in arguments)})"
+            own, first = self._wholes.setdefault(key, (f"whole{len(self._wholes) + 1}'", shape))
+            if [size.root for size in first] != [size.root for size in shape] and any(
+                one.value is None or one.value != other.value for one, other in zip(first, shape, strict=True)
+            ):
+                raise UnreadableError(f"{name} has two sizes")
+            return own
+
+        return _Part(shape, text, *arguments)
+
+    def question(self, sides: list[_Part]) -> Question:
+        """Return a question with the letters that occur, and what is known of the values of functions."""
+        texts = [side.text() for side in sides]
+        letters = {}
+        for symbol, shape in self._letters.items():
+            listed = ", ".join(sorted(self._vocabulary.properties_of(symbol)))
+            text = f"{self.size(shape[0])}x{self.size(shape[1])}{' ' if listed else ''}{listed}"
+            if text != "1x1":
+                letters[self._vocabulary.name(symbol)] = text
+        for own, shape in self._wholes.values():
+            if (text := f"{self.size(shape[0])}x{self.size(shape[1])}") != "1x1":
+                letters[own] = text
+        return Question(texts[0], texts[1], tuple(self._laws()), letters=letters)
+
+    def _laws(self) -> list[str]:
+        found = []
+        for call, name in self._functions.items():
+            kind, _, argument = call.partition("(")
+            if kind in ("sqrt", "norm"):
+                inside = argument[:-1]
+                found.append(f"{name}^2 = {inside if kind == 'sqrt' else f'dot({inside}, {inside})'}")
+            elif kind == "sin" and (other := self._functions.get(f"cos({argument}")):
+                found.append(f"{name}^2 + {other}^2 = 1")
+        return found
+
+
+def _number_of(text: Callable[[], str], *inside: _Part) -> _Part:
+    return _Part((_Size(1), _Size(1)), text, *inside)
+
+
+def _number(text: str) -> _Part:
+    found = _number_of(lambda: text)
+    found.is_zero = text == "0"
+    return found
+
+
+def _same_shape(left: _Part, right: _Part) -> None:
+    for one, other in zip(left.shape, right.shape, strict=True):
+        one.unite(other)
+
+
+def _scalar(part: _Part, what: str) -> _Part:
+    if not part.is_number:
+        for size in part.shape:
+            if size.value not in (None, 1):
+                raise UnreadableError(f"{what} is of a number, got a matrix")
+        raise UnreadableError(f"{what} is of a number, got a letter of unknown size")
+    return part
+
+
+def _vector(part: _Part, size: int | None = None) -> _Part:
+    part.shape[1].unite(_Size(1))
+    if size is not None:
+        part.shape[0].unite(_Size(size))
+    return part
+
+
+def _refused(what: str) -> UnreadableError:
+    return UnreadableError(f"{what} is read, and not computed with letters")
+
+
+@v_args(inline=True)
+class _Parts(Transformer[Token, Any]):
+    """Builds parts from the leaves up."""
+
+    def __init__(self, reader: _Reader) -> None:
+        super().__init__()
+        self.reader = reader
+
+    def sum(self, *parts: Any) -> _Part:
+        terms = parts if isinstance(parts[0], Token) else (Token("SIGN", "+"), *parts)
+        signs, values = [str(sign) for sign in terms[::2]], list(terms[1::2])
+        if "±" in signs or "∓" in signs:
+            raise UnreadableError("± stands for two statements")
+        if len(values) > 1:
+            kept = [(sign, value) for sign, value in zip(signs, values, strict=True) if not value.is_zero]
+            signs, values = [sign for sign, _ in kept], [value for _, value in kept]
+        if not values:
+            return _number("0")
+        for value in values[1:]:
+            _same_shape(values[0], value)
+        return _Part(
+            values[0].shape,
+            lambda: "(" + "".join(f" {sign} {value.text()}" for sign, value in zip(signs, values, strict=True)) + ")",
+            *values,
+        )
+
+    def product(self, first: _Part, *rest: Any) -> _Part:
+        found = first
+        for sign, other in zip(rest[::2], rest[1::2], strict=True):
+            if sign.type == "CIRCLED":
+                raise _refused("a product in a circle")
+            found = _joined(sign.type, found, other)
+        return found
+
+    def quotient(self, *parts: _Part) -> _Part:
+        return reduce(_divided, parts)
+
+    def fraction(self, above: _Part, below: _Part) -> _Part:
+        return _divided(above, below)
+
+    def run(self, *factors: _Part) -> _Part:
+        return reduce(_times, factors)
+
+    def number(self, token: Token) -> _Part:
+        return _number(str(token))
+
+    def symbol(self, token: Token) -> _Part:
+        return self.reader.symbol(str(token))
+
+    opaque = symbol
+
+    def call(self, token: Token, arguments: Any) -> _Part:
+        name = str(token)
+        if self.reader.is_defined(name):
+            raise _refused(f"the value of the function {name}")
+        columns = (_Size(), _Size(1)) if _COLUMN.search(name) else (_Size(), _Size())
+        shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
+        return self.reader.whole(name, arguments, shape)
+
+    def power(self, base: _Part, exponent: _Part) -> _Part:
+        text = exponent.text().replace(" ", "").strip("()").lstrip("+")
+        if not re.fullmatch(r"-?\d{1,2}", text):
+            raise _refused(f"the power {text[:20]}")
+        if base.square is not None and int(text) == 2:
+            return _number_of(base.square, base)
+        if not base.is_number:
+            base.shape[0].unite(base.shape[1])
+            if abs(int(text)) > MOST_MATRIX_POWER:
+                raise _refused(f"the power {text}")
+        return _Part(base.shape, lambda: f"({base.text()})**{text}", base)
+
+    def marked(self, base: _Part, mark: Token) -> _Part:
+        if mark == "T":
+            return _Part(base.shape[::-1], lambda: f"({base.text()}).T", base)
+        if mark == "hat" and not base.is_number:
+            _vector(base, 3)
+            return _Part((_Size(3), _Size(3)), lambda: f"skew({base.text()})", base)
+        if mark == "vee" and not base.is_number:
+            for size in base.shape:
+                size.unite(_Size(3))
+            return _Part((_Size(3), _Size(1)), lambda: f"vee({base.text()})", base)
+        raise _refused("a mark")
+
+    def factorial(self, base: _Part) -> _Part:
+        raise _refused("a factorial")
+
+    def function(self, name: Token, arguments: list[_Part]) -> _Part:
+        if len(arguments) != 1:
+            raise _refused(f"{name} of {len(arguments)} arguments")
+        (argument,) = arguments
+        if name in ("det", "tr", "Tr", "trace"):
+            argument.shape[0].unite(argument.shape[1])
+            kind = "det" if name == "det" else "trace"
+            return _number_of(lambda: f"{kind}({argument.text()})", argument)
+        return self._value(str(name), _scalar(argument, str(name)))
+
+    def _value(self, name: str, argument: _Part) -> _Part:
+        return _number_of(lambda: self.reader.function(name, argument.text()), argument)
+
+    def raised_function(self, name: Token, exponent: _Part, arguments: list[_Part]) -> _Part:
+        if exponent.text().strip("( )").replace(" ", "") == "-1":
+            raise _refused("an inverse function")
+        return self.power(self.function(name, arguments), exponent)
+
+    def root(self, inside: _Part) -> _Part:
+        return self._value("sqrt", _scalar(inside, "a root"))
+
+    def nth_root(self, degree: _Part, inside: _Part) -> _Part:
+        raise _refused("a root of another degree than two")
+
+    def big(self, name: Token, body: _Part) -> _Part:
+        return self.reader.whole(str(name), [body], body.shape)
+
+    def absolute(self, inside: _Part) -> _Part:
+        return self.norm(inside)
+
+    def norm(self, inside: _Part) -> _Part:
+        if inside.is_number:
+            return self._value("abs", inside)
+        _vector(inside)
+        number = self._value("norm", inside)
+        number.square = lambda: f"dot({inside.text()}, {inside.text()})"
+        return number
+
+    def inner(self, items: list[_Part]) -> _Part:
+        if len(items) != 2:
+            raise UnreadableError("an inner product is of two vectors")
+        return _joined("DOT", *items)
+
+    def group(self, value: _Part) -> _Part:
+        return value
+
+    def bracket(self, items: list[_Part]) -> _Part:
+        return items[0] if len(items) == 1 else self.matrix(Token("BEGIN", "("), items)
+
+    def items(self, *parts: _Part) -> list[_Part]:
+        return list(parts)
+
+    def cell(self, value: _Part | None = None) -> _Part:
+        if value is None:
+            raise UnreadableError("an entry of a matrix is empty")
+        return value
+
+    def row(self, *cells: _Part) -> list[_Part]:
+        return list(cells)
+
+    def matrix(self, begin: Token, *rows: list[_Part]) -> _Part:
+        if "vmatrix" in begin or len({len(row) for row in rows}) > 1 or not rows[0]:
+            raise _refused("a determinant, or a matrix with rows of different lengths,")
+        if max(len(rows), len(rows[0])) > MOST_ROWS:
+            raise _refused(f"a matrix with more than {MOST_ROWS} rows or columns")
+        heights, widths = [_Size() for _ in rows], [_Size() for _ in rows[0]]
+        blocks = any(not cell.is_number for row in rows for cell in row)
+        for row, height in zip(rows, heights, strict=True):
+            for cell, width in zip(row, widths, strict=True):
+                if not (blocks and cell.is_zero):
+                    cell.shape[0].unite(height)
+                    cell.shape[1].unite(width)
+        total = [_Size(_total(sizes)) for sizes in (heights, widths)]
+
+        def cell_text(cell: _Part, height: _Size, width: _Size) -> str:
+            if blocks and cell.is_zero and not (height.value == width.value == 1):
+                return f"zeros({self.reader.size(height)}, {self.reader.size(width)})"
+            return cell.text()
+
+        def text() -> str:
+            lines = (
+                ", ".join(cell_text(cell, height, width) for cell, width in zip(row, widths, strict=True))
+                for row, height in zip(rows, heights, strict=True)
+            )
+            return f"block({', '.join(f'[{line}]' for line in lines)})"
+
+        return _Part((total[0], total[1]), text, *(cell for row in rows for cell in row))
+
+    def case(self, value: _Part, condition: Token) -> _Part:
+        return value
+
+    def cases(self, *values: _Part) -> _Part:
+        raise UnreadableError("a distinction of cases is read, and not computed")
+
+
+def _total(sizes: list[_Size]) -> int:
+    if any(size.value is None for size in sizes):
+        raise UnreadableError("a matrix of blocks has blocks of unknown size")
+    return sum(size.value or 0 for size in sizes)
+
+
+def _times(left: _Part, right: _Part) -> _Part:
+    if left.is_number or right.is_number:
+        return _Part((right if left.is_number else left).shape, lambda: f"{left.text()}*{right.text()}", left, right)
+    left.shape[1].unite(right.shape[0])
+    return _Part((left.shape[0], right.shape[1]), lambda: f"{left.text()}*{right.text()}", left, right)
+
+
+def _divided(above: _Part, below: _Part) -> _Part:
+    _scalar(below, "a quotient")
+    return _Part(above.shape, lambda: f"{above.text()}/({below.text()})", above, below)
+
+
+def _joined(kind: str, left: _Part, right: _Part) -> _Part:
+    if left.is_number or right.is_number:
+        return _times(left, right)
+    if kind == "DOT" and left.shape[1].value == 1 and right.shape[1].value == 1:
+        left.shape[0].unite(right.shape[0])
+        return _number_of(lambda: f"dot({left.text()}, {right.text()})", left, right)
+    if kind == "CROSS":
+        _vector(left, 3)
+        _vector(right, 3)
+        return _Part((_Size(3), _Size(1)), lambda: f"cross({left.text()}, {right.text()})", left, right)
+    if (
+        kind == "DOT"
+        and 1 in (left.shape[1].value, right.shape[1].value)
+        and None
+        in (
+            left.shape[1].value,
+            right.shape[1].value,
+        )
+    ):
+        raise UnreadableError("the point may be a product of matrices, or of vectors")
+    return _times(left, right)

@@ -1,0 +1,115 @@
+r"""Phrases by which a document says what a letter is: its size, or a property such as that of a rotation.
+
+::
+
+    $\mathbf{x} \in \mathbb{R}^3$, $R \in SO(3)$             sizes, and a rotation
+    $R$ is a rotation matrix, the rotation matrix $R$        likewise orthogonal, symmetric, skew-symmetric,
+    $n$ is a unit vector, the unit vector $n$                positive definite and diagonal matrices
+    $I$ is the identity matrix, the identity matrix $I$
+
+Behind "if", "when", "unless", "not" or "whether" a phrase says nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from typing import TypeVar
+
+from lark import Tree
+
+from algebroproj_sym.reading.grammar import parsed
+from algebroproj_sym.reading.lexing import UnreadableError
+from algebroproj_sym.reading.statements import Statement
+
+_ALONE = r"(?: matrix|(?=\s*(?:[.,;)]|and\b|$)))"
+_KINDS = (
+    (r"rotation matrix", "rotation"),
+    (rf"(?:symmetric )?positive[- ]definite(?: symmetric)?{_ALONE}", "positive definite"),
+    (rf"(?:skew[- ]?symmetric|anti-?symmetric){_ALONE}", "skew"),
+    (rf"symmetric{_ALONE}", "symmetric"),
+    (r"(?:orthogonal|orthonormal) matrix", "orthogonal"),
+    (rf"diagonal{_ALONE}", "diagonal"),
+    (r"unit(?:[- ](?:length|norm))? vector", "unit"),
+    (r"identity(?: matrix)?", "identity"),
+)
+_ANY = "|".join(f"({kind})" for kind, _ in _KINDS)
+_AFTER = re.compile(rf"^\$?\s*(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
+_BEFORE = re.compile(rf"(?<![\w-])(?:{_ANY})\s*$")
+_OF = re.compile(r"\bof (?:the |an? )?[\w -]*$")
+_ADJECTIVES = ("skew", "symmetric", "diagonal", "positive definite")
+"""What may belong to another noun, unless "matrix" follows."""
+_DOUBTS = re.compile(
+    r"\b(?:if|when|whenever|unless|not|whether|no longer|assum\w+|suppos\w+|non)\b[^.]*$", re.IGNORECASE
+)
+Value = TypeVar("Value")
+_SPACE_OF = re.compile(
+    r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
+)
+_ROTATIONS = re.compile(
+    r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathrm|mathbf|text|operatorname|mathbb)\s*)?\{?\s*SO\s*\}?\s*\(\s*([23])\s*\)\s*$"
+)
+
+
+def sizes_in(statements: Iterable[Statement]) -> dict[str, tuple[int, int]]:
+    """Return symbols with their rows and columns; without those of which a document says two things."""
+    return _agreed(_sizes(statements))
+
+
+def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]:
+    """Return symbols with what they are; without those of which a document says two things."""
+    return _agreed(_properties(statements))
+
+
+def _agreed(found: Iterable[tuple[str, Value]]) -> dict[str, Value]:
+    said: dict[str, set[Value]] = {}
+    for symbol, value in found:
+        said.setdefault(symbol, set()).add(value)
+    return {symbol: values.pop() for symbol, values in said.items() if len(values) == 1}
+
+
+def _sizes(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[int, int]]]:
+    for each in statements:
+        if match := _SPACE_OF.match(each.latex):
+            yield from ((symbol, (int(match[2]), int(match[3] or 1))) for symbol in _symbols(match[1]))
+        elif match := _ROTATIONS.match(each.latex):
+            yield from ((symbol, (int(match[2]), int(match[2]))) for symbol in _symbols(match[1]))
+
+
+def _properties(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[str, ...]]]:
+    for each in statements:
+        if match := _ROTATIONS.match(each.latex):
+            yield from ((symbol, ("rotation",)) for symbol in _symbols(match[1]))
+        elif each.display.environment == "inline" and (kind := _kind_of(each)):
+            yield from ((symbol, (kind,)) for symbol in _symbols(each.latex, 1) if "dot" not in symbol)
+
+
+def _kind_of(statement: Statement) -> str:
+    before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
+    if _DOUBTS.search(before[-200:]):
+        return ""
+    if match := _AFTER.match(after):
+        return _KINDS[(match.lastindex or 1) - 1][1]
+    match = _BEFORE.search(before)
+    if match is None or _OF.search(before[: match.start()]):
+        return ""
+    kind = _KINDS[(match.lastindex or 1) - 1][1]
+    return "" if kind in _ADJECTIVES and not match[0].strip().endswith("matrix") else kind
+
+
+def _symbols(latex: str, most: int = 9) -> Iterator[str]:
+    """Yield the symbols of a list such as ``a, b``, if it has no more than so many and nothing else."""
+    parts = latex.split(",")
+    for part in parts if len(parts) <= most else ():
+        try:
+            tree = parsed(part).sides[0]
+        except UnreadableError:
+            continue
+        while (
+            tree.data in ("group", "bracket", "items")
+            and len(tree.children) == 1
+            and isinstance(tree.children[0], Tree)
+        ):
+            tree = tree.children[0]
+        if tree.data == "symbol":
+            yield str(tree.children[0])

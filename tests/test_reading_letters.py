@@ -1,0 +1,154 @@
+"""Documents with vectors and matrices as letters: what follows, what contradicts, and what may never be said."""
+
+import pytest
+
+from algebroproj_sym.reading import (
+    Symbols,
+    UnreadableDocumentError,
+    document_at,
+    document_of,
+    read_document,
+    symbols_file,
+    symbols_for,
+)
+
+ROTATION = r"Let $R \in SO(3)$, $\mathbf{a} \in \mathbb{R}^3$ and $\mathbf{b} \in \mathbb{R}^3$. Then "
+UNIT = r"where $\mathbf{n}$ is a unit vector and $I$ is the identity matrix \[ P = I - \mathbf{n}\mathbf{n}^T \] "
+
+
+def readings(latex, given=None):
+    return read_document(document_of(latex), given, seconds=30)
+
+
+def last(latex, given=None):
+    return readings(latex, given)[-1]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        ROTATION + r"\[ (R\mathbf{a})\cdot(R\mathbf{b}) = \mathbf{a}^T R^T R \mathbf{b} = \mathbf{a}\cdot\mathbf{b} \]",
+        ROTATION + r"\[ R(\mathbf{a} \times \mathbf{b}) = (R\mathbf{a}) \times (R\mathbf{b}) \]",
+        ROTATION + r"\[ \mathbf{c} = R\mathbf{a} \] \[ \mathbf{c}^T\mathbf{c} = \|\mathbf{a}\|^2 \]",
+        UNIT + r"\[ P^2 = P \]",
+        UNIT + r"\[ P\mathbf{n} = 0 \]",
+        r"the unit vector $\mathbf{n}$ \[ [\mathbf{n}]_\times^3 = -[\mathbf{n}]_\times \]",
+        r"\[ \mathbf{u} = (A^T A)^{-1} A^T \mathbf{y} \] \[ A^T A\mathbf{u} = A^T\mathbf{y} \]",
+        r"\[ (\mathbf{A}\mathbf{B})^T = \mathbf{B}^T\mathbf{A}^T \]",
+        r"\[ (AB){}^T C = B^T A^T C \]",
+        r"\[ [I_{3\times3}]\mathbf{v} = \mathbf{v} \]",
+        r"\[ \mathbf{x} + \sum_i a_i \mathbf{b}_i = \sum_i a_i \mathbf{b}_i + \mathbf{x} \]",
+        r"\[ {}^{W}\mathbf{R}_{B} \, {}^{B}\mathbf{p} - {}^{W}\mathbf{R}_{B} {}^{B}\mathbf{p} = 0 \]",
+    ],
+)
+def test_what_holds_for_letters_follows(latex):
+    assert last(latex).verdict == "follows"
+
+
+def test_a_proof_says_what_its_letters_are_taken_for():
+    (link,) = last(r"the rotation matrix $R$ \[ R^T R \mathbf{x} = \mathbf{x} \]").links
+    assert link.hypotheses == ("R is nxn rotation", "x is nx1")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ R^T R\mathbf{x} = \mathbf{x} \]",
+        r"if $R$ is a rotation matrix. \[ R^T R\mathbf{x} = \mathbf{x} \]",
+        r"$R$ is not a rotation matrix \[ R^T R\mathbf{x} = \mathbf{x} \]",
+        r"the derivative of the rotation matrix $R$ \[ R^T R\mathbf{x} = \mathbf{x} \]",
+        r"the symmetric part $A$ \[ A^T\mathbf{x} = A\mathbf{x} \]",
+        r"the symmetric matrix $A$, and later $A$ is a rotation matrix \[ A^T\mathbf{x} = A\mathbf{x} \]",
+        r"\[ \mathbf{A}\mathbf{B} = \mathbf{B}\mathbf{A} \]",
+        r"\[ T^{\mu\nu} + x = T^{\nu\mu} + x \]",
+        r"\[ g_\mu^\nu h = g_\nu^\mu h \]",
+        r"\[ f(a) \mathbf{x} + y \mathbf{x} = f(b) \mathbf{x} + y \mathbf{x} \]",
+        r"\[ x + \foo = x + \bar\foo \]",
+        r"\[ \int_0^1 \mathbf{f} = \int_0^2 \mathbf{f} \]",
+    ],
+)
+def test_what_no_phrase_says_is_not_assumed(latex):
+    assert last(latex).verdict in ("independent", "not decided")
+
+
+@pytest.mark.parametrize(
+    ("latex", "suggestion"),
+    [
+        (
+            ROTATION + r"\[ \mathbf{c} = R\mathbf{a} \] "
+            r"\[ R(\mathbf{a} + \mathbf{b}) = R\mathbf{a} + R\mathbf{b} = R\mathbf{b} - R\mathbf{a} \]",
+            "",
+        ),
+        (
+            r"Let $\mathbf{a} \in \mathbb{R}^3$ and $\mathbf{b} \in \mathbb{R}^3$. "
+            r"\[ \mathbf{c} := \mathbf{a} + \mathbf{b} \] "
+            r"\[ \mathbf{c}^T\mathbf{c} = \mathbf{a}^T\mathbf{a} + 3\mathbf{a}^T\mathbf{b} + \mathbf{b}^T\mathbf{b} \]",
+            "2 instead of 3",
+        ),
+    ],
+)
+def test_what_fails_for_letters_of_stated_sizes_contradicts(latex, suggestion):
+    found = last(latex)
+    assert found.verdict == "contradicts"
+    link = found.links[-1]
+    assert link.counterexample
+    assert link.suggestion if not suggestion else link.suggestion == suggestion
+
+
+def test_what_fails_for_letters_of_unknown_size_contradicts_nothing():
+    found = last(r"\[ \mathbf{c} := \mathbf{a} + \mathbf{b} \] \[ \mathbf{c}^T = \mathbf{a}^T - \mathbf{b}^T \]")
+    assert (found.verdict, found.links[0].reason) == ("independent", "the sizes of its letters are not stated")
+
+
+def test_properties_and_sizes_come_from_the_symbols_file(tmp_path):
+    path = tmp_path / "symbols.toml"
+    path.write_text("[[table]]\nsizes = { 'S' = [3, 3] }\nproperties = { 'S' = \"symmetric\" }\n")
+    latex = r"\[ S^T\mathbf{x} = S\mathbf{x} \]"
+    assert last(latex).verdict == "independent"
+    assert last(latex, symbols_file(path)).verdict == "follows"
+    assert symbols_for("1", "1.1", symbols_file(path).tables)("S").shape == (3, 3)
+    path.write_text("[[table]]\nproperties = { 'S' = 'symetric' }\n")
+    with pytest.raises(UnreadableDocumentError, match=r"properties, S: expected one of rotation, .* got 'symetric'"):
+        symbols_file(path)
+
+
+def test_no_table_no_symbol():
+    assert Symbols(())(r"\mathbf{x}") is None
+
+
+def test_a_redefined_macro_means_what_it_last_said():
+    latex = r"\newcommand{\v}{a} \[ x := \v \] \renewcommand{\v}{b} \[ y := \v \] \[ x - y = a - b \]"
+    assert [each.read for each in readings(latex)] == ["x := a", "y := b", "x - y = a - b"]
+    assert last(latex).verdict == "follows"
+
+
+def test_included_files_are_read_within_bounds(tmp_path):
+    (tmp_path / "main.tex").write_text(
+        "\\usepackage{own}\n\\input{part}\n% \\input{not}\n\\[ \\s = 2 \\]\n\\input{../up}"
+    )
+    (tmp_path / "own.sty").write_text(r"\newcommand{\s}{x}")
+    (tmp_path / "part.tex").write_text("a\n\n\\[ y = 1 \\]\n\\input{main}\\input{part}")
+    (tmp_path / "not.tex").write_text(r"\[ z = 0 \]")
+    (tmp_path.parent / "up.tex").write_text(r"\[ z = 0 \]")
+    found = read_document(document_at(tmp_path / "main.tex"), seconds=30)
+    assert [(each.line, each.read) for each in found] == [(2, "y = 1"), (4, "x = 2")]
+    for place in range(102):
+        (tmp_path / f"wide{place}.tex").write_text(f"\\input{{wide{place + 1}}} " * 200)
+    with pytest.raises(UnreadableDocumentError, match="at most 100 included files, got more"):
+        document_at(tmp_path / "wide0.tex")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ " + r"{}^".join("abc" * 2000) + r" = 1 \]",
+        r"\[ \leftidx" * 500 + r" \]",
+        r"\[ \mathbf{a}" + r"\times\mathbf{a}" * 3000 + r" = 0 \]",
+        r"\[ \mathbf{A}^{99} = \mathbf{A} \]",
+        "".join(rf"\[ \mathbf{{v}}_{{{i + 1}}} := \mathbf{{v}}_{{{i}}} + \mathbf{{v}}_{{{i}}}^T \]" for i in range(40)),
+        "".join(rf"\[ \mathbf{{M}}_{{{i + 1}}} := \mathbf{{M}}_{{{i}}}\mathbf{{M}}_{{{i}}} \]" for i in range(60))
+        + r"\[ \mathbf{M}_{60} = 0 \]",
+    ],
+)
+def test_what_has_no_end_is_not_decided_within_bounds(latex):
+    assert last(latex).verdict in ("not read", "not decided", "independent", "definition")

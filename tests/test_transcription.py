@@ -1,0 +1,112 @@
+"""A claim without a printed form takes it from its quote: identical to the typed one, or a named error."""
+
+from decimal import Decimal
+
+import pytest
+import sympy
+
+from algebroproj_sym.declaring import BrokenModuleError, derivation_at, judge, statement_text
+from algebroproj_sym.expressions import over, vector
+
+HEAD = """
+import sympy
+from algebroproj_sym import Section
+from algebroproj_sym.expressions import over, vector
+section = Section("demo", "1", "Squares")
+x, y = sympy.symbols("x y")
+"""
+SYMBOLS = r"""
+[[table]]
+symbols = { '\mathbf{u}' = "[[x], [y]]" }
+[[table]]
+claims = ["1.9"]
+symbols = { 'z' = "x" }
+"""
+IDENTITY = 'section.identity("1.1", "", derived=x)'
+
+
+@pytest.fixture
+def declared(tmp_path):
+    """Return a function that declares claims beside a quote."""
+
+    def declare(calls, quote, claims=("1.1",), symbols=SYMBOLS):
+        (tmp_path / "symbols.toml").write_text(symbols)
+        (tmp_path / "quotes.toml").write_text(f"[[quote]]\nclaims = {list(claims)}\nline = 7\n{quote}\n")
+        (tmp_path / "module.py").write_text(f"{HEAD}\n{calls}\n")
+        (derivation,) = derivation_at(tmp_path / "module.py")
+        return derivation.section.claims
+
+    return declare
+
+
+@pytest.mark.parametrize(
+    ("call", "quote", "printed"),
+    [
+        (IDENTITY, r"latex = 'a = \frac{x}{y} + y^{\prime}'", "over(x, y) + yp"),
+        (IDENTITY, "latex = 'x + 1 = y'\nsides = [0]", "x + 1"),
+        (IDENTITY, "latex = 'x + 1 = y'\nequation = true", "x + 1 - y"),
+        (IDENTITY, "latex = 'x = q'\nedits = [{ scan = 'q', read = 'y', why = 'worn' }]", "y"),
+        ('section.identity("1.1", "", derived=vector(x, y))', r"latex = '\mathbf{u}'", "vector(x, y)"),
+        ('section.identity("1.1", "", derived=vector(x, y))', "latex = ['a = x y', 'b = 2']", "vector(x*y, 2)"),
+        ('section.identity("1.1", "", derived=vector(x, y))', "latex = 'a = 0'", "vector(0, 0)"),
+        ('section.definition("1.1", "")', "latex = 'a = x/y'", "over(x, y)"),
+        ('section.vanishing("1.1", "", derived=x * y)', "latex = ['x = 0', 'y = 0']\nsides = [0]", "(x, y)"),
+        ('section.up_to_scale("1.1", "", derived=vector(x, y))', r"latex = '\mathbf{u}'", "vector(x, y)"),
+    ],
+)
+def test_the_printed_form_is_the_one_that_the_quote_has(call, quote, printed, declared):
+    x, y, yp = sympy.symbols("x y yp")
+    wanted = eval(printed, {"x": x, "y": y, "yp": yp, "over": over, "vector": vector})
+    (claim,) = declared(call, quote)
+    assert statement_text(claim.printed) == statement_text(wanted)
+
+
+def test_claims_that_share_a_row_share_its_numbers(declared):
+    calls = "\n".join(f'section.numeric("1.1#{i}", "", derived=over({i}, 4))' for i in (1, 2))
+    shared = ("1.1#1", "1.1#2")
+    found = declared(calls, "latex = '0,25 & -0.500'", shared)
+    assert [claim.printed.as_tuple() for claim in found] == [Decimal(each).as_tuple() for each in ("0.25", "-0.500")]
+
+
+def test_a_row_with_another_count_of_numbers_is_refused(declared):
+    call = 'section.numeric("1.1", "", derived=over(1, 4))'
+    with pytest.raises(BrokenModuleError, match="a number for each of 1 claims, got 3 in the quote on line 7"):
+        declared(call, "latex = '1.25 & 2.00 & -0.500'")
+
+
+@pytest.mark.parametrize(
+    ("quote", "message"),
+    [
+        ('latex = "x"\nunparsed = "damaged"', "line 7 is not read: the scan does not preserve"),
+        ('latex = "x = z"\nsides = [4]', "line 7: the formula has 2 sides, and no side 4"),
+        ("latex = 'a = x +'", "line 7, at character 7: the formula ends too early"),
+        (r"latex = 'a = \mathbf{w}'", r"line 7, at character 5: no table of symbols has \\mathbf\{w\}"),
+        ("latex = ['x', 'y']", "expected one expression, got 2 expressions in the quote on line 7"),
+        ("latex = 'x^{9999999999}'", "line 7: "),
+    ],
+)
+def test_a_quote_that_cannot_be_read_is_named_with_place_and_reason(quote, message, declared):
+    with pytest.raises(BrokenModuleError, match=f"claim demo:1.1, printed: .*{message}"):
+        declared(IDENTITY, quote)
+
+
+def test_a_claim_with_neither_a_form_nor_a_quote_is_refused(declared):
+    with pytest.raises(BrokenModuleError, match=r"claim demo:1.1, printed: expected .*quotes\.toml, got"):
+        declared(IDENTITY, 'latex = "x"', ("1.2",))
+
+
+def test_a_misprint_in_the_quote_is_refuted(declared):
+    (claim,) = declared('section.identity("1.1", "", derived=x + y)', 'latex = "x - y"')
+    assert judge(claim).verdict == "false"
+    assert judge(claim).counterexample
+
+
+def test_a_table_for_other_claims_says_nothing(declared):
+    calls = "\n".join(f'section.identity("{number}", "", derived=x)' for number in ("1.9", "1.8"))
+    nine, eight = declared(calls, 'latex = "z"', ("1.9", "1.8"))
+    assert (str(nine.printed), str(eight.printed)) == ("x", "z")
+
+
+def test_a_broken_table_is_a_named_error(declared):
+    with pytest.raises(BrokenModuleError, match=r"symbols.toml: expected keys of .*'sizes'.* got \['size'\]"):
+        declared(IDENTITY, 'latex = "x"', symbols="[[table]]\nsize = 1")

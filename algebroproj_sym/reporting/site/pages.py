@@ -6,7 +6,7 @@ import json
 
 from algebroproj_sym.declaring import VERDICTS, quotes_of
 from algebroproj_sym.reporting.ledger import ledger
-from algebroproj_sym.reporting.site.addresses import LEDGER, SEARCH, START
+from algebroproj_sym.reporting.site.addresses import LEDGER, PROVER, SEARCH, START
 from algebroproj_sym.reporting.site.catalogue import Catalogue
 from algebroproj_sym.reporting.site.claim_pages import claim_html, paper_files
 from algebroproj_sym.reporting.site.folder import MARKER
@@ -26,13 +26,9 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
     """
     quotes = quotes_of(entry.derivation for entry in catalogue.entries)
     record = ledger([entry.judgement for entry in catalogue.entries], quotes, timed=False)
+    records = {(claim["paper"], claim["number"]): claim for claim in record["claims"]}
     files = {
-        START: page(
-            "start",
-            START,
-            catalogue=catalogue,
-            verdicts=VERDICTS,
-        ),
+        START: page("start", START, catalogue=catalogue, verdicts=VERDICTS),
         SEARCH: page("search", SEARCH, catalogue=catalogue),
         MARKER: search_script(catalogue),
         LEDGER: json.dumps(record, indent=1, ensure_ascii=False) + "\n",
@@ -42,6 +38,11 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
     }
     for paper in catalogue.papers:
         files |= paper_files(catalogue, paper)
-        for place in range(len(paper.entries)):
-            files[paper.entries[place].page] = claim_html(catalogue, paper, place)
+        for place, entry in enumerate(paper.entries):
+            claim = records[entry.claim.paper, entry.claim.number]
+            files[entry.page] = claim_html(catalogue, paper, place, claim)
+            if catalogue.live:
+                files[entry.record] = json.dumps(claim, ensure_ascii=False) + "\n"
+    if catalogue.live:
+        files[PROVER] = page("prover", PROVER, catalogue=catalogue)
     return files | function_files(catalogue) | notebook_files(catalogue)

@@ -23,7 +23,7 @@ from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.reporting.site.formulas import block, described, listed
 from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.templating import page
-from algebroproj_sym.showing import Part, as_declared
+from algebroproj_sym.showing import Part, as_declared, markdown
 
 
 def claim_html(catalogue: Catalogue, paper: Paper, place: int, record: Mapping[str, Any]) -> str:
@@ -50,6 +50,9 @@ def claim_html(catalogue: Catalogue, paper: Paper, place: int, record: Mapping[s
         functions=catalogue.functions_on(entry.claim),
         quote=quotations(entry.derivation.path.parent).quotes.get(entry.claim.number),
         cell=catalogue.cell_of(entry),
+        record=record,
+        markdown=markdown(entry.judgement),
+        bibtex=bibtex(paper.about),
         question=question(record) if catalogue.live else None,
         previous=paper.entries[place - 1] if place else None,
         following=paper.entries[place + 1] if place + 1 < len(paper.entries) else None,
@@ -81,6 +84,17 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
         instead=instead,
     )
     return files
+
+
+def headlines(catalogue: Catalogue, most: int = 3) -> list[tuple[Entry, Markup, str]]:
+    """Return the first findings that change results and fit into a line: claim, both forms, what follows."""
+    every = dict(by_grade(gathered([entry.judgement for entry in catalogue.entries])))
+    found = []
+    for finding in every["results"]:
+        entry = catalogue.by_number[finding.claim.paper, finding.claim.number]
+        if finding.claim.corrected is not None and (line := _line(entry)) and "summary" not in line:
+            found.append((entry, line, finding.follows))
+    return found[:most]
 
 
 def _grades(

@@ -80,6 +80,7 @@ function begin(section) {
     if (part === null) progress.removeAttribute("value");
     else progress.value = part;
   });
+  section.prover = prover;
   const ask = async (question) => {
     stop.hidden = false;
     result.replaceChildren();

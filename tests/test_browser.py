@@ -3,6 +3,7 @@
 ``pytest tests/test_browser.py --site DIR`` checks every page of a site that was written before.
 """
 
+import re
 import shutil
 import subprocess
 import sys
@@ -193,6 +194,32 @@ def test_the_search_finds_a_symbol_as_it_is_typed(site, browser):
     results = page.locator("#results a")
     assert results.count() > 3
     assert "found" in page.get_by_role("status").inner_text()
+    page.close()
+
+
+@pytest.mark.parametrize(("query", "title"), [("epiople", "epipole"), ("epipolr line", "epipolar line")])
+def test_the_search_forgives_a_typo(site, browser, query, title):
+    page = opened(browser, [], viewport=DESKTOP)
+    page.goto((site / "search.html").as_uri())
+    page.get_by_role("searchbox").fill(query)
+    assert title in page.locator("#results li").first.inner_text()
+    page.close()
+
+
+def test_a_button_copies_the_printed_form(site, browser):
+    page = opened(browser, [], viewport=DESKTOP)
+    page.goto((site / "fundamentals1996" / "2.2.6.html").as_uri())
+    page.get_by_role("button", name="the printed form").click()
+    page.locator(".copies [role=status]").get_by_text(re.compile("Copied|z")).wait_for()
+    page.close()
+
+
+def test_a_phone_has_the_search_in_one_line(site, browser):
+    page = opened(browser, [], viewport=PHONE)
+    page.goto((site / "index.html").as_uri())
+    field, button = (page.locator(f"header {part}").bounding_box() for part in ("input", "button"))
+    assert field["y"] < button["y"] + button["height"]
+    assert button["y"] < field["y"] + field["height"]
     page.close()
 
 

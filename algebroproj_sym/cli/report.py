@@ -20,6 +20,8 @@ from algebroproj_sym.cli.steps import (
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels, located, split
 from algebroproj_sym.generating import PACKAGE, render, write
+from algebroproj_sym.reporting.live.bundling import live_files
+from algebroproj_sym.reporting.live.fetching import FetchError
 from algebroproj_sym.reporting.site.catalogue import catalogue
 from algebroproj_sym.reporting.site.folder import OccupiedError, replace, require_free
 from algebroproj_sym.reporting.site.function_pages import functions_of
@@ -34,6 +36,7 @@ from algebroproj_sym.reporting.tables import summary_text
 @options.engine
 @options.jobs
 @click.option("--notebooks", is_flag=True, help="Run the derivations as notebooks, and add them to the site.")
+@click.option("--live", is_flag=True, help="Add the prover to the pages. It is fetched with npm and pip, about 20 MB.")
 def report(
     selectors: tuple[str, ...],
     out: Path,
@@ -41,11 +44,13 @@ def report(
     engine: str,
     jobs: int,
     notebooks: bool,
+    live: bool,
 ) -> None:
     """Prove everything, generate and verify the functions, write a site to DIR.
 
     Open DIR/index.html.  The site has a page for each paper, claim and function, and a list of errata for each paper.
-    An earlier site in DIR is replaced.
+    An earlier site in DIR is replaced.  With --live each page can check its claim again, and a page proves formulas of
+    the visitor.  Such a site needs a web server: python3 -m http.server -d DIR.
 
     SELECTORs are the same as for check.  Then the site has only these claims and their functions.
     """
@@ -59,6 +64,7 @@ def report(
         require_free(out)
     except OccupiedError as error:
         raise click.UsageError(f"--out: {error}") from error
+    carried = _live_files() if live else {}
     judgements = judged(claims, engine, jobs)
     console().print(summary_text(judgements))
     say_what_is_wrong(judgements)
@@ -72,7 +78,14 @@ def report(
     modules = [derivation for derivation, _ in found]
     shown = run_notebooks({module.path: module for module in modules}.values(), jobs) if notebooks else []
     functions = functions_of(lowered, verifications, package)
-    site = render_site(catalogue(judgements, modules, functions, shown))
+    site = render_site(catalogue(judgements, modules, functions, shown, live)) | carried
     replace(site, out)
     console().print(f"written to {out}: {len(site)} files; open {out / 'index.html'}")
     require_as_declared(judgements, verifications, out / "index.html")
+
+
+def _live_files() -> dict[str, bytes]:
+    try:
+        return live_files()
+    except FetchError as error:
+        raise click.ClickException(f"--live: {error}") from error

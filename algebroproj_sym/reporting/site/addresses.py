@@ -8,6 +8,8 @@ START = "index.html"
 SEARCH = "search.html"
 FUNCTIONS = "functions/index.html"
 LEDGER = "ledger.json"
+PROVER = "prover.html"
+LIVE_SCRIPT = "live/live.js"
 
 _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyz0123456789.-")
 _NAMED = {"/": "_", "#": "~", "'": "=", ":": ","}
@@ -50,6 +52,11 @@ def errata_page(paper: str) -> str:
 def claim_page(paper: str, number: str) -> str:
     """Return the address of the page of a claim."""
     return f"{paper}/{slug(number)}.html"
+
+
+def claim_record(paper: str, number: str) -> str:
+    """Return the address of what the ledger says of a claim."""
+    return f"{paper}/{slug(number)}.json"
 
 
 def function_page(qualified_name: str) -> str:

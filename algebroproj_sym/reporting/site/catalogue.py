@@ -10,7 +10,7 @@ from algebroproj_sym.declaring import Claim, Derivation, Judgement, Publication,
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.notebooks import Notebook
-from algebroproj_sym.reporting.site.addresses import claim_page, function_page, notebook_page, slug
+from algebroproj_sym.reporting.site.addresses import claim_page, claim_record, function_page, notebook_page, slug
 from algebroproj_sym.verifying import Verification
 
 
@@ -60,6 +60,11 @@ class Entry:
         """The address of its page."""
         return claim_page(self.claim.paper, self.claim.number)
 
+    @property
+    def record(self) -> str:
+        """The address of its entry of the ledger."""
+        return claim_record(self.claim.paper, self.claim.number)
+
 
 @dataclass(frozen=True)
 class Chapter:
@@ -104,11 +109,14 @@ class Catalogue:
         In the order of the kernels.
     notebooks : tuple of Notebook
         The derivations, run; none unless they are wanted.
+    live : bool
+        Whether the pages carry the prover.
     """
 
     papers: tuple[Paper, ...]
     functions: tuple[Function, ...]
     notebooks: tuple[Notebook, ...] = ()
+    live: bool = False
 
     @property
     def entries(self) -> tuple[Entry, ...]:
@@ -137,6 +145,7 @@ def catalogue(
     derivations: Sequence[Derivation],
     functions: Sequence[Function] = (),
     notebooks: Sequence[Notebook] = (),
+    live: bool = False,
 ) -> Catalogue:
     """Return what the site is about.
 
@@ -150,11 +159,13 @@ def catalogue(
         The generated functions.
     notebooks : sequence of Notebook
         The derivations, run.
+    live : bool
+        Whether the pages carry the prover.
     """
     entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
     groups = _grouped(sorted(entries, key=_place), lambda entry: entry.claim.paper)
     papers = tuple(Paper(publication(key), _chapters(group)) for key, group in groups.items())
-    return Catalogue(papers, tuple(functions), tuple(notebooks))
+    return Catalogue(papers, tuple(functions), tuple(notebooks), live)
 
 
 def _place(entry: Entry) -> tuple[str, str, int]:

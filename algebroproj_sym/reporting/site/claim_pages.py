@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import KINDS, Grade, Judgement, bibtex, quotations
 from algebroproj_sym.reporting.findings import HEADINGS, Finding, by_grade, gathered
+from algebroproj_sym.reporting.live.questions import question
 from algebroproj_sym.reporting.site.addresses import errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
@@ -21,11 +23,11 @@ from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.reporting.site.formulas import block, described, listed
 from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.templating import page
-from algebroproj_sym.showing import Part, as_declared
+from algebroproj_sym.showing import Part, as_declared, markdown
 
 
-def claim_html(catalogue: Catalogue, paper: Paper, place: int) -> str:
-    """Return the page of a claim."""
+def claim_html(catalogue: Catalogue, paper: Paper, place: int, record: Mapping[str, Any]) -> str:
+    """Return the page of a claim, with its entry of the ledger at hand."""
     entry = paper.entries[place]
     claim = entry.claim
     sides, differences = comparison(entry.judgement)
@@ -33,6 +35,7 @@ def claim_html(catalogue: Catalogue, paper: Paper, place: int) -> str:
     return page(
         "claim",
         entry.page,
+        catalogue=catalogue,
         entry=entry,
         claim=claim,
         paper=paper,
@@ -47,6 +50,10 @@ def claim_html(catalogue: Catalogue, paper: Paper, place: int) -> str:
         functions=catalogue.functions_on(entry.claim),
         quote=quotations(entry.derivation.path.parent).quotes.get(entry.claim.number),
         cell=catalogue.cell_of(entry),
+        record=record,
+        markdown=markdown(entry.judgement),
+        bibtex=bibtex(paper.about),
+        question=question(record) if catalogue.live else None,
         previous=paper.entries[place - 1] if place else None,
         following=paper.entries[place + 1] if place + 1 < len(paper.entries) else None,
     )
@@ -55,7 +62,7 @@ def claim_html(catalogue: Catalogue, paper: Paper, place: int) -> str:
 def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
     """Return the pages that list the claims of a paper: all of them, and the errata."""
     address = paper_page(paper.about.key)
-    files = {address: page("paper", address, paper=paper, line=_line)}
+    files = {address: page("paper", address, catalogue=catalogue, paper=paper, line=_line)}
     address = errata_page(paper.about.key)
 
     def note(entry: Entry) -> Markup:
@@ -67,6 +74,7 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
     files[address] = page(
         "errata",
         address,
+        catalogue=catalogue,
         paper=paper,
         bibtex=bibtex(paper.about),
         grades=[*_grades(catalogue, paper)],
@@ -76,6 +84,17 @@ def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
         instead=instead,
     )
     return files
+
+
+def headlines(catalogue: Catalogue, most: int = 3) -> list[tuple[Entry, Markup, str]]:
+    """Return the first findings that change results and fit into a line: claim, both forms, what follows."""
+    every = dict(by_grade(gathered([entry.judgement for entry in catalogue.entries])))
+    found = []
+    for finding in every["results"]:
+        entry = catalogue.by_number[finding.claim.paper, finding.claim.number]
+        if finding.claim.corrected is not None and (line := _line(entry)) and "summary" not in line:
+            found.append((entry, line, finding.follows))
+    return found[:most]
 
 
 def _grades(

@@ -27,13 +27,13 @@ def require_free(folder: Path) -> None:
         raise OccupiedError(f"{folder}: expected a new or empty folder, or an earlier site, got one with other files")
 
 
-def replace(files: Mapping[str, str], folder: Path) -> None:
+def replace(files: Mapping[str, str | bytes], folder: Path) -> None:
     """Write files to a new folder beside the wanted one, and put it in its place.
 
     Parameters
     ----------
-    files : mapping of str to str
-        The text of each file by its path in the folder.
+    files : mapping of str to str or bytes
+        The content of each file by its path in the folder.
     folder : Path
         What is written, or replaced as a whole.
     """
@@ -46,7 +46,7 @@ def replace(files: Mapping[str, str], folder: Path) -> None:
         for name, content in files.items():
             path = fresh / name
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(content, encoding="utf-8", newline="\n")
+            path.write_bytes(content.encode() if isinstance(content, str) else content)
         if target.exists():
             os.replace(target, working / "old")
         os.replace(fresh, target)

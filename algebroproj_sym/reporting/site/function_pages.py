@@ -53,7 +53,7 @@ def _source(module: str, name: str) -> str:
 def function_files(catalogue: Catalogue) -> dict[str, str]:
     """Return a page for each function, and the list."""
     files = {f.page: _page(catalogue, f) for f in catalogue.functions}
-    files[FUNCTIONS] = page("functions", FUNCTIONS, functions=catalogue.functions, bound=f"{BOUND:g}")
+    files[FUNCTIONS] = page("functions", FUNCTIONS, catalogue=catalogue, bound=f"{BOUND:g}")
     return files
 
 
@@ -64,6 +64,7 @@ def _page(catalogue: Catalogue, function: Function) -> str:
     return page(
         "function",
         function.page,
+        catalogue=catalogue,
         function=function,
         kernel=kernel,
         signature=f"{PACKAGE}.{kernel.qualified_name}({', '.join(a.name for a in kernel.arguments)})",

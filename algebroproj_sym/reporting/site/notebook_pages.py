@@ -52,6 +52,7 @@ def _page(catalogue: Catalogue, notebook: Notebook) -> str:
     return page(
         "notebook",
         notebook_page(notebook.module),
+        catalogue=catalogue,
         module=notebook.module,
         paper=next(each for each in catalogue.papers if each.about.key == paper),
         cells=[_cell(cell) for cell in notebook.cells],

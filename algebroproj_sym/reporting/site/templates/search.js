@@ -5,19 +5,37 @@ const MOST = 200;
 
 const plain = (text) => text.toLowerCase().replace(/[′’]/g, "'");
 
-function score(entry, words) {
+const GREEK = {
+  α: "alpha", β: "beta", γ: "gamma", δ: "delta", ε: "eps", ζ: "zeta", η: "eta", θ: "theta", κ: "kappa", λ: "lambda",
+  μ: "mu", ν: "nu", ξ: "xi", ρ: "rho", σ: "sigma", τ: "tau", φ: "phi", χ: "chi", ψ: "psi", ω: "omega",
+};
+const latin = (text) => text.replace(/[α-ω]/g, (letter) => GREEK[letter] ?? letter).replace(/[_{}\\]/g, "");
+
+// Whether one letter more, less or different, or two exchanged, makes one word of the other.
+function isNear(word, other) {
+  if (word === other) return true;
+  if (word.length < 4 || Math.abs(word.length - other.length) > 1 || /\d/.test(word)) return false;
+  let start = 0;
+  while (start < word.length && word[start] === other[start]) start += 1;
+  const [left, right] = [word.slice(start), other.slice(start)];
+  const exchanged = left[1] + left[0] + left.slice(2);
+  return [left.slice(1) === right.slice(1), left === right.slice(1), left.slice(1) === right, exchanged === right].some(Boolean);
+}
+
+function score(entry, words, isClose) {
   const number = plain(entry[2]);
   const title = plain(entry[3]);
-  const symbols = plain(entry[5]).split(" ");
+  const symbols = latin(plain(entry[5])).split(" ");
   const rest = plain(`${entry[1]} ${entry[4]}`);
   let total = 0;
   for (const word of words) {
     const bare = word.replace(/^\(|\)$/g, "");
     if (number === bare) total += 100;
     else if (number.startsWith(bare)) total += 40;
-    else if (symbols.includes(bare)) total += 20;
+    else if (symbols.includes(latin(bare))) total += 20;
     else if (title.includes(bare)) total += 10;
     else if (number.includes(bare) || rest.includes(bare)) total += 5;
+    else if (isClose && title.split(/\W+/).some((other) => isNear(bare, other))) total += 1;
     else return 0;
   }
   return total;
@@ -26,11 +44,13 @@ function score(entry, words) {
 function search(index, query) {
   const words = plain(query).split(/\s+/).filter(Boolean);
   if (words.length === 0) return [];
-  return index
-    .map((entry, place) => ({ entry, place, points: score(entry, words) }))
+  const hits = (isClose) => index
+    .map((entry, place) => ({ entry, place, points: score(entry, words, isClose) }))
     .filter((hit) => hit.points > 0)
     .sort((a, b) => b.points - a.points || a.place - b.place)
     .map((hit) => hit.entry);
+  const exact = hits(false);
+  return exact.length > 0 ? exact : hits(true);
 }
 
 function item([address, where, number, title, verdict]) {

@@ -1,0 +1,107 @@
+"""What the page asks, and what it is told.  It runs in the browser, so it imports only what an answer needs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from typing import Any
+
+MOST_CHARACTERS = 20_000
+
+
+def answer(question: str) -> str:
+    """Answer a question of the page.
+
+    Parameters
+    ----------
+    question : str
+        JSON.  ``{"do": "replay", "claim": ENTRY}`` checks an entry of the ledger again.  ``{"do": "prove", "lhs": TEXT,
+        "rhs": TEXT}`` decides an identity; ``constraints``, ``nonzero`` and ``assumptions`` are lists of texts, and
+        ``where`` has the text of each name that the forms use.  ``{"do": "prepare"}`` imports the prover.
+
+    Returns
+    -------
+    str
+        JSON: what was found, or ``{"error": MESSAGE}``.
+
+    Examples
+    --------
+    >>> json.loads(answer('{"do": "prove", "lhs": "(x^2 - 1)/(x - 1)", "rhs": "x + 1"}'))
+    {'verdict': 'proved', 'hypotheses': ['x - 1 != 0'], 'counterexample': {}, 'left': [], 'right': [], 'reason': ''}
+    >>> json.loads(answer('{"do": "prove", "lhs": "1/(1 + x", "rhs": "x"}'))
+    {'error': "lhs, position 8: expected an operator or ')', got the end"}
+    """
+    asked = json.loads(question)
+    try:
+        told = _ANSWERS[asked["do"]](asked)
+    except (ValueError, TypeError, NotImplementedError, RecursionError, OverflowError, MemoryError) as error:
+        told = {"error": str(error) or type(error).__name__}
+    return json.dumps(told, ensure_ascii=False)
+
+
+def _replay(asked: Mapping[str, Any]) -> dict[str, Any]:
+    from algebroproj_sym.replaying import replay_claim
+
+    found = replay_claim(asked["claim"])
+    return {"status": found.status, "reason": found.reason}
+
+
+def _prove(asked: Mapping[str, Any]) -> dict[str, Any]:
+    from algebroproj_sym import prove
+
+    given: dict[str, Any] = {key: [*asked.get(key, ())] for key in ("constraints", "nonzero", "assumptions")}
+    _require_short(asked["lhs"], asked["rhs"], *(text for texts in given.values() for text in texts))
+    if named := asked.get("where"):
+        read = _reader(named)
+        given |= {key: [read(text) for text in given[key]] for key in ("constraints", "nonzero")}
+        proof = prove(read(asked["lhs"]), read(asked["rhs"]), **given)
+    else:
+        proof = prove(asked["lhs"], asked["rhs"], **given)
+    evidence = proof.certificate or {}
+    return {
+        "verdict": proof.verdict,
+        "hypotheses": [each if isinstance(each, str) else f"{each} != 0" for each in proof.hypotheses],
+        "counterexample": {str(name): str(value) for name, value in (proof.counterexample or {}).items()},
+        "left": [str(value) for value in evidence.get("left", ())],
+        "right": [str(value) for value in evidence.get("right", ())],
+        "reason": str(evidence.get("reason", "")) if proof.verdict == "open" else "",
+    }
+
+
+def _reader(named: Mapping[str, str]) -> Callable[[str], Any]:
+    """Return how a text with names is read: each name stands for its form, which may use later names."""
+    from sympy import Symbol
+
+    from algebroproj_sym.expressions import parse
+
+    forms = {Symbol(name): parse(text) for name, text in named.items()}
+
+    def read(text: str) -> Any:
+        form = parse(text)
+        for _ in forms:
+            form = form.xreplace(forms)
+        return form
+
+    return read
+
+
+def _prepare(_: Mapping[str, Any]) -> dict[str, Any]:
+    import flint
+    import sympy
+
+    from algebroproj_sym import prove
+
+    prove("x", "x")
+    return {"sympy": sympy.__version__, "flint": flint.__version__}
+
+
+def _require_short(*texts: str) -> None:
+    if (length := sum(map(len, texts))) > MOST_CHARACTERS:
+        raise ValueError(f"expected at most {MOST_CHARACTERS} characters in all, got {length}")
+
+
+_ANSWERS: Mapping[str, Callable[[Mapping[str, Any]], dict[str, Any]]] = {
+    "replay": _replay,
+    "prove": _prove,
+    "prepare": _prepare,
+}

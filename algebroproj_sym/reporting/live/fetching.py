@@ -1,0 +1,99 @@
+"""Fetching what the prover needs in a browser: packages by name and version, each with a known digest."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tomllib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from hashlib import sha256
+from importlib.resources import files
+from pathlib import Path
+from shutil import which
+
+_WASM = ("--python-version", "3.14", "--implementation", "cp", "--abi", "cp314", "--abi", "none")
+_PLATFORMS = ("--platform", "pyemscripten_2026_0_wasm32", "--platform", "any")
+
+
+class FetchError(RuntimeError):
+    """A package cannot be fetched, or is not the one that is expected."""
+
+
+@dataclass(frozen=True)
+class Package:
+    """A file of a package registry.
+
+    Attributes
+    ----------
+    registry : {"npm", "PyPI"}
+        Where it is.
+    name, version : str
+        Which package.
+    file : str
+        The name of the file.
+    sha256 : str
+        Its digest, in hexadecimal digits.
+    """
+
+    registry: str
+    name: str
+    version: str
+    file: str
+    sha256: str
+
+
+def pinned() -> tuple[Package, ...]:
+    """Return the packages that the prover needs in a browser.
+
+    Examples
+    --------
+    >>> [package.name for package in pinned()]
+    ['pyodide', 'mpmath', 'sympy', 'python-flint']
+    """
+    text = (files("algebroproj_sym.reporting.live") / "pinned.toml").read_text(encoding="utf-8")
+    return tuple(Package(**record) for record in tomllib.loads(text)["package"])
+
+
+def fetched(package: Package, folder: Path) -> bytes:
+    """Fetch a package into a folder, and return its content.
+
+    Raises
+    ------
+    FetchError
+        If npm is missing, the package cannot be fetched, or it has another digest.
+    """
+    if package.registry == "npm" and which("npm") is None:
+        raise FetchError(f"npm is not installed; it fetches {package.name}")
+    command = _COMMANDS[package.registry](package)
+    ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    path = folder / package.file
+    if ended.returncode or not path.is_file():
+        raise FetchError(f"{package.name} {package.version} cannot be fetched.\n{ended.stderr[-1000:].strip()}")
+    return genuine(package, path.read_bytes())
+
+
+def genuine(package: Package, content: bytes) -> bytes:
+    """Return the content of a package if it has the digest that is expected.
+
+    Raises
+    ------
+    FetchError
+        If it has another one.
+    """
+    found = sha256(content).hexdigest()
+    if found != package.sha256:
+        raise FetchError(f"{package.file}: expected the SHA-256 digest {package.sha256}, got {found}")
+    return content
+
+
+def _from_npm(package: Package) -> list[str]:
+    return ["npm", "pack", "--silent", f"{package.name}@{package.version}"]
+
+
+def _from_pypi(package: Package) -> list[str]:
+    download = (sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--only-binary=:all:")
+    return [*download, *_WASM, *_PLATFORMS, "--dest", ".", f"{package.name}=={package.version}"]
+
+
+_COMMANDS: Mapping[str, Callable[[Package], list[str]]] = {"npm": _from_npm, "PyPI": _from_pypi}

@@ -1,0 +1,53 @@
+"""What a reader can change on the page of a claim."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+KINDS = ("identity", "identity under constraints")
+MOST_CHARACTERS = 4000
+
+
+@dataclass(frozen=True)
+class Question:
+    """An identity as text, to be changed and proved again.
+
+    Attributes
+    ----------
+    lhs, rhs : str
+        The printed and the derived form.
+    constraints, nonzero : str
+        A form a line.
+    """
+
+    lhs: str
+    rhs: str
+    constraints: str
+    nonzero: str
+
+    @property
+    def rows(self) -> int:
+        """How high the fields are."""
+        return min(8, 2 + max(len(self.lhs), len(self.rhs)) // 80)
+
+
+def question(record: Mapping[str, Any]) -> Question | None:
+    """Return what a page asks about an entry of the ledger; none if no text of a bounded length says it.
+
+    Examples
+    --------
+    >>> record = {"kind": "identity", "printed": "1/x", "derived": "x", "corrected": "x", "setting": {}}
+    >>> question(record)
+    Question(lhs='1/x', rhs='x', constraints='', nonzero='')
+    >>> question({**record, "kind": "rank"}), question({**record, "printed": None})
+    (None, Question(lhs='x', rhs='x', constraints='', nonzero=''))
+    """
+    printed = record["printed"] or record["corrected"]
+    if record["kind"] not in KINDS or not isinstance(printed, str):
+        return None
+    setting = ("\n".join(record["setting"].get(key, ())) for key in ("constraints", "nonzero"))
+    found = Question(printed, record["derived"], *setting)
+    texts = (found.lhs, found.rhs, found.constraints, found.nonzero)
+    return found if sum(map(len, texts)) <= MOST_CHARACTERS else None

@@ -1,0 +1,110 @@
+"use strict";
+
+// One worker for a page.  It is started when the page is idle, and started anew after it was stopped.
+const HERE = document.currentScript.src;
+
+class Prover {
+  constructor(tell) {
+    this.tell = tell;
+    this.asked = new Map();
+    this.count = 0;
+  }
+
+  ask(question) {
+    if (!this.worker) {
+      this.worker = new Worker(new URL("worker.js", HERE), { type: "module" });
+      this.worker.onmessage = ({ data }) => this.receive(data);
+      this.worker.onerror = (event) => this.fail(event.message || "The prover cannot be loaded.");
+    }
+    const id = this.count++;
+    this.worker.postMessage({ id, question });
+    return new Promise((resolve) => this.asked.set(id, resolve));
+  }
+
+  receive({ id, answer, stage, part }) {
+    if (id === undefined) return this.tell(stage, part);
+    const resolve = this.asked.get(id);
+    this.asked.delete(id);
+    resolve(answer);
+  }
+
+  fail(message) {
+    this.worker.terminate();
+    this.worker = undefined;
+    this.tell(null);
+    for (const resolve of this.asked.values()) resolve({ error: message });
+    this.asked.clear();
+  }
+}
+
+const lines = (text) => text.split("\n").map((line) => line.trim()).filter(Boolean);
+
+function sentences(answer) {
+  if (answer.error) return ["not decided", answer.error];
+  if (answer.status) return [answer.status, answer.reason || "The verdict follows from the evidence of the ledger."];
+  const found = [answer.verdict];
+  if (answer.verdict === "proved") found.push("Both sides are equal wherever they are defined.");
+  if (answer.hypotheses.length) found.push(`It holds where ${answer.hypotheses.join(", ")}.`);
+  const point = Object.entries(answer.counterexample).map(([name, value]) => `${name} = ${value}`);
+  if (answer.verdict === "refuted" && point.length) found.push(`At ${point.join(", ")}:`);
+  if (answer.verdict === "refuted" && answer.left.length) {
+    found.push(`the left side is ${answer.left.join(", ")}`, `the right side is ${answer.right.join(", ")}`);
+  }
+  if (answer.reason) found.push(answer.reason);
+  return found;
+}
+
+function show(place, answer) {
+  const [verdict, ...rest] = sentences(answer);
+  const badge = document.createElement("strong");
+  badge.className = "verdict";
+  badge.dataset.verdict = badge.textContent = verdict;
+  place.replaceChildren(badge, ...rest.flatMap((text) => {
+    const line = document.createElement("span");
+    line.textContent = text;
+    return [document.createElement("br"), line];
+  }));
+}
+
+function begin(section) {
+  section.hidden = false;
+  const [status, result] = ["[role=status]", "output"].map((selector) => section.querySelector(selector));
+  if (location.protocol === "file:") {
+    status.textContent = "The prover needs a web server. In the folder of the site run python3 -m http.server, and open http://localhost:8000.";
+    return;
+  }
+  const [form, stop, progress] = ["form", "[data-do=stop]", "progress"].map((selector) => section.querySelector(selector));
+  const prover = new Prover((stage, part) => {
+    status.textContent = stage ? `${stage} …` : "";
+    progress.hidden = !stage;
+    if (part === null) progress.removeAttribute("value");
+    else progress.value = part;
+  });
+  section.prover = prover;
+  const ask = async (question) => {
+    stop.hidden = false;
+    result.replaceChildren();
+    const answer = await prover.ask(await question());
+    stop.hidden = true;
+    show(result, answer);
+  };
+  const claim = async () => (await fetch(section.dataset.claim)).json();
+  const field = (name) => form.elements.namedItem(name)?.value ?? "";
+  form?.addEventListener("submit", (event) => {
+    event.preventDefault();
+    ask(async () => ({
+      do: "prove",
+      lhs: field("lhs"),
+      rhs: field("rhs"),
+      ...Object.fromEntries(["constraints", "nonzero", "assumptions"].map((name) => [name, lines(field(name))])),
+      where: section.dataset.claim ? (await claim()).where : {},
+    }));
+  });
+  form?.addEventListener("focusin", () => prover.ask({ do: "prepare" }), { once: true });
+  stop.addEventListener("click", () => prover.fail("Stopped."));
+  section.querySelector("[data-do=replay]")?.addEventListener("click", () => ask(async () => ({ do: "replay", claim: await claim() })));
+  const idle = window.requestIdleCallback ?? ((run) => setTimeout(run, 500));
+  idle(() => prover.ask({ do: section.dataset.claim ? "start" : "prepare" }));
+}
+
+document.querySelectorAll("[data-live]").forEach(begin);

@@ -1,0 +1,196 @@
+"""The prover in the pages: what it is told, what is fetched, and what a browser shows."""
+
+import json
+import shutil
+import subprocess
+import sys
+import threading
+from functools import partial
+from hashlib import sha256
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from io import BytesIO
+from pathlib import Path
+from zipfile import ZipFile
+
+import pytest
+
+from algebroproj_sym import prove
+from algebroproj_sym.declaring import KINDS as CLAIM_KINDS
+from algebroproj_sym.declaring import judge, select
+from algebroproj_sym.reporting.ledger import ledger
+from algebroproj_sym.reporting.live.answering import MOST_CHARACTERS, answer
+from algebroproj_sym.reporting.live.bundling import own_sources
+from algebroproj_sym.reporting.live.fetching import FetchError, Package, fetched, genuine, pinned
+from algebroproj_sym.reporting.live.questions import KINDS, question
+
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+WAIT = 300_000
+ASK = "(question) => document.querySelector('[data-live]').prover.ask(question)"
+
+
+def told(**asked):
+    return json.loads(answer(json.dumps(asked)))
+
+
+def test_a_formula_is_decided_as_the_prover_decides_it():
+    assert told(do="prove", lhs="(1 - c)/s", rhs="s/(1 + c)", constraints=["c^2 + s^2 = 1"])["verdict"] == "proved"
+    refuted = told(do="prove", lhs="(a + b)^2", rhs="a^2 + b^2")
+    point = refuted["counterexample"]
+    assert refuted["verdict"] == "refuted"
+    assert refuted["left"] == [str((int(point["a"]) + int(point["b"])) ** 2)]
+    assert told(do="prove", lhs="sqrt(x^2)", rhs="x", assumptions=["x >= 0"])["verdict"] == "proved"
+
+
+def test_names_stand_for_their_forms_which_may_use_other_names():
+    where = {"a": "b + 1", "b": "2*c"}
+    assert told(do="prove", lhs="a", rhs="2*c + 1", where=where)["verdict"] == "proved"
+    assert told(do="prove", lhs="a", rhs="2*c", where=where)["verdict"] == "refuted"
+
+
+LONG = "x" * (MOST_CHARACTERS + 1)
+
+
+@pytest.mark.parametrize("lhs", ["1/(1 + x", LONG, "x^10000000000", "f(x)", "", "1/0", "\x1b[31m"])
+def test_input_that_cannot_be_read_is_an_error_and_no_traceback(lhs):
+    assert told(do="prove", lhs=lhs, rhs="x").keys() == {"error"}
+
+
+@pytest.fixture(scope="module")
+def entries():
+    selectors = ("fundamentals1996:1.3", "fundamentals1996:3.3", "okamoto1981:1.1")
+    return ledger([judge(claim) for claim in select(selectors)], timed=False)["claims"]
+
+
+@pytest.mark.parametrize("verdict", ["proved", "misprint", "error", "illegible"])
+def test_a_claim_of_the_ledger_is_checked_again_and_a_changed_one_is_rejected(entries, verdict):
+    entry = next(entry for entry in entries if entry["verdict"] == verdict and entry["kind"] == "identity")
+    assert told(do="replay", claim=entry) == {"status": "replayed", "reason": ""}
+    assert told(do="replay", claim={**entry, "derived": "17"})["status"] == "rejected"
+
+
+def test_what_a_page_asks_of_a_claim_has_the_verdict_of_the_claim(entries):
+    expected = {"proved": "proved", "misprint": "refuted", "error": "refuted", "illegible": "proved"}
+    asked = [(entry, question(entry)) for entry in entries]
+    known = [(entry, each) for entry, each in asked if each and entry["verdict"] in expected]
+    assert len(known) > 20
+    assert {entry["verdict"] for entry, _ in known} >= {"proved", "misprint", "error"}
+    assert any(entry["where"] for entry, _ in known)
+    for entry, each in known:
+        given = {key: getattr(each, key).splitlines() for key in ("constraints", "nonzero")}
+        found = told(do="prove", lhs=each.lhs, rhs=each.rhs, where=entry["where"], **given)
+        assert found["verdict"] == expected[entry["verdict"]], entry["number"]
+
+
+def test_the_kinds_that_a_page_can_ask_about_exist():
+    assert {*KINDS} <= CLAIM_KINDS.keys()
+
+
+def test_the_modules_in_the_page_are_enough_to_answer(tmp_path):
+    content = own_sources()
+    assert content == own_sources()
+    ZipFile(BytesIO(content)).extractall(tmp_path)
+    script = (
+        "import sys; sys.path.insert(0, '.'); from algebroproj_sym.reporting.live.answering import answer\n"
+        "import algebroproj_sym; assert algebroproj_sym.__file__.startswith(sys.argv[1])\n"
+        "loaded = {name.partition('.')[0] for name in sys.modules}\n"
+        "assert not loaded & {'sympy', 'flint', 'numpy', 'click', 'jinja2'}\n"
+        'print(answer(\'{"do": "prove", "lhs": "sin(x)^2", "rhs": "1 - cos(x)^2"}\'))\n'
+        "assert not {name.partition('.')[0] for name in sys.modules} & {'numpy', 'click', 'jinja2', 'rich'}\n"
+    )
+    command = [sys.executable, "-c", script, str(tmp_path)]
+    ran = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert json.loads(ran.stdout)["verdict"] == "proved"
+
+
+def test_a_package_with_another_digest_is_refused():
+    package = Package("npm", "demo", "1", "demo.tgz", sha256(b"expected").hexdigest())
+    assert genuine(package, b"expected") == b"expected"
+    with pytest.raises(FetchError, match=r"demo\.tgz: expected the SHA-256 digest"):
+        genuine(package, b"expecteD")
+
+
+def test_what_cannot_be_fetched_is_named(tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(FetchError, match="npm is not installed; it fetches pyodide"):
+        fetched(pinned()[0], tmp_path)
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory):
+    """A site with the prover, and the address where it is."""
+    folder = tmp_path_factory.mktemp("live") / "site"
+    command = [sys.executable, "-m", "algebroproj_sym", "report", "fundamentals1996:3.3", "--samples", "2", "--live"]
+    subprocess.run([*command, "--out", str(folder)], check=True, capture_output=True)
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=folder))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield f"http://127.0.0.1:{server.server_port}"
+    server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def page(served):
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=("--no-sandbox", "--disable-gpu"))
+        opened = browser.new_page()
+        opened.set_default_timeout(WAIT)
+        foreign = []
+        opened.on("request", lambda request: None if request.url.startswith(served) else foreign.append(request.url))
+        yield opened
+        browser.close()
+        assert foreign == []
+
+
+@pytest.mark.whole
+@pytest.mark.xdist_group("browser")
+@pytest.mark.skipif(CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium")
+@pytest.mark.skipif(shutil.which("npm") is None, reason="NOT TESTED IN A BROWSER: there is no npm")
+class TestBrowser:
+    def verdict(self, page):
+        return page.locator("output .verdict").inner_text()
+
+    def test_a_claim_is_checked_again_and_a_changed_sign_is_refuted(self, served, page):
+        page.goto(f"{served}/fundamentals1996/3.3.7~right.html")
+        page.get_by_role("button", name="Check the evidence again").click()
+        assert self.verdict(page) == "replayed"
+        page.get_by_label("Printed form").fill("1 + z12")
+        page.get_by_role("button", name="Prove").click()
+        page.locator("output .verdict[data-verdict=proved]").wait_for()
+        page.get_by_label("Printed form").fill("1 - z12")
+        page.get_by_role("button", name="Prove").click()
+        page.locator("output .verdict[data-verdict=refuted]").wait_for()
+        assert "z12 =" in page.locator("output").inner_text()
+
+    def test_a_question_can_be_stopped_and_another_one_asked(self, served, page):
+        page.goto(f"{served}/prover.html")
+        page.get_by_role("button", name="Prove").click()
+        page.get_by_role("button", name="Stop").click()
+        page.locator("output").get_by_text("Stopped.").wait_for()
+        page.get_by_role("button", name="Prove").click()
+        page.locator("output .verdict[data-verdict=proved]").wait_for()
+
+    def test_the_corpus_has_the_same_verdicts_as_here(self, served, page, repository):
+        items = [item for name in ("ring", "field", "hypotheses", "functions") for item in corpus(repository, name)][
+            ::25
+        ]
+        assert len(items) > 20
+        page.goto(f"{served}/prover.html")
+        differ = []
+        for item in items:
+            given = {key: item.get(key, []) for key in ("constraints", "nonzero", "assumptions")}
+            asked = {"do": "prove", "lhs": item["lhs"], "rhs": item["rhs"], **given}
+            here = prove(item["lhs"], item["rhs"], **given).verdict
+            there = page.evaluate(ASK, asked)
+            if there.get("verdict") != here:
+                differ.append((item["name"], here, there))
+        assert differ == []
+
+
+def corpus(repository: Path, name: str) -> list[dict]:
+    return json.loads((repository / "tests" / "corpus" / f"{name}.json").read_text(encoding="utf-8"))

@@ -10,7 +10,7 @@ import pytest
 import sympy
 
 from algebroproj_sym import prove
-from algebroproj_sym.expressions import ParseError
+from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError
 from algebroproj_sym.proving.reals import decided
 from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.definitions import derivative, smoothness
@@ -132,6 +132,18 @@ def test_derivatives_of_sympy_are_read():
     assert prove(sympy.Derivative(f, x), y * sympy.cos(x * y)).verdict == "proved"
     assert prove(sympy.Derivative(f, x, y), sympy.cos(x * y)).verdict == "refuted"
     assert prove(sympy.Derivative(x**4, (x, 2)), 12 * x**2).verdict == "proved"
+
+
+@pytest.mark.parametrize("by", ["x, 2", "x), (x", "pi", "_1", "sin"])
+def test_a_symbol_by_which_is_differentiated_has_a_name_that_text_can_have(by):
+    with pytest.raises(SymbolError, match="lhs: expected"):
+        prove(sympy.Derivative(x**3 * sympy.sin(y), sympy.Symbol(by), evaluate=False), "6*x*sin(y)")
+
+
+def test_a_derivative_by_what_is_no_symbol_is_refused():
+    f = sympy.Function("f")(sympy.Symbol("x"))
+    with pytest.raises(NotRationalError, match=r"lhs: expected a derivative by a symbol, got one by f\(x\)"):
+        prove(sympy.Derivative(sympy.Symbol("f") ** 2, f, evaluate=False), "2*f")
 
 
 def test_a_derivative_of_unknown_order_is_refused():

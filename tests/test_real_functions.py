@@ -254,6 +254,15 @@ def test_what_is_nowhere_real_is_open_with_that_reason():
     assert "defined and real" in prove("sqrt(-1 - x^2)", "sqrt(-1 - x^2)").certificate["reason"]
 
 
+@pytest.mark.parametrize("constraint", ["x < y", "x >= y", "x != y", "x < y = 0", "0 = x <= y"])
+def test_a_constraint_that_is_no_equation_is_refused(constraint):
+    with pytest.raises(ParseError, match=r"constraints\[0\], position \d: expected '=', got"):
+        prove("sin(y)", "0", constraints=[constraint])
+    found = decided(record({"lhs": "sin(y)", "rhs": "0"}, constraints=["y"]))
+    require_real(found)
+    assert rejected({**found, "constraints": [constraint]})
+
+
 def test_what_is_not_there_yet_is_refused_by_name():
     with pytest.raises(UnsupportedError, match="for a statement in letters"):
         prove(sympy.MatrixSymbol("A", 2, 2), sympy.MatrixSymbol("B", 2, 2), relation="<")

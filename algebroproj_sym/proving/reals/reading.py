@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -11,7 +11,8 @@ from sympy.core.function import AppliedUndef
 
 from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError, admits, assumption, is_plain, over
 from algebroproj_sym.expressions.symbols import is_name
-from algebroproj_sym.replaying.reals.comparisons import comparisons
+from algebroproj_sym.replaying.reals.comparisons import comparisons, equations
+from algebroproj_sym.replaying.reals.definitions import Condition
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.terms import (
     ALIASES,
@@ -119,8 +120,11 @@ def _term(node: Any, argument: str) -> Term:
     if isinstance(node, sympy.Derivative) and all(order.is_Integer for _, order in node.variable_count):
         found = _term(node.expr, argument)
         for symbol, order in node.variable_count:
+            if not isinstance(symbol, sympy.Symbol):
+                raise NotRationalError(f"{argument}: expected a derivative by a symbol, got one by {str(symbol)[:80]}")
+            name = _unreserved(Term("symbol", symbol.name), argument).value
             for _ in range(int(order)):
-                found = Term("diff", symbol.name, (found,))
+                found = Term("diff", name, (found,))
         return found
     name = type(node).__name__
     name = ALIASES.get(name, name)
@@ -167,11 +171,7 @@ def condition_of(value: Any, argument: str) -> str:
     ('x > 0', '0 < x < pi')
     """
     if isinstance(value, str):
-        try:
-            for _, term in comparisons(value):
-                _unreserved(term, argument)
-        except UnreadableError as error:
-            raise ParseError(error.position, error.expected, error.got, argument) from None
+        _require_known(comparisons, value, argument)
         return value
     sign = _RELATIONS.get(type(value))
     if sign is None:
@@ -180,10 +180,20 @@ def condition_of(value: Any, argument: str) -> str:
     return f"{left} {sign} {right}"
 
 
+def _require_known(read_all: Callable[[str], tuple[Condition, ...]], text: str, argument: str) -> None:
+    """Reject a text that cannot be read, or has names that are reserved."""
+    try:
+        for _, term in read_all(text):
+            _unreserved(term, argument)
+    except UnreadableError as error:
+        raise ParseError(error.position, error.expected, error.got, argument) from None
+
+
 def zero_of(value: Any, argument: str) -> str:
     """Return a constraint as the text of an equation."""
     if isinstance(value, str):
-        return condition_of(value if "=" in value else f"{value} = 0", argument)
+        _require_known(equations, value, argument)
+        return value if "=" in value else f"{value} = 0"
     return f"{written(term_of(value, argument))} = 0"
 
 

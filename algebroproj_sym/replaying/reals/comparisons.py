@@ -35,6 +35,26 @@ def comparisons(text: str) -> tuple[Condition, ...]:
     return tuple(compared(*each) for each in zip(sides, parts[1::2], sides[1:], strict=False))
 
 
+def equations(text: str) -> tuple[Condition, ...]:
+    """Read equations, or a term that is zero, as relations to zero.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.replaying.reals.terms import written
+    >>> [written(term) for _, term in (*equations("x = y"), *equations("x - y"))]
+    ['x - y', '(x - y) - 0']
+    >>> equations("x < y")
+    Traceback (most recent call last):
+    ...
+    algebroproj_sym.replaying.reals.terms.UnreadableError: position 2: expected '=', got '<'
+    """
+    signs = [*_COMPARISON.finditer(text)]
+    for sign in signs:
+        if sign[0] not in ("=", "=="):
+            raise UnreadableError(sign.start(), "'='", repr(sign[0]))
+    return comparisons(text if signs else f"{text} = 0")
+
+
 def compared(left: Term, sign: str, right: Term) -> Condition:
     """Return a comparison of two terms, as a relation to zero."""
     if sign in REVERSED:

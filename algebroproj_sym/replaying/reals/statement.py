@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from algebroproj_sym.replaying.reals.comparisons import compared, comparisons
+from algebroproj_sym.replaying.reals.comparisons import compared, comparisons, equations
 from algebroproj_sym.replaying.reals.definitions import Condition, conditions
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.laws import MOST_BITS
@@ -100,7 +100,7 @@ def _given(record: Mapping[str, Any]) -> Iterator[Condition]:
     for text in texts(record["assumptions"]):
         yield from comparisons(text)
     for text in texts(record["constraints"]):
-        yield from comparisons(text if "=" in text else f"{text} = 0")
+        yield from equations(text)
     for text in texts(record["nonzero"]):
         yield "!=", read(text)
 

@@ -350,6 +350,17 @@ def test_text_and_sympy_are_taken_as_they_stand(lhs, relation, rhs, options, ver
     assert proof.verdict == verdict
 
 
+@pytest.mark.parametrize(
+    ("lhs", "relation", "rhs", "given", "wrong"),
+    [
+        ("x - x^3/6 + sinh(x)", ">", "y", "0 < y < x", "refuted"),
+        ("log(x)", "!=", "log(x/y)", "0 <= x <= y <= 1", "proved"),
+    ],
+)
+def test_a_search_from_one_side_of_an_assumption_may_meet_new_functions(lhs, relation, rhs, given, wrong):
+    assert prove(lhs, rhs, relation=relation, assumptions=[given]).verdict != wrong
+
+
 def test_the_conditions_of_the_domain_are_shown():
     assert prove("log(x)", "x - 1", relation="<=").hypotheses == ("x > 0",)
     assert prove("1/x^2", "0", relation=">").hypotheses == ("x**2 != 0",)

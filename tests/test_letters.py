@@ -618,6 +618,15 @@ def test_a_constraint_on_a_size_chooses_the_size():
     assert prove_texts("n*v", "v/2", letters, constraints=["n = 1/2"]).verdict == "open"
 
 
+def test_a_size_of_a_letter_that_does_not_occur_is_a_size():
+    letters = {"Q": "nxn"}
+    for left, right in (("n", "1"), ("x", "1")):
+        assert replay_identity(record_of(left, right, letters, ())).status == "replayed"
+        assert prove_texts(left, right, letters).verdict == "refuted"
+    assert prove_texts("x/x", "1", letters).verdict == "proved"
+    assert prove_texts("n", "2", letters, constraints=["2*n = 1"]).verdict == "open"
+
+
 def test_sizes_keep_their_assumptions_and_are_one_symbol_by_name():
     n = sympy.Symbol("n", even=True, positive=True)
     even = sympy.MatrixSymbol("A", n, n)

@@ -44,7 +44,8 @@ class Statement:
     @cached_property
     def size_names(self) -> list[str]:
         """The sizes that are not numbers."""
-        shapes = {part.shape for term in self.terms for part in factors_of(term)}
+        shapes = {letter.shape for letter in self.letters.values()}
+        shapes |= {part.shape for term in self.terms for part in factors_of(term)}
         return sorted({size for shape in shapes for size in shape if isinstance(size, str)})
 
     @cached_property

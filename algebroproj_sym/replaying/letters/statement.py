@@ -39,7 +39,8 @@ class Statement:
     @property
     def sizes(self) -> set[str]:
         """The names of sizes."""
-        shapes = [part.shape for node in self.nodes for part in parts_of(node)]
+        shapes = [letter.shape for letter in self.letters.values()]
+        shapes += [part.shape for node in self.nodes for part in parts_of(node)]
         return {size for shape in shapes for size in shape if isinstance(size, str)}
 
     def every(self, change: Any) -> Statement:

@@ -19,6 +19,7 @@ from algebroproj_sym.reporting.explaining import explanation
 from algebroproj_sym.reporting.ledger import claim_record
 from algebroproj_sym.reporting.site.comparison import comparison, conditions
 from algebroproj_sym.reporting.site.evidence import evidence
+from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.showing import markdown
 from algebroproj_sym.showing.notebook import _latex
 from algebroproj_sym.showing.text_latex import latex_of_text
@@ -424,6 +425,7 @@ LATEX = {
     "2*3*abs(x) + pi/2": r"2 \cdot 3 \left|x\right| + \frac{\pi}{2}",
     "atan2(y, x) != acos(x)": r"\operatorname{atan2}\left(y, x\right) \neq \arccos\left(x\right)",
     "x^(1/3) >= 0": r"x^{1/3} \geq 0",
+    "up1^2": r"{u^{\prime}_{1}}^{2}",
 }
 
 
@@ -448,6 +450,14 @@ IN_WORDS = {
 @pytest.mark.parametrize("text", IN_WORDS)
 def test_letters_are_shown_as_printed(text):
     assert latex_of_text(TextForm(text, (("E", "3x3"), ("R", "3x3 rotation"), ("t", "3x1")))) == IN_WORDS[text]
+
+
+@pytest.mark.parametrize(
+    "text", ["Rp.T*skew(bp1)*Rpp - A_v**-1", "outer(bp1, bp1)[0, 1]*Rp[1, 2]", "vee(Rpp).T"]
+)
+def test_letters_with_primes_and_indices_become_formulas_of_a_page(text):
+    letters = (("A_v", "3x3"), ("Rp", "3x3"), ("Rpp", "3x3"), ("bp1", "3x1"))
+    assert "<math" in math(latex_of_text(TextForm(text, letters)))
 
 
 def test_a_notebook_shows_letters_properties_constraints_and_scope(judgements):

@@ -452,9 +452,7 @@ def test_letters_are_shown_as_printed(text):
     assert latex_of_text(TextForm(text, (("E", "3x3"), ("R", "3x3 rotation"), ("t", "3x1")))) == IN_WORDS[text]
 
 
-@pytest.mark.parametrize(
-    "text", ["Rp.T*skew(bp1)*Rpp - A_v**-1", "outer(bp1, bp1)[0, 1]*Rp[1, 2]", "vee(Rpp).T"]
-)
+@pytest.mark.parametrize("text", ["Rp.T*skew(bp1)*Rpp - A_v**-1", "outer(bp1, bp1)[0, 1]*Rp[1, 2]", "vee(Rpp).T"])
 def test_letters_with_primes_and_indices_become_formulas_of_a_page(text):
     letters = (("A_v", "3x3"), ("Rp", "3x3"), ("Rpp", "3x3"), ("bp1", "3x1"))
     assert "<math" in math(latex_of_text(TextForm(text, letters)))

@@ -19,7 +19,6 @@ from algebroproj_sym.proving.reals.balls import Balls
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.samples import Sample, samples_at
 from algebroproj_sym.replaying.field import Element
-from algebroproj_sym.replaying.polynomial import Polynomial
 from algebroproj_sym.replaying.reals.definitions import Condition, conditions, derivative, kinds, replaced
 from algebroproj_sym.replaying.reals.proofs import MOST_PIECES, between, is_positive
 from algebroproj_sym.replaying.reals.terms import Term, negative, read, written
@@ -179,27 +178,24 @@ class Analysis:
         """Show the sign of a function of several variables that is zero where two sides of an assumption are equal."""
         knowledge, theory = self.knowledge, self.knowledge.theory
         places = {theory.field.places[name]: name for name in theory.symbols()}
-        facts = [theory.facts[place].polynomial for place, _ in knowledge.facts(">", ">=")]
-        names = {fact: knowledge.names(knowledge.into(fact)) for fact in facts}
-        facts = [fact for fact in facts if names[fact] <= places.keys()]
-        pairs = [(fact, place) for fact in facts if len(names[fact]) > 1 for place in sorted(names[fact])]
-        for fact, place in pairs:
-            polynomial = knowledge.into(fact)
-            slope = polynomial.derivative(place)
-            if not slope.is_constant() or int(polynomial.degrees()[place]) != 1:
-                continue
-            end = (slope * knowledge.context.gens()[place] - polynomial) / slope.leading_coefficient()
-            given = [self._said(other) for other in (fact, *(other for other in facts if place not in names[other]))]
-            rise = Rise(places[place], whole, theory.text(knowledge.back(end)), given)
-            if self.risen(element, rise, (), strict):
-                return True
+        facts = [fact for _, fact in knowledge.facts(">", ">=") if knowledge.names(fact) <= places.keys()]
+        for fact in facts:
+            for place in sorted(knowledge.names(fact)) if len(knowledge.names(fact)) > 1 else ():
+                slope = fact.derivative(place)
+                if not slope.is_constant() or int(fact.degrees()[place]) != 1:
+                    continue
+                end = (slope * fact.context().gens()[place] - fact) / slope.leading_coefficient()
+                others = [fact, *(other for other in facts if place not in knowledge.names(other))]
+                given = [self._said(other) for other in others]
+                rise = Rise(places[place], whole, theory.text(knowledge.back(end)), given)
+                if self.risen(element, rise, (), strict):
+                    return True
         return False
 
-    def _said(self, fact: Polynomial) -> str:
-        theory = self.knowledge.theory
-        element = theory.field.element(fact)
-        relation = ">" if theory.holds(">", element) else ">="
-        return f"{theory.text(element)} {relation} 0"
+    def _said(self, fact: Any) -> str:
+        element = self.knowledge.back(fact)
+        relation = ">" if self.knowledge.theory.holds(">", element) else ">="
+        return f"{self.knowledge.theory.text(element)} {relation} 0"
 
     def _is_shown_there(self, value: Element) -> bool:
         """Show that a number is positive or zero."""

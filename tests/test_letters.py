@@ -627,6 +627,13 @@ def test_a_size_of_a_letter_that_does_not_occur_is_a_size():
     assert prove_texts("n", "2", letters, constraints=["2*n = 1"]).verdict == "open"
 
 
+def test_a_number_that_occurs_in_a_definition_alone_has_a_value():
+    letters = dict.fromkeys("uvw", "nx1")
+    for constraints in (["w = y*u"], ["w = y*u", "dot(v, v) = 1"]):
+        found = record_of("v", "2*u", letters, constraints)
+        assert (found["verdict"], replay_identity(found).status) == ("refuted", "replayed")
+
+
 def test_sizes_keep_their_assumptions_and_are_one_symbol_by_name():
     n = sympy.Symbol("n", even=True, positive=True)
     even = sympy.MatrixSymbol("A", n, n)

@@ -228,7 +228,8 @@ class _Question:
         return {name: generator.randint(1, 3) for name in names}
 
     def _scalars(self) -> dict[str, sympy.Symbol]:
-        names = {part.value for term in self.statement.terms for part in factors_of(term) if part.kind == "symbol"}
+        terms = (*self.statement.terms, *self.definitions.values())
+        names = {part.value for term in terms for part in factors_of(term) if part.kind == "symbol"}
         others = sorted(names - {*self.statement.size_names})
         return {name: self.statement.scalars.get(name, sympy.Symbol(name)) for name in others}
 
@@ -248,7 +249,11 @@ class _Question:
             for values in islice(zeros, ENOUGH_POINTS):
                 scalars = {symbol.name: value for symbol, value in values.items()}
                 letters = {k: entries_of(each.entries, {}, scalars, _NUMBERS) for k, each in expansion.letters.items()}
-                yield Point(letters, {name: scalars[name] for name in self._scalars()}, sizes)
+                numbers = {
+                    name: scalars[name] if name in scalars else values_of(symbol)[0]
+                    for name, symbol in self._scalars().items()
+                }
+                yield Point(letters, numbers, sizes)
 
     def _refuted(self, point: Point) -> Found:
         values = [

@@ -1,5 +1,6 @@
 """A-priori error bounds hold for every input that an adversary finds, and Coq accepts them and no smaller ones."""
 
+import json
 import math
 import random
 import re
@@ -11,6 +12,8 @@ from types import FunctionType
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import algebroproj
 from algebroproj_sym.declaring import kernels
@@ -21,8 +24,8 @@ from algebroproj_sym.exporting.rounding.theorems import definitions
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import is_compiled, lower, run
 from algebroproj_sym.generating.program import named, recorded
-from algebroproj_sym.verifying.a_priori import Analysis, analysis
-from algebroproj_sym.verifying.condition_numbers import as_record, conditions
+from algebroproj_sym.verifying.a_priori import ONE, Analysis, Bound, analysis
+from algebroproj_sym.verifying.condition_numbers import a_priori_record, as_record, conditions
 from algebroproj_sym.verifying.shipped import call, function_of
 from algebroproj_sym.verifying.straight_line import is_rational, numbered, straight_line, straight_line_of_c
 
@@ -137,8 +140,30 @@ def test_the_record_says_what_the_bounds_are():
     record = as_record(analysis(straight_line(low)))
     first, second = record["results"][0]["terms"]
     assert record["results"][0]["roundings"] == 5
-    assert (first["coefficient"], first["kappa"]) == (5.0, "(1 + |y01| + |y02| + |y03|)/|1 - y01 - y02 - y03|")
-    assert (second["coefficient"], second["kappa"]) == (2.0, "(1 + |u31| + |u32|)/|1 - u31 - u32|")
+    assert (first["coefficient"], first["kappa"]) == (5.01, "(1 + |y01| + |y02| + |y03|)/|1 - y01 - y02 - y03|")
+    assert (second["coefficient"], second["kappa"]) == (2.01, "(1 + |u31| + |u32|)/|1 - u31 - u32|")
+
+
+@given(st.integers(1, 2**40))
+def test_a_coefficient_of_three_digits_is_not_smaller_than_the_proved_one(coefficient):
+    line = numbered(recorded("x", lambda x: (x,)))
+    (result,) = as_record(Analysis(line, (Bound(1, 0, ((1, coefficient),)),), ()))["results"]
+    (term,) = result["terms"]
+    assert 0 <= term["coefficient"] - coefficient / ONE <= 0.01 * coefficient / ONE
+
+
+def test_the_record_in_the_package_is_what_is_found_now(repository, lowered):
+    text = (repository / "generated" / "algebroproj" / "accuracy.json").read_text(encoding="utf-8")
+    known = {entry["function"]: entry.get("a_priori") for entry in json.loads(text)["functions"]}
+    assert known[lowered.kernel.qualified_name] == a_priori_record(lowered)
+
+
+@pytest.mark.whole
+def test_the_whole_record_in_the_package_is_what_is_found_now(repository):
+    """Bounds are not measured: a record of them is right, or it is wrong."""
+    text = (repository / "generated" / "algebroproj" / "accuracy.json").read_text(encoding="utf-8")
+    known = {entry["function"]: entry.get("a_priori") for entry in json.loads(text)["functions"]}
+    assert known == {low.kernel.qualified_name: a_priori_record(low) for low in map(lower, kernels())}
 
 
 def test_a_bound_is_that_of_the_package_of_the_function():
@@ -149,6 +174,14 @@ def test_a_bound_is_that_of_the_package_of_the_function():
     assert algebroproj.a_priori(other) == ()
     with pytest.raises(TypeError, match="a_priori: expected a generated function"):
         algebroproj.a_priori(math.sin)
+
+
+@pytest.mark.parametrize("changed", ["bounds", "dd", "hypotheses", "plain", "rounded"])
+def test_a_changed_function_has_no_bound_of_the_function_itself(changed):
+    """Without compensation nothing bounds the error of a sum that cancels."""
+    other = getattr(algebroproj, changed)(algebroproj.projection.mu_from_center)
+    with pytest.raises(TypeError, match=rf"a_priori: expected a generated function, got {changed}\(projection.mu_from"):
+        algebroproj.a_priori(other)
 
 
 def mutants(found: Analysis):

@@ -8,6 +8,8 @@ import shutil
 import subprocess
 from dataclasses import replace
 from fractions import Fraction
+from importlib.resources import files as resources
+from pathlib import Path
 from types import FunctionType
 
 import numpy as np
@@ -25,9 +27,10 @@ from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import is_compiled, lower, run
 from algebroproj_sym.generating.program import named, recorded
 from algebroproj_sym.verifying.a_priori import ONE, Analysis, Bound, analysis
+from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, inline_value, source_of
 from algebroproj_sym.verifying.condition_numbers import a_priori_record, as_record, conditions
 from algebroproj_sym.verifying.shipped import call, function_of
-from algebroproj_sym.verifying.straight_line import is_rational, numbered, straight_line, straight_line_of_c
+from algebroproj_sym.verifying.straight_line import executed, is_rational, numbered, straight_line, straight_line_of_c
 
 FUNCTIONS = ("projection.mu_from_center", "projection.project", "affine.plane_coordinates", "correlation.epipoles")
 UNDERFLOW = 1e-250
@@ -103,6 +106,54 @@ def test_the_c_source_computes_what_was_analysed():
     assert len(rational) >= 70
     assert sum(found.is_complete for found in analysed) >= 57
     assert sum(any(found.bounds) for found in analysed) >= 62
+
+
+def c_text():
+    return (Path(algebroproj.__file__).parent / "_c" / "kernels.h").read_text(encoding="utf-8")
+
+
+def test_lines_that_round_in_another_way_are_refused():
+    """A product that is added without rounding is no product and no sum."""
+    low = lower(*kernels(["optics.scale"]))
+    body = "const real x = in[0][i];\n const real y = in[1][i];\n const real z = x + y;\n out[0][i] = x / z;"
+    text = f"KERNEL(optics_scale)\n{{\n    for (npy_intp i = 0; i < points; i++) {{\n {body}\n    }}\n}}\n"
+    line = executed(low, source_of(text))
+    assert [operator for operator, _ in line.operations.values()] == ["input", "input", "+", "/"]
+    with pytest.raises(NotUnderstoodError, match="rounds once"):
+        executed(low, source_of(text.replace("x + y", "multiply_add(x, y, x)")))
+    with pytest.raises(NotUnderstoodError, match="decimal"):
+        executed(low, source_of(text.replace("x + y", "x + 010")))
+
+
+class Rounded(str):
+    """A formula of rounded operations, as the theorems write it."""
+
+    def _rounded(self, sign, other):
+        return Rounded(f"RN ({self} {sign} {other})")
+
+    def __add__(self, other):
+        return self._rounded("+", other)
+
+    def __sub__(self, other):
+        return self._rounded("-", other)
+
+    def __mul__(self, other):
+        return self._rounded("*", other)
+
+
+def test_the_lemma_of_the_error_of_a_product_speaks_of_the_operations_of_the_c_source():
+    """Without fused operations the theorems are about another formula, which the lemma has term by term."""
+    lemmas = (resources("algebroproj_sym.exporting.rounding") / "Rounding.v").read_text(encoding="utf-8")
+    stated = lemmas.partition("Lemma split_product_error")[2].partition("let p := RN (a * b) in\n")[2]
+    stated = stated.partition(" = a * b - p.")[0]
+    for name in ("lower_half", "upper_half"):
+        (meaning,) = re.findall(rf"Definition {name} x := (.+)\.\n", lemmas)
+        stated = re.sub(rf"{name} ([ab])", lambda found, m=meaning: re.sub(r"\bx\b", found[1], m), stated)
+    meaning = Meaning(constants={"splitter": Rounded("splitter")})
+    found = inline_value(source_of(c_text()), "split_product_error", [Rounded(name) for name in "abp"], meaning)
+    assert " ".join(stated.split()) == found
+    (splitter,) = re.findall(r"Definition splitter := (\d+)\.", lemmas)
+    assert f"#define splitter {splitter}.0\n" in (Path(algebroproj.__file__).parent / "_c" / "compiled.c").read_text()
 
 
 def test_the_bound_of_a_formula_is_the_one_of_its_definition(lowered):
@@ -210,6 +261,16 @@ def mutants(found: Analysis):
     for place, fact in enumerate(found.certificate):
         if place % 7 == 0:
             yield line.operations, found.certificate[:place] + found.certificate[place + 1 :], bounds, fact
+
+
+def test_a_file_says_what_its_numbers_stand_for(lowered):
+    """A reader of a theorem finds the arguments and the entries of the results."""
+    found = accuracy_of(lowered, algebroproj)
+    text = render([found])[f"{found.name}.v"]
+    for place, symbol in enumerate(lowered.kernel.symbols, start=1):
+        assert f"Input {place} is {symbol}" in text
+    for place, number in enumerate(found.analysis.line.outputs, start=1):
+        assert f"entry {place} is {number}" in text
 
 
 @needs_coq

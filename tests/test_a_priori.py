@@ -227,6 +227,15 @@ def test_a_bound_is_that_of_the_package_of_the_function():
         algebroproj.a_priori(math.sin)
 
 
+def test_what_is_told_of_a_function_can_be_kept_and_changed_by_nobody_else():
+    """Bounds are values: equal ones have equal hashes, and changing one changes no later answer."""
+    first, second = (algebroproj.a_priori(algebroproj.projection.project) for _ in range(2))
+    assert {*first} == {*second}
+    expected = dict(second[0].where)
+    first[0].where["s"] = "changed"
+    assert algebroproj.a_priori(algebroproj.projection.project)[0].where == second[0].where == expected
+
+
 @pytest.mark.parametrize("changed", ["bounds", "dd", "hypotheses", "plain", "rounded"])
 def test_a_changed_function_has_no_bound_of_the_function_itself(changed):
     """Without compensation nothing bounds the error of a sum that cancels."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -39,7 +39,7 @@ class AprioriBound:
 
     roundings: int
     terms: tuple[tuple[float, str], ...]
-    where: Mapping[str, str]
+    where: Mapping[str, str] = field(hash=False)
 
     def __str__(self) -> str:
         return " + ".join([f"{self.roundings} u", *(f"{c:g} u**2 {kappa}" for c, kappa in self.terms)])
@@ -77,7 +77,7 @@ def a_priori(function: Callable[..., Any]) -> tuple[AprioriBound | None, ...]:
 
 def _bound(record: Mapping[str, Any], where: Mapping[str, str]) -> AprioriBound:
     terms = tuple((term["coefficient"], term["kappa"]) for term in record["terms"])
-    return AprioriBound(record["roundings"], terms, where if terms else {})
+    return AprioriBound(record["roundings"], terms, dict(where) if terms else {})
 
 
 @cache

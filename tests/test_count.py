@@ -12,6 +12,7 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError, judge
 from algebroproj_sym.expressions import Matrix, over, vector
 from algebroproj_sym.proving import ENGINES
+from algebroproj_sym.proving.statements import UnsupportedError
 
 x, y, z, w = sympy.symbols("x y z w")
 XYZ = (x, y, z)
@@ -202,7 +203,7 @@ def test_a_count_has_no_constraints():
 
 @pytest.mark.parametrize("inexact", [0.5, sympy.sqrt(x), sympy.cos(x)])
 def test_functions_and_directions_are_rational(inexact):
-    with pytest.raises(TypeError, match=r"^claim demo:1\.1, derived: expected"):
+    with pytest.raises((TypeError, UnsupportedError), match=r"^claim demo:1\.1(, derived)?: expected"):
         judged(1, x + inexact, (x, y))
     with pytest.raises(TypeError, match=r"^claim demo:1\.1, kernel: expected"):
         judged(1, x, (x, y), [vector(inexact, 1)])

@@ -119,7 +119,6 @@ def test_what_is_not_computed_is_read(latex, expected):
 @pytest.mark.parametrize(
     ("latex", "message", "place"),
     [
-        (r"a + \foo b", r"the command \\foo is not known", 4),
         (r"a + ", "ends too early", 2),
         (r"(a + b", "not closed", 5),
         (r"a) + b", "not open", 1),

@@ -3,6 +3,7 @@
 import ast
 import doctest
 import inspect
+import math
 import sys
 from collections import Counter
 from fractions import Fraction
@@ -246,6 +247,14 @@ def test_a_chain_of_stages_is_computed_link_by_link(first, second, last, point):
     at[u] = value_at(first, at)
     at[c], at[s] = exactly(Call((), "cos_sin", ()), ((value_at(second, at),),))
     assert run(program, dict(zip("xy", point, strict=True)), exactly) == (value_at(last, at), at[u])
+
+
+@pytest.mark.parametrize("number", [0, 3])
+def test_a_link_that_is_a_number_is_computed_with(number, tmp_path):
+    declared = of_xy(vector(s + 1, u), [let({u: sympy.Integer(number)}), cos_sin(c, s, u**2 * x)])
+    function = shipped(tmp_path, declared).demo.f
+    assert function(0.0, 1.0).tolist() == [1.0, number]
+    assert function(2.0, 1.0)[0] == pytest.approx(1 + math.sin(2 * number**2), rel=1e-15)
 
 
 @few

@@ -18,7 +18,7 @@ SUMMARIES = {
     "study": "Run a numerical study, and write a dataset, figures and a short report.",
     "replay": "Check the verdicts of a LEDGER again, without the prover.",
     "audit": "Compare what claims say is printed with the LaTeX that they quote.",
-    "export": "Write the claims as theorems for a proof assistant.",
+    "export": "Write claims and error bounds as theorems for a proof assistant.",
     "mutate": "Change claims and functions in single places, and test whether the checks notice.",
 }
 """The commands, each of a module of its own, and the first sentences of their help."""

@@ -177,7 +177,7 @@ def _written(program: Program, doubled: set[Operand]) -> Program:
         return name
 
     def operands_of(step: Step) -> tuple[Operand, ...]:
-        first: Operand = next(operand for operand in step.operands if isinstance(operand, str))
+        first: Operand = next((operand for operand in step.operands if isinstance(operand, str)), step.operands[0])
         replaced = {first: widened(first)} if doubled.isdisjoint(step.operands) else wide
         return tuple(replaced.get(operand, operand) for operand in step.operands)
 

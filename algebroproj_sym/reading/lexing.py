@@ -902,7 +902,7 @@ class _Lexer:
             raise self.fail("scripts are read beside a letter only")
         letter = self.letter()
         primes, own_below, own_above = self.scripts()
-        subscript = ",".join(part for part in (f"{below}|" if below else "", own_below) if part)
+        subscript = f"{below}_{own_below}" if below else own_below
         if above:
             subscript = f"{above}^{subscript}"
         self.name(written(letter, primes, subscript, ""), start)

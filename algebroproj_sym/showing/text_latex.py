@@ -66,6 +66,13 @@ def _number(value: Fraction) -> Written:
     return (f"-{size}", SUM) if value < 0 else (size, ATOM if value.denominator == 1 else POWER)
 
 
+def _attached(base: Written, where: str, content: object) -> str:
+    """Return a form with an exponent or an index; a letter that has a prime or an index is grouped first."""
+    text, level = base
+    grouped = f"{{{text}}}" if level == ATOM and {*text} & {*"'^_"} else _inside(base, ATOM)
+    return f"{grouped}{where}{{{content}}}"
+
+
 def _added(terms: list[tuple[bool, str]]) -> Written:
     """Return a sum of terms, each with whether it is subtracted."""
     (minus, first), *others = terms
@@ -123,7 +130,7 @@ def _power(base: Term, exponent: Fraction) -> Written:
     above = str(exponent)
     if base.kind in _NAMES and exponent > 1 and exponent.denominator == 1 and base.kind not in ("exp", "log"):
         return f"{_NAMES[base.kind]}^{{{above}}}{_bracketed(_real(base.args[0])[0])}", POWER
-    return f"{_inside(_real(base), ATOM)}^{{{above}}}", POWER
+    return _attached(_real(base), "^", above), POWER
 
 
 def _function(name: str, args: tuple[Term, ...]) -> Written:
@@ -164,16 +171,16 @@ def _in_letters(term: Any) -> Written:
         minus, text = _signed_letters(term)
         return (f"-{text}", SUM) if minus else (text, PRODUCT)
     if kind == "power":
-        return f"{_inside(_in_letters(parts[0]), ATOM)}^{{{value}}}", POWER
+        return _attached(_in_letters(parts[0]), "^", value), POWER
     if kind == "transpose":
-        return f"{_inside(_in_letters(parts[0]), ATOM)}^{{T}}", POWER
+        return _attached(_in_letters(parts[0]), "^", "T"), POWER
     if kind == "outer":
-        first, second = (_inside(_in_letters(part), ATOM) for part in parts)
-        return f"{first} {second}^{{T}}", PRODUCT
+        first, second = map(_in_letters, parts)
+        return f"{_inside(first, ATOM)} {_attached(second, '^', 'T')}", PRODUCT
     if kind in ("eye", "zeros"):
         return (f"I_{{{value[0]}}}" if kind == "eye" else "0"), ATOM
     if kind == "entry":
-        return f"{_inside(_in_letters(parts[0]), ATOM)}_{{{value[0] + 1},{value[1] + 1}}}", POWER
+        return _attached(_in_letters(parts[0]), "_", f"{value[0] + 1},{value[1] + 1}"), POWER
     if kind == "block":
         texts, width = [_in_letters(part)[0] for part in parts], value[0]
         return _matrix([texts[place : place + width] for place in range(0, len(texts), width)]), ATOM
@@ -183,7 +190,7 @@ def _in_letters(term: Any) -> Written:
     if kind in _AROUND:
         return _AROUND[kind] % inner, ATOM
     if kind == "vee":
-        return rf"{_inside(_in_letters(parts[0]), ATOM)}^{{\vee}}", POWER
+        return _attached(_in_letters(parts[0]), "^", r"\vee"), POWER
     return _CALLED.get(kind, rf"\operatorname{{{kind}}}") + _bracketed(inner), POWER
 
 

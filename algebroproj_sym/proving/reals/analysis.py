@@ -184,7 +184,7 @@ class Analysis:
                 slope = fact.derivative(place)
                 if not slope.is_constant() or int(fact.degrees()[place]) != 1:
                     continue
-                end = (slope * knowledge.context.gens()[place] - fact) / slope.leading_coefficient()
+                end = (slope * fact.context().gens()[place] - fact) / slope.leading_coefficient()
                 others = [fact, *(other for other in facts if place not in knowledge.names(other))]
                 given = [self._said(other) for other in others]
                 rise = Rise(places[place], whole, theory.text(knowledge.back(end)), given)

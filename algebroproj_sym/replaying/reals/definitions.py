@@ -186,7 +186,7 @@ def derivative(term: Term, name: str) -> Term:
     --------
     >>> from algebroproj_sym.replaying.reals.terms import read, written
     >>> written(derivative(read("x**3*log(x)"), "x"))
-    '3*x**2*log(x) + (x**3*(1/x))'
+    '3*x**2*log(x) + x**3*(1/x)'
     """
     if name not in term.symbols():
         return constant(0)

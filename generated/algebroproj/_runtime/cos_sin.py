@@ -79,9 +79,9 @@ def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
     )
 
 
-def _farthest(angle: Any) -> Any:
+def _farthest(angle: Any) -> float:
     """Return the least absolute value of angles whose last digit is worth half a radian."""
-    return 0.5 / np.finfo(_dtype(angle)).eps
+    return float(0.5 / np.finfo(_dtype(angle)).eps)
 
 
 def _series(square: DoubleDouble, odd: int) -> DoubleDouble:

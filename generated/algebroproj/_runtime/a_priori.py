@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 from .evaluation import parts_of
-from .wrapping import Wrapped
 
 __all__ = ["AprioriBound", "a_priori"]
 
@@ -64,8 +63,8 @@ def a_priori(function: Callable[..., Any]) -> tuple[AprioriBound | None, ...]:
     TypeError
         If the function is not a generated one, or computes in another way, such as one that `plain` returns.
     """
-    parts_of(function, "a_priori")
-    if isinstance(function, Wrapped):
+    signature, _ = parts_of(function, "a_priori")
+    if signature.plain:
         raise TypeError(f"a_priori: expected a generated function, got {function!r}")
     package = Path(function.__globals__["__file__"]).parent
     entry = _entries(package).get(f"{function.__module__.rpartition('.')[2]}.{function.__name__}")

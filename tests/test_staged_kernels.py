@@ -257,6 +257,11 @@ def test_a_link_that_is_a_number_is_computed_with(number, tmp_path):
     assert function(2.0, 1.0)[0] == pytest.approx(1 + math.sin(2 * number**2), rel=1e-15)
 
 
+def test_a_link_that_no_result_uses_stays():
+    program = lower(of_xy(vector(x, y), [let({u: sympy.Integer(0)}), cos_sin(c, s, u)])).plain
+    assert [step.primitive for step in program.steps] == ["let", "cos_sin"]
+
+
 @few
 @given(polynomials, polynomials, polynomials)
 def test_every_name_is_assigned_once_and_before_its_use(first, second, last):

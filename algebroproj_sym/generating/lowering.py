@@ -184,6 +184,7 @@ class _Emitter:
         self.recorder = Recorder(inputs, [str(node.value) for node in graph.nodes if node.kind == "input"])
         self._numbers: dict[Signed, Any] = dict(zip(map(graph.input, inputs), self.recorder.inputs, strict=True))
         self._bindings: list[tuple[str, Any]] = []
+        self._called: list[Any] = []
 
     def call(self, stage: Stage, operands: Sequence[Signed]) -> None:
         """Write the call of a primitive function."""
@@ -192,6 +193,7 @@ class _Emitter:
         rows = [numbers[i : i + width] for i in range(0, len(numbers), width)]
         names = [symbol.name for symbol in stage.results]
         results = self.recorder.call(names, stage.primitive, rows)
+        self._called += results
         self._numbers |= dict(zip(map(self.graph.input, names), results, strict=True))
 
     def name(self, signed: Signed, name: str) -> None:
@@ -201,8 +203,10 @@ class _Emitter:
         self._numbers[self.graph.input(name)] = number
 
     def program(self, outputs: Sequence[Signed]) -> Program:
-        """Return what was written, and the outputs."""
-        program = self.recorder.program([self.signed(output) for output in outputs])
+        """Return what the outputs and the calls need, and the outputs."""
+        numbers = [self.signed(output) for output in outputs]
+        program = self.recorder.program([*numbers, *self._called])
+        program = replace(program, outputs=program.outputs[: len(numbers)])
         return with_names(program, [(name, operand_of(number)) for name, number in self._bindings])
 
     def signed(self, signed: Signed) -> Any:

@@ -1,5 +1,6 @@
 """A-priori error bounds hold for every input that an adversary finds, and Coq accepts them and no smaller ones."""
 
+import json
 import math
 import random
 import re
@@ -7,11 +8,14 @@ import shutil
 import subprocess
 from dataclasses import replace
 from fractions import Fraction
+from importlib.resources import files as resources
 from pathlib import Path
 from types import FunctionType
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import algebroproj
 from algebroproj_sym.declaring import kernels
@@ -22,10 +26,12 @@ from algebroproj_sym.exporting.rounding.theorems import definitions
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import is_compiled, lower, run
 from algebroproj_sym.generating.program import named, recorded
-from algebroproj_sym.verifying.a_priori import Analysis, analysis
-from algebroproj_sym.verifying.condition_numbers import as_record, conditions
+from algebroproj_sym.verifying import load_package
+from algebroproj_sym.verifying.a_priori import ONE, Analysis, Bound, analysis
+from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, inline_value, source_of
+from algebroproj_sym.verifying.condition_numbers import a_priori_record, as_record, conditions
 from algebroproj_sym.verifying.shipped import call, function_of
-from algebroproj_sym.verifying.straight_line import is_rational, numbered, straight_line, straight_line_of_c
+from algebroproj_sym.verifying.straight_line import executed, is_rational, numbered, straight_line, straight_line_of_c
 
 FUNCTIONS = ("projection.mu_from_center", "projection.project", "affine.plane_coordinates", "correlation.epipoles")
 UNDERFLOW = 1e-250
@@ -111,6 +117,54 @@ def test_the_c_source_computes_what_was_analysed():
     assert sum(any(found.bounds) for found in analysed) >= 62
 
 
+def c_text():
+    return (Path(algebroproj.__file__).parent / "_c" / "kernels.h").read_text(encoding="utf-8")
+
+
+def test_lines_that_round_in_another_way_are_refused():
+    """A product that is added without rounding is no product and no sum."""
+    low = lower(*kernels(["optics.scale"]))
+    body = "const real x = in[0][i];\n const real y = in[1][i];\n const real z = x + y;\n out[0][i] = x / z;"
+    text = f"KERNEL(optics_scale)\n{{\n    for (npy_intp i = 0; i < points; i++) {{\n {body}\n    }}\n}}\n"
+    line = executed(low, source_of(text))
+    assert [operator for operator, _ in line.operations.values()] == ["input", "input", "+", "/"]
+    with pytest.raises(NotUnderstoodError, match="rounds once"):
+        executed(low, source_of(text.replace("x + y", "multiply_add(x, y, x)")))
+    with pytest.raises(NotUnderstoodError, match="decimal"):
+        executed(low, source_of(text.replace("x + y", "x + 010")))
+
+
+class Rounded(str):
+    """A formula of rounded operations, as the theorems write it."""
+
+    def _rounded(self, sign, other):
+        return Rounded(f"RN ({self} {sign} {other})")
+
+    def __add__(self, other):
+        return self._rounded("+", other)
+
+    def __sub__(self, other):
+        return self._rounded("-", other)
+
+    def __mul__(self, other):
+        return self._rounded("*", other)
+
+
+def test_the_lemma_of_the_error_of_a_product_speaks_of_the_operations_of_the_c_source():
+    """Without fused operations the theorems are about another formula, which the lemma has term by term."""
+    lemmas = (resources("algebroproj_sym.exporting.rounding") / "Rounding.v").read_text(encoding="utf-8")
+    stated = lemmas.partition("Lemma split_product_error")[2].partition("let p := RN (a * b) in\n")[2]
+    stated = stated.partition(" = a * b - p.")[0]
+    for name in ("lower_half", "upper_half"):
+        (meaning,) = re.findall(rf"Definition {name} x := (.+)\.\n", lemmas)
+        stated = re.sub(rf"{name} ([ab])", lambda found, m=meaning: re.sub(r"\bx\b", found[1], m), stated)
+    meaning = Meaning(constants={"splitter": Rounded("splitter")})
+    found = inline_value(source_of(c_text()), "split_product_error", [Rounded(name) for name in "abp"], meaning)
+    assert " ".join(stated.split()) == found
+    (splitter,) = re.findall(r"Definition splitter := (\d+)\.", lemmas)
+    assert f"#define splitter {splitter}.0\n" in (Path(algebroproj.__file__).parent / "_c" / "compiled.c").read_text()
+
+
 def test_the_bound_of_a_formula_is_the_one_of_its_definition(lowered):
     """The condition numbers that are written are those that are evaluated."""
     found = analysis(straight_line(lowered))
@@ -146,8 +200,30 @@ def test_the_record_says_what_the_bounds_are():
     record = as_record(analysis(straight_line(low)))
     first, second = record["results"][0]["terms"]
     assert record["results"][0]["roundings"] == 5
-    assert (first["coefficient"], first["kappa"]) == (5.0, "(1 + |y01| + |y02| + |y03|)/|1 - y01 - y02 - y03|")
-    assert (second["coefficient"], second["kappa"]) == (2.0, "(1 + |u31| + |u32|)/|1 - u31 - u32|")
+    assert (first["coefficient"], first["kappa"]) == (5.01, "(1 + |y01| + |y02| + |y03|)/|1 - y01 - y02 - y03|")
+    assert (second["coefficient"], second["kappa"]) == (2.01, "(1 + |u31| + |u32|)/|1 - u31 - u32|")
+
+
+@given(st.integers(1, 2**40))
+def test_a_coefficient_of_three_digits_is_not_smaller_than_the_proved_one(coefficient):
+    line = numbered(recorded("x", lambda x: (x,)))
+    (result,) = as_record(Analysis(line, (Bound(1, 0, ((1, coefficient),)),), ()))["results"]
+    (term,) = result["terms"]
+    assert 0 <= term["coefficient"] - coefficient / ONE <= 0.01 * coefficient / ONE
+
+
+def test_the_record_in_the_package_is_what_is_found_now(repository, lowered):
+    text = (repository / "generated" / "algebroproj" / "accuracy.json").read_text(encoding="utf-8")
+    known = {entry["function"]: entry.get("a_priori") for entry in json.loads(text)["functions"]}
+    assert known[lowered.kernel.qualified_name] == a_priori_record(lowered)
+
+
+@pytest.mark.whole
+def test_the_whole_record_in_the_package_is_what_is_found_now(repository):
+    """Bounds are not measured: a record of them is right, or it is wrong."""
+    text = (repository / "generated" / "algebroproj" / "accuracy.json").read_text(encoding="utf-8")
+    known = {entry["function"]: entry.get("a_priori") for entry in json.loads(text)["functions"]}
+    assert known == {low.kernel.qualified_name: a_priori_record(low) for low in map(lower, kernels())}
 
 
 def test_a_bound_is_that_of_the_package_of_the_function():
@@ -158,6 +234,25 @@ def test_a_bound_is_that_of_the_package_of_the_function():
     assert algebroproj.a_priori(other) == ()
     with pytest.raises(TypeError, match="a_priori: expected a generated function"):
         algebroproj.a_priori(math.sin)
+
+
+def test_what_is_told_of_a_function_can_be_kept_and_changed_by_nobody_else():
+    """Bounds are values: equal ones have equal hashes, and changing one changes no later answer."""
+    first, second = (algebroproj.a_priori(algebroproj.projection.project) for _ in range(2))
+    assert {*first} == {*second}
+    expected = dict(second[0].where)
+    first[0].where["s"] = "changed"
+    assert algebroproj.a_priori(algebroproj.projection.project)[0].where == second[0].where == expected
+
+
+@pytest.mark.parametrize("changed", ["bounds", "dd", "hypotheses", "plain", "rounded"])
+def test_a_changed_function_has_no_bound_of_the_function_itself(changed, tmp_path):
+    """Without compensation nothing bounds the error of a sum that cancels."""
+    shutil.copytree(Path(algebroproj.__file__).parent, tmp_path / "other")
+    for package in (algebroproj, load_package(tmp_path, "other")):
+        other = getattr(package, changed)(package.projection.mu_from_center)
+        with pytest.raises(TypeError, match=rf"a_priori: expected a generated function, got {changed}\(projection.mu_"):
+            algebroproj.a_priori(other)
 
 
 def mutants(found: Analysis):
@@ -186,6 +281,16 @@ def mutants(found: Analysis):
     for place, fact in enumerate(found.certificate):
         if place % 7 == 0:
             yield line.operations, found.certificate[:place] + found.certificate[place + 1 :], bounds, fact
+
+
+def test_a_file_says_what_its_numbers_stand_for(lowered):
+    """A reader of a theorem finds the arguments and the entries of the results."""
+    found = accuracy_of(lowered, algebroproj)
+    text = render([found])[f"{found.name}.v"]
+    for place, symbol in enumerate(lowered.kernel.symbols, start=1):
+        assert f"Input {place} is {symbol}" in text
+    for place, number in enumerate(found.analysis.line.outputs, start=1):
+        assert f"entry {place} is {number}" in text
 
 
 @needs_coq

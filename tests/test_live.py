@@ -5,9 +5,11 @@ import shutil
 import subprocess
 import sys
 import threading
+import zlib
 from functools import partial
 from hashlib import sha256
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from importlib.resources import files as resources
 from io import BytesIO
 from pathlib import Path
 from zipfile import ZipFile
@@ -21,7 +23,7 @@ from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.live.answering import MOST_CHARACTERS, answer
 from algebroproj_sym.reporting.live.bundling import own_sources
 from algebroproj_sym.reporting.live.fetching import FetchError, Package, fetched, genuine, pinned
-from algebroproj_sym.reporting.live.questions import KINDS, question
+from algebroproj_sym.reporting.live.questions import CONDITIONS, KINDS, question
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 WAIT = 300_000
@@ -55,6 +57,32 @@ def test_input_that_cannot_be_read_is_an_error_and_no_traceback(lhs):
     assert told(do="prove", lhs=lhs, rhs="x").keys() == {"error"}
 
 
+ENTRIES = {"do": "prove", "lhs": "x", "rhs": "x", "constraints": [], "where": {}, "claim": {}}
+
+
+@pytest.mark.parametrize("entry", ENTRIES)
+@pytest.mark.parametrize("value", [None, 5, "?", [5], {"x": 5}])
+def test_a_question_of_another_form_is_an_error_and_no_traceback(entry, value):
+    """Whatever is asked, it is told as JSON."""
+    asked = {**ENTRIES, entry: value}
+    for do in (asked["do"], "replay"):
+        assert told(**{**asked, "do": do}).keys() & {"error", "verdict", "status"}
+    del asked[entry]
+    assert told(**asked).keys() & {"error", "verdict"}
+
+
+@pytest.mark.parametrize(
+    "question", ["", "null", "[]", "{}", "5", '{"do": "eval"}', '{"do": []}', "{" * 99999, "[" * 99999]
+)
+def test_what_is_no_question_is_an_error_and_no_traceback(question):
+    assert json.loads(answer(question)).keys() == {"error"}
+
+
+def test_a_divisor_that_is_zero_by_what_names_stand_for_is_an_error():
+    told_so = told(do="prove", lhs="1/(a - b)", rhs="x", where={"a": "c", "b": "c"})
+    assert "denominator" in told_so["error"]
+
+
 @pytest.fixture(scope="module")
 def entries():
     selectors = ("fundamentals1996:1.3", "fundamentals1996:3.3", "okamoto1981:1.1")
@@ -76,9 +104,17 @@ def test_what_a_page_asks_of_a_claim_has_the_verdict_of_the_claim(entries):
     assert {entry["verdict"] for entry, _ in known} >= {"proved", "misprint", "error"}
     assert any(entry["where"] for entry, _ in known)
     for entry, each in known:
-        given = {key: getattr(each, key).splitlines() for key in ("constraints", "nonzero")}
+        given = {key: getattr(each, key).splitlines() for key in CONDITIONS}
         found = told(do="prove", lhs=each.lhs, rhs=each.rhs, where=entry["where"], **given)
         assert found["verdict"] == expected[entry["verdict"]], entry["number"]
+
+
+def test_a_page_asks_with_all_conditions_or_does_not_ask():
+    """Without them the verdict would be that of another statement."""
+    record = {"kind": "identity", "printed": "sqrt(x**2)", "derived": "x", "setting": {"assumptions": ["x >= 0"]}}
+    asked = question(record)
+    assert told(do="prove", lhs=asked.lhs, rhs=asked.rhs, assumptions=[asked.assumptions])["verdict"] == "proved"
+    assert question({**record, "setting": {"letters": {"x": "3x3"}}}) is None
 
 
 def test_the_kinds_that_a_page_can_ask_about_exist():
@@ -100,6 +136,14 @@ def test_the_modules_in_the_page_are_enough_to_answer(tmp_path):
     command = [sys.executable, "-c", script, str(tmp_path)]
     ran = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert json.loads(ran.stdout)["verdict"] == "proved"
+
+
+def test_the_modules_are_the_same_bytes_on_every_machine(monkeypatch):
+    """Neither the system nor the version of zlib has a say."""
+    content = own_sources()
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setattr(zlib, "compressobj", None)
+    assert own_sources() == content
 
 
 def test_a_package_with_another_digest_is_refused():
@@ -190,6 +234,57 @@ class TestBrowser:
             if there.get("verdict") != here:
                 differ.append((item["name"], here, there))
         assert differ == []
+
+
+FORM = """<section data-live hidden><form><textarea name=lhs>x</textarea><textarea name=rhs>x</textarea>
+<button>Prove</button></form><button data-do=stop hidden>Stop</button><progress hidden></progress>
+<span role=status></span><output></output></section><script src="live.js"></script>"""
+WORKER = """window.Worker = class {
+  constructor() { window.worker = this; this.asked = []; }
+  postMessage(data) { if (data.question.do === "prove") this.asked.push(data); }
+  terminate() { this.asked = []; }
+  tell(verdict) {
+    const answer = { verdict, hypotheses: [], counterexample: {}, left: [], right: [], reason: "" };
+    this.onmessage({ data: { id: this.asked.shift().id, answer } });
+  }
+};"""
+
+
+@pytest.mark.xdist_group("browser")
+@pytest.mark.skipif(CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium")
+def test_a_verdict_is_shown_only_beside_the_question_that_it_answers(tmp_path):
+    """When a form is changed, a verdict of the earlier form vanishes, and one that comes later is not shown."""
+    from playwright.sync_api import sync_playwright
+
+    script = resources("algebroproj_sym.reporting.live") / "templates" / "live.js"
+    (tmp_path / "live.js").write_bytes(script.read_bytes())
+    (tmp_path / "index.html").write_text(FORM)
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=tmp_path))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=("--no-sandbox", "--disable-gpu"))
+        page = browser.new_page()
+        page.add_init_script(WORKER)
+        page.goto(f"http://127.0.0.1:{server.server_port}/index.html")
+        verdict, prove_it, stop = page.locator(".verdict"), page.get_by_text("Prove"), page.get_by_text("Stop")
+        prove_it.click()
+        page.wait_for_function("worker.asked.length === 1")
+        page.evaluate("worker.tell('proved')")
+        verdict.wait_for()
+        page.locator("[name=rhs]").fill("y")
+        assert verdict.count() == 0
+        prove_it.click()
+        page.wait_for_function("worker.asked.length === 1")
+        page.locator("[name=rhs]").fill("z")
+        prove_it.click()
+        page.wait_for_function("worker.asked.length === 2")
+        page.evaluate("worker.tell('refuted')")
+        assert (verdict.count(), stop.is_visible()) == (0, True)
+        page.evaluate("worker.tell('open')")
+        verdict.wait_for()
+        assert (verdict.inner_text(), stop.is_visible()) == ("open", False)
+        browser.close()
+    server.shutdown()
 
 
 def corpus(repository: Path, name: str) -> list[dict]:

@@ -112,9 +112,19 @@ def demonstration():
 
 @pytest.fixture(scope="module")
 def demo():
+    return rendered()
+
+
+@pytest.fixture(scope="module")
+def live():
+    return rendered(live=True)
+
+
+def rendered(**options):
     section = demonstration()
     source = Derivation("demo", section, Path("demo.py"))
-    return render_site(catalogue([judge(claim) for claim in section.claims], [source] * len(section.claims)))
+    judged = [judge(claim) for claim in section.claims]
+    return render_site(catalogue(judged, [source] * len(judged), **options))
 
 
 @pytest.fixture(scope="module")
@@ -460,6 +470,18 @@ def test_titles_and_notes_are_escaped_and_numbers_in_notes_are_links(demo):
     assert "&lt;script&gt;" in text
     assert '<a href="1.3_true.html">1.3/true</a>.' in text
     assert "</script" not in demo["search-index.js"]
+
+
+def test_a_field_is_called_printed_only_if_the_paper_prints_what_is_in_it(live):
+    assert '">Printed form</label>' in live["demo/1.2.html"]
+    assert '">Printed form</label>' not in live["demo/1.4~a.html"]
+    assert '">Reconstruction</label>' in live["demo/1.4~a.html"]
+
+
+def test_what_a_page_asks_is_escaped_and_complete(live):
+    """The prover adds fields and buttons, and nothing that a title could inject."""
+    assert not any("<script>" in text or "</main> " in text for name, text in live.items() if name.endswith(".html"))
+    assert ">x**2 - 1</textarea>" in live["demo/1.11.html"]
 
 
 def test_the_errata_say_what_to_read(demo, site):

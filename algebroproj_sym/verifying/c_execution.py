@@ -59,8 +59,8 @@ class Meaning:
     is_zero : callable
         Whether a number is zero.
     product_error : callable, optional
-        The error of a product, from its factors and the product.  Without it, it must be that of the product itself,
-        which is zero.
+        The error of a product, from its factors and the product, where it matters how often is rounded.  Without it, it
+        must be that of the product itself, which is zero.
     """
 
     constants: Mapping[str, Any] = field(default_factory=dict)
@@ -386,6 +386,13 @@ def _entry(name: str, first: Any, second: Any, scope: _Scope) -> tuple[dict[int,
 def _index(node: Any) -> int:
     if not isinstance(node, c_ast.Constant) or node.type != "int":
         raise NotUnderstoodError("C source: expected a number as index")
+    return _decimal(node)
+
+
+def _decimal(node: Any) -> int:
+    """Return an integer; with a zero before it, it would be octal."""
+    if not re.fullmatch("0|[1-9][0-9]*", node.value):
+        raise NotUnderstoodError(f"C source: expected a decimal number, got {node.value}")
     return int(node.value)
 
 
@@ -395,7 +402,7 @@ def _value(node: Any, scope: _Scope) -> Any:
 
     match node:
         case c_ast.Constant(type="int"):
-            return int(node.value)
+            return _decimal(node)
         case c_ast.ID(name=name) if scope.variables.get(name) is not None:
             return scope.variables[name]
         case c_ast.ID(name=name) if name in scope.meaning.constants:
@@ -425,6 +432,10 @@ def _value(node: Any, scope: _Scope) -> Any:
             left, right = map(value, node.args.exprs)
             return scope.meaning.is_larger(left, right)
         case c_ast.FuncCall(name=c_ast.ID(name="multiply_add")):
+            if scope.meaning.product_error is not None:
+                raise NotUnderstoodError(
+                    f"C source: multiply_add at {node.coord} rounds once, not as a product and a sum"
+                )
             left, right, term = map(value, node.args.exprs)
             return _operation("+", _operation("*", left, right, scope.meaning), term, scope.meaning)
         case c_ast.FuncCall(name=c_ast.ID(name="product_error")):

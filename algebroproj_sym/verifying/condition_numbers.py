@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from decimal import ROUND_CEILING, Context
 from typing import Any, TypeAlias
 
 from algebroproj_sym.generating import Lowered
@@ -15,6 +16,9 @@ _Node: TypeAlias = "tuple[str, int]"
 """The exact value of an operation, or its magnitude."""
 
 _SUM, _PRODUCT, _ATOM = range(3)
+
+_UPWARDS = Context(prec=3, rounding=ROUND_CEILING)
+"""Three digits of a coefficient: what is published is never smaller than what is proved."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +72,7 @@ def as_record(found: Analysis) -> dict[str, Any]:
         else {
             "roundings": bound.roundings,
             "terms": [
-                {"coefficient": float(f"{coefficient / ONE:.3g}"), "kappa": written.kappas[place]}
+                {"coefficient": float(_UPWARDS.divide(coefficient, ONE)), "kappa": written.kappas[place]}
                 for place, coefficient in bound.terms
             ],
         }

@@ -88,7 +88,13 @@ def render(accuracies: Iterable[Accuracy]) -> dict[str, str]:
 def _file(found: Accuracy) -> str:
     line = found.analysis.line
     about = f"{found.lowered.kernel.qualified_name}: {len(found.bounds)} of {len(line.outputs)} results have a bound"
-    return f"""(** {comment(about)} *)
+    inputs = ", ".join(f"Input {place} is {name}" for place, name in enumerate(line.inputs, start=1))
+    results = ", ".join(f"entry {place} is {number}" for place, number in enumerate(line.outputs, start=1))
+    return f"""(** {comment(about)}.
+
+    {comment(inputs)}.
+
+    Of the results, in row-major order and one after the other, {comment(results)}. *)
 
 From Coq Require Import ZArith NArith PArith List.
 From {LIBRARY} Require Import Rounding Checker.

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 MOST_CHARACTERS = 20_000
+_KINDS: Mapping[type, str] = {str: "text", dict: "an object"}
 
 
 def answer(question: str) -> str:
@@ -31,18 +32,29 @@ def answer(question: str) -> str:
     >>> json.loads(answer('{"do": "prove", "lhs": "1/(1 + x", "rhs": "x"}'))
     {'error': "lhs, position 8: expected an operator or ')', got the end"}
     """
-    asked = json.loads(question)
     try:
-        told = _ANSWERS[asked["do"]](asked)
-    except (ValueError, TypeError, NotImplementedError, RecursionError, OverflowError, MemoryError) as error:
+        asked = json.loads(question)
+        do = _entry(asked, "do", str)
+        if do not in _ANSWERS:
+            raise ValueError(f"do: expected {' or '.join(_ANSWERS)}, got {do}")
+        told = _ANSWERS[do](asked)
+    except (ValueError, TypeError, ArithmeticError, NotImplementedError, RecursionError, MemoryError) as error:
         told = {"error": str(error) or type(error).__name__}
     return json.dumps(told, ensure_ascii=False)
+
+
+def _entry(asked: Any, name: str, kind: type) -> Any:
+    """Return an entry of a question."""
+    value = asked.get(name) if isinstance(asked, Mapping) else None
+    if not isinstance(value, kind):
+        raise TypeError(f"{name}: expected {_KINDS[kind]}, got {type(value).__name__}")
+    return value
 
 
 def _replay(asked: Mapping[str, Any]) -> dict[str, Any]:
     from algebroproj_sym.replaying import replay_claim
 
-    found = replay_claim(asked["claim"])
+    found = replay_claim(_entry(asked, "claim", dict))
     return {"status": found.status, "reason": found.reason}
 
 
@@ -50,13 +62,14 @@ def _prove(asked: Mapping[str, Any]) -> dict[str, Any]:
     from algebroproj_sym import prove
 
     given: dict[str, Any] = {key: [*asked.get(key, ())] for key in ("constraints", "nonzero", "assumptions")}
-    _require_short(asked["lhs"], asked["rhs"], *(text for texts in given.values() for text in texts))
-    if named := asked.get("where"):
+    lhs, rhs = (_entry(asked, side, str) for side in ("lhs", "rhs"))
+    _require_short(lhs, rhs, *(text for texts in given.values() for text in texts))
+    if named := _entry({"where": {}, **asked}, "where", dict):
         read = _reader(named)
         given |= {key: [read(text) for text in given[key]] for key in ("constraints", "nonzero")}
-        proof = prove(read(asked["lhs"]), read(asked["rhs"]), **given)
+        proof = prove(read(lhs), read(rhs), **given)
     else:
-        proof = prove(asked["lhs"], asked["rhs"], **given)
+        proof = prove(lhs, rhs, **given)
     evidence = proof.certificate or {}
     return {
         "verdict": proof.verdict,

@@ -10,7 +10,7 @@ from importlib.resources.abc import Traversable
 from io import BytesIO
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
+from zipfile import ZipFile, ZipInfo
 
 from algebroproj_sym.reporting.live.fetching import Package, fetched, pinned
 
@@ -21,6 +21,7 @@ PYTHON = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.z
 OWN = "algebroproj_sym.zip"
 _PARTS = ("__init__.py", "expressions", "proving", "replaying", "reporting/__init__.py", "reporting/live")
 _EARLIEST = (1980, 1, 1, 0, 0, 0)
+_UNIX = 3
 
 
 def live_files() -> dict[str, bytes]:
@@ -59,14 +60,17 @@ def arranged(contents: Mapping[Package, bytes]) -> dict[str, bytes]:
 
 
 def own_sources() -> bytes:
-    """Return the modules of this program that run in the browser, as a ZIP file: the same bytes on every machine."""
+    """Return the modules of this program that run in the browser, as a ZIP file: the same bytes on every machine.
+
+    They are not compressed: what that gives depends on the version of zlib.
+    """
     root = files("algebroproj_sym")
     written = BytesIO()
     with ZipFile(written, "w") as archive:
         for part in _PARTS:
             for name, content in sorted(_modules(root.joinpath(*part.split("/")), part).items()):
                 entry = ZipInfo(f"algebroproj_sym/{name}", _EARLIEST)
-                entry.compress_type = ZIP_DEFLATED
+                entry.create_system = _UNIX
                 archive.writestr(entry, content)
     return written.getvalue()
 

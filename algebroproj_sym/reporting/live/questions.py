@@ -8,6 +8,7 @@ from typing import Any
 
 KINDS = ("identity", "identity under constraints")
 MOST_CHARACTERS = 4000
+CONDITIONS = ("constraints", "nonzero", "assumptions")
 
 
 @dataclass(frozen=True)
@@ -18,14 +19,15 @@ class Question:
     ----------
     lhs, rhs : str
         The printed and the derived form.
-    constraints, nonzero : str
-        A form a line.
+    constraints, nonzero, assumptions : str
+        One a line.
     """
 
     lhs: str
     rhs: str
     constraints: str
     nonzero: str
+    assumptions: str
 
     @property
     def rows(self) -> int:
@@ -34,20 +36,18 @@ class Question:
 
 
 def question(record: Mapping[str, Any]) -> Question | None:
-    """Return what a page asks about an entry of the ledger; none if no text of a bounded length says it.
+    """Return what a page asks about an entry of the ledger; none if no text of a bounded length says all of it.
 
     Examples
     --------
     >>> record = {"kind": "identity", "printed": "1/x", "derived": "x", "corrected": "x", "setting": {}}
     >>> question(record)
-    Question(lhs='1/x', rhs='x', constraints='', nonzero='')
+    Question(lhs='1/x', rhs='x', constraints='', nonzero='', assumptions='')
     >>> question({**record, "kind": "rank"}), question({**record, "printed": None})
-    (None, Question(lhs='x', rhs='x', constraints='', nonzero=''))
+    (None, Question(lhs='x', rhs='x', constraints='', nonzero='', assumptions=''))
     """
     printed = record["printed"] or record["corrected"]
-    if record["kind"] not in KINDS or not isinstance(printed, str):
+    if record["kind"] not in KINDS or not isinstance(printed, str) or not {*CONDITIONS} >= record["setting"].keys():
         return None
-    setting = ("\n".join(record["setting"].get(key, ())) for key in ("constraints", "nonzero"))
-    found = Question(printed, record["derived"], *setting)
-    texts = (found.lhs, found.rhs, found.constraints, found.nonzero)
-    return found if sum(map(len, texts)) <= MOST_CHARACTERS else None
+    texts = (printed, record["derived"], *("\n".join(record["setting"].get(key, ())) for key in CONDITIONS))
+    return Question(*texts) if sum(map(len, texts)) <= MOST_CHARACTERS else None

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -38,7 +38,7 @@ class AprioriBound:
 
     roundings: int
     terms: tuple[tuple[float, str], ...]
-    where: Mapping[str, str]
+    where: Mapping[str, str] = field(hash=False)
 
     def __str__(self) -> str:
         return " + ".join([f"{self.roundings} u", *(f"{c:g} u**2 {kappa}" for c, kappa in self.terms)])
@@ -61,9 +61,11 @@ def a_priori(function: Callable[..., Any]) -> tuple[AprioriBound | None, ...]:
     Raises
     ------
     TypeError
-        If the function is not a generated one.
+        If the function is not a generated one, or computes in another way, such as one that `plain` returns.
     """
-    parts_of(function, "a_priori")
+    signature, _ = parts_of(function, "a_priori")
+    if signature.plain:
+        raise TypeError(f"a_priori: expected a generated function, got {function!r}")
     package = Path(function.__globals__["__file__"]).parent
     entry = _entries(package).get(f"{function.__module__.rpartition('.')[2]}.{function.__name__}")
     found = entry and entry.get("a_priori")
@@ -74,7 +76,7 @@ def a_priori(function: Callable[..., Any]) -> tuple[AprioriBound | None, ...]:
 
 def _bound(record: Mapping[str, Any], where: Mapping[str, str]) -> AprioriBound:
     terms = tuple((term["coefficient"], term["kappa"]) for term in record["terms"])
-    return AprioriBound(record["roundings"], terms, where if terms else {})
+    return AprioriBound(record["roundings"], terms, dict(where) if terms else {})
 
 
 @cache

@@ -29,7 +29,7 @@ class Prover {
   }
 
   fail(message) {
-    this.worker.terminate();
+    this.worker?.terminate();
     this.worker = undefined;
     this.tell(null);
     for (const resolve of this.asked.values()) resolve({ error: message });
@@ -81,25 +81,30 @@ function begin(section) {
     else progress.value = part;
   });
   section.prover = prover;
-  const ask = async (question) => {
+  let waiting = 0;
+  const ask = async (question, isStillAsked = () => true) => {
+    waiting++;
     stop.hidden = false;
     result.replaceChildren();
-    const answer = await prover.ask(await question());
-    stop.hidden = true;
-    show(result, answer);
+    const answer = await question().then((asked) => prover.ask(asked)).catch((error) => ({ error: error.message }));
+    stop.hidden = --waiting === 0;
+    if (isStillAsked()) show(result, answer);
   };
+  const written = () => JSON.stringify([...new FormData(form)]);
   const claim = async () => (await fetch(section.dataset.claim)).json();
   const field = (name) => form.elements.namedItem(name)?.value ?? "";
   form?.addEventListener("submit", (event) => {
     event.preventDefault();
+    const asked = written();
     ask(async () => ({
       do: "prove",
       lhs: field("lhs"),
       rhs: field("rhs"),
       ...Object.fromEntries(["constraints", "nonzero", "assumptions"].map((name) => [name, lines(field(name))])),
       where: section.dataset.claim ? (await claim()).where : {},
-    }));
+    }), () => written() === asked);
   });
+  form?.addEventListener("input", () => result.replaceChildren());
   form?.addEventListener("focusin", () => prover.ask({ do: "prepare" }), { once: true });
   stop.addEventListener("click", () => prover.fail("Stopped."));
   section.querySelector("[data-do=replay]")?.addEventListener("click", () => ask(async () => ({ do: "replay", claim: await claim() })));

@@ -45,6 +45,10 @@ def run(*arguments, **options):
     return CliRunner().invoke(main, [str(argument) for argument in arguments], **options)
 
 
+INTERRUPTED = (130, -signal.SIGINT)
+"""Both are 130 in a shell.  Python ends by the signal itself if it was executing text, as `dataclass` does."""
+
+
 def process(*arguments, **options):
     command = [sys.executable, "-m", "algebroproj_sym", *map(str, arguments)]
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
@@ -365,7 +369,7 @@ def test_ctrl_c_ends_a_build_with_130_and_leaves_what_was_there(slow, tmp_path, 
     running.send_signal(signal.SIGINT)
     _, errors = running.communicate(timeout=20)
     assert time.monotonic() - start < 10
-    assert running.returncode == 130
+    assert running.returncode in INTERRUPTED
     assert "Interrupted" in errors
     assert "Traceback" not in errors
     assert {path.name: path.read_text() for path in out.iterdir()} == {
@@ -381,7 +385,7 @@ def test_ctrl_c_while_verifying_leaves_complete_files_alone(right, tmp_path):
     wait_for(out / "functions" / "py.typed", running)
     running.send_signal(signal.SIGINT)
     _, errors = running.communicate(timeout=60)
-    assert running.returncode == 130, errors
+    assert running.returncode in INTERRUPTED, errors
     assert not [path for path in out.rglob("*") if "partial" in path.name]
     assert json.loads((out / "ledger.json").read_text(encoding="utf-8"))["summary"]["proved"] == 1
     for path in (out / "functions").glob("*.py"):

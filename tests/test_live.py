@@ -192,6 +192,7 @@ def page(served):
 
 
 @pytest.mark.whole
+@pytest.mark.extra("dev")
 @pytest.mark.xdist_group("browser")
 @pytest.mark.skipif(CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium")
 @pytest.mark.skipif(shutil.which("npm") is None, reason="NOT TESTED IN A BROWSER: there is no npm")
@@ -250,6 +251,7 @@ WORKER = """window.Worker = class {
 };"""
 
 
+@pytest.mark.extra("dev")
 @pytest.mark.xdist_group("browser")
 @pytest.mark.skipif(CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium")
 def test_a_verdict_is_shown_only_beside_the_question_that_it_answers(tmp_path):

@@ -634,6 +634,23 @@ def test_a_number_that_occurs_in_a_definition_alone_has_a_value():
         assert (found["verdict"], replay_identity(found).status) == ("refuted", "replayed")
 
 
+@pytest.mark.parametrize(
+    ("left", "right", "constraints", "verdict"),
+    [
+        ("x", "1", ["A = x*eye(n)"], "refuted"),
+        ("x", "1", ["A = n*eye(n)"], "refuted"),
+        ("trace(A)", "n*x", ["A = x*eye(n)"], "proved"),
+        ("trace(A)", "3*x", ["A = x*eye(n)", "n = 3"], "proved"),
+        ("x", "1", ["A = x*eye(n)", "n = 3"], "refuted"),
+        ("x", "1", ["A = x*eye(n)", "n = 1/3"], "open"),
+        ("det(S)", "0", ["A = x*eye(n)", "S = S.T"], "refuted"),
+    ],
+)
+def test_a_size_that_occurs_in_a_definition_alone_is_a_size(left, right, constraints, verdict):
+    found = record_of(left, right, {"A": "nxn", "S": "2x2"}, constraints)
+    assert (found["verdict"], replay_identity(found).status == "replayed") == (verdict, verdict != "open")
+
+
 def test_sizes_keep_their_assumptions_and_are_one_symbol_by_name():
     n = sympy.Symbol("n", even=True, positive=True)
     even = sympy.MatrixSymbol("A", n, n)

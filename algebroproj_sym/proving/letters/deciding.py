@@ -135,6 +135,7 @@ def decide(statement: Statement, engine: str = "flint") -> Found:
 class _Question:
     def __init__(self, statement: Statement, engine: str) -> None:
         self.letters = statement.letters
+        self.size_names = statement.size_names
         self.definitions, statement = without_definitions(without_lengths(statement))
         self.statement = statement
         self.engine = engine
@@ -159,7 +160,7 @@ class _Question:
 
     def _without_entries(self) -> str:
         """Return why entries decide nothing; empty if they may."""
-        if self.statement.size_names:
+        if self.size_names:
             return "no proof was found in words, and sizes with names have no entries"
         turning = [each for each in self.statement.letters.values() if "orthogonal" in each.properties]
         if any(int(letter.shape[0]) > LARGEST_TURN for letter in turning):
@@ -222,7 +223,7 @@ class _Question:
                 yield Point(letters, scalars, sizes)  # type: ignore[arg-type]
 
     def _sizes(self, generator: random.Random, attempt: int) -> dict[str, int]:
-        names = self.statement.size_names
+        names = self.size_names
         if attempt < 4:
             return {name: 2 + (k + attempt) % 2 for k, name in enumerate(names)}
         return {name: generator.randint(1, 3) for name in names}
@@ -230,7 +231,7 @@ class _Question:
     def _scalars(self) -> dict[str, sympy.Symbol]:
         terms = (*self.statement.terms, *self.definitions.values())
         names = {part.value for term in terms for part in factors_of(term) if part.kind == "symbol"}
-        others = sorted(names - {*self.statement.size_names})
+        others = sorted(names - {*self.size_names})
         return {name: self.statement.scalars.get(name, sympy.Symbol(name)) for name in others}
 
     def _number(self, symbol: sympy.Symbol, generator: random.Random, attempt: int) -> Fraction:

@@ -125,9 +125,10 @@ def without_definitions(statement: Statement) -> tuple[dict[str, Term], Statemen
     ('skew(t)*R', '(skew(t)*R).T*t', ())
     """
     definitions: dict[str, Term] = {}
+    sizes = statement.size_names
     place = 0
     while place < len(statement.constraints):
-        found = _definition(statement.constraints[place], statement)
+        found = _definition(statement.constraints[place], statement, sizes)
         if found is None:
             place += 1
             continue
@@ -150,7 +151,7 @@ def without_definitions(statement: Statement) -> tuple[dict[str, Term], Statemen
     return definitions, statement
 
 
-def _definition(constraint: Term, statement: Statement) -> tuple[Term, Term] | None:
+def _definition(constraint: Term, statement: Statement, sizes: Sequence[str]) -> tuple[Term, Term] | None:
     """Return what a constraint defines, and as what."""
     for place, part in enumerate(constraint.parts if constraint.kind == "sum" else ()):
         minus = part.kind == "product" and len(part.parts) == 2 and part.parts[0] == number(-1)
@@ -160,7 +161,7 @@ def _definition(constraint: Term, statement: Statement) -> tuple[Term, Term] | N
             continue
         if defined.kind == "letter" and statement.letters[defined.value].properties:
             continue
-        if defined.value in statement.size_names:
+        if defined.value in sizes:
             continue
         value = others[0] if len(others) == 1 else made("sum", *others)
         return defined, value if minus else _negative(value)

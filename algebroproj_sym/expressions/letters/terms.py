@@ -207,7 +207,12 @@ def _entry(shapes: Sequence[Shape], value: Any) -> Shape:
     return ONE
 
 
-_THREE, _FOUR = (3, 1), (4, 1)
+def _jacobian(shapes: Sequence[Shape], value: Any) -> Shape:
+    _require([*shapes] in ([(3, 1)], [(6, 1)]), "jl, jr", "a vector of 3 or 6 components", shapes)
+    return shapes[0][0], shapes[0][0]
+
+
+_THREE, _FOUR, _SIX = (3, 1), (4, 1), (6, 1)
 
 FUNCTIONS: Mapping[str, Callable[[Sequence[Shape], Any], Shape]] = {
     "trace": _square("trace", scalar=True),
@@ -227,6 +232,14 @@ FUNCTIONS: Mapping[str, Callable[[Sequence[Shape], Any], Shape]] = {
     "imag": _fixed("imag", "a quaternion of 4 components", [_FOUR], _THREE),
     "kron": _kron,
     "vec": _vec,
+    "sin": _fixed("sin", "a number", [ONE], ONE),
+    "cos": _fixed("cos", "a number", [ONE], ONE),
+    "exp": _square("exp", scalar=False),
+    "jl": _jacobian,
+    "jr": _jacobian,
+    "hat": _fixed("hat", "a vector of 6 components", [_SIX], (4, 4)),
+    "ad": _fixed("ad", "a vector of 6 components", [_SIX], (6, 6)),
+    "Ad": _fixed("Ad", "a matrix of 4x4", [(4, 4)], (6, 6)),
 }
 """Functions of letters, by the names they have in text, with the shapes of what they make."""
 

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import sympy
 
-from algebroproj_sym.expressions.letters import LetterError, Size, Term, factors_of, letters_text, made, number
+from algebroproj_sym.expressions.letters import Size, Term, factors_of, letters_text, made, number
 from algebroproj_sym.proving.letters.properties import Letter
 from algebroproj_sym.proving.points import seed_of
 
@@ -88,12 +88,7 @@ def without_lengths(statement: Statement) -> Statement:
         left, right = (_squared(made("power", side, value=2), statement.letters) for side in (left, right))
     constraints = (*(_squared(term, statement.letters) for term in statement.constraints),)
     nonzero = (*(_squared(term, statement.letters) for term in statement.nonzero),)
-    changed = replace(statement, left=left, right=right, constraints=constraints, nonzero=nonzero)
-    norms = {letters_text(part) for term in changed.terms for part in factors_of(term) if part.kind == "norm"}
-    if norms:
-        text = min(norms)
-        raise LetterError(f"norm: expected {text}**2, or {text} alone on a side; roots are not decided")
-    return changed
+    return replace(statement, left=left, right=right, constraints=constraints, nonzero=nonzero)
 
 
 def _squared(term: Term, letters: Mapping[str, Letter]) -> Term:

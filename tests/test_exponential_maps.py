@@ -176,6 +176,7 @@ FUNCTIONS = {
     "jl": jacobian,
     "jr": lambda x: jacobian(x, -1),
     "skew": skew,
+    "cross": lambda a, b: skew(a) * b,
     "hat": hat,
     "ad": ad,
     "Ad": lambda m: block([m[:3, :3], skew(m[:3, 3]) * m[:3, :3]], [mpmath.zeros(3), m[:3, :3]]),
@@ -441,3 +442,132 @@ def test_the_exponential_of_another_matrix_is_a_named_error(text):
 def test_a_name_of_a_function_of_an_angle_is_a_named_error():
     with pytest.raises(LetterError, match="expected another name than c0_1"):
         prove_texts("cos(c0_1)*v", "v", V)
+
+
+# -- derivatives
+
+TURNED = {"R": "3x3 rotation", "v": "3x1", "d": "3x1"}
+FREE = {"v": "3x1", "w": "3x1", "d": "3x1"}
+SQUARE = {"A": "3x3", "D": "3x3"}
+DERIVATIVES = {
+    "turned on the left": ("ldiff", "R*v", "R", "d", "-skew(R*v)*d", "-R*skew(v)*d", TURNED),
+    "turned on the right": ("rdiff", "R*v", "R", "d", "-R*skew(v)*d", "-skew(R*v)*d", TURNED),
+    "turned back, on the left": ("ldiff", "R.T*v", "R", "d", "R.T*skew(v)*d", "-R.T*skew(v)*d", TURNED),
+    "turned back, on the right": ("rdiff", "R.T*v", "R", "d", "skew(R.T*v)*d", "R.T*skew(v)*d", TURNED),
+    "exponential and left Jacobian": (
+        "diff", "exp(skew(v))", "v", "d", "skew(jl(v)*d)*exp(skew(v))", "skew(jr(v)*d)*exp(skew(v))", FREE,
+    ),
+    "exponential and right Jacobian": (
+        "diff", "exp(skew(v))", "v", "d", "exp(skew(v))*skew(jr(v)*d)", "exp(skew(v))*skew(jl(v)*d)", FREE,
+    ),
+    "turned vector": (
+        "diff", "exp(skew(v))*w", "v", "d", "-exp(skew(v))*skew(w)*jr(v)*d", "-exp(skew(v))*skew(w)*jl(v)*d", FREE,
+    ),
+    "opposite": (
+        "diff", "exp(skew(-v))", "v", "d", "-exp(skew(-v))*skew(jl(v)*d)", "-exp(skew(-v))*skew(jr(v)*d)", FREE,
+    ),
+    "about a unit vector": (
+        "diff", "exp(skew(t*n))", "t", "s", "s*skew(n)*exp(skew(t*n))", "skew(n)*exp(skew(t*n))", {"n": "3x1 unit"},
+    ),
+    "quadratic form": ("diff", "v.T*A*v", "v", "d", "v.T*(A + A.T)*d", "2*v.T*A*d", SQUARE | FREE),
+    "inverse": ("diff", "A**-1", "A", "D", "-A**-1*D*A**-1", "-A**-2*D", SQUARE),
+    "power": ("diff", "A**3", "A", "D", "A**2*D + A*D*A + D*A**2", "3*A**2*D", SQUARE),
+    "negative power": ("diff", "A**-2", "A", "D", "-A**-1*(D*A**-1 + A**-1*D)*A**-1", "-2*A**-3*D", SQUARE),
+    "determinant": ("diff", "det(A)", "A", "D", "det(A)*trace(A**-1*D)", "trace(A**-1*D)", SQUARE),
+    "trace": ("diff", "trace(A*A)", "A", "D", "2*trace(A*D)", "trace(A*D)", SQUARE),
+    "length": ("diff", "norm(v)", "v", "d", "dot(v, d)/norm(v)", "dot(v, d)", FREE),
+    "direction": (
+        "diff", "v/norm(v)", "v", "d", "(eye(3) - v*v.T/norm(v)**2)/norm(v)*d", "(eye(3) - v*v.T)/norm(v)*d", FREE,
+    ),
+    "cosine of a length": (
+        "diff", "cos(norm(v))", "v", "d", "-sin(norm(v))*dot(v, d)/norm(v)", "sin(norm(v))*dot(v, d)/norm(v)", FREE,
+    ),
+    "cross product": ("diff", "cross(v, w)", "v", "d", "-skew(w)*d", "skew(w)*d", FREE),
+    "blocks": ("diff", "block([v], [w])", "v", "d", "block([d], [zeros(3, 1)])", "block([d], [d])", FREE),
+    "another letter": ("diff", "w", "v", "d", "zeros(3, 1)", "d", FREE),
+    "linear": ("diff", "w*v.T*w", "v", "d", "w*w.T*d", "dot(w, w)*d", FREE),
+    "second": ("diff", "diff(dot(v, v), v, w)", "v", "d", "2*dot(w, d)", "2*dot(v, d)", FREE),
+}  # fmt: skip
+MORE = {
+    "d": [["0.8"], ["0.1"], ["-0.5"]],
+    "A": [["2", "0.3", "-1"], ["0.7", "1.5", "0.2"], ["-0.4", "0.9", "3"]],
+    "D": [["0.3", "-0.7", "0.5"], ["1.2", "0.4", "-0.3"], ["0.6", "-1", "0.2"]],
+}
+
+
+def moved(kind, point, letter, direction, size):
+    """A point at which a letter is changed by a direction of some size."""
+    change = size * point[direction]
+    if kind == "diff":
+        return point | {letter: point[letter] + change}
+    turn = mpmath.expm(skew(change), method="taylor")
+    return point | {letter: turn * point[letter] if kind == "ldiff" else point[letter] * turn}
+
+
+@pytest.mark.parametrize("name", DERIVATIVES)
+def test_derivatives_are_those_of_difference_quotients(name):
+    kind, form, letter, direction, true, false, letters = DERIVATIVES[name]
+    text = f"{kind}({form}, {letter}, {direction})"
+    for right, verdict in ((true, "proved"), (false, "refuted")):
+        record = record_of(text, right, letters)
+        assert (record["verdict"], record["reason"]) == (verdict, None)
+        assert (replay_identity(record).status, replay_identity(record).reason) == ("replayed", "")
+        if "diff" in form:
+            continue
+        with mpmath.workdps(40):
+            point = {key: matrix(rows) for key, rows in (ORDINARY | MORE).items()}
+            point |= {"s": mpmath.mpf("0.4"), "t": mpmath.mpf("1.9")}
+            ahead, behind = (
+                value_of(form, moved(kind, point, letter, direction, sign * mpmath.mpf("1e-12"))) for sign in (1, -1)
+            )
+            quotient = (ahead - behind) / mpmath.mpf("2e-12")
+            found = quotient - value_of(right, point)
+            size = mpmath.mnorm(found) if isinstance(found, mpmath.matrix) else abs(found)
+            assert (size < 1e-18) is (verdict == "proved")
+
+
+def test_a_defined_letter_is_put_in_before_it_is_differentiated():
+    letters = {"E": "3x3", "R": "3x3 rotation", "t": "3x1", "d": "3x1", "x": "3x1"}
+    constraints = ["E = skew(t)*R"]
+    assert prove_texts("diff(E*x, t, d)", "skew(d)*R*x", letters, constraints=constraints).verdict == "proved"
+    assert prove_texts("diff(E*x, t, d)", "zeros(3, 1)", letters, constraints=constraints).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("text", "constraints", "message"),
+    [
+        ("diff(v, n, d)", [], "diff: expected a letter without properties, got n"),
+        ("diff(v, 2*v, d)", [], "diff: expected a letter without properties, got 2*v"),
+        ("ldiff(A*v, A, d)", [], "ldiff: expected a letter that is a rotation, got A"),
+        ("diff(v, v, R)", [], "diff: expected a form, a letter and a direction of its shape, got shapes"),
+        ("ldiff(R*v, R, R)", [], "ldiff: expected a form, a matrix of 3x3 and a vector of 3x1, got shapes"),
+        ("diff(A*v, v, d)", ["2*A = v*v.T"], "diff: expected a letter that no constraint binds, got v"),
+        ("diff(jl(v)*d, v, d)", [], "derivative: expected a function that has a rule, got jl(v)"),
+    ],
+)
+def test_what_has_no_derivative_is_a_named_error(text, constraints, message):
+    letters = {"A": "3x3", "R": "3x3 rotation", "v": "3x1", "d": "3x1", "n": "3x1 unit"}
+    with pytest.raises(LetterError, match=re.escape(message)):
+        prove_texts(text, "d", letters, constraints=constraints)
+
+
+OTHER_DERIVATIVES = {
+    "the other side": ("turned on the left", lambda r: r.update(lhs="rdiff(R*v, R, d)")),
+    "a rotation that is none": ("turned on the left", lambda r: r["letters"].update(R="3x3")),
+    "the other Jacobian": ("exponential and left Jacobian", lambda r: r.update(rhs="skew(jr(v)*d)*exp(skew(v))")),
+    "another direction": ("cross product", lambda r: r.update(lhs="diff(cross(v, w), v, w)")),
+    "another letter": ("cross product", lambda r: r.update(lhs="diff(cross(v, w), w, d)")),
+    "no letter": ("cross product", lambda r: r.update(lhs="diff(cross(v, w), 1*v, d)")),
+    "a letter that is bound": ("cross product", lambda r: r.update(constraints=["2*w = v"])),
+    "a unit vector": ("cross product", lambda r: r["letters"].update(v="3x1 unit")),
+    "a derivative that is not known": ("another letter", lambda r: r.update(lhs="diff(jl(v)*w, v, d)")),
+}
+
+
+@pytest.mark.parametrize(("name", "forge"), OTHER_DERIVATIVES.values(), ids=OTHER_DERIVATIVES)
+def test_forged_derivatives_are_rejected(name, forge):
+    kind, form, letter, direction, true, _, letters = DERIVATIVES[name]
+    forged = record_of(f"{kind}({form}, {letter}, {direction})", true, dict(letters))
+    assert replay_identity(forged).status == "replayed"
+    forge(forged)
+    assert replay_identity(forged).status == "rejected"

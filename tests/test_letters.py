@@ -728,7 +728,7 @@ def test_the_command_decides_and_replays_a_file(tmp_path, repository):
         ({"letters": {"A": "3 by 3"}}, "letters, A: expected a shape and properties such as '3x3 rotation', got"),
         ({"letters": {"A": "3x3 rotaton"}}, "properties, A: expected one of rotation"),
         ({"lhs": "A*"}, "lhs, position 2: expected a number, a name or '(', got the end"),
-        ({"lhs": "foo(A)"}, "lhs: expected one of the functions adj, conj"),
+        ({"lhs": "foo(A)"}, "lhs: expected one of the functions Ad, ad, adj, conj"),
         ({"lhs": "A*a"}, "expected two sides of one shape, got 3x1 and 3x3"),
         ({"witness": {"x": "1"}}, "key 'witness': expected none beside the key 'letters'"),
         ({"lhs": "(" * 5000}, "levels of nesting"),

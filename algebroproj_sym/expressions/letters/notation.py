@@ -172,6 +172,24 @@ class RightJacobian(_OfMatrices):
     kind = "jr"
 
 
+class Directional(_OfMatrices):
+    """The derivative of a matrix by e, where a letter v is ``v + e*d``: of the matrix, the letter and d."""
+
+    kind = "diff"
+
+
+class LeftPerturbed(_OfMatrices):
+    """The derivative of a matrix by e, where a rotation R is ``exp(skew(e*d))*R``: of the matrix, R and d."""
+
+    kind = "ldiff"
+
+
+class RightPerturbed(_OfMatrices):
+    """The derivative of a matrix by e, where a rotation R is ``R*exp(skew(e*d))``: of the matrix, R and d."""
+
+    kind = "rdiff"
+
+
 class Hat(_OfMatrices):
     """The 4 x 4 matrix of a motion (t, v): ``[[Skew(v), t], [0, 0]]``."""
 

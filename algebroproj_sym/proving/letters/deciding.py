@@ -20,6 +20,7 @@ import sympy
 
 from algebroproj_sym.expressions import admits, is_plain, over, text, values_of
 from algebroproj_sym.expressions.letters import LetterError, Term, factors_of, letters_text
+from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
 from algebroproj_sym.proving.letters.points import example, has_properties
 from algebroproj_sym.proving.letters.properties import Coordinates, Letter, coordinates
@@ -159,6 +160,7 @@ class _Question:
         self.letters = statement.letters
         self.size_names = statement.size_names
         self.definitions, statement = without_definitions(without_lengths(statement))
+        statement = without_derivatives(statement)
         self.statement = statement
         self.engine = engine
         self.witness: Point | None = None

@@ -11,6 +11,7 @@ from typing import Any
 from algebroproj_sym.replaying.consequences import Question, require_consequence
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.field import Element, Field
+from algebroproj_sym.replaying.letters.derivatives import without_derivatives
 from algebroproj_sym.replaying.letters.matrices import Coordinates, Entries, Matrix, has_properties
 from algebroproj_sym.replaying.letters.reading import Node, Size, changed, constant, made, parts_of, read
 from algebroproj_sym.replaying.letters.series import has_functions, without_functions
@@ -64,7 +65,7 @@ def require_in_letters(record: Mapping[str, Any]) -> None:
         If it does not.
     """
     given, certificate = stated(record), record["certificate"]
-    statement = without_definitions(without_lengths(given))
+    statement = without_derivatives(without_definitions(without_lengths(given)))
     if record["verdict"] == "refuted":
         require(certificate["method"] == "counterexample", "expected the method 'counterexample'")
         require(record["hypotheses"] == [], "a counterexample needs no hypotheses")

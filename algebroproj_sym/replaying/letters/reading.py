@@ -144,6 +144,10 @@ def _shape(kind: str, shapes: list[Shape], value: Any) -> Shape:
     if kind in ("power", "trace", "det", "adj", "exp"):
         require(len(shapes) == 1 and shapes[0][0] == shapes[0][1], wrong)
         return shapes[0] if kind in ("power", "adj", "exp") else NUMBER
+    if kind in ("diff", "ldiff", "rdiff"):
+        moves = len(shapes) == 3 and (shapes[1] == shapes[2] if kind == "diff" else shapes[1:] == [(3, 3), (3, 1)])
+        require(moves, wrong)
+        return shapes[0]
     if kind in ("jl", "jr"):
         require(shapes in ([(3, 1)], [(6, 1)]), wrong)
         return shapes[0][0], shapes[0][0]
@@ -196,7 +200,8 @@ def _fixed_shape(kind: str, shapes: list[tuple[int, int]], value: Any, wrong: st
 
 
 FUNCTIONS = (
-    *_OF_VECTORS, "dot", "trace", "det", "adj", "norm", "diag", "outer", "kron", "vec", "exp", "jl", "jr",
+    *_OF_VECTORS, "dot", "trace", "det", "adj", "norm", "diag", "outer", "kron", "vec", "exp", "jl", "jr", "diff",
+    "ldiff", "rdiff",
 )  # fmt: skip
 
 

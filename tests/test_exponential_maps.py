@@ -249,6 +249,17 @@ def test_what_is_proved_holds_at_ordinary_points(records, name):
         assert difference(records[name], point) < 1e-25
 
 
+def test_the_example_agrees_with_mpmath_where_it_has_angles(repository):
+    claims = json.loads((repository / "examples" / "rotations" / "claims.json").read_text(encoding="utf-8"))
+    records = [record_of(c["lhs"], c["rhs"], c["letters"], c.get("constraints", ())) for c in claims[70:]]
+    with_angles = [r for r in records if "angle" in r["certificate"] and "diff(" not in r["lhs"]]
+    assert len(with_angles) >= 20
+    with mpmath.workdps(40):
+        for record in with_angles:
+            found = difference(record, point_of(record))
+            assert found > 1e-12 if record["verdict"] == "refuted" else found < 1e-25, record["lhs"]
+
+
 # -- laws
 
 

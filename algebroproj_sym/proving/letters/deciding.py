@@ -327,7 +327,9 @@ class _Question:
     def _completed(self, point: Point) -> Point:
         """Return a point with values also for what constraints define, if these are exact."""
         if point.turn is not None:
-            return point
+            parts = {part.value for term in self.statement.terms for part in factors_of(term) if part.kind == "symbol"}
+            used = {name: value for name, value in point.scalars.items() if name in parts}
+            return Point(point.letters, used, point.sizes, point.turn)
         letters, scalars = dict(point.letters), dict(point.scalars)
         for name, term in self.definitions.items():
             rows = point.value(term)

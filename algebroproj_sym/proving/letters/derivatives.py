@@ -33,7 +33,7 @@ def without_derivatives(statement: Statement) -> Statement:
     >>> left, right = (parse_letters(text, shapes) for text in ("ldiff(R*v, R, d)", "-skew(R*v)*d"))
     >>> statement = Statement(left, right, declared_letters(shapes, {"R": "rotation"}))
     >>> letters_text(without_derivatives(statement).left)
-    'skew(d)*R*v'
+    '(skew(d)*R)*v'
     """
     if not any(part.kind in KINDS for term in statement.terms for part in factors_of(term)):
         return statement

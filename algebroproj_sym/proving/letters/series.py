@@ -284,7 +284,12 @@ def turned(part: Term, letters: Mapping[str, Letter]) -> Term:
         return argument if argument.shape[0] == 3 else last_three(argument)
     scalars = [part for part in _flat(argument) if part.shape == ONE]
     factors = [part for part in _flat(argument) if part.shape != ONE]
-    while len(factors) > 2 and _is_transposed(factors[0], factors[-1]) and is_orthogonal(factors[0], letters):
+    while (
+        argument.shape == (3, 3)
+        and len(factors) > 2
+        and _is_transposed(factors[0], factors[-1])
+        and is_orthogonal(factors[0], letters)
+    ):
         factors = factors[1:-1]
     core = factors[0]
     if core.kind == "letter" and core.shape == (3, 3) and "skew" in letters[core.value].properties:

@@ -130,7 +130,12 @@ class _Series:
         factors = [*_factors(matrix)]
         numbers = [factor for factor in factors if factor.shape == NUMBER]
         core = [factor for factor in factors if factor.shape != NUMBER]
-        while len(core) > 2 and self._is_orthogonal(core[0]) and core[-1] == _transposed(core[0]):
+        while (
+            matrix.shape == (3, 3)
+            and len(core) > 2
+            and self._is_orthogonal(core[0])
+            and core[-1] == _transposed(core[0])
+        ):
             core = core[1:-1]
         (inner,) = core if len(core) == 1 else (None,)
         if inner is None:

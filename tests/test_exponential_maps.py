@@ -444,6 +444,19 @@ def test_a_constraint_may_name_a_rotation():
     assert prove_texts("R*v", "-v", letters, constraints=["R = exp(skew(v))"]).verdict == "refuted"
 
 
+def test_a_long_product_that_words_do_not_prove_is_open_and_says_why():
+    left, right = "jl(2*v)*exp(skew(w))*exp(skew(v))", "jl(v)*(eye(3) + exp(skew(v)))/2*exp(skew(w))*exp(skew(v))**3"
+    found = prove_texts(left, f"{right}*exp(skew(-v))**2", {"v": "3x1", "w": "3x1"})
+    assert (found.verdict, "entries have degree" in found.certificate["reason"]) == ("open", True)
+
+
+def test_a_letter_that_does_not_occur_changes_nothing():
+    letters = {"v": "3x1", "n": "3x1 unit", "K": "3x3 idempotent", "A": "mxm diagonal"}
+    for right, verdict in (("1", "proved"), ("2", "refuted")):
+        record = record_of("det(exp(skew(v)))", right, letters if right == "2" else V | {"n": "3x1 unit"})
+        assert (record["verdict"], replay_identity(record).status) == (verdict, "replayed")
+
+
 @pytest.mark.parametrize("text", ["exp(A)", "exp(skew(v) + skew(w))", "exp(v*v.T)"])
 def test_the_exponential_of_another_matrix_is_a_named_error(text):
     with pytest.raises(LetterError, match="exp: expected skew"):

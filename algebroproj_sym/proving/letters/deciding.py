@@ -10,10 +10,10 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from itertools import islice, product
+from itertools import count, islice, product
 from typing import Any
 
 import sympy
@@ -21,7 +21,7 @@ import sympy
 from algebroproj_sym.expressions import admits, is_plain, over, text, values_of
 from algebroproj_sym.expressions.letters import LetterError, Term, factors_of, letters_text
 from algebroproj_sym.proving.letters.derivatives import without_derivatives
-from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
+from algebroproj_sym.proving.letters.entries import Field, Rows, degree_of, entries_of
 from algebroproj_sym.proving.letters.points import example, has_properties
 from algebroproj_sym.proving.letters.properties import Coordinates, Letter, coordinates
 from algebroproj_sym.proving.letters.rewriting import proof_in_words
@@ -42,6 +42,7 @@ from algebroproj_sym.proving.prove import prove as decided
 from algebroproj_sym.proving.rational_function import RationalFunctionField
 
 LARGEST_TURN = 3
+MOST_DEGREE = 15
 FIRST_TRIES = 40
 ENOUGH_POINTS = 4
 MORE_TRIES = 200
@@ -161,6 +162,10 @@ class _Question:
         self.size_names = statement.size_names
         self.definitions, statement = without_definitions(without_lengths(statement))
         statement = without_derivatives(statement)
+        parts = {part.value for term in statement.terms for part in factors_of(term) if part.kind == "letter"}
+        statement = replace(
+            statement, letters={name: statement.letters[name] for name in statement.letters if name in parts}
+        )
         self.statement = statement
         self.engine = engine
         self.witness: Point | None = None
@@ -190,6 +195,9 @@ class _Question:
         turning = [each for each in self.statement.letters.values() if "orthogonal" in each.properties]
         if any(int(letter.shape[0]) > LARGEST_TURN for letter in turning):
             return f"no proof was found in words, and rotations have entries up to {LARGEST_TURN}x{LARGEST_TURN} only"
+        degree = max(degree_of(side, self.letters) for side in self.plain.terms[:2])
+        if self.angles and degree > MOST_DEGREE:
+            return f"no proof was found in words, and entries have degree {degree}: those up to {MOST_DEGREE} are tried"
         return ""
 
     def _open(self, reason: str) -> Found:
@@ -329,7 +337,8 @@ class _Question:
         if point.turn is not None:
             parts = {part.value for term in self.statement.terms for part in factors_of(term) if part.kind == "symbol"}
             used = {name: value for name, value in point.scalars.items() if name in parts}
-            return Point(point.letters, used, point.sizes, point.turn)
+            return Point(self._with_others(point), used, point.sizes, point.turn)
+        point = replace(point, letters=self._with_others(point))
         letters, scalars = dict(point.letters), dict(point.scalars)
         for name, term in self.definitions.items():
             rows = point.value(term)
@@ -338,6 +347,16 @@ class _Question:
             else:
                 scalars[name] = rows[0][0]
         return Point(letters, scalars, point.sizes, point.turn)
+
+    def _with_others(self, point: Point) -> dict[str, Rows]:
+        """Return the letters of a point, and values of those that do not occur."""
+        generator, others = random.Random(0), dict[str, Rows]()
+        for name in sorted(self.letters.keys() - self.definitions.keys() - point.letters.keys()):
+            tries = (example(self.letters[name], point.sizes, generator, attempt) for attempt in count())
+            others[name] = next(rows for rows in tries if rows is not None)
+        return {
+            name: (dict(point.letters) | others)[name] for name in self.letters if name in {*point.letters, *others}
+        }
 
     # -- proofs
 

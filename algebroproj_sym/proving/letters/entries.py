@@ -10,6 +10,7 @@ from operator import add, mul, truediv
 from typing import Any, TypeAlias
 
 from algebroproj_sym.expressions.letters import ONE, Size, Term, parse_letters
+from algebroproj_sym.proving.letters.properties import Letter
 from algebroproj_sym.proving.letters.series import FUNCTIONS, SERIES, matrix_of, name_of
 from algebroproj_sym.proving.letters.turns import Turn
 
@@ -71,6 +72,19 @@ def entries_of(
     ['-2', '1', '3/2', '-1/2']
     """
     return _Evaluation(letters, scalars, field, sizes or {}, turn).rows(term)
+
+
+def degree_of(term: Term, letters: Mapping[str, Letter]) -> int:
+    """Return about how high the degree of the entries of a term is in the coordinates of letters."""
+    degrees = [degree_of(part, letters) for part in term.parts]
+    if term.kind in ("symbol", "letter"):
+        return 2 if term.kind == "letter" and "orthogonal" in letters[term.value].properties else 1
+    if term.kind in ("product", "dot", "outer", "cross", "kron", "qmul"):
+        return sum(degrees)
+    size = term.parts[0].shape[0] if term.parts else 1
+    if term.kind in ("det", "adj") or (term.kind == "power" and term.value < 0):
+        return degrees[0] * abs(term.value or 1) * (size if isinstance(size, int) else 1)
+    return degrees[0] * term.value if term.kind == "power" else max(degrees, default=0)
 
 
 class _Evaluation:

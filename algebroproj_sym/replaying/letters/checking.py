@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence, Set
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import product
@@ -239,6 +240,10 @@ def _multiple(words: Words, shapes: Mapping[str, Any], part: Mapping[str, Any], 
 
 def _require_entries(statement: Statement, certificate: Mapping[str, Any]) -> None:
     """Check the expansion of the letters, and the proof about their entries."""
+    used = {part.value for node in statement.nodes for part in parts_of(node) if part.kind == "letter"}
+    statement = replace(
+        statement, letters={name: statement.letters[name] for name in statement.letters if name in used}
+    )
     free = {name: Coordinates(name, letter) for name, letter in statement.letters.items()}
     symbols = {part.value for node in statement.nodes for part in parts_of(node) if part.kind == "symbol"}
     names = [*symbols, *statement.letters, *(name for each in free.values() for name in each.names)]

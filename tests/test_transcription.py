@@ -5,14 +5,14 @@ from decimal import Decimal
 import pytest
 import sympy
 
-from algebroproj_sym.declaring import BrokenModuleError, derivation_at, judge, statement_text
-from algebroproj_sym.expressions import over, vector
+from algebroproj_sym.declaring import BrokenModuleError, derivation_at, derivations_of, judge, statement_text
+from algebroproj_sym.expressions import evaluate, over, symbols_of, vector
 from algebroproj_sym.showing import as_declared, shown
 
 HEAD = """
 import sympy
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import over, vector
+from algebroproj_sym.expressions import evaluate, over, symbols_of, vector
 from algebroproj_sym.showing import as_declared, shown
 section = Section("demo", "1", "Squares")
 x, y = sympy.symbols("x y")
@@ -142,3 +142,17 @@ def test_a_table_for_other_claims_says_nothing(declared):
 def test_a_broken_table_is_a_named_error(declared):
     with pytest.raises(BrokenModuleError, match=r"symbols.toml: expected keys of .*'sizes'.* got \['size'\]"):
         declared(IDENTITY, 'latex = "x"', symbols="[[table]]\nsize = 1")
+
+
+def test_what_is_shown_of_a_quote_is_what_is_claimed():
+    claims = [claim for derivation in derivations_of(["fundamentals1996"]) for claim in derivation.section.claims]
+    quoted = [
+        c
+        for c in claims
+        if c.source.argument("printed") is None and isinstance(c.printed, sympy.Expr | sympy.MatrixBase)
+    ]
+    assert len(quoted) > 100
+    for claim in quoted:
+        form = as_declared(claim, "printed")
+        point = {symbol: sympy.Rational(7 * k + 5, k + 3) for k, symbol in enumerate(symbols_of([claim.printed]))}
+        assert evaluate(form, point) == evaluate(claim.printed, point), claim.number

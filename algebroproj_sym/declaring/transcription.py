@@ -14,7 +14,7 @@ import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
 from algebroproj_sym.declaring.quotes import FILE, UNPARSED, Quote, quotations
-from algebroproj_sym.expressions import Matrix, entries, remembered, shape
+from algebroproj_sym.expressions import Matrix, columns, entries, remembered, shape, vector
 from algebroproj_sym.expressions.arranging import negated, sum_of
 from algebroproj_sym.proving import prove
 from algebroproj_sym.reading import (
@@ -43,7 +43,8 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
     section, number : str
         Where the claim stands.
     derived : Expression or None
-        What is derived: several expressions of a quote fill its shape by rows.
+        What is derived: several columns of a quote stand side by side, and other expressions fill its shape by rows.
+        A row is read as a column where that is derived.
     build : callable, optional
         What makes expressions; without it the one that is claimed, with `in_order` the one that is shown.
 
@@ -55,7 +56,13 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
     quote, found = _read(folder, section, number, build)
     wanted = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
     if len(found) == 1 and (shape(found[0]) or not wanted):
-        return found[0]
+        is_transposed = wanted[1:] == (1,) and shape(found[0]) == (1, wanted[0])
+        return found[0].T if is_transposed else found[0]
+    heights = {shape(form)[0] if shape(form)[1:] == (1,) else 0 for form in found}
+    if heights and 0 not in heights and (derived is None or wanted == (*heights, len(found))):
+        return columns(*found)
+    if derived is None and not any(map(shape, found)):
+        return vector(*found)
     parts = [entry for form in found for entry in entries(form)]
     if wanted and all(entry == 0 for entry in parts):
         return Matrix.zeros(*wanted)

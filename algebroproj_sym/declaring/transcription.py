@@ -30,7 +30,7 @@ from algebroproj_sym.reading import (
 
 _DIGITS = re.compile(r"(?<![\d.,])[-−]?\s?(?:\d+(?:[.,]\d+)?|\.\d+)(?!\d)")
 _PLAIN = str.maketrans({"−": "-", ",": "."})
-_BROKEN = re.compile(r"\\n(?!eq|u(?![a-z]))")
+BROKEN_LINE = re.compile(r"\\n(?!eq|u(?![a-z]))")
 
 
 def transcribed(folder: Path, section: str, number: str, derived: Any, build: Builder | None = None) -> Any:
@@ -150,7 +150,7 @@ def _readings(piece: str, quote: Quote, symbols: Symbols, build: Builder | None)
 def _cells(piece: str) -> list[str]:
     r"""Return the cells of a row of a table, which tabulators separate, or the formula; a scanned ``\n`` is a space."""
     cells = [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
-    return [_BROKEN.sub(" ", cell) for cell in cells]
+    return [BROKEN_LINE.sub(" ", cell) for cell in cells]
 
 
 def _parts(sides: tuple[Side, ...], quote: Quote, build: Builder | None) -> list[Any]:

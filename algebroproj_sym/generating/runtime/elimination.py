@@ -148,9 +148,9 @@ class _Rank:
 
     Elimination with pivoting among n lines is exact for a matrix that differs by ``(n + 2) u |L| |U|`` at most from the
     one whose entries were rounded.  If that one were singular, a vector x of its null space would satisfy
-    ``|x| <= (n + 2) u |U^-1| |L^-1| |L| |U| |x|``.  This is impossible where ``(n + 2) u`` times the matrix
-    on the right takes some positive vector to a smaller one.  Absolute values in the substitutions give an upper bound of that.  The
-    vector has the reciprocals of the sums of the columns.
+    ``|x| <= (n + 2) u |U^-1| |L^-1| |L| |U| |x|``.  It is impossible where ``(n + 2) u`` times the matrix on the right
+    takes some positive vector to a smaller one.  Absolute values in the substitutions bound it from above.  The vector
+    has the reciprocals of the sums of the columns.
 
     Parameters
     ----------

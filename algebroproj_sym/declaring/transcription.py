@@ -54,7 +54,7 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
         If there is no quote, or it cannot be read: with its line, the place and the reason.
     """
     quote, found = _read(folder, section, number, build)
-    wanted = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
+    wanted: tuple[int, ...] = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
     if len(found) == 1 and (shape(found[0]) or not wanted):
         is_transposed = wanted[1:] == (1,) and shape(found[0]) == (1, wanted[0])
         return found[0].T if is_transposed else found[0]

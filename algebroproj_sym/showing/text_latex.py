@@ -18,7 +18,9 @@ Written: TypeAlias = tuple[str, int]
 """LaTeX, and how tightly it binds."""
 
 _COMPARISON = re.compile("(<=|>=|!=|==|<|>|=)")
-_RELATIONS = {"!=": r"\neq", "<=": r"\leq", ">=": r"\geq", "==": "="}
+RELATIONS = {"=": "=", "!=": r"\neq", "<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq", "==": "="}
+NEGATED = {"=": r"\neq", "!=": "=", "<": r"\not<", "<=": r"\not\leq", ">": r"\not>", ">=": r"\not\geq"}
+"""LaTeX of what relates two sides, and of what says that it does not hold everywhere."""
 _NAMES = {
     **{name: rf"\{name}" for name in ("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth")},
     "exp": r"\exp",
@@ -43,7 +45,7 @@ def latex_of_text(form: TextForm) -> str:
         return _matrix([map(_with_functions, row) for row in rows_of(form.text)])
     parts = _COMPARISON.split(form.text)
     side = _with_functions if form.letters is None else _reader(dict(form.letters))
-    shown = (_RELATIONS.get(part, part) if place % 2 else side(part) for place, part in enumerate(parts))
+    shown = (RELATIONS.get(part, part) if place % 2 else side(part) for place, part in enumerate(parts))
     return " ".join(shown)
 
 

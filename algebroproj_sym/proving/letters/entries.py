@@ -82,9 +82,10 @@ def degree_of(term: Term, letters: Mapping[str, Letter]) -> int:
     if term.kind in ("product", "dot", "outer", "cross", "kron", "qmul"):
         return sum(degrees)
     size = term.parts[0].shape[0] if term.parts else 1
-    if term.kind in ("det", "adj") or (term.kind == "power" and term.value < 0):
-        return degrees[0] * abs(term.value or 1) * (size if isinstance(size, int) else 1)
-    return degrees[0] * term.value if term.kind == "power" else max(degrees, default=0)
+    exponent = int(term.value) if term.kind == "power" else 1
+    if term.kind in ("det", "adj") or exponent < 0:
+        return degrees[0] * abs(exponent) * (size if isinstance(size, int) else 1)
+    return max(degrees, default=0) * exponent
 
 
 class _Evaluation:

@@ -15,7 +15,8 @@ from algebroproj_sym.expressions import Rounding
 from algebroproj_sym.proving import Proof
 
 Field = Literal[
-    "constraints", "nonzero", "assumptions", "letters", "variable", "variables", "kernel", "rounding", "assumed"
+    "constraints", "nonzero", "assumptions", "relation", "letters", "variable", "variables", "kernel", "rounding",
+    "assumed",
 ]  # fmt: skip
 FIELDS: tuple[Field, ...] = get_args(Field)
 """What only some kinds of claims use."""
@@ -39,6 +40,7 @@ class Options(TypedDict, total=False):
     constraints: Sequence[sympy.Expr]
     nonzero: Sequence[sympy.Expr]
     assumptions: Sequence[Any]
+    relation: str
     properties: Mapping[Any, Any]
     witness: Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str]
     variable: sympy.Symbol

@@ -30,7 +30,7 @@ from algebroproj_sym.reading import (
 
 _DIGITS = re.compile(r"(?<![\d.,])[-−]?\s?(?:\d+(?:[.,]\d+)?|\.\d+)(?!\d)")
 _PLAIN = str.maketrans({"−": "-", ",": "."})
-_BROKEN = re.compile(r"\\n(?!eq|u(?![a-z]))")
+BROKEN_LINE = re.compile(r"\\n(?!eq|u(?![a-z]))")
 
 
 def transcribed(folder: Path, section: str, number: str, derived: Any, build: Builder | None = None) -> Any:
@@ -54,7 +54,7 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
         If there is no quote, or it cannot be read: with its line, the place and the reason.
     """
     quote, found = _read(folder, section, number, build)
-    wanted = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
+    wanted: tuple[int, ...] = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
     if len(found) == 1 and (shape(found[0]) or not wanted):
         is_transposed = wanted[1:] == (1,) and shape(found[0]) == (1, wanted[0])
         return found[0].T if is_transposed else found[0]
@@ -150,7 +150,7 @@ def _readings(piece: str, quote: Quote, symbols: Symbols, build: Builder | None)
 def _cells(piece: str) -> list[str]:
     r"""Return the cells of a row of a table, which tabulators separate, or the formula; a scanned ``\n`` is a space."""
     cells = [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
-    return [_BROKEN.sub(" ", cell) for cell in cells]
+    return [BROKEN_LINE.sub(" ", cell) for cell in cells]
 
 
 def _parts(sides: tuple[Side, ...], quote: Quote, build: Builder | None) -> list[Any]:

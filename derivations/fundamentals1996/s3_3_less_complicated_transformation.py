@@ -259,13 +259,12 @@ section.identity("3.3.6#21", "z_N from entry (2, 1)", derived=z_of_21)
 # misprinted: it must be $z_{22} z_{01}$, from $z_{01} z_{10} z_{22}$.
 
 # %%
-determinant_printed = z01 * z12 * z20 + z02 * z21 - z20 * z11 * z02
 section.identity(
     "3.3/det",
     "determinant of the correlation matrix",
     derived=determinant(Z),
     expect="misprint",
-    corrected=determinant_printed - z22 * z01,
+    corrected=z01 * z12 * z20 + z02 * z21 - z20 * z11 * z02 - z22 * z01,
     note="Ruled out: a product of z01 and z12 without a third element occurs in no arrangement with the same other "
     "three terms.  A slip of the scan cannot be told from one of the print.",
 )

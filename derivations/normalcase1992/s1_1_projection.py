@@ -29,7 +29,7 @@ X0 = vector(*sympy.symbols("X01 X02 X03"))
 X0_left, X0_right = (vector(*sympy.symbols(f"X01{primes} X02{primes} X03{primes}")) for primes in ("p", "pp"))
 
 section.definition("1.1/x", "vector of image coordinates", printed=x_vector)
-section.definition("1.1/p", "projector in the model space", printed=R_any * x_vector)
+section.definition("1.1/p", "projector in the model space")
 section.identity(
     "1.1/E",
     "rotations are orthogonal",
@@ -65,12 +65,7 @@ section.identity(
 
 # %%
 point = X0 + lam * R_rotation * x_vector
-section.identity(
-    "1.1.2",
-    "projection of a point",
-    printed=lam * x_vector,
-    derived=R_rotation.T * (point - X0),
-)
+section.identity("1.1.2", "projection of a point", derived=R_rotation.T * (point - X0))
 
 # %% [markdown]
 # ## What does the normal case see?
@@ -87,7 +82,6 @@ x_normal = image_vector(xn, yn)
 section.identity(
     "1.1.3",
     "projection of the normal case",
-    printed=lam_n * x_normal,
     where={lam_n: normal_factor, xn: normal_coordinates[0], yn: normal_coordinates[1]},
     derived=E3 * (X - X0),
 )
@@ -108,13 +102,7 @@ section.identity(
     printed=columns(E3 * (point - X0), lam * projector),
     derived=columns(*(lam_n * x_normal,) * 2).xreplace(IN_NORMAL_CASE),
 )
-section.identity(
-    "1.1.4",
-    "projective transformation to the normal case",
-    printed=tau * x_normal,
-    where=IN_NORMAL_CASE,
-    derived=projector,
-)
+section.identity("1.1.4", "projective transformation to the normal case", where=IN_NORMAL_CASE, derived=projector)
 
 # %% [markdown]
 # **Print.**  Without the factor: quotients with the third component.  The rows of $\mathbf R$ are $\mathbf e_1, \mathbf
@@ -126,7 +114,6 @@ row1, row2, row3 = (R_any.row(k).T for k in range(3))
 section.identity(
     "1.1/quotients",
     "the quotients that eliminate the factor",
-    printed=vector(-xn / c, -yn / c),
     where=IN_NORMAL_CASE,
     derived=vector(over(projector[0], projector[2]), over(projector[1], projector[2])),
 )
@@ -199,12 +186,7 @@ section.identity(
     where=AFTER_ROTATION,
     derived=vector(length, length),
 )
-section.identity(
-    "1.1/length",
-    "length of the projector",
-    printed=vector(x**2 + y**2 + c**2, x**2 + y**2 + c**2),
-    derived=vector(dot(rotated, rotated), length),
-)
+section.identity("1.1/length", "length of the projector", derived=vector(dot(rotated, rotated), length))
 
 # %% [markdown]
 # **Print.**  So the factor is the ratio of two distances, in squares.  The root is positive, while $\tau$ has the sign

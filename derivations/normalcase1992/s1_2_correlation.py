@@ -33,7 +33,6 @@ model_point = X0_right + lam_pp * p_right
 section.identity(
     "1.2.1",
     "condition of intersection with the base",
-    printed=b + lam_pp * p_right,
     where=given(b, X0_right - X0_left),
     derived=model_point - X0_left,
 )

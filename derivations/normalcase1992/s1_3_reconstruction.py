@@ -91,10 +91,7 @@ section.identity(
     derived=vector(dot(unit_base, y_left), dot(unit_base, y_right)),
 )
 section.identity(
-    "1.3/products#left",
-    "product of the left image vector and the right auxiliary vector",
-    printed=c * (xp - xpp),
-    derived=dot(x_left, y_right),
+    "1.3/products#left", "product of the left image vector and the right auxiliary vector", derived=dot(x_left, y_right)
 )
 section.identity(
     "1.3/products#right",
@@ -115,7 +112,6 @@ section.identity(
 section.identity(
     "1.3.2",
     "factor of reconstruction, the same for both images",
-    printed=vector(1 / (xp - xpp), 1 / (xp - xpp)),
     derived=vector(factor_left, factor_right).subs(AT_UNIT_BASE),
 )
 factor = factor_left.subs(AT_UNIT_BASE)

@@ -122,11 +122,7 @@ section.reference(
 )
 for primes, image, coordinates, (_, _), (c_kappa, s_kappa) in IMAGES:
     section.identity(
-        f"2.2/2.3.1#kappa{primes}",
-        f"swing of the {image} image",
-        printed=-y0 / x0,
-        where=coordinates,
-        derived=over(s_kappa, c_kappa),
+        f"2.2/2.3.1#kappa{primes}", f"swing of the {image} image", where=coordinates, derived=over(s_kappa, c_kappa)
     )
 
 # %% [markdown]
@@ -206,13 +202,7 @@ for place, (u2, u3) in enumerate(((i2, i3), (j2, j3))):
     )
 section.identity("2.2/tilt#33", "element c33", printed=-k3 * s_omega * c_phipp, derived=column[2])
 OF_C = given((z13, z23, z33), (over(element, c32) for element in column))
-section.identity(
-    "2.2/cosine",
-    "cosine of the tip from the last equation",
-    printed=c32 * z33 / (-k3 * s_omega),
-    where=OF_C,
-    derived=c_phipp,
-)
+section.identity("2.2/cosine", "cosine of the tip from the last equation", where=OF_C, derived=c_phipp)
 
 # %% [markdown]
 # **Print.**  Put into the first or the second equation, it gives the tangent of the tilt: two forms, which agree for an
@@ -227,13 +217,8 @@ section.reference(
     note="The same slip as 2.2/ref-2.3.1.",
     same_as="2.2/ref-2.3.1",
 )
-tangents = over(z33 * i2, z13 * k3 - z33 * i3), over(z33 * j2, z23 * k3 - z33 * j3)
 section.identity(
-    "2.2/2.3.2",
-    "both forms of the tangent of the tilt",
-    printed=vector(*tangents),
-    where=OF_C,
-    derived=vector(*(over(s_omega, c_omega),) * 2),
+    "2.2/2.3.2", "both forms of the tangent of the tilt", where=OF_C, derived=vector(*(over(s_omega, c_omega),) * 2)
 )
 
 # %% [markdown]

@@ -221,19 +221,17 @@ def variance_of(linear_form: sympy.Expr, variables: tuple[sympy.Symbol, ...], di
     return dot(gradient, dispersion * gradient)
 
 
-gxp, gyp, gxpp, gypp = weights = sympy.symbols("gxp gyp gxpp gypp")
+weights = sympy.symbols("gxp gyp gxpp gypp")
 sigma = sympy.Symbol("sigma")
 section.identity(
     "2.3/weight",
     "weight of a fictitious residual",
-    printed=h1p**2 / gxp + h2p**2 / gyp + h1pp**2 / gxpp + h2pp**2 / gypp,
     derived=variance_of(fictitious, residuals, Matrix.diag(*(over(1, weight) for weight in weights))),
 )
 equal_variances = sigma**2 * Matrix.eye(4)
 section.identity(
     "2.3.1",
     "weight of a fictitious residual for coordinates of equal variance",
-    printed=sigma**2 * (h1p**2 + h2p**2 + h1pp**2 + h2pp**2),
     derived=variance_of(fictitious, residuals, equal_variances),
 )
 

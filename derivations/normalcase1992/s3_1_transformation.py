@@ -103,12 +103,7 @@ section.identity(
     printed=Matrix.hstack(Matrix([[0, 0, 0], [0, 0, -1], [0, 1, 0]]) * x_right, vector(0, c, ypp)),
     derived=Matrix.hstack(h_left, h_left),
 )
-section.identity(
-    "3.1.2",
-    "equation of the epipolar line in the left image",
-    printed=c * yp - c * ypp,
-    derived=dot(h_left, x_left),
-)
+section.identity("3.1.2", "equation of the epipolar line in the left image", derived=dot(h_left, x_left))
 section.identity(
     "3.1.3#h''",
     "epipolar line in the right image of the normal case",

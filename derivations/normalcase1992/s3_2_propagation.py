@@ -288,7 +288,6 @@ variance
 section.identity(
     "3.2.3",
     "weight of a fictitious residual in the normal case",
-    printed=2 * sigma**2 * (y**2 + c**2),
     derived=variance,
     expect="error",
     corrected=2 * sigma**2 * c**2,

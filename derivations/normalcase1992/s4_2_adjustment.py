@@ -22,8 +22,6 @@ from algebroproj_derivations.normalcase1992.printed_tables import (
     DEFINITIVE,
     LEFT_OVER,
     Q_PRINTED,
-    R_PRINTED,
-    SOLUTIONS,
     TABLE,
 )
 from algebroproj_derivations.normalcase1992.s4_1_correlation import (
@@ -269,7 +267,6 @@ average_weight = sum(SCALE * g for g in weights_used) / len(left_points)
 section.identity(
     "4/s#weights",
     "average of the fictitious weights as used, rounded to thousands",
-    printed=5000,
     derived=rounded(average_weight, -3),
 )
 
@@ -282,7 +279,6 @@ def micrometers(s0: sympy.Rational, weight: sympy.Rational) -> sympy.Rational:
 section.numeric(
     "4/s",
     "standard error of measured coordinates, in micrometers",
-    printed="1.6",
     derived=micrometers(s0, average_weight),
     note="1.64, with the average 5119 of the weights; the rounded weight 5000 would give 1.66.",
 )
@@ -292,19 +288,14 @@ section.numeric(
 # **The solutions**, in gon.
 
 # %%
-for index, (slug, (solution, error)) in enumerate(SOLUTIONS.items()):
-    name = UNKNOWNS[slug]
+for index, (slug, name) in enumerate(UNKNOWNS.items()):
     section.numeric(
         f"4/solutions#{slug}",
         f"solution d{name} of the error equations as printed, in gon",
-        printed=solution,
         derived=unrounded.da[index] / GON,
     )
     section.numeric(
-        f"4/solutions#{slug}.error",
-        f"standard error of d{name}, in gon",
-        printed=error,
-        derived=unrounded.standard_error(index) / GON,
+        f"4/solutions#{slug}.error", f"standard error of d{name}, in gon", derived=unrounded.standard_error(index) / GON
     )
 
 # %% [markdown]
@@ -317,10 +308,7 @@ APPROXIMATE = given(UNKNOWNS, (phi_left, kappa_left, omega, phi_right, kappa_rig
 sums = {slug: APPROXIMATE[slug] + unrounded.da[index] / GON for index, slug in enumerate(UNKNOWNS)}
 for slug, name in UNKNOWNS.items():
     section.numeric(
-        f"4/definitive#{slug}",
-        f"sum of the approximate {name} and its solution, in gon",
-        printed=DEFINITIVE[slug],
-        derived=sums[slug],
+        f"4/definitive#{slug}", f"sum of the approximate {name} and its solution, in gon", derived=sums[slug]
     )
 
 
@@ -347,7 +335,6 @@ for i, j in product(range(3), repeat=2):
     section.numeric(
         f"4/R#{i + 1}{j + 1}",
         f"definitive matrix R', row {i + 1}, column {j + 1}",
-        printed=R_PRINTED[i][j],
         derived=R_definitive[i, j],
         **R_OPTIONS.get((i, j), {}),
     )
@@ -532,7 +519,6 @@ for index, (slug, (angle, error)) in enumerate(ADJUSTED.items()):
 section.numeric(
     "4/definitive",
     "the definitive tilt, in gon",
-    printed=DEFINITIVE["omega"],
     derived=angles[list(UNKNOWNS).index("omega")],
     expect="false",
     instead="4/beyond/adjusted#omega",

@@ -25,10 +25,6 @@ section = Section("okamoto1981", "1.1", "Characteristics of the general collinea
 A = vector(*sympy.symbols("A1:12"))
 A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11 = A
 denominator = A9 * X + A10 * Y + A11 * Z + 1
-collinearity = vector(
-    (A1 * X + A2 * Y + A3 * Z + A4) / denominator,
-    (A5 * X + A6 * Y + A7 * Z + A8) / denominator,
-)
 projected = image(matrix_of(A), point)
 
 
@@ -36,13 +32,8 @@ projected = image(matrix_of(A), point)
 # The same is a product with a matrix of three rows and four columns, divided by its last component.
 
 # %%
-section.definition("1", "general collinearity equations", printed=collinearity)
-section.identity(
-    "1#matrix",
-    "the same as the product with a 3 by 4 matrix",
-    printed=collinearity,
-    derived=projected,
-)
+section.definition("1", "general collinearity equations")
+section.identity("1#matrix", "the same as the product with a 3 by 4 matrix", derived=projected)
 
 # %% [markdown]
 # **Are the coefficients independent?**  The images of six points in general position are twelve functions of them.
@@ -73,7 +64,7 @@ ray = e * (point - center)
 
 section.definition("2", "central projection", printed=lam * ray)
 
-section.definition("3#rotation", "elements of the transposed rotation of the picture", printed=e)
+section.definition("3#rotation", "elements of the transposed rotation of the picture")
 
 # %% [markdown]
 # The third component must be $-c$.  This is the scale, and the collinearity equations follow.
@@ -86,7 +77,7 @@ printed_picture = vector(
     -c * (e11 * (X - Xo) + e12 * (Y - Yo) + e13 * (Z - Zo)) / divisor,
     -c * (e21 * (X - Xo) + e22 * (Y - Yo) + e23 * (Z - Zo)) / divisor,
 )
-section.identity("3", "collinearity equations", printed=printed_picture, derived=picture[:2, :])
+section.identity("3", "collinearity equations", derived=picture[:2, :])
 section.identity(
     "3a",
     "collinearity equations as a vector",
@@ -102,29 +93,18 @@ section.identity(
 
 # %%
 d = Matrix(3, 3, sympy.symbols("d1:4(1:4)"))
-d11, d12, d13, d21, d22, d23, d31, d32, d33 = d
 zco = sympy.Symbol("zco")
 in_comparator = d * vector(x, y, -c) + vector(xco, yco, zco)
 
 section.definition("4", "picture point in the system of the comparator", printed=in_comparator)
-section.definition("5#rotation", "elements of the rotation to the comparator", printed=d)
+section.definition("5#rotation", "elements of the rotation to the comparator")
 
 # %% [markdown]
 # **Print.**
 
 # %%
-section.identity(
-    "5",
-    "measured coordinates",
-    printed=vector(d11 * x + d12 * y - d13 * c, d21 * x + d22 * y - d23 * c),
-    derived=in_comparator[:2, :] - comparator_center,
-)
-section.identity(
-    "5a",
-    "measured coordinates as a product",
-    printed=Matrix([[d11, d12, d13], [d21, d22, d23]]) * vector(x, y, -c),
-    derived=in_comparator[:2, :] - comparator_center,
-)
+section.identity("5", "measured coordinates", derived=in_comparator[:2, :] - comparator_center)
+section.identity("5a", "measured coordinates as a product", derived=in_comparator[:2, :] - comparator_center)
 section.identity(
     "5#projection",
     "the picture point is projected orthogonally into the plane of the comparator",
@@ -154,7 +134,6 @@ A_of_orientation = coefficients_of(camera(inner, e, center))
 section.identity(
     "7",
     "general collinearity equations of the measured coordinates",
-    printed=collinearity,
     where=given(A, A_of_orientation),
     derived=measured,
 )

@@ -109,13 +109,8 @@ section.definition("9", "central projection in four dimensions", printed=lam * r
 # %%
 picture = over(-c, ray[3]) * ray
 forms = [e[i, 0] * (X - Xo) + e[i, 1] * (Y - Yo) + e[i, 2] * (Z - Zo) + e[i, 3] * (0 - To) for i in range(4)]
-section.definition("10#rotation", "elements of the transposed rotation of the picture", printed=e)
-section.identity(
-    "10",
-    "picture coordinates",
-    printed=vector(*(-c * forms[i] / forms[3] for i in range(3))),
-    derived=picture[:3, :],
-)
+section.definition("10#rotation", "elements of the transposed rotation of the picture")
+section.identity("10", "picture coordinates", derived=picture[:3, :])
 
 # %% [markdown]
 # The quotients of the forms have the names $\xi, \eta, \zeta$.
@@ -126,12 +121,11 @@ quotients = {xi: forms[0] / forms[3], eta: forms[1] / forms[3], zet: forms[2] / 
 section.identity(
     "11",
     "picture coordinates as a vector",
-    printed=-c * vector(xi, eta, zet, 1),
     where=quotients,
     derived=picture,
     note="The number (11) stands beside (13) in the scan; (14a) shows that this display is meant.",
 )
-section.definition("1.2/quotients", "the quotients xi, eta and zeta", printed=vector(*quotients.values()))
+section.definition("1.2/quotients", "the quotients xi, eta and zeta")
 
 # %% [markdown]
 # ## And the comparator?
@@ -145,30 +139,20 @@ spatial_center = vector(xco, yco, zco)
 in_comparator = d * vector(x, y, z, -c) + vector(*spatial_center, tco)
 
 section.definition("12", "picture point in the system of the comparator", printed=in_comparator)
-section.definition("13#rotation", "elements of the rotation to the comparator", printed=d)
+section.definition("13#rotation", "elements of the rotation to the comparator")
 
 # %% [markdown]
 # **Print.**
 
 # %%
-section.identity(
-    "13",
-    "measured coordinates",
-    printed=vector(*(d[i, 0] * x + d[i, 1] * y + d[i, 2] * z - d[i, 3] * c for i in range(3))),
-    derived=in_comparator[:3, :] - spatial_center,
-)
+section.identity("13", "measured coordinates", derived=in_comparator[:3, :] - spatial_center)
 section.identity(
     "13#projection",
     "the picture point is projected orthogonally into the hyperplane of the comparator",
     printed=vector(0, 0, 0),
     derived=(in_comparator - vector(*in_comparator[:3, :], 0))[:3, :],
 )
-section.identity(
-    "14",
-    "measured coordinates as a product",
-    printed=d[:3, :] * vector(x, y, z, -c),
-    derived=in_comparator[:3, :] - spatial_center,
-)
+section.identity("14", "measured coordinates as a product", derived=in_comparator[:3, :] - spatial_center)
 
 # %% [markdown]
 # Equation (11) put into (14).  The last component is 1.
@@ -178,7 +162,6 @@ measured = spatial_center + d[:3, :] * picture
 section.identity(
     "14a",
     "measured coordinates of an object point",
-    printed=-c * d[:3, :] * vector(xi, eta, zet, zet),
     where=quotients,
     derived=measured - spatial_center,
     expect="misprint",
@@ -202,11 +185,7 @@ def camera_of_space(inner_map: Matrix, orientation: Matrix) -> Matrix:
 A = vector(*sympy.symbols("A1:16"))
 general_camera = camera_of_space(seen_by_comparator(d[:3, :], c, spatial_center), e)
 section.identity(
-    "15",
-    "the projection is a collineation of space",
-    printed=collineation(A, point),
-    where=given(A, coefficients_of(general_camera)),
-    derived=measured,
+    "15", "the projection is a collineation of space", where=given(A, coefficients_of(general_camera)), derived=measured
 )
 
 # %% [markdown]

@@ -27,7 +27,6 @@ from algebroproj_sym.expressions import (
     dot,
     linear_system,
     over,
-    rows,
     solve,
     vector,
 )
@@ -77,8 +76,8 @@ def general_collinearity(a: Matrix) -> Matrix:
     return vector(*((a[k] * X + a[k + 1] * Y + a[k + 2] * Z + a[k + 3]) / denominator for k in (0, 4)))
 
 
-section.definition("16", "left photograph", printed=general_collinearity(A_left))
-section.definition("17", "right photograph", printed=general_collinearity(A_right))
+section.definition("16", "left photograph")
+section.definition("17", "right photograph")
 
 # %% [markdown]
 # Multiplied by its denominator, each equation is linear in $X, Y, Z$.  This is the first of the four:
@@ -101,23 +100,8 @@ equations[0]
 
 
 # %%
-def printed_row(coordinate: sympy.Symbol, a: Matrix, first: int) -> Matrix:
-    """Return the coefficients of one linear equation as printed: those of X, Y, Z and the constant."""
-    linear = (coordinate * a[8 + k] - a[first + k] for k in range(3))
-    return vector(*linear, coordinate - a[first + 3])
-
-
-printed_rows = [
-    printed_row(coordinate, a, first)
-    for coordinate, a, first in ((xc1, A_left, 0), (yc1, A_left, 4), (xc2, A_right, 0), (yc2, A_right, 4))
-]
-for number, (equation, row) in enumerate(zip(equations, printed_rows, strict=True), start=1):
-    section.identity(
-        f"18#{number}",
-        f"linear equation {number}",
-        printed=dot(row, homogeneous_point),
-        derived=equation,
-    )
+for number, equation in enumerate(equations, start=1):
+    section.identity(f"18#{number}", f"linear equation {number}", derived=equation)
 
 # %% [markdown]
 # ## When do the four equations agree?
@@ -133,7 +117,7 @@ coplanarity = determinant(columns(coefficient_rows, -right_sides))
 # satisfy it.
 
 # %%
-section.identity("19", "condition of coplanarity", printed=determinant(rows(*printed_rows)), derived=coplanarity)
+section.identity("19", "condition of coplanarity", derived=coplanarity)
 section.identity(
     "19#holds",
     "the images of an object point satisfy it",
@@ -471,7 +455,6 @@ diagonal_and_denominator = (lam, 0, 0, 0, 0, lam, 0, 0, 0, 0, lam, 0, *v)
 section.identity(
     "23",
     "model as a collineation of the object",
-    printed=collineation(E_, point),
     where=given(E_, map(sympy.sympify, diagonal_and_denominator)),
     derived=model_of_object,
 )

@@ -47,7 +47,6 @@ rho1, rho2 = sympy.symbols("rho1 rho2")
 g1, g2 = vector(l1, m1, n1), vector(l2, m2, n2)
 base = vector(B, 0, 0)
 on_left_ray, on_right_ray = rho1 * g1, base + rho2 * g2
-XM, YM, ZM = model
 
 # %% [markdown]
 # **Print.**  Divided by the directions, the coordinates of a point of a ray are one number.
@@ -58,20 +57,8 @@ def quotients(of: Matrix, by: Matrix) -> Matrix:
     return vector(*(over(a, b) for a, b in zip(of, by, strict=True)))
 
 
-section.identity(
-    "25",
-    "the left ray",
-    printed=quotients(vector(XM, YM, ZM), g1),
-    where=given(model, on_left_ray),
-    derived=vector(rho1, rho1, rho1),
-)
-section.identity(
-    "26",
-    "the right ray",
-    printed=quotients(vector(XM - B, YM, ZM), g2),
-    where=given(model, on_right_ray),
-    derived=vector(rho2, rho2, rho2),
-)
+section.identity("25", "the left ray", where=given(model, on_left_ray), derived=vector(rho1, rho1, rho1))
+section.identity("26", "the right ray", where=given(model, on_right_ray), derived=vector(rho2, rho2, rho2))
 
 # %% [markdown]
 # ## What is the direction of a ray?
@@ -148,7 +135,6 @@ yc_of_picture = yco + d21 * x + d22 * y - d23 * c
 section.identity(
     "31",
     "the equations (5), rearranged",
-    printed=vector(xc - xco + d13 * c, yc - yco + d23 * c),
     where={xc: xc_of_picture, yc: yc_of_picture},
     derived=vector(d11 * x + d12 * y, d21 * x + d22 * y),
 )
@@ -159,13 +145,8 @@ section.identity(
 # %%
 picture_of_measured = solve(*linear_system([xc - xc_of_picture, yc - yc_of_picture], (x, y)))
 inverse_of_d = inverse(d[:2, :2])
-section.identity(
-    "32",
-    "picture coordinates",
-    printed=inverse_of_d * vector(xc - xco + d13 * c, yc - yco + d23 * c),
-    derived=picture_of_measured,
-)
-section.definition("33#h", "the coefficients h", printed=inverse_of_d)
+section.identity("32", "picture coordinates", derived=picture_of_measured)
+section.definition("33#h", "the coefficients h")
 
 # %% [markdown]
 # Any matrix may stand for the product of the three rotations.
@@ -214,12 +195,7 @@ section.up_to_scale(
 
 # %%
 meeting, base_vector = linear_system(list(on_left_ray - on_right_ray), (rho1, rho2))
-section.up_to_scale(
-    "34",
-    "condition of coplanarity",
-    printed=Matrix([[determinant(Matrix([[B, l1, l2], [0, m1, m2], [0, n1, n2]]))]]),
-    derived=Matrix([[determinant(columns(meeting, base_vector))]]),
-)
+section.up_to_scale("34", "condition of coplanarity", derived=Matrix([[determinant(columns(meeting, base_vector))]]))
 
 # %% [markdown]
 # **Print.**  The base is not zero, and the lengths by which the coordinates are divided drop out.  Two rows are left.
@@ -450,14 +426,8 @@ model_point
 # **Print.**
 
 # %%
-common = l1 * m2 - m1 * l2
-section.identity("36#rho", "factor of the left ray", printed=m2 * B / common, derived=rho[0])
-section.identity(
-    "36#directions",
-    "model point from direction cosines",
-    printed=vector(l1 * m2 * B / common, m1 * m2 * B / common, n1 * m2 * B / common),
-    derived=model_point,
-)
+section.identity("36#rho", "factor of the left ray", derived=rho[0])
+section.identity("36#directions", "model point from direction cosines", derived=model_point)
 
 # %% [markdown]
 # The directions are the reduced coordinates, divided by $A_1$ and $A_2$, which cancel.  The scan destroys the letters
@@ -527,17 +497,7 @@ object_of_model = m * of_model * model + center
 # **Print.**  The three matrices are the rotations about $Y$, $X$ and $Z$, and their product is a rotation.
 
 # %%
-section.identity(
-    "38",
-    "similarity transformation",
-    printed=m
-    * Matrix([[cos_1, 0, sin_1], [0, 1, 0], [-sin_1, 0, cos_1]])
-    * Matrix([[1, 0, 0], [0, cos_2, -sin_2], [0, sin_2, cos_2]])
-    * Matrix([[cos_3, -sin_3, 0], [sin_3, cos_3, 0], [0, 0, 1]])
-    * vector(XM, YM, ZM)
-    + vector(Xo, Yo, Zo),
-    derived=object_of_model,
-)
+section.identity("38", "similarity transformation", derived=object_of_model)
 UNIT_CIRCLES = [cos_1**2 + sin_1**2 - 1, cos_2**2 + sin_2**2 - 1, cos_3**2 + sin_3**2 - 1]
 section.identity(
     "38#rotation",

@@ -19,7 +19,6 @@ from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
     inner_of,
     inner_right,
     of_reduced,
-    quotients,
     ray_matrix,
     reduced_left,
     reduced_right,
@@ -55,7 +54,6 @@ Xo2, Yo2, Zo2 = center_right
 l1, m1, n1 = g1
 l2, m2, n2 = g2
 X1, Y1, Z1 = reduced_left
-X2, Y2, Z2 = reduced_right
 on_left_ray, on_right_ray = center_left + rho1 * g1, center_right + rho2 * g2
 
 
@@ -63,20 +61,8 @@ on_left_ray, on_right_ray = center_left + rho1 * g1, center_right + rho2 * g2
 # **Print.**
 
 # %%
-section.identity(
-    "39",
-    "the left ray",
-    printed=quotients(point - center_left, g1),
-    where=given(point, on_left_ray),
-    derived=vector(rho1, rho1, rho1),
-)
-section.identity(
-    "40",
-    "the right ray",
-    printed=quotients(point - center_right, g2),
-    where=given(point, on_right_ray),
-    derived=vector(rho2, rho2, rho2),
-)
+section.identity("39", "the left ray", where=given(point, on_left_ray), derived=vector(rho1, rho1, rho1))
+section.identity("40", "the right ray", where=given(point, on_right_ray), derived=vector(rho2, rho2, rho2))
 
 # %% [markdown]
 # ## When do they meet?
@@ -89,12 +75,7 @@ BX, BY, BZ = sympy.symbols("B_X B_Y B_Z")
 base = vector(BX, BY, BZ)
 of_centers = given(base, center_right - center_left)
 meeting, base_vector = linear_system(list(on_left_ray - on_right_ray), (rho1, rho2))
-section.up_to_scale(
-    "41",
-    "condition of coplanarity",
-    printed=Matrix([[determinant(Matrix([[Xo2 - Xo1, l1, l2], [Yo2 - Yo1, m1, m2], [Zo2 - Zo1, n1, n2]]))]]),
-    derived=Matrix([[determinant(columns(meeting, base_vector))]]),
-)
+section.up_to_scale("41", "condition of coplanarity", derived=Matrix([[determinant(columns(meeting, base_vector))]]))
 
 # %% [markdown]
 # **Print.**  The reduced coordinates, divided by their lengths, are the directions; the lengths drop out.
@@ -103,7 +84,6 @@ section.up_to_scale(
 section.vanishing(
     "42",
     "condition of coplanarity in reduced transformed picture coordinates",
-    printed=(determinant(Matrix([[BX, X1, X2], [BY, Y1, Y2], [BZ, Z1, Z2]])),),
     derived=dot(base, cross(g1, g2)).xreplace(of_reduced),
 )
 section.identity(
@@ -128,30 +108,10 @@ object_point
 # **Print.**
 
 # %%
+section.identity("43#rho", "factor of the left ray", where=of_centers, derived=rho)
+section.identity("43#directions", "object point from direction cosines", where=of_centers, derived=object_point)
 section.identity(
-    "43#rho",
-    "factor of the left ray",
-    printed=(m2 * BX - l2 * BY) / (l1 * m2 - m1 * l2),
-    where=of_centers,
-    derived=rho,
-)
-section.identity(
-    "43#directions",
-    "object point from direction cosines",
-    printed=vector(*(k * (m2 * BX - l2 * BY) / (l1 * m2 - m1 * l2) + o for k, o in zip(g1, center_left, strict=True))),
-    where=of_centers,
-    derived=object_point,
-)
-section.identity(
-    "43",
-    "object point from reduced transformed picture coordinates",
-    printed=vector(
-        X1 * (Y2 * BX - X2 * BY) / (X1 * Y2 - Y1 * X2) + Xo1,
-        Y1 * (Y2 * BX - X2 * BY) / (X1 * Y2 - Y1 * X2) + Yo1,
-        Z1 * (Y2 * BX - X2 * BY) / (X1 * Y2 - Y1 * X2) + Zo1,
-    ),
-    where=of_centers,
-    derived=reduced_point,
+    "43", "object point from reduced transformed picture coordinates", where=of_centers, derived=reduced_point
 )
 
 # %% [markdown]
@@ -248,7 +208,6 @@ def in_reduced(expression: Scalar) -> Scalar:
 section.identity(
     "44#directions",
     "first type, left photograph, from direction cosines",
-    printed=vector(Xo1 + l1 / n1 * (Z - Zo1), Yo1 + m1 / n1 * (Z - Zo1)),
     derived=vector(*(from_known(2, k, center_left, g1) for k in (0, 1))),
 )
 section.identity(
@@ -260,13 +219,11 @@ section.identity(
 section.identity(
     "45#directions",
     "first type, right photograph, from direction cosines",
-    printed=vector(Xo2 + l2 / n2 * (Z - Zo2), Yo2 + m2 / n2 * (Z - Zo2)),
     derived=vector(*(from_known(2, k, center_right, g2) for k in (0, 1))),
 )
 section.identity(
     "45",
     "first type, right photograph",
-    printed=vector(Xo1 + BX + X2 / Z2 * (Z - Zo1 - BZ), Yo1 + BY + Y2 / Z2 * (Z - Zo1 - BZ)),
     where=of_centers,
     derived=vector(*(in_reduced(from_known(2, k, center_right, g2)) for k in (0, 1))),
 )
@@ -292,20 +249,17 @@ section.up_to_scale(
 section.identity(
     "46#1",
     "second type, left photograph",
-    printed=vector(Xo1 + l1 / m1 * (Y - Yo1), Xo1 + X1 / Y1 * (Y - Yo1)),
     derived=vector(from_known(1, 0, center_left, g1), in_reduced(from_known(1, 0, center_left, g1))),
 )
 section.identity(
     "46#2",
     "second type, right photograph",
-    printed=vector(Xo2 + l2 / m2 * (Y - Yo2), Xo1 + BX + X2 / Y2 * (Y - Yo1 - BY)),
     where=of_centers,
     derived=vector(from_known(1, 0, center_right, g2), in_reduced(from_known(1, 0, center_right, g2))),
 )
 section.identity(
     "46#3",
     "second type, both photographs: the two sides",
-    printed=vector(Z1 / X1 * (X - Xo1), BZ + Z2 / X2 * (X - Xo1 - BX)),
     where=of_centers,
     derived=vector(*(in_reduced(from_known(0, 2, o, g)) - Zo1 for o, g in ((center_left, g1), (center_right, g2)))),
 )
@@ -317,23 +271,11 @@ section.identity(
 section.identity(
     "47",
     "third type, from direction cosines: the two sides of both equations",
-    printed=Matrix(
-        [
-            [Xo1 + l1 / n1 * (Z - Zo1), Xo2 + l2 / n2 * (Z - Zo2)],
-            [Yo1 + m1 / n1 * (Z - Zo1), Yo2 + m2 / n2 * (Z - Zo2)],
-        ]
-    ),
     derived=Matrix(2, 2, lambda k, j: from_known(2, k, *((center_left, g1), (center_right, g2))[j])),
 )
 section.identity(
     "48",
     "third type: the two sides of both equations",
-    printed=Matrix(
-        [
-            [X1 / Z1 * (Z - Zo1), BX + X2 / Z2 * (Z - Zo1 - BZ)],
-            [Y1 / Z1 * (Z - Zo1), BY + Y2 / Z2 * (Z - Zo1 - BZ)],
-        ]
-    ),
     where=of_centers,
     derived=Matrix(
         2,

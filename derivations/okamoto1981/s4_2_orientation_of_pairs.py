@@ -44,8 +44,6 @@ from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
     ratios_to_first,
     reduced,
     reduced_condition,
-    reduced_left,
-    reduced_right,
     right_rotation,
     rotation_matrix,
     segment_of_model,
@@ -68,8 +66,6 @@ section = Section("okamoto1981", "4.2", "Usual case, orientation problem of a st
 # principal point $(x_H, y_H)$ for the center.
 
 # %%
-X1, Y1, Z1 = reduced_left
-X2, Y2, Z2 = reduced_right
 
 
 def usual_picture(rotations: Matrix, measured: Matrix, principal_point: Matrix, distance: Scalar) -> Matrix:
@@ -86,7 +82,7 @@ def usual_picture(rotations: Matrix, measured: Matrix, principal_point: Matrix, 
 
 # %%
 xc1, yc1, xc2, yc2, xh1, yh1, xh2, yh2, c1, c2 = sympy.symbols("xc1 yc1 xc2 yc2 xH1 yH1 xH2 yH2 c1 c2")
-section.identity("51", "condition of coplanarity", printed=Y1 * Z2 - Y2 * Z1, derived=reduced_condition)
+section.identity("51", "condition of coplanarity", derived=reduced_condition)
 rotation_left = about(ABOUT_Y, "1") * about(ABOUT_Z, "1")
 section.identity(
     "52",
@@ -188,7 +184,6 @@ in_comparator = given((xc, yc, zc), spatial_center + printed_quotients)
 section.identity(
     "54",
     "measured coordinates in the space of the comparator",
-    printed=vector(xc - xco, yc - yco, zc - xco),
     where=in_comparator,
     derived=fictitious,
     expect="misprint",
@@ -199,7 +194,6 @@ section.identity(
 section.identity(
     "55",
     "measured coordinates, referred to the principal point",
-    printed=vector(xc - xh, yc - yh, zc - zh),
     where=in_comparator | {xh: xco, yh: yco, zh: zco},
     derived=fictitious,
 )

@@ -120,7 +120,8 @@ def statement_of(record: Mapping[str, Any]) -> Statement:
         require(record["relation"] == "=", "integrals without ends are equal, or are not compared")
         sides, domain = differentiated(sides, given)
     domain += [pair for part in with_ends(sides) for end in part.args[1:] for pair in conditions(end)]
-    statement = Statement(*sides, given, record["relation"], tuple(domain))
+    left, right = sides
+    statement = Statement(left, right, given, record["relation"], tuple(domain))
     require(not any(map(RESERVED.fullmatch, statement.symbols())), "a symbol has a reserved name")
     return statement
 

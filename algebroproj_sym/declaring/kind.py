@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from pathlib import Path
 from typing import Any, Literal, Protocol, TypedDict, get_args
 
 import sympy
@@ -80,8 +79,8 @@ class Kind:
     says : str, or callable from Claim to str
         A sentence: how the printed form is compared with the derived one.
     transcribe : callable
-        It takes the folder of the quotes, section and number of a claim, and what is derived, and returns the printed
-        form that the quote has.
+        It takes the folder of the quotes, section and number of a claim, what is derived, and what makes expressions,
+        and returns the printed form that the quote has.
     takes : tuple of str
         Which fields of a claim it uses, of those that not every kind uses.
     one_shape : bool
@@ -112,7 +111,7 @@ class Kind:
     declare: Callable[..., Claim]
     compare: Callable[[Claim, Any, str], Proof]
     says: str | Callable[[Claim], str]
-    transcribe: Callable[[Path, str, str, Any], Any] = transcribed
+    transcribe: Callable[..., Any] = transcribed
     takes: tuple[Field, ...] = ()
     one_shape: bool = False
     require: Callable[[Claim, str], None] | None = None

@@ -13,7 +13,8 @@ from algebroproj_sym.declaring.claim import CORRECTED, Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import Expression, TextForm, assumption, decimals, evaluate, leading, size
-from algebroproj_sym.showing.arranging import Part, arranged, as_declared, shown
+from algebroproj_sym.expressions.arranging import arranged
+from algebroproj_sym.showing.arranging import Part, as_declared, shown
 from algebroproj_sym.showing.forms import derived_form
 from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.showing.naming import Meaning, Named, in_names, latex_of_name, named_latex

@@ -172,7 +172,10 @@ def _reader(letters: Mapping[str, str]) -> Callable[[str], str]:
 
 _OPERATORS = {"cross": r" \times ", "dot": r" \cdot ", "kron": r" \otimes ", "qmul": r" \circ "}
 _AROUND = {"skew": r"\left[%s\right]_{\times}", "norm": r"\left\|%s\right\|", "conj": r"\overline{%s}"}
-_CALLED = {"det": r"\det", "trace": r"\operatorname{tr}", "rotation": r"\operatorname{rot}"}
+_CALLED = {
+    "det": r"\det", "trace": r"\operatorname{tr}", "rotation": r"\operatorname{rot}", "sin": r"\sin", "cos": r"\cos",
+    "exp": r"\exp", "jl": "J_l", "jr": "J_r",
+}  # fmt: skip
 
 
 def _in_letters(term: Any) -> Written:
@@ -205,8 +208,8 @@ def _in_letters(term: Any) -> Written:
     inner = ", ".join(_in_letters(part)[0] for part in parts)
     if kind in _AROUND:
         return _AROUND[kind] % inner, ATOM
-    if kind == "vee":
-        return _attached(_in_letters(parts[0]), "^", r"\vee"), POWER
+    if kind in ("vee", "hat"):
+        return _attached(_in_letters(parts[0]), "^", r"\vee" if kind == "vee" else r"\wedge"), POWER
     return _CALLED.get(kind, rf"\operatorname{{{kind}}}") + _bracketed(inner), POWER
 
 

@@ -17,7 +17,6 @@ from algebroproj_sym.expressions import (
     TextForm,
     assumption,
     is_plain,
-    symbols_of,
 )
 from algebroproj_sym.proving.statements import UnsupportedError, has_functions, speaks_of_letters
 
@@ -104,12 +103,10 @@ def _formed(fields: Mapping[str, Any], letters: tuple[tuple[str, str], ...] | No
 
 def _with_functions(given: Given) -> dict[str, Any]:
     from algebroproj_sym.proving.reals.matrices import real_text
-    from algebroproj_sym.proving.reals.reading import assumed_of, condition_of
+    from algebroproj_sym.proving.reals.reading import assumed_of, condition_of, symbols_in
 
-    relations = [side for each in given.assumptions if isinstance(each, sympy.Rel) for side in each.args]
     conditions = [condition_of(each, f"assumptions[{place}]") for place, each in enumerate(given.assumptions)]
-    forms = [side for form in given.values for side in (form.args if isinstance(form, sympy.Eq) else (form,))]
-    symbols = symbols_of([form for form in (*forms, *relations) if isinstance(form, sympy.Expr | sympy.MatrixBase)])
+    symbols = symbols_in([*given.values, *given.assumptions])
     fields = _fields(given, real_text)
     return _formed({**fields, "assumptions": [*conditions, *assumed_of(symbols)]}, None)
 

@@ -16,7 +16,6 @@ from algebroproj_sym.expressions import (
     parse,
     parse_zero,
     require_bounded,
-    symbols_of,
 )
 from algebroproj_sym.proving.prove import Proof, Witness
 from algebroproj_sym.proving.prove import prove as decided
@@ -156,7 +155,7 @@ def has_functions(form: Any) -> bool:
     if not isinstance(form, sympy.Expr | sympy.MatrixBase):
         return False
     functions = any(not isinstance(part, over) for part in form.atoms(sympy.Function))
-    return bool(functions or form.has(sympy.Derivative, sympy.pi, sympy.E) or _has_roots(form))
+    return bool(functions or form.has(sympy.Derivative, sympy.Integral, sympy.pi, sympy.E) or _has_roots(form))
 
 
 def _has_roots(form: Any) -> bool:
@@ -174,15 +173,14 @@ def _real(
 ) -> Proof:
     from algebroproj_sym.proving.reals.matrices import proof_of_matrix
     from algebroproj_sym.proving.reals.prove import proof_of
-    from algebroproj_sym.proving.reals.reading import assumed_of
+    from algebroproj_sym.proving.reals.reading import assumed_of, symbols_in
     from algebroproj_sym.replaying.reals.matrices import is_matrix
 
     if not any(isinstance(side, sympy.MatrixBase) or is_matrix(side) for side in (lhs, rhs)):
         return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness, relation)
     if relation != "=":
         raise UnsupportedError(f"relation: expected '=' between matrices, got {relation!r}")
-    given = [form for side in (lhs, rhs) if isinstance(side, sympy.MatrixBase) for form in side.flat()]
-    conditions = [*assumptions, *assumed_of(symbols_of(given))]
+    conditions = [*assumptions, *assumed_of(symbols_in([lhs, rhs]))]
     return proof_of_matrix(lhs, rhs, lambda a, b: proof_of(a, b, constraints, nonzero, conditions, witness))
 
 

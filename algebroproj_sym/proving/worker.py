@@ -224,7 +224,9 @@ def _decided(question: Question, engine: str) -> Outcome:
     except (ValueError, TypeError) as error:
         return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
     certificate = dict(proof.certificate or {})
-    if question.letters is None and "witness" in certificate:
+    certified = certificate.get("method") in ("real laws", "enclosures")
+    is_whole = question.letters is not None or certified
+    if not is_whole and "witness" in certificate:
         certificate["witness"] = _whole(certificate["witness"], question)
     point = certificate.pop("point", None) or (proof.counterexample and point_record(proof.counterexample))
     return Outcome(
@@ -233,7 +235,7 @@ def _decided(question: Question, engine: str) -> Outcome:
         monotonic() - start,
         str(certificate.get("reason", "")),
         tuple(map(str, proof.hypotheses)),
-        _whole(point, question) if point is not None and question.letters is None else point,
+        _whole(point, question) if point is not None and not is_whole else point,
         certificate,
     )
 

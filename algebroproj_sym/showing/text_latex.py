@@ -115,7 +115,21 @@ def _real(term: Term) -> Written:
         return rf"\frac{{{above}}}{{{below}}}", POWER
     if kind == "^":
         return _power(args[0], term.value)
+    if kind in ("diff", "integrate"):
+        return _of_calculus(term)
     return _function(kind, args)
+
+
+def _of_calculus(term: Term) -> Written:
+    """Return a derivative, with its order, or an integral."""
+    (whole, *ends), variable, order = term.args, latex_name(term.value), 1
+    if term.kind == "integrate":
+        low, high = (f"{sign}{{{_real(end)[0]}}}" for sign, end in zip("_^", ends, strict=True)) if ends else ("", "")
+        return rf"\int{low}{high} {_inside(_real(whole), PRODUCT)} \, d{variable}", PRODUCT
+    while whole.kind == "diff" and whole.value == term.value:
+        (whole,), order = whole.args, order + 1
+    power = f"^{{{order}}}" if order > 1 else ""
+    return rf"\frac{{d{power}}}{{d{variable}{power}}} {_inside(_real(whole), POWER)}", PRODUCT
 
 
 def _signed(term: Term) -> tuple[bool, str]:

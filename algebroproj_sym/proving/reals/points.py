@@ -12,6 +12,7 @@ import flint
 from algebroproj_sym.proving.points import seed_of
 from algebroproj_sym.proving.reals.balls import Balls
 from algebroproj_sym.replaying.reals import Statement
+from algebroproj_sym.replaying.reals.integrals import with_ends
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.terms import written
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError
@@ -19,6 +20,8 @@ from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedErro
 Point = Mapping[str, Fraction]
 
 FIRST, ALL = (64,), (64, 1024, 4096)
+QUADRATURE = (128, 512)
+"""Of integrals: the second only where there is one point."""
 SMALL = [Fraction(p, q) for p, q in ((1, 1), (2, 1), (1, 2), (3, 1), (1, 3), (3, 2), (3, 4), (1, 5), (5, 1), (7, 3))]
 FURTHER = [Fraction(p, q) for p, q in ((1, 10), (9, 10), (9, 2), (7, 1), (10, 1), (1, 100), (40, 1), (19, 20), (8, 5))]
 
@@ -60,10 +63,12 @@ def _points(names: list[str], seed: int) -> Iterator[Point]:
 
 def judged(statement: Statement, point: Point, precisions: Sequence[int] = FIRST) -> Place | None:
     """Return whether a statement fails at a point; None where it says nothing, or that is not decided."""
-    numbers, kept, found = Balls(), flint.ctx.prec, None
+    kept, found = flint.ctx.prec, None
+    has_integrals = any(with_ends(statement.sides))
     try:
-        for bits in precisions:
+        for bits in precisions if not has_integrals else QUADRATURE[: 1 if point else 2]:
             flint.ctx.prec = bits
+            numbers = Intervals(bits) if has_integrals else Balls()
             try:
                 found = Place(point, statement.fails_at(point, numbers))
             except UndecidedError:

@@ -9,16 +9,24 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import symbols_of
 from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.proving.reals.integrals import integrated
 from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places
-from algebroproj_sym.proving.reals.reading import assumed_of, condition_of, term_of, witness_of, zero_of
+from algebroproj_sym.proving.reals.reading import (
+    assumed_of,
+    condition_of,
+    symbols_in,
+    term_of,
+    witness_of,
+    zero_of,
+)
 from algebroproj_sym.proving.reals.samples import samples_at
 from algebroproj_sym.proving.reals.search import Search
 from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.reals import require_real
-from algebroproj_sym.replaying.reals.statement import functions_of, statement_of
+from algebroproj_sym.replaying.reals.integrals import with_ends
+from algebroproj_sym.replaying.reals.statement import Statement, functions_of, statement_of
 from algebroproj_sym.replaying.reals.terms import written
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
@@ -41,14 +49,12 @@ def proof_of(
     relation: str = "=",
 ) -> Proof:
     """Decide a statement that is given as text or SymPy expressions."""
-    given = [value for value in (lhs, rhs, *constraints, *nonzero) if isinstance(value, sympy.Expr)]
-    related = [side for value in assumptions if isinstance(value, sympy.Rel) for side in (value.lhs, value.rhs)]
     conditions = [condition_of(value, f"assumptions[{place}]") for place, value in enumerate(assumptions)]
     record = {
         "lhs": written(term_of(lhs, "lhs")),
         "rhs": written(term_of(rhs, "rhs")),
         "relation": relation,
-        "assumptions": [*conditions, *assumed_of(symbols_of([*given, *related]))],
+        "assumptions": [*conditions, *assumed_of(symbols_in([lhs, rhs, *constraints, *nonzero, *assumptions]))],
         "constraints": [zero_of(value, f"constraints[{place}]") for place, value in enumerate(constraints)],
         "nonzero": [written(term_of(value, f"nonzero[{place}]")) for place, value in enumerate(nonzero)],
     }
@@ -79,23 +85,35 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
     {'x': '-2'}
     """
     statement = statement_of(record)
-    met = list[Place]()
+    met, has_integrals = list[Place](), bool(with_ends(statement.sides))
     own = judged(statement, witness, ALL) if witness and witness.keys() == statement.symbols() else None
-    for place in (*([own] if own else []), *islice(places(statement, FIRST_TRIES), ENOUGH)):
+    enough = FEW if has_integrals else ENOUGH
+    for place in (*([own] if own else []), *islice(places(statement, FIRST_TRIES), enough)):
         if place.fails:
             return _refuted(record, statement, place)
         met.append(place)
     if not met:
-        met += islice(places(statement, ALL_TRIES, ALL), 1)
-        if not met:
-            return _open(record, NOWHERE)
-        if met[0].fails:
+        met += islice(places(statement, FIRST_TRIES if has_integrals else ALL_TRIES, ALL), 1)
+        if met and met[0].fails:
             return _refuted(record, statement, met[0])
-    found = _proved(record, statement, met)
-    if found is not None:
+    reason = UNDECIDED if met else NOWHERE
+    found = _integrated(record, statement, met) if has_integrals else _proved(record, statement, met)
+    if isinstance(found, dict):
         return found
-    refuting = next((place for place in places(statement, ALL_TRIES, ALL) if place.fails), None)
-    return _open(record, UNDECIDED) if refuting is None else _refuted(record, statement, refuting)
+    tries = 0 if not met or has_integrals else ALL_TRIES
+    refuting = next((place for place in places(statement, tries, ALL) if place.fails), None)
+    return _open(record, found or reason) if refuting is None else _refuted(record, statement, refuting)
+
+
+def _integrated(record: Mapping[str, Any], statement: Statement, met: Sequence[Place]) -> dict[str, Any] | str | None:
+    """Prove a statement by antiderivatives of its integrals; else say which is missing."""
+    begin()
+    found = integrated(statement, [place.point for place in met])
+    if isinstance(found, str):
+        return found
+    whole, entries = found
+    where = [*islice(places(whole, FIRST_TRIES), ENOUGH)]
+    return None if any(place.fails for place in where) else _proved(record, whole, where, entries)
 
 
 def may_agree(lhs: str, rhs: str) -> bool:
@@ -127,7 +145,11 @@ def _places(lhs: str, rhs: str) -> Iterator[Place]:
     return places(statement_of({"lhs": lhs, "rhs": rhs, "relation": "=", **without}), FIRST_TRIES)
 
 
-def _proved(record: Mapping[str, Any], statement: Any, met: Sequence[Place]) -> dict[str, Any] | None:
+def _proved(
+    record: Mapping[str, Any], statement: Statement, met: Sequence[Place], integrals: Sequence[Any] = ()
+) -> dict[str, Any] | None:
+    if not met:
+        return None
     begin()
     try:
         proof = Search(statement.theory(), [statement.goal], samples_at(place.point for place in met)).proof()
@@ -147,6 +169,7 @@ def _proved(record: Mapping[str, Any], statement: Any, met: Sequence[Place]) -> 
             "proof": proof,
             "witness": _texts(met[0]),
             "bits": bits,
+            **({"integrals": integrals} if integrals else {}),
         },
     }
     begin()

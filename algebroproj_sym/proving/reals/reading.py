@@ -9,7 +9,16 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError, admits, assumption, is_plain, over
+from algebroproj_sym.expressions import (
+    NotRationalError,
+    ParseError,
+    SymbolError,
+    admits,
+    assumption,
+    is_plain,
+    over,
+    symbols_of,
+)
 from algebroproj_sym.expressions.symbols import is_name
 from algebroproj_sym.replaying.reals.comparisons import comparisons, equations
 from algebroproj_sym.replaying.reals.definitions import Condition
@@ -126,6 +135,11 @@ def _term(node: Any, argument: str) -> Term:
             for _ in range(int(order)):
                 found = Term("diff", name, (found,))
         return found
+    if isinstance(node, sympy.Integral) and len(node.limits) == 1:
+        variable, *ends = node.limits[0]
+        if len(ends) != 1:
+            name = _unreserved(Term("symbol", variable.name), argument).value
+            return Term("integrate", name, tuple(_term(part, argument) for part in (node.function, *ends)))
     name = type(node).__name__
     name = ALIASES.get(name, name)
     is_own = isinstance(node, sympy.Function) and not isinstance(node, AppliedUndef)
@@ -195,6 +209,22 @@ def zero_of(value: Any, argument: str) -> str:
         _require_known(equations, value, argument)
         return value if "=" in value else f"{value} = 0"
     return f"{written(term_of(value, argument))} = 0"
+
+
+def symbols_in(values: Iterable[Any]) -> list[sympy.Symbol]:
+    """Return the symbols of expressions, matrices and relations, but no variables of integrals with ends.
+
+    Examples
+    --------
+    >>> x, a = sympy.symbols("x a")
+    >>> symbols_in([sympy.Integral(x, (x, 0, a)), "text"])
+    [a]
+    """
+    forms = [side for value in values for side in (value.args if isinstance(value, sympy.Rel) else (value,))]
+    given = [form for form in forms if isinstance(form, sympy.Expr | sympy.MatrixBase)]
+    integrals = {integral for form in given for integral in form.atoms(sympy.Integral)}
+    bound = {limit[0] for integral in integrals for limit in integral.limits if len(limit) == 3}
+    return [symbol for symbol in symbols_of(given) if symbol not in bound]
 
 
 def assumed_of(symbols: Iterable[sympy.Symbol]) -> Iterator[str]:

@@ -10,6 +10,7 @@ from algebroproj_sym.replaying.reals.values import Numbers, UndecidedError, floo
 
 Interval: TypeAlias = tuple[int, int]
 
+MOST_PIECES = 256
 LARGEST = 4_000
 """Of what exponentials and angles are taken."""
 
@@ -46,6 +47,19 @@ class Intervals(Numbers):
         if low == high == 0:
             return 0
         raise UndecidedError
+
+    def is_negative(self, value: Any) -> bool:
+        """Whether a number is negative; an interval of numbers of both kinds raises `UndecidedError`."""
+        return False if isinstance(value, tuple) and value[0] >= 0 else self.sign(value) < 0
+
+    @property
+    def pieces(self) -> int:
+        """Into how many pieces the range of an integral is cut."""
+        return min(1 + self.bits // 2, MOST_PIECES)
+
+    def unit_interval(self) -> Interval:
+        """Return the numbers from 0 to 1."""
+        return 0, self.unit
 
     def even(self, value: Any) -> Any:
         """Return the part of an interval that is not negative."""

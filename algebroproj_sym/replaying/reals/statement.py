@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
 from algebroproj_sym.replaying.reals.comparisons import compared, comparisons, equations
 from algebroproj_sym.replaying.reals.definitions import Condition, conditions
+from algebroproj_sym.replaying.reals.integrals import (
+    antiderivative,
+    differentiated,
+    evaluated,
+    require_antiderivative,
+    with_ends,
+)
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.laws import MOST_BITS
 from algebroproj_sym.replaying.reals.proofs import require_proof
 from algebroproj_sym.replaying.reals.terms import Term, UnreadableError, read, written
 from algebroproj_sym.replaying.reals.theory import RESERVED, Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, holds, value_of
-from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
+from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require, require_keys
 from algebroproj_sym.replaying.text import natural, number, texts
 
 
@@ -31,12 +38,20 @@ class Statement:
         What is assumed: relations to zero.
     relation : {"=", "!=", "<", "<=", ">", ">="}
         Between the sides.
+    domain : tuple of (relation, Term)
+        What else must hold for the sides to have a meaning; each is a hypothesis.
     """
 
     left: Term
     right: Term
     given: tuple[Condition, ...] = ()
     relation: str = "="
+    domain: tuple[Condition, ...] = ()
+
+    @property
+    def sides(self) -> tuple[Term, Term]:
+        """Both sides."""
+        return self.left, self.right
 
     @property
     def goal(self) -> Condition:
@@ -45,22 +60,30 @@ class Statement:
 
     def symbols(self) -> frozenset[str]:
         """Return the names that occur."""
-        return frozenset().union(*(term.symbols() for term in (self.left, self.right, *(t for _, t in self.given))))
+        return frozenset().union(
+            *(term.symbols() for term in (*self.sides, *(t for _, t in (*self.given, *self.domain))))
+        )
+
+    def asked(self) -> list[Condition]:
+        """Return what must hold for both sides to be defined."""
+        return [*self.domain, *(pair for side in self.sides for pair in conditions(side))]
+
+    def known(self) -> list[Condition]:
+        """Return all that holds: what is assumed, and what must hold for both sides to be defined."""
+        return [*self.given, *self.asked()]
 
     def hypotheses(self) -> list[str]:
         """Return what must hold for both sides to be defined, as text."""
-        asked = dict.fromkeys(
-            pair for side in (self.left, self.right) for pair in conditions(side) if pair[1].symbols()
-        )
+        asked = dict.fromkeys(pair for pair in self.asked() if pair[1].symbols())
         weaker = {(relation, term) for strict, term in asked if strict == ">" for relation in (">=", "!=")}
         return [*dict.fromkeys(f"{written(term)} {sign} 0" for sign, term in asked if (sign, term) not in weaker)]
 
     def theory(self) -> Theory:
         """Return what is known where the sides are defined and the conditions hold."""
         theory = Theory(self.symbols())
-        for relation, term in self.given:
+        for relation, term in (*self.given, *self.domain):
             theory.add(relation, theory.term(term, granted=True))
-        for side in (self.left, self.right):
+        for side in self.sides:
             theory.term(side, granted=True)
         return theory
 
@@ -69,9 +92,9 @@ class Statement:
 
         A point at which a side is not defined, or a condition does not hold, raises `UndefinedError`.
         """
-        for relation, term in self.given:
+        for relation, term in (*self.given, *self.domain):
             numbers.require(holds(relation, value_of(term, point, numbers), numbers))
-        for side in (self.left, self.right):
+        for side in self.sides:
             value_of(side, point, numbers)
         relation, difference = self.goal
         try:
@@ -85,13 +108,20 @@ KEYS = {"lhs", "rhs", "relation", "assumptions", "constraints", "nonzero"}
 
 
 def statement_of(record: Mapping[str, Any]) -> Statement:
-    """Return the statement of a record."""
+    """Return the statement of a record; integrals without ends are differentiated."""
     require(record["relation"] in RELATIONS, f"there is no relation {record['relation']!r:.20}")
     try:
         given = (*_given(record),)
-        statement = Statement(read(record["lhs"]), read(record["rhs"]), given, record["relation"])
+        sides, domain = [read(record["lhs"]), read(record["rhs"])], list[Condition]()
     except UnreadableError as error:
         raise Rejected(f"a text cannot be read: {error}") from None
+    require(not any(any(term.integrals()) for _, term in given), "a condition has an integral")
+    if any(len(part.args) == 1 for side in sides for part in side.integrals()):
+        require(record["relation"] == "=", "integrals without ends are equal, or are not compared")
+        sides, domain = differentiated(sides, given)
+    domain += [pair for part in with_ends(sides) for end in part.args[1:] for pair in conditions(end)]
+    left, right = sides
+    statement = Statement(left, right, given, record["relation"], tuple(domain))
     require(not any(map(RESERVED.fullmatch, statement.symbols())), "a symbol has a reserved name")
     return statement
 
@@ -145,16 +175,34 @@ def require_real(record: Mapping[str, Any]) -> None:
         require(_fails(statement, record["counterexample"], certificate["bits"]), "the sides are not told apart")
         return
     require(record["counterexample"] is None, "what is proved has no counterexample")
-    require(
-        certificate.keys() == {"method", "functions", "proof", "witness", "bits"},
-        "expected method, functions, proof, witness and bits",
-    )
+    require_keys(certificate, {"method", "functions", "proof", "witness", "bits"}, {"integrals"})
     require(certificate["method"] == "real laws", "expected the method 'real laws'")
+    integrals = with_ends(statement.sides)
+    require(
+        ("integrals" in certificate) == bool(integrals), "expected an antiderivative of each integral, and no other"
+    )
+    statement, found = with_antiderivatives(statement, certificate.get("integrals", []))
     require(record["hypotheses"] == statement.hypotheses(), "the hypotheses are not those of the text")
     _fails(statement, certificate["witness"], certificate["bits"])
     theory = statement.theory()
     require(certificate["functions"] == functions_of(theory), "the functions are not those of the statement")
+    for integral, entry in zip(integrals, certificate.get("integrals", []), strict=True):
+        require_antiderivative(statement.theory(), integral, found[integral], entry)
     require_proof(theory, (statement.goal,), certificate["proof"])
+
+
+def with_antiderivatives(
+    statement: Statement, entries: Sequence[Mapping[str, Any]]
+) -> tuple[Statement, dict[Term, Term]]:
+    """Return a statement with the differences of antiderivatives for integrals, and the antiderivatives."""
+    integrals = with_ends(statement.sides)
+    require(isinstance(entries, list) and len(entries) == len(integrals), "expected an antiderivative of each integral")
+    found = {
+        integral: antiderivative(integral, entry["antiderivative"], statement.symbols())
+        for integral, entry in zip(integrals, entries, strict=True)
+    }
+    left, right = (evaluated(side, found) for side in statement.sides)
+    return replace(statement, left=left, right=right), found
 
 
 def functions_of(theory: Theory) -> dict[str, str]:

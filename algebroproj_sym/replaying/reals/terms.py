@@ -9,7 +9,8 @@
     atom     = number | name | function "(" sum {"," sum} ")" | "(" sum ")"
 
 ``pi`` is the number.  A power has a rational exponent, or is ``exp(b*log(a))``.  A derivative is
-``diff(f, x)``, or ``diff(f, x, 2, y)`` for one of higher order.
+``diff(f, x)``, or ``diff(f, x, 2, y)`` for one of higher order.  An integral is ``integrate(f, x)``, or
+``integrate(f, (x, a, b))``; it is in no other integral, and in no derivative.
 """
 
 from __future__ import annotations
@@ -43,13 +44,14 @@ ALIASES = {
     "artanh": "atanh",
     "sgn": "sign",
     "Derivative": "diff",
+    "Integral": "integrate",
 }
 ONE = (
     "sqrt abs sign exp log sin cos tan cot sec csc asin acos atan asec acsc "
     "sinh cosh tanh coth sech csch asinh acosh atanh acoth asech acsch"
 )
 ARITY = dict.fromkeys(ONE.split(), 1) | {"atan2": 2}
-FUNCTIONS = frozenset({*ARITY, *ALIASES, "diff"})
+FUNCTIONS = frozenset({*ARITY, *ALIASES, "diff", "integrate"})
 
 
 _CALL = re.compile(rf"(?<![\w'])(?:{'|'.join(sorted(FUNCTIONS))})\s*\(")
@@ -76,16 +78,30 @@ class UnreadableError(ValueError):
 
 
 class Term(NamedTuple):
-    """``number``, ``symbol``, ``+ * / -``, ``^`` with a rational exponent, ``diff`` by a symbol, or a function."""
+    """A number, a symbol, an operation, or a function of terms.
+
+    The kind is ``number``, ``symbol``, ``+ * / -``, ``^`` with a rational exponent, ``diff`` by a symbol, ``integrate``
+    over a symbol, perhaps from one term to another, or the name of a function.
+    """
 
     kind: str
     value: Any = None
     args: tuple[Term, ...] = ()
 
     def symbols(self) -> frozenset[str]:
-        """Return the names that occur."""
-        own = frozenset({self.value}) if self.kind in ("symbol", "diff") else frozenset()
+        """Return the names that occur, but not the variable of an integral from one term to another."""
+        if self.kind == "integrate" and len(self.args) == 3:
+            inside, *ends = (part.symbols() for part in self.args)
+            return (inside - {self.value}).union(*ends)
+        own = frozenset({self.value}) if self.kind in ("symbol", "diff", "integrate") else frozenset()
         return own.union(*(part.symbols() for part in self.args))
+
+    def integrals(self) -> Iterator[Term]:
+        """Yield the integrals in it."""
+        if self.kind == "integrate":
+            yield self
+        for part in self.args:
+            yield from part.integrals()
 
     def order(self) -> int:
         """Return how many derivatives are within one another."""
@@ -242,13 +258,33 @@ class _Reader:
         name = ALIASES.get(name, name)
         self.expect("(")
         args = [self.inner(self.sum)]
-        if name == "diff":
-            return self.derivative(args[0])
+        if name in ("diff", "integrate"):
+            if any(args[0].integrals()):
+                raise self.wrong(f"no integral inside {name}")
+            return self.derivative(args[0]) if name == "diff" else self.integral(args[0])
         while len(args) < ARITY[name]:
             self.expect(",")
             args.append(self.inner(self.sum))
         self.expect(")")
         return function(name, *args)
+
+    def integral(self, whole: Term) -> Term:
+        self.expect(",")
+        between = self.take("(")
+        kind, name, _ = self.tokens[self.place]
+        if kind != "name" or name == "pi" or name in FUNCTIONS:
+            raise self.wrong("a symbol over which to integrate")
+        self.place += 1
+        ends = []
+        for _ in range(2 if between else 0):
+            self.expect(",")
+            ends.append(self.inner(self.sum))
+            if any(ends[-1].integrals()) or name in ends[-1].symbols():
+                raise self.wrong("an end without the variable and without integrals")
+        if between:
+            self.expect(")")
+        self.expect(")")
+        return Term("integrate", name, (whole, *ends))
 
     def derivative(self, found: Term) -> Term:
         count, whole = found.order(), found
@@ -335,6 +371,10 @@ def _written(term: Term) -> tuple[str, int]:
         exponent = str(term.value)
         plain = term.value.denominator == 1 and term.value >= 0
         return f"{_within(term.args[0], 5)}**{exponent if plain else f'({exponent})'}", 4
+    if term.kind == "integrate":
+        whole, *ends = map(written, term.args)
+        over = f"({', '.join([term.value, *ends])})" if ends else term.value
+        return f"integrate({whole}, {over})", 5
     by = f", {term.value}" if term.kind == "diff" else ""
     return f"{term.kind}({', '.join(map(written, term.args))}{by})", 5
 

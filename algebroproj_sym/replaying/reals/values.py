@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any
 
-from algebroproj_sym.replaying.reals.definitions import expanded
+from algebroproj_sym.replaying.reals.definitions import derivative, expanded, smoothness
 from algebroproj_sym.replaying.reals.terms import Term
 
 MOST_BITS = 20_000
@@ -25,7 +25,8 @@ class Numbers:
     """Rational numbers, and enclosures of others, which a subclass has.
 
     A subclass gives ``enclosed``, ``sign``, the operations ``plus``, ``times``, ``over`` on enclosures, and each
-    of `root`, `exp`, `log`, `sin`, `cos`, `atan`, `asin`, `pi` as ``_root`` and so on.
+    of `root`, `exp`, `log`, `sin`, `cos`, `atan`, `asin`, `pi` as ``_root`` and so on.  For integrals it has a number
+    of ``pieces``, and the numbers from 0 to 1 as a ``unit_interval``.
     """
 
     def enclosed(self, value: Fraction) -> Any:
@@ -64,6 +65,10 @@ class Numbers:
             result = self.operation("times", result, base)
         return self.even(result) if exponent % 2 == 0 else result
 
+    def is_negative(self, value: Any) -> bool:
+        """Whether a number is negative; an enclosure of numbers of both kinds raises `UndecidedError`."""
+        return self.sign(value) < 0
+
     def even(self, value: Any) -> Any:
         """Return an enclosure of what is not negative."""
         return value
@@ -86,8 +91,7 @@ class Numbers:
 
     def root(self, value: Any, degree: int) -> Any:
         """Return the root of what is not negative."""
-        sign = self.sign(value)
-        self.require(sign >= 0)
+        self.require(not self.is_negative(value))
         if isinstance(value, Fraction):
             above, below = floor_root(value.numerator, degree), floor_root(value.denominator, degree)
             if above**degree == value.numerator and below**degree == value.denominator:
@@ -162,6 +166,8 @@ def value_of(term: Term, point: Mapping[str, Any], numbers: Numbers) -> Any:
         return point[value]
     if kind == "pi":
         return numbers.pi()
+    if kind == "integrate":
+        return _integral(term, point, numbers)
     definition, asked = expanded(term)
     for relation, part in asked:
         numbers.require(holds(relation, value_of(part, point, numbers), numbers))
@@ -185,6 +191,36 @@ def value_of(term: Term, point: Mapping[str, Any], numbers: Numbers) -> Any:
     if kind == "atan2":
         return numbers.atan2(first, args[1])
     return numbers.applied(kind, first)
+
+
+def _integral(term: Term, point: Mapping[str, Any], numbers: Numbers) -> Any:
+    """Return an integral from one number to another: a sum over pieces, on each of which it is enclosed.
+
+    On a piece of length h with the middle m it is ``h*f(m) + h**3*f''(t)/24`` for some t, or else h times a value of f.
+    That f has values on every piece, in intervals, shows that it is continuous.
+    """
+    whole, *ends = term.args
+    low, high = (value_of(end, point, numbers) for end in ends)
+    width = numbers.operation("plus", high, numbers.operation("times", Fraction(-1), low))
+    length = numbers.operation("times", width, Fraction(1, numbers.pieces))
+    half = numbers.operation("times", length, Fraction(1, 2))
+    bend = derivative(derivative(whole, term.value), term.value)
+    smooth = [*smoothness(whole, term.value), *smoothness(derivative(whole, term.value), term.value)]
+    total: Any = Fraction(0)
+    for place in range(numbers.pieces):
+        start = numbers.operation("plus", low, numbers.operation("times", length, Fraction(place)))
+        piece = numbers.operation("plus", start, numbers.operation("times", length, numbers.unit_interval()))
+        on_piece, in_middle = ({**point, term.value: at} for at in (piece, numbers.operation("plus", start, half)))
+        found = value_of(whole, on_piece, numbers)
+        try:
+            if all(holds(relation, value_of(part, on_piece, numbers), numbers) for relation, part in smooth):
+                more = numbers.operation("times", numbers.raised(length, 2), value_of(bend, on_piece, numbers))
+                more = numbers.operation("times", more, Fraction(1, 24))
+                found = numbers.operation("plus", value_of(whole, in_middle, numbers), more)
+        except (UndecidedError, UndefinedError):
+            pass
+        total = numbers.operation("plus", total, numbers.operation("times", length, found))
+    return total
 
 
 def _power(base: Any, exponent: Fraction, numbers: Numbers) -> Any:

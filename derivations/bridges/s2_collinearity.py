@@ -20,6 +20,7 @@ from algebroproj_sym.expressions import Matrix, columns, homogeneous, inverse, o
 
 section = Section("bridges", "2", "Collinearity")
 
+# %%
 core = M_star[:3, :]
 core_parameters = (mu1, mu2, mu3, u31, u32)
 

@@ -26,6 +26,8 @@ from algebroproj_sym.expressions import (
 )
 
 section = Section("fundamentals1996", "1.3", "Properties of the matrix of projection")
+
+# %%
 DELTA = sympy.Symbol("Delta")
 
 # %% [markdown]

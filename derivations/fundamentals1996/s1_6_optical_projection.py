@@ -34,6 +34,7 @@ from algebroproj_sym.expressions import (
 section = Section("fundamentals1996", "1.6", "Optical projection")
 
 
+# %%
 def coefficients(form: sympy.Expr, coordinates: Matrix) -> Matrix:
     """Return the coefficients (constant first) of an equation, form = 0, of a plane or a line."""
     linear, right_side = linear_system([form], tuple(coordinates))

@@ -49,6 +49,7 @@ from algebroproj_sym.expressions import Matrix, cross, divided, dot, inverse, ro
 
 section = Section("normalcase1992", "4", "Numerical example: adjustment")
 
+# %%
 base = e1
 UNKNOWNS = {"phip": "phi'", "kappap": "kappa'", "omega": "Omega''", "phipp": "phi''", "kappapp": "kappa''"}
 

@@ -130,6 +130,20 @@ def test_figures_are_drawn_for_readers_and_not_on_import(repository):
     assert result.stdout.strip() == "False"
 
 
+WITHOUT_GEOMETRY = {"s0_references", "s5_final_remarks", "s8_letters_and_angles"}
+"""References, a summary of other sections, and matrices as letters."""
+
+
+def test_every_section_that_speaks_of_geometry_has_a_figure():
+    without = {
+        derivation.path.stem
+        for derivation in derivations_of(installed_papers())
+        if derivation.path.stem.startswith("s") and not derivation.path.stem.endswith("_functions")
+        if not re.search(r"^\w*[Dd]rawing\(", derivation.path.read_text(encoding="utf-8"), re.MULTILINE)
+    }
+    assert without == WITHOUT_GEOMETRY
+
+
 def ends_of_cells(derivation):
     """Return what the cells of a derivation end with, but for declarations."""
     module = import_module(derivation.module)
@@ -182,6 +196,15 @@ def test_a_notebook_page_needs_neither_script_nor_network(written):
             assert "<script" not in text
             assert not re.search(r'(src|href)="(https?:)?//', text)
             assert "$$" not in re.sub("<pre.*?</pre>", "", text, flags=re.DOTALL)
+
+
+@pytest.mark.whole
+def test_only_the_imports_of_a_notebook_page_are_folded(written):
+    for name, text in written.items():
+        if name.startswith("notebooks/"):
+            (folded,) = re.findall("<details>.*?</details>", text, re.DOTALL)
+            assert "import" in folded
+            assert "section.identity" not in folded
 
 
 @pytest.mark.whole

@@ -46,6 +46,8 @@ _LATEX = {"eps": "varepsilon", "epsilon": "varepsilon", "lam": "lambda", "phi": 
 _GREEK = "|".join(sorted(GREEK, key=len, reverse=True))
 _NAME = re.compile(rf"({_GREEK}|[A-Za-z])(s(?=p{{0,2}}\d))?(p{{1,2}}(?=[\dN_]|$))?_?(.*?)((?<=\d)p{{1,2}})?")
 _WORD = re.compile("[a-z]{3,}")
+_DIFFERENTIAL = re.compile(rf"d((?:{_GREEK}|[xy])p{{0,2}})")
+_PRIMED = re.compile(rf"(?:{_GREEK}|[xy])p{{1,2}}")
 
 
 @dataclass(frozen=True)
@@ -87,7 +89,7 @@ def parts(name: str) -> Name:
     if match is None:
         return Name(name, False, 0, "")
     base, star, before, index, after = match.groups()
-    if _WORD.fullmatch(index) and not name.startswith(f"{base}_"):
+    if _WORD.fullmatch(index) and not _PRIMED.fullmatch(index) and not name.startswith(f"{base}_"):
         return Name(name, False, 0, "")
     return Name(base, star is not None, len(before or "") + len(after or ""), index.replace("_", ","))
 
@@ -99,11 +101,16 @@ def latex_name(name: str) -> str:
     --------
     >>> print(latex_name("up31"), latex_name("mu"), latex_name("x"), latex_name("ps00"))
     u^{\prime}_{31} \mu x p^{*}_{00}
+    >>> print(latex_name("dphip"), latex_name("s_kappa"), latex_name("s_phipp"))
+    d\varphi^{\prime} s_{\kappa} s_{\varphi^{\prime\prime}}
     """
+    if differential := _DIFFERENTIAL.fullmatch(name):
+        return f"d{latex_name(differential[1])}"
     read = parts(name)
     marks = "*" * read.star + r"\prime" * read.primes
     above = f"^{{{marks}}}" if marks else ""
-    below = f"_{{{_latex_letter(read.index)}}}" if read.index else ""
+    index = latex_name(read.index) if _PRIMED.fullmatch(read.index) else _latex_letter(read.index)
+    below = f"_{{{index}}}" if read.index else ""
     return f"{_latex_letter(read.base)}{above}{below}"
 
 

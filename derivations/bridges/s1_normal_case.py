@@ -10,6 +10,7 @@
 # %%
 import sympy
 
+from algebroproj_derivations.cameras import skew
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import u1, u2
 from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import (
@@ -18,7 +19,7 @@ from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems impor
     rotation,
 )
 from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C as C_1996
-from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import P_left, P_right, d
+from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import P_left, P_right, correlation_matrix, d
 from algebroproj_derivations.fundamentals1996.s2_2_correlation import (
     C_normal,
     abscissas_left,
@@ -30,7 +31,7 @@ from algebroproj_derivations.fundamentals1996.s2_2_correlation import (
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import T, tau1, tau2
 from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, cross, dot, homogeneous, over, rows, solve, vector
+from algebroproj_sym.expressions import Matrix, columns, homogeneous, over, rows, solve, vector
 
 section = Section("bridges", "1", "Calibrated images")
 
@@ -90,16 +91,12 @@ section.identity(
 
 
 # %%
-def correlation(first: Matrix, second: Matrix, base: Matrix) -> Matrix:
-    return Matrix(3, 3, lambda i, j: dot(cross(first.col(i), base), second.col(j)))
-
-
 def for_images(first: Matrix, second: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
     return given((*P_left, *P_right), (*first, *second))
 
 
-B = columns(*(cross(d, Matrix.eye(3).col(j)) for j in range(3)))
-C_1992 = correlation(R_left, R_right, d)
+B = skew(d)
+C_1992 = correlation_matrix(R_left, R_right, d)
 of_calibrated = for_images(reconstruction(R_left, g_left), reconstruction(R_right, g_right))
 
 

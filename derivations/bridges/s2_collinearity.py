@@ -8,6 +8,7 @@
 # %%
 import sympy
 
+from algebroproj_derivations.cameras import inhomogeneous
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import mu0, mu1, mu2, mu3, u31, u32
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star
@@ -19,6 +20,7 @@ from algebroproj_sym.expressions import Matrix, columns, homogeneous, inverse, o
 
 section = Section("bridges", "2", "Collinearity")
 
+# %%
 core = M_star[:3, :]
 core_parameters = (mu1, mu2, mu3, u31, u32)
 
@@ -32,10 +34,6 @@ core_parameters = (mu1, mu2, mu3, u31, u32)
 def okamoto(a: tuple[sympy.Symbol, ...]) -> Matrix:
     """Return the matrix (3 by 4) of the collinearity equations with the coefficients A1 to A11."""
     return Matrix([[1, *a[8:]], [a[3], *a[:3]], [a[7], *a[4:7]]])
-
-
-def inhomogeneous(image: Matrix) -> Matrix:
-    return vector(over(image[1], image[0]), over(image[2], image[0]))
 
 
 coefficients = sympy.symbols("A1:12")

@@ -9,6 +9,7 @@
 import sympy
 
 from algebroproj_derivations.bridges.s2_collinearity import okamoto
+from algebroproj_derivations.cameras import inhomogeneous, minors_of_cameras
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import frame
 from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import (
@@ -23,7 +24,7 @@ from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import (
 )
 from algebroproj_derivations.inserting import given, inserted
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, adjugate, columns, determinant, dot, linear_system, over, rows, vector
+from algebroproj_sym.expressions import Matrix, adjugate, columns, determinant, dot, linear_system, vector
 
 section = Section("bridges", "3", "Coplanarity")
 
@@ -85,9 +86,8 @@ P, Q, unit_of_base = vector(2, 1, 4), vector(2, 2, 4), vector(1, 0, 0)
 
 
 def determinant_for(left_point: Matrix, right_point: Matrix) -> sympy.Expr:
-    images = (camera * vector(1, *place) for camera, place in ((AHEAD, left_point), (BESIDE, right_point)))
-    seen = [over(image[i], image[0]) for image in images for i in (1, 2)]
-    return inserted(coplanarity_determinant(AHEAD, BESIDE), (xc1, yc1, xc2, yc2), seen).doit()
+    left, right = (inhomogeneous(c * vector(1, *p)) for c, p in ((AHEAD, left_point), (BESIDE, right_point)))
+    return inserted(coplanarity_determinant(AHEAD, BESIDE), (xc1, yc1, xc2, yc2), (*left, *right)).doit()
 
 
 determinant_for(P, P), determinant_for(P, Q)
@@ -110,24 +110,11 @@ SpaceDrawing(
 
 
 # %%
-def without_row(matrix: Matrix, row: int) -> Matrix:
-    return rows(*(matrix.row(i).T for i in range(matrix.rows) if i != row))
-
-
-def minors(left: Matrix, right: Matrix) -> Matrix:
-    """Return the matrix of four-rowed minors: element (i, j) lacks row i of the left and row j of the right camera."""
-
-    def minor(i: int, j: int) -> sympy.Expr:
-        return (-1) ** (i + j) * determinant(without_row(left, i).col_join(without_row(right, j)))
-
-    return Matrix(3, 3, minor)
-
-
 M_left, M_right = (Matrix(3, 4, sympy.symbols(f"{name}:3:4")) for name in ("mp", "mpp"))
 section.identity(
     "3/minors",
     "the determinant is bilinear in the images, with minors of the cameras for coefficients",
-    printed=-dot(u_left, minors(M_left, M_right) * u_right),
+    printed=-dot(u_left, minors_of_cameras(M_left, M_right) * u_right),
     derived=coplanarity_determinant(M_left, M_right),
 )
 
@@ -157,7 +144,7 @@ section.identity(
     "3/factor",
     "the minors of two cameras are the matrix of correlation",
     printed=C.xreplace(at_cameras),
-    derived=minors(camera(Ps_left, center_left), camera(Ps_right, center_right)),
+    derived=minors_of_cameras(camera(Ps_left, center_left), camera(Ps_right, center_right)),
 )
 k_left, k_right = sympy.symbols("kp kpp")
 section.identity(
@@ -177,12 +164,12 @@ frame_space = frame(Matrix(4, 3, sympy.symbols("G:4:3")))
 section.identity(
     "3/image-frame",
     "the minors with another frame of the left image",
-    printed=determinant(frame_left) * minors(M_left, M_right),
-    derived=frame_left.T * minors(frame_left * M_left, M_right),
+    printed=determinant(frame_left) * minors_of_cameras(M_left, M_right),
+    derived=frame_left.T * minors_of_cameras(frame_left * M_left, M_right),
 )
 section.identity(
     "3/object-frame",
     "the minors with another frame of the object",
-    printed=determinant(frame_space) * minors(M_left, M_right)[0, 0],
-    derived=minors(M_left * frame_space, M_right * frame_space)[0, 0],
+    printed=determinant(frame_space) * minors_of_cameras(M_left, M_right)[0, 0],
+    derived=minors_of_cameras(M_left * frame_space, M_right * frame_space)[0, 0],
 )

@@ -9,7 +9,8 @@
 # %%
 import sympy
 
-from algebroproj_derivations.bridges.s3_coplanarity import M_left, M_right, minors
+from algebroproj_derivations.bridges.s3_coplanarity import M_left, M_right
+from algebroproj_derivations.cameras import inhomogeneous, minors_of_cameras, signed_minors, skew
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star
 from algebroproj_derivations.fundamentals1996.s2_2_correlation import C_of_cameras, Z_general, design, primed, unknowns
@@ -37,8 +38,8 @@ section = Section("bridges", "4", "The fundamental matrix")
 # Shown are two images that are referred to the same basic points; for any cameras see 3/factor.
 
 # %%
-F = minors(M_left, M_right).T
-F_of_core = minors(primed(M_star, "p")[:3, :], primed(M_star, "pp")[:3, :]).T
+F = minors_of_cameras(M_left, M_right).T
+F_of_core = minors_of_cameras(primed(M_star, "p")[:3, :], primed(M_star, "pp")[:3, :]).T
 
 section.up_to_scale(
     "4/F",
@@ -61,13 +62,7 @@ section.identity(
 
 
 # %%
-def center_of(camera: Matrix) -> Matrix:
-    """Return the null vector of a camera (3 by 4): its signed minors."""
-    kept = [columns(*(camera.col(j) for j in range(4) if j != column)) for column in range(4)]
-    return vector(*((-1) ** column * determinant(matrix) for column, matrix in enumerate(kept)))
-
-
-center_left, center_right = center_of(M_left), center_of(M_right)
+center_left, center_right = signed_minors(M_left), signed_minors(M_right)
 epipole_left, epipole_right = M_left * center_right, M_right * center_left
 
 section.rank(
@@ -95,24 +90,19 @@ section.identity(
 
 
 # %%
-def matrix_of(axis: Matrix) -> Matrix:
-    """Return the skew-symmetric matrix of the vector product with a vector."""
-    return columns(*(cross(axis, Matrix.eye(3).col(j)) for j in range(3)))
-
-
 section.identity(
     "4/epipolar-line",
     "the epipolar line joins the epipole and the homologous point",
-    printed=matrix_of(epipole_right) * M_right,
+    printed=skew(epipole_right) * M_right,
     derived=F * M_left,
 )
 core_left, core_right = primed(M_star, "p")[:3, :], primed(M_star, "pp")[:3, :]
 pseudo_inverse = core_left.T * adjugate(core_left * core_left.T)
-epipole_of_core = core_right * center_of(core_left)
+epipole_of_core = core_right * signed_minors(core_left)
 section.up_to_scale(
     "4/pseudo-inverse",
     "the fundamental matrix by the pseudo-inverse of the left camera",
-    printed=matrix_of(epipole_of_core) * core_right * pseudo_inverse,
+    printed=skew(epipole_of_core) * core_right * pseudo_inverse,
     derived=C_of_cameras.T,
 )
 
@@ -122,19 +112,18 @@ section.up_to_scale(
 # %%
 EXAMPLE_LEFT = Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])
 EXAMPLE_RIGHT = Matrix([[1, 0, 1, 1], [-1, 1, 0, 2], [0, 0, 1, 2]])
-F_example = minors(EXAMPLE_LEFT, EXAMPLE_RIGHT).T
+F_example = minors_of_cameras(EXAMPLE_LEFT, EXAMPLE_RIGHT).T
 SPACE = {"1": vector(1, 1, 1, 1), "2": vector(1, 2, 0, 1), "3": vector(2, -1, 1, 1)}
 
 
 def seen_by(camera: Matrix, point: Matrix) -> Matrix:
-    image = camera * point
-    return (image / image[0])[1:, :]
+    return inhomogeneous(camera * point).doit()
 
 
 left_seen, right_seen = (
     {name: seen_by(camera, point) for name, point in SPACE.items()} for camera in (EXAMPLE_LEFT, EXAMPLE_RIGHT)
 )
-left_center, right_center = center_of(EXAMPLE_LEFT), center_of(EXAMPLE_RIGHT)
+left_center, right_center = signed_minors(EXAMPLE_LEFT), signed_minors(EXAMPLE_RIGHT)
 ImageDrawing(
     "Each point of the left image gives a line of the right one, which contains its partner, and the other way round.  "
     "All lines meet in the epipole E.",
@@ -165,8 +154,8 @@ canonical = columns(*(Matrix.eye(3).col(j) for j in range(3)), vector(0, 0, 0))
 section.up_to_scale(
     "4/canonical",
     "the fundamental matrix of canonical cameras",
-    printed=matrix_of(q) * Q,
-    derived=minors(canonical, columns(Q, q)).T,
+    printed=skew(q) * Q,
+    derived=minors_of_cameras(canonical, columns(Q, q)).T,
 )
 
 first, second = vector(*sympy.symbols("a:3")), vector(*sympy.symbols("b:3"))
@@ -176,7 +165,7 @@ epipole = cross(first, second)
 section.up_to_scale(
     "4/canonical#model",
     "a pair of cameras from the fundamental matrix",
-    printed=minors(canonical, columns(matrix_of(epipole) * F_singular, epipole)).T,
+    printed=minors_of_cameras(canonical, columns(skew(epipole) * F_singular, epipole)).T,
     derived=F_singular,
 )
 
@@ -190,7 +179,7 @@ section.identity(
     "4/projective-ambiguity",
     "projective transformations of space do not change the fundamental matrix",
     printed=determinant(H) * F[2, 2],
-    derived=minors(M_left * H, M_right * H)[2, 2],
+    derived=minors_of_cameras(M_left * H, M_right * H)[2, 2],
 )
 
 # %% [markdown]

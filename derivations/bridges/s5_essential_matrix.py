@@ -9,7 +9,7 @@
 import sympy
 
 from algebroproj_derivations.bridges.s1_normal_case import C_1992, R_left, R_right, d
-from algebroproj_derivations.bridges.s4_fundamental_matrix import matrix_of
+from algebroproj_derivations.cameras import skew
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import rotation
 from algebroproj_derivations.inserting import given
@@ -63,7 +63,7 @@ SpaceDrawing(
 section.identity(
     "5/E",
     "the essential matrix is the transposed matrix of correlation",
-    printed=matrix_of(relative_base) * relative_rotation,
+    printed=skew(relative_base) * relative_rotation,
     derived=C_1992.xreplace(turned).T,
 )
 
@@ -75,7 +75,7 @@ section.identity(
 
 # %%
 translation = vector(*sympy.symbols("t:3"))
-essential = matrix_of(translation) * rotation
+essential = skew(translation) * rotation
 gram = essential * essential.T
 length2 = dot(translation, translation)
 lam = sympy.Symbol("lam")

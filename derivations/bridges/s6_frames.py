@@ -7,7 +7,7 @@
 # %%
 import sympy
 
-from algebroproj_derivations.bridges.s4_fundamental_matrix import matrix_of
+from algebroproj_derivations.cameras import inhomogeneous, skew
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import BARYCENTRIC, U, mu0, mu1, mu2, mu3, u1, u2, u30, u31, u32
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star
@@ -99,8 +99,7 @@ RIGHT = [vector(0, 0), vector(sympy.Rational(1, 2), sympy.Rational(1, 2)), vecto
 
 
 def transformed(seen: Matrix) -> Matrix:
-    image = T_left * homogeneous(seen)
-    return (image / image[0])[1:, :]
+    return inhomogeneous(T_left * homogeneous(seen)).doit()
 
 
 ImageDrawing(
@@ -126,7 +125,7 @@ direction = vector(0, -z_n, 1)
 section.identity(
     "6/rectified#skew",
     "the matrix of the normal case is the matrix of a vector product",
-    printed=matrix_of(direction).T,
+    printed=skew(direction).T,
     derived=Z_N.T,
 )
 section.identity(
@@ -135,7 +134,7 @@ section.identity(
     printed=Matrix.zeros(3, 2),
     derived=columns(Z_N * direction, Z_N.T * direction),
 )
-line = matrix_of(direction) * homogeneous(vector(u1, u2))
+line = skew(direction) * homogeneous(vector(u1, u2))
 section.up_to_scale(
     "6/rectified#lines",
     "epipolar lines of the normal case are parallel",

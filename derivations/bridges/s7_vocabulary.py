@@ -32,8 +32,9 @@
 # %%
 import sympy
 
-from algebroproj_derivations.bridges.s3_coplanarity import M_left, M_right, minors
+from algebroproj_derivations.bridges.s3_coplanarity import M_left, M_right
 from algebroproj_derivations.bridges.s4_fundamental_matrix import center_left, center_right
+from algebroproj_derivations.cameras import minors_of_cameras
 from algebroproj_derivations.figures import QuadricDrawing
 from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
@@ -104,7 +105,7 @@ section.identity(
     printed=vector(0, 0),
     derived=vector(*(dot(M_left * center, G * (M_right * center)) for center in (center_left, center_right))),
 )
-elements = given(G, minors(M_left, M_right))
+elements = given(G, minors_of_cameras(M_left, M_right))
 section.identity(
     "7/critical-surface#trivial",
     "the matrix of correlation itself gives no quadric",

@@ -14,6 +14,7 @@ from itertools import product
 
 import sympy
 
+from algebroproj_derivations.cameras import signed_minors, skew
 from algebroproj_derivations.figures import QuadricDrawing
 from algebroproj_derivations.fundamentals1996.notation import e0, e1, e2, image_e0, image_e1, image_e2, mu0, mu1, mu2
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star as core
@@ -27,13 +28,11 @@ from algebroproj_sym.expressions import (
     Matrix,
     adjugate,
     columns,
-    cross,
     determinant,
     diff,
     dot,
     homogeneous,
     linear_system,
-    minors_of,
     over,
     rows,
     vector,
@@ -113,16 +112,11 @@ quaternion = sorted(rotation.free_symbols, key=str)
 base = vector(*sympy.symbols("d:3"))
 
 
-def matrix_of(axis: Matrix) -> Matrix:
-    """Return the skew-symmetric matrix of the vector product with a vector."""
-    return columns(*(cross(axis, Matrix.eye(3).col(j)) for j in range(3)))
-
-
 section.count(
     "0/introduction-usual-set",
     "the usual set of relative orientation",
     printed=5,
-    derived=ratios(matrix_of(base) * rotation),
+    derived=ratios(skew(base) * rotation),
     variables=(*base, *quaternion),
     kernel=[vector(*base, 0, 0, 0, 0), vector(0, 0, 0, *quaternion)],
 )
@@ -201,7 +195,7 @@ section.identity(
 F, f = Matrix(3, 3, sympy.symbols("f:3:3")), vector(*sympy.symbols("g:3"))
 M_left = columns(*(Matrix.eye(3).col(j) for j in range(3)), vector(0, 0, 0))
 M_right = columns(F, f)
-C = (matrix_of(f) * F).T
+C = (skew(f) * F).T
 model = [vector(*sympy.symbols(f"y{k}_:4")) for k in range(8)]
 
 
@@ -300,12 +294,6 @@ SEVEN = ((1, 0, 0, 1), (1, 1, 0, 2), (1, 0, 1, 3), (2, 1, 1, 1), (1, 2, 3, -1), 
 seven_points = [vector(*map(sympy.Integer, point)) for point in SEVEN]
 
 
-def signed_minors(matrix: Matrix) -> Matrix:
-    """Return the vector of signed minors, which a matrix with one column more than rows takes to zero."""
-    minor, everything = minors_of(matrix), tuple(range(matrix.cols))
-    return vector(*((-1) ** j * minor(everything[:-1], everything[:j] + everything[j + 1 :]) for j in everything))
-
-
 minors = signed_minors(equations([*seven_points, y], right=M_right.xreplace(CAMERA)))
 C_example = C.xreplace(CAMERA)
 nine_points = [*seven_points, center_left, center_right.xreplace(CAMERA)]
@@ -341,7 +329,7 @@ section.vanishing(
 # %%
 base_direction = vector(0, 1, 0)
 M_normal = columns(*(Matrix.eye(3).col(j) for j in range(3)), -base_direction)
-C_normal = matrix_of(base_direction)
+C_normal = skew(base_direction)
 eight_of_normal = equations(model, right=M_normal)
 LACKING = [j for j in range(9) if j != 3]
 
@@ -384,7 +372,7 @@ db0, db2 = sympy.symbols("db0 db2")
 turn = vector(*sympy.symbols("turn:3"))
 changes = (db0, db2, *turn)
 unchanged = dict.fromkeys(changes, sympy.Integer(0))
-changed = matrix_of(base_direction + vector(db0, 0, db2)) * (Matrix.eye(3) + matrix_of(turn))
+changed = skew(base_direction + vector(db0, 0, db2)) * (Matrix.eye(3) + skew(turn))
 derivatives = [diff(changed, change).xreplace(unchanged) for change in changes]
 
 

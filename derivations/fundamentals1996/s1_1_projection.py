@@ -10,6 +10,7 @@ import sympy
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -71,7 +72,7 @@ section.identity(
 
 # %%
 r = Matrix(3, 3, sympy.symbols("r:3:3"))
-inverse_elements = dict(zip(r, inverse(B), strict=True))
+inverse_elements = given(r, inverse(B))
 
 section.identity("1.1/projection", "equation of projection", where=inverse_elements, derived=solve(B, ray))
 section.identity("1.1/inverse", "inversion of the base", where=inverse_elements, derived=E3)
@@ -139,7 +140,7 @@ section.identity(
     "1.1/coordinates",
     "coordinates as scalar products",
     printed=vector(*(dot(r.row(j), ray) for j in range(3))),
-    where=dict(zip(r, rows(*reciprocal), strict=True)),
+    where=given(r, rows(*reciprocal)),
     derived=solve(B, ray),
 )
 
@@ -223,7 +224,7 @@ section.identity(
     "1.1/beyond/mu",
     "the factor is the sum of the coordinates",
     printed=x[0] + x[1] + x[2],
-    where=dict(zip(x, solve(B, ray), strict=True)),
+    where=given(x, solve(B, ray)),
     derived=over(1, intersection[0]),
 )
 
@@ -240,14 +241,14 @@ section.identity("1.1.4#P", "matrix of reconstruction", derived=B * U)
 # %%
 EXAMPLE_BASE = [vector(1, -1, 1), vector(-1, 1, 1), vector(2, 2, 1)]
 SEEN = vector(2, 2, 4)
-numbers = dict(zip((*b0, *b1, *b2, *point, *center), (*columns(*EXAMPLE_BASE).T, *SEEN, 0, 0, 0), strict=True))
+numbers = given((*b0, *b1, *b2, *point, *center), (*columns(*EXAMPLE_BASE).T, *SEEN, 0, 0, 0))
 example_image = intersection[1:, :].xreplace(numbers).doit()
 example_image
 
 # %%
 SpaceDrawing(
     "The center C, the base vectors to G'0, G'1 and G'2, and a ray to a point P.  It meets the image plane in p.",
-    {"C": vector(0, 0, 0), "P": SEEN, "p": p.xreplace(numbers | dict(zip(u, example_image, strict=True)))}
+    {"C": vector(0, 0, 0), "P": SEEN, "p": p.xreplace(numbers | given(u, example_image))}
     | {f"G'{j}": corner for j, corner in enumerate(EXAMPLE_BASE)},
     segments=[("C", "P"), *(("C", f"G'{j}") for j in range(3))],
     triangles=[("G'0", "G'1", "G'2")],
@@ -303,7 +304,7 @@ section.identity(
     "1.1.6#equation",
     "equation of projection, quasihomogeneous",
     where=seen,
-    derived=M_star.xreplace(dict(zip(elements, P_star, strict=True))) * homogeneous(point),
+    derived=M_star.xreplace(given(elements, P_star)) * homogeneous(point),
 )
 
 # %% [markdown]

@@ -10,6 +10,7 @@ import sympy
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, determinant, homogeneous, inverse, rows, solve, vector
 
@@ -100,7 +101,7 @@ section.identity(
 
 # %%
 p = Matrix(3, 3, sympy.symbols("p:3:3"))
-elements = dict(zip(p, P_star_of_rays, strict=True))
+elements = given(p, P_star_of_rays)
 section.identity("1.2/j=0", "case of the origin", derived=P_star_of_rays * center)
 section.identity(
     "1.2/j=1",
@@ -169,7 +170,7 @@ section.identity(
 
 # %%
 EYE = vector(sympy.Rational(1, 2), sympy.Rational(1, 2), 3)
-EXAMPLE = dict(zip((mu0, mu1, mu2, *center), (*map(sympy.Rational, ("2", "3", "5/2")), *EYE), strict=True))
+EXAMPLE = given((mu0, mu1, mu2, *center), (*map(sympy.Rational, ("2", "3", "5/2")), *EYE))
 example_fourth = vector(*(seen[symbol].xreplace(EXAMPLE).doit() for symbol in (mu3, u31, u32)))
 example_fourth
 

@@ -11,6 +11,7 @@ import sympy
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import B, M_star, P_star
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -25,6 +26,8 @@ from algebroproj_sym.expressions import (
 )
 
 section = Section("fundamentals1996", "1.3", "Properties of the matrix of projection")
+
+# %%
 DELTA = sympy.Symbol("Delta")
 
 # %% [markdown]
@@ -203,7 +206,7 @@ for name, component in (("y03", 2), ("y02", 1), ("y01", 0)):
 # $-\mu_1 \mu_2$.
 
 # %%
-at_mu = dict(zip(center, y0_of_mu, strict=True))
+at_mu = given(center, y0_of_mu)
 section.identity(
     "1.3/from-1.1.7",
     "the center is annihilated by the singular matrix",
@@ -243,7 +246,7 @@ SpaceDrawing(
 # %%
 parameter_system = linear_system(list(center_equations), [mu1, mu2, mu3])
 mu_of_y0 = solve(*parameter_system)
-at_center = dict(zip((mu1, mu2, mu3), mu_of_y0, strict=True))
+at_center = given((mu1, mu2, mu3), mu_of_y0)
 mu_of_y0
 
 # %% [markdown]

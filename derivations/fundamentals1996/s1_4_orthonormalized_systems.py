@@ -15,6 +15,7 @@ from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion
 from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star as core
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -66,7 +67,7 @@ section.identity(
 
 # %%
 orthogonal = [(R.T * R - E3)[row, column] for row in range(3) for column in range(row, 3)]
-unrotated = dict(zip(R, (1, 0, 0, 0, 1, 0, 0, 0, 1), strict=True))
+unrotated = given(R, (1, 0, 0, 0, 1, 0, 0, 0, 1))
 
 rotation = scaled_rotation.applyfunc(lambda entry: over(entry, sum(q**2 for q in quaternion)))
 
@@ -178,7 +179,7 @@ x, y = sympy.symbols("x y")
 section.identity(
     "1.4/v",
     "from affine to rectangular image coordinates",
-    where=dict(zip((x, y), point_at(u, g), strict=True)),
+    where=given((x, y), point_at(u, g)),
     derived=frame(g) * homogeneous(u),
 )
 section.identity(
@@ -235,7 +236,7 @@ plane_point = frame(g) * homogeneous(u)
 
 
 def on_the_ray(direction: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
-    return dict(zip(X, X0 + lam * direction, strict=True))
+    return given(X, X0 + lam * direction)
 
 
 section.definition("1.4/lambda", "ray to an object point")
@@ -261,7 +262,7 @@ section.identity(
     printed=over(object_distance, image_distance) ** 2,
     derived=lam**2,
     constraints=[object_distance**2 - lam**2 * dot(p, p), image_distance**2 - dot(p, p)],
-    witness=dict(zip((*p, lam, image_distance, object_distance), (1, 2, 2, 2, 3, 6), strict=True)),
+    witness=given((*p, lam, image_distance, object_distance), (1, 2, 2, 2, 3, 6)),
     note="The sentence follows the formula for the square of the factor and is read of the factor itself: the square "
     "is the ratio of the squared distances.",
 )
@@ -286,7 +287,7 @@ section.identity(
 section.identity(
     "1.4/A_X",
     "matrix of the affine coordinates of space",
-    where=dict(zip(Matrix(axes).T, G, strict=True)),
+    where=given(Matrix(axes).T, G),
     derived=basic_points * inverse(unit_points),
 )
 section.identity(
@@ -313,7 +314,7 @@ section.identity(
     "1.4/lambda2",
     "factor of the ray, affine",
     printed=over(dot(affine_ray, affine_ray), dot(plane_point, plane_point)),
-    where=dict(zip(z, point - center, strict=True)),
+    where=given(z, point - center),
     derived=over(dot(object_ray, object_ray), dot(rotated_point, rotated_point)),
 )
 
@@ -387,7 +388,7 @@ section.identity(
     "1.4/type",
     "every projection is of type (1.2.3) between affine transformations",
     printed=frame(seen_points[:3, :]) * core[:3, :] * inverse(A_X),
-    where=dict(zip((mu0, mu1, mu2, mu3, u31, u32), (*depths, *seen_u3), strict=True)),
+    where=given((mu0, mu1, mu2, mu3, u31, u32), (*depths, *seen_u3)),
     derived=general,
 )
 

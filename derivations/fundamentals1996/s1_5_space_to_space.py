@@ -8,8 +8,10 @@
 # %%
 import sympy
 
+from algebroproj_derivations.cameras import inhomogeneous
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -132,7 +134,7 @@ section.identity(
     "1.5/core",
     "every regular projective transformation has this form, referred to its basic points",
     printed=image_system * M_star,
-    where=dict(zip(factors, depths, strict=True)),
+    where=given(factors, depths),
     derived=columns(images.col(0), *(images.col(j) - images.col(0) for j in (1, 2, 3))),
 )
 
@@ -151,7 +153,7 @@ section.vanishing(
 # **An example.**  With $\mu = (1, 5/8, 3/4, 5/4)$ a cube goes over into this body.
 
 # %%
-EXAMPLE = dict(zip(factors, map(sympy.Rational, ("1", "5/8", "3/4", "5/4")), strict=True))
+EXAMPLE = given(factors, map(sympy.Rational, ("1", "5/8", "3/4", "5/4")))
 BASIC = {"000": "G0", "100": "G1", "010": "G2", "001": "G3"}
 vertices = {f"{i}{j}{k}": vector(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)}
 edges = [(a, b) for a in vertices for b in vertices if a < b and sum(x != y for x, y in zip(a, b, strict=True)) == 1]
@@ -190,7 +192,7 @@ mu_of_fifth = solve(fifth_matrix, fifth_right_side)
 mu_of_fifth
 
 # %%
-fitted = dict(zip(factors, mu_of_fifth, strict=True))
+fitted = given(factors, mu_of_fifth)
 
 section.identity(
     "1.5.3",
@@ -233,10 +235,6 @@ section.vanishing(
 
 
 # %%
-def inhomogeneous(vector_: Matrix) -> Matrix:
-    return vector(*(over(component, vector_[0]) for component in vector_[1:, 0]))
-
-
 row_times_y = sympy.symbols("my:4")
 section.identity(
     "1.5.5#rows",

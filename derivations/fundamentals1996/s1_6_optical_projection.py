@@ -12,6 +12,7 @@ import sympy
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -33,6 +34,7 @@ from algebroproj_sym.expressions import (
 section = Section("fundamentals1996", "1.6", "Optical projection")
 
 
+# %%
 def coefficients(form: sympy.Expr, coordinates: Matrix) -> Matrix:
     """Return the coefficients (constant first) of an equation, form = 0, of a plane or a line."""
     linear, right_side = linear_system([form], tuple(coordinates))
@@ -207,7 +209,7 @@ section.identity(
 
 # %%
 A, S1, S2 = vector(sympy.Rational(1, 2), 0, -3), vector(2, -1, 0), vector(2, 1, 0)
-A_image = image.xreplace({f: sympy.Integer(1), **dict(zip(xi, A, strict=True))}).doit()
+A_image = image.xreplace({f: sympy.Integer(1), **given(xi, A)}).doit()
 A_image
 
 # %%
@@ -313,7 +315,7 @@ def affine_point(points: list[Matrix], coordinates: Matrix) -> Matrix:
 
 
 def imaged(point: Matrix) -> Matrix:
-    return image.xreplace(dict(zip(xi, point, strict=True)))
+    return image.xreplace(given(xi, point))
 
 
 image_basic_points = [imaged(point) for point in basic_points]
@@ -377,7 +379,7 @@ def in_affine_coordinates(line: Matrix, points: list[Matrix], coordinates: Matri
     return coefficients(dot(line, homogeneous(vector(*affine_point(points, coordinates)[:2, 0]))), coordinates)
 
 
-E_through = dict(zip(a, plane_through(basic_points), strict=True))
+E_through = given(a, plane_through(basic_points))
 section.up_to_scale(
     "1.6/g#V",
     "g coincides with the vanishing line in E",
@@ -393,9 +395,9 @@ section.up_to_scale(
 # %%
 u_prime = vector(up1, up2)
 given_images = [vector(*sympy.symbols(f"gp{j}1 gp{j}2 gp{j}3")) for j in range(3)]
-preimages = [object_point.xreplace(dict(zip(xi_prime, point, strict=True))) for point in given_images]
+preimages = [object_point.xreplace(given(xi_prime, point)) for point in given_images]
 mu_of_images = {factor: f + point[2] for factor, point in zip(factors, preimages, strict=True)}
-E_of_images = dict(zip(a, M_f.T * plane_through(given_images), strict=True))
+E_of_images = given(a, M_f.T * plane_through(given_images))
 section.up_to_scale(
     "1.6/g'#V'",
     "g' coincides with the horizon in E'",

@@ -13,6 +13,7 @@ import sympy
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -51,7 +52,7 @@ base
 # %%
 p_left, p_right = (vector(*sympy.symbols(f"{name}1 {name}2 {name}3")) for name in ("pp", "ppp"))
 seen_from_centers = {
-    **dict(zip(d, base, strict=True)),
+    **given(d, base),
     **{symbol: over(entry, factor_left) for symbol, entry in zip(p_left, to_point_left, strict=True)},
     **{symbol: over(entry, factor_right) for symbol, entry in zip(p_right, to_point_right, strict=True)},
 }
@@ -138,15 +139,13 @@ C = correlation_matrix(P_left, P_right, d)
 
 # %%
 C_elements = Matrix(3, 3, sympy.symbols("c:3:3"))
-correlation = dict(zip(C_elements, C, strict=True))
+correlation = given(C_elements, C)
 triple = dot(cross(P_left * u_left, d), P_right * u_right)
 
 section.identity(
     "2.1.3",
     "condition of coplanarity in image coordinates",
-    where=correlation
-    | dict(zip(p_left, P_left * u_left, strict=True))
-    | dict(zip(p_right, P_right * u_right, strict=True)),
+    where=correlation | given(p_left, P_left * u_left) | given(p_right, P_right * u_right),
     derived=vector(triple, triple, triple),
 )
 
@@ -269,10 +268,8 @@ section.up_to_scale(
 
 # %%
 inverse_left, inverse_right = (Matrix(3, 3, sympy.symbols(f"{name}:3:3")) for name in ("ps", "qs"))
-inverses = dict(zip(inverse_left, inverse(P_left), strict=True)) | dict(
-    zip(inverse_right, inverse(P_right), strict=True)
-)
-at_centers = dict(zip(d, center_right - center_left, strict=True))
+inverses = given(inverse_left, inverse(P_left)) | given(inverse_right, inverse(P_right))
+at_centers = given(d, center_right - center_left)
 
 # %% [markdown]
 # **Print.**  The factor $\mu_0$ is free.  For the right image it takes the sign, for the left center lies in the
@@ -401,7 +398,7 @@ section.identity(
 moment = cross(d, ray_left)
 moment_left, moment_right = P_left.T * moment, P_right.T * moment
 mu_u_right = factor_right * u_right
-lines = dict(zip(h_left, C * seen_right, strict=True)) | dict(zip(h_right, C.T * u_left, strict=True))
+lines = given(h_left, C * seen_right) | given(h_right, C.T * u_left)
 
 section.identity(
     "2.1/intersection",
@@ -591,7 +588,7 @@ projected_base = solve(P, d)
 section.identity(
     "2.1.12",
     "epipole from the elements of K",
-    where=dict(zip(kappa, kappa_elements, strict=True)),
+    where=given(kappa, kappa_elements),
     derived=homogeneous(vector(over(projected_base[1], projected_base[0]), over(projected_base[2], projected_base[0]))),
 )
 
@@ -625,8 +622,8 @@ def weighted_images(parameters: Matrix, image: Matrix) -> list[Matrix]:
     return [parameter * unit for parameter, unit in zip(parameters, image_units, strict=True)]
 
 
-at_left = dict(zip(P_left, reconstruction_of_basic_points(center_left, parameters_left), strict=True))
-at_right = dict(zip(P_right, reconstruction_of_basic_points(center_right, parameters_right), strict=True))
+at_left = given(P_left, reconstruction_of_basic_points(center_left, parameters_left))
+at_right = given(P_right, reconstruction_of_basic_points(center_right, parameters_right))
 at_basic_points = at_left | at_right | at_centers
 fourth_points = fourth_point(center_left, parameters_left, fourth_left) | fourth_point(
     center_right, parameters_right, fourth_right

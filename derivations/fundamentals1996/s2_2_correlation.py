@@ -17,6 +17,7 @@ from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion,
 from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import Delta, P, y0_of_mu
 from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C, at_basic_points, correlation_matrix
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -112,9 +113,7 @@ section.identity(
 def normal_case_at(*values: int) -> Matrix:
     """Return C of the normal case with f = 1 and d1 = 1 for given ordinates of the basic points."""
     origin_of_abscissas = dict.fromkeys((*abscissas_left, *abscissas_right), 0)
-    return C_normal.subs(
-        origin_of_abscissas | dict(zip(ordinates, values, strict=True)) | {distance: 1, base_length: 1}
-    )
+    return C_normal.subs(origin_of_abscissas | given(ordinates, values) | {distance: 1, base_length: 1})
 
 
 def largest_square(matrix: Matrix) -> sympy.Expr:
@@ -209,7 +208,7 @@ section.count(
 
 # %%
 def at(row: Matrix, left: tuple[int, int], right: tuple[int, int]) -> Matrix:
-    return row.xreplace(dict(zip((up1, up2, upp1, upp2), map(sympy.Integer, (*left, *right)), strict=True)))
+    return row.xreplace(given((up1, up2, upp1, upp2), map(sympy.Integer, (*left, *right))))
 
 
 basic_rows = Matrix.vstack(*(at(design, unit, unit) for unit in ((0, 0), (1, 0), (0, 1))))
@@ -221,7 +220,7 @@ section.identity("table:2.2", "coefficients of the system", derived=basic_rows.c
 # %%
 numbers, values = basic_rows[:, :8], basic_rows[:, 8]
 basic_solution = solve(*linear_system(list(numbers * vector(*unknowns) - values), (z00, z01, z02)))
-eliminated = dict(zip((z00, z01, z02), basic_solution, strict=True))
+eliminated = given((z00, z01, z02), basic_solution)
 Z = divided(Z_general.xreplace(eliminated))
 Z
 
@@ -242,7 +241,7 @@ partner = solve(*linear_system([equation(Z_singular)], [upp2]))[0]
 
 
 def homologous_row(row: Matrix, index: int) -> Matrix:
-    point = dict(zip((up1, up2, upp1), sympy.symbols(f"up{index}1 up{index}2 upp{index}1"), strict=True))
+    point = given((up1, up2, upp1), sympy.symbols(f"up{index}1 up{index}2 upp{index}1"))
     return row.xreplace({upp2: partner.xreplace(point), **point})
 
 
@@ -327,7 +326,7 @@ section.identity(
     "2.2/C-bar#cartesian",
     "in centered cartesian coordinates it is the projective correlation matrix",
     printed=inverse(frames[0]).T * c * inverse(frames[1]),
-    where=dict(zip(c, correlation_matrix(*P_cartesian, base_of_rotation), strict=True)),
+    where=given(c, correlation_matrix(*P_cartesian, base_of_rotation)),
     derived=correlation_matrix(*rotations, base_of_rotation),
     note="The projective correlation matrix is taken to be R'^T D R'', made of the rotations of both images and the "
     "base; the papers cited for it are not available.  The orthogonality of R is not needed.",
@@ -504,8 +503,8 @@ section.identity(
 # Z / D$: only where $\det \mathbf Z = 0$ is there an epipole.  Five measured points do not ensure that.
 
 # %%
-first_left = h_right[0].xreplace(dict(zip((up1, up2), epipole_left, strict=True)))
-first_right = h_left[0].xreplace(dict(zip((upp1, upp2), epipole_right, strict=True)))
+first_left = h_right[0].xreplace(given((up1, up2), epipole_left))
+first_right = h_left[0].xreplace(given((upp1, upp2), epipole_right))
 section.identity(
     "2.2/beyond/first-equation",
     "what the first equations need",
@@ -528,7 +527,7 @@ section.identity(
 # %%
 EXAMPLE = {z11: sympy.Rational(1, 2), z20: sympy.Integer(1), z21: sympy.Integer(-1), z22: sympy.Rational(1, 4)}
 Z_example = divided(divided(Z_singular).xreplace(EXAMPLE))
-elements = dict(zip(Z_general, Z_example, strict=True))
+elements = given(Z_general, Z_example)
 left_pole, right_pole = (divided(divided(pole).xreplace(elements)) for pole in (epipole_left, epipole_right))
 columns(left_pole, right_pole)
 

@@ -30,6 +30,7 @@ from algebroproj_derivations.fundamentals1996.s2_2_correlation import (
     upp1,
     upp2,
 )
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -116,7 +117,7 @@ M_left, M_right = primed(M, "p"), primed(M, "pp")
 
 
 def homologous(y: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
-    return dict(zip((*left, *right), (*(M_left * y), *(M_right * y)), strict=True))
+    return given((*left, *right), (*(M_left * y), *(M_right * y)))
 
 
 d1p, d2p, d1pp, d2pp = sympy.symbols("d1p d2p d1pp d2pp")
@@ -161,7 +162,7 @@ section.identity(
 def at(row: Matrix, index: int) -> Matrix:
     """Return a row, or an entry, for the image points with an index."""
     symbols = sympy.symbols(f"up{index}1 up{index}2 upp{index}1 upp{index}2")
-    return row.xreplace(dict(zip((up1, up2, upp1, upp2), symbols, strict=True)))
+    return row.xreplace(given((up1, up2, upp1, upp2), symbols))
 
 
 GENERAL = range(3, 8)
@@ -498,7 +499,7 @@ section.identity(
     "2.3.3",
     "the determinant as a function of the last point",
     printed=None,
-    where=dict(zip(D, minors_of(fixed_rows), strict=True)),
+    where=given(D, minors_of(fixed_rows)),
     derived=determinant(fixed_rows.col_join(forms_at(point))),
     expect="illegible",
     corrected=outer["11"] * D1 - outer["12"] * D2 + outer["20"] * D3 - outer["21"] * D4 + outer["22"] * D5,
@@ -511,7 +512,7 @@ section.identity(
 # y)$, and where it vanishes is a quadric.
 
 # %%
-signed = dict(zip(remaining, (D1, -D2, D3, -D4, D5), strict=True))
+signed = given(remaining, (D1, -D2, D3, -D4, D5))
 X = divided(Z - Z.xreplace(dict.fromkeys(remaining, sympy.Integer(0)))).xreplace(signed)
 X
 
@@ -552,7 +553,7 @@ section.identity(
 
 # %%
 four_points = [in_space(k) for k in range(3, 7)]
-minors_of_points = dict(zip(D, minors_of(Matrix.vstack(*map(forms_at, four_points))), strict=True))
+minors_of_points = given(D, minors_of(Matrix.vstack(*map(forms_at, four_points))))
 section.identity(
     "2.3/beyond/expanded",
     "the determinant of two cameras and five points as a function of the last point",
@@ -636,8 +637,8 @@ def monomials(y: Matrix) -> Matrix:
 
 def camera(position: Matrix, fourth: Matrix) -> Matrix:
     """Return the matrix of projection of a camera from its center and the image of G3."""
-    values = {**dict(zip(center, position, strict=True)), **dict(zip(fourth_image, fourth, strict=True))}
-    return M.xreplace(values | dict(zip(mu, divided(mu_of_y0).xreplace(values), strict=True)))
+    values = {**given(center, position), **given(fourth_image, fourth)}
+    return M.xreplace(values | given(mu, divided(mu_of_y0).xreplace(values)))
 
 
 FOURTH_LEFT, FOURTH_RIGHT = vector(2, 1), vector(3, 1)
@@ -645,7 +646,7 @@ FOURTH_LEFT, FOURTH_RIGHT = vector(2, 1), vector(3, 1)
 
 def equations(camera_left: Matrix, camera_right: Matrix, points: list[Matrix]) -> Matrix:
     """Return the numerators of A5 for two cameras and homogeneous points."""
-    images = [dict(zip((*left, *right), (*(camera_left * y), *(camera_right * y)), strict=True)) for y in points]
+    images = [given((*left, *right), (*(camera_left * y), *(camera_right * y))) for y in points]
     return Matrix.vstack(*(five_forms.xreplace(each) for each in images))
 
 
@@ -672,7 +673,7 @@ section.rank(
 def named(positions: list[Matrix]) -> dict[str, Matrix]:
     """Return both centers, the points 3 to 7 and the three basic points of the images by their names."""
     names = ("C'", "C''", *(f"P{k}" for k in GENERAL))
-    return dict(zip(names, positions, strict=True)) | {"G0": e0, "G1": e1, "G2": e2}
+    return given(names, positions) | {"G0": e0, "G1": e1, "G2": e2}
 
 
 QuadricDrawing(

@@ -45,6 +45,7 @@ from algebroproj_derivations.fundamentals1996.s2_3_critical_situations import (
     up32,
     upp32,
 )
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, adjugate, columns, determinant, dot, homogeneous, over, vector
 
@@ -407,7 +408,7 @@ for slug, (chosen, whole, infinite) in TYPES.items():
         f"2.3/{slug}#surface",
         f"the critical surface of four of the points, {name}",
         printed=chosen,
-        derived=quadric(camera_left, camera_right).xreplace(dict(zip(D, minors_of(numbers[:4, :]), strict=True))),
+        derived=quadric(camera_left, camera_right).xreplace(given(D, minors_of(numbers[:4, :]))),
     )
     section.identity(
         f"2.3/{slug}#type",

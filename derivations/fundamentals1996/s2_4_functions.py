@@ -4,10 +4,11 @@
 # The formulas of the section as functions.
 
 # %%
-from itertools import combinations, product
+from itertools import product
 
 import sympy
 
+from algebroproj_derivations.cameras import PLACES, wedge, with_ray
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star
 from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import (
@@ -147,20 +148,6 @@ section.identity(
 # $u_i \mathbf m_0 - \mathbf m_i$ is combined with the ray of the other image before the difference is taken.
 
 # %%
-PAIRS = list(combinations(range(4), 2))
-
-
-def wedge(first: Matrix, second: Matrix) -> dict[tuple[int, int], sympy.Expr]:
-    return {(i, j): first[i] * second[j] - first[j] * second[i] for i, j in PAIRS}
-
-
-def with_ray(row: Matrix, ray: dict[tuple[int, int], sympy.Expr], unknown: int) -> sympy.Expr:
-    """Return the determinant of a row and a ray, the right side in place of an unknown; for 3, without it."""
-    i, j, k = sorted({0, 1, 2, 3} - {unknown})
-    sign = (1, -1, 1, 1)[unknown]
-    return sign * (row[i] * ray[j, k] - row[j] * ray[i, k] + row[k] * ray[i, j])
-
-
 LEFT_RAY, RIGHT_RAY = wedge(augmented.row(0), augmented.row(1)), wedge(augmented.row(2), augmented.row(3))
 partner = {0: (1, RIGHT_RAY), 1: (0, RIGHT_RAY), 2: (3, LEFT_RAY), 3: (2, LEFT_RAY)}
 section.identity(
@@ -191,11 +178,11 @@ def equations_of(image: dict[str, Matrix]) -> list[Matrix]:
 def linear_ray(image: dict[str, Matrix]) -> dict[tuple[int, int], sympy.Expr]:
     m0, m1, m2 = (camera_rows(image).row(i) for i in range(3))
     wedges, weights = (wedge(m1, m2), wedge(m2, m0), wedge(m0, m1)), (1, *image["u"])
-    return {place: sympy.Add(*(w * v[place] for w, v in zip(weights, wedges, strict=True))) for place in PAIRS}
+    return {place: sympy.Add(*(w * v[place] for w, v in zip(weights, wedges, strict=True))) for place in PLACES}
 
 
 image_left, image_right = image_symbols("p"), image_symbols("pp")
-ray_left, ray_right = (dict(zip(PAIRS, sympy.symbols(f"{name}(:6)"), strict=True)) for name in ("rp", "rpp"))
+ray_left, ray_right = (dict(zip(PLACES, sympy.symbols(f"{name}(:6)"), strict=True)) for name in ("rp", "rpp"))
 rays, linear_rays, rows_with_rays, split_rows = {}, {}, {}, {}
 for image, ray, other, first in ((image_left, ray_left, ray_right, 0), (image_right, ray_right, ray_left, 2)):
     own_wedge, own_linear = wedge(*equations_of(image)), linear_ray(image)

@@ -9,6 +9,7 @@
 # %%
 import sympy
 
+from algebroproj_derivations.cameras import minors_of_cameras
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star as M_star_any
@@ -16,6 +17,7 @@ from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection impo
 from algebroproj_derivations.fundamentals1996.s1_5_space_to_space import M_star as core
 from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import correlation_matrix
 from algebroproj_derivations.fundamentals1996.s2_2_correlation import Z, remaining
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -69,7 +71,7 @@ M = M_star[:3, :]
 
 # %%
 LEFT, RIGHT = (
-    divided(y0_of_mu.xreplace(dict(zip((mu1, mu2, mu3, u31, u32), map(sympy.Rational, values), strict=True))))
+    divided(y0_of_mu.xreplace(given((mu1, mu2, mu3, u31, u32), map(sympy.Rational, values))))
     for values in (("1/2", "1/2", "2/3", "1/4", "1/8"), ("2/3", "1/2", "2/3", "1/3", "-1/8"))
 )
 SpaceDrawing(
@@ -217,7 +219,7 @@ section.identity(
 EQUAL = {mu1: mu2}
 equal_center = y0_of_mu.xreplace(EQUAL)
 other_point = equal_center + t * (axis_point - equal_center)
-at_other_point = dict(zip((*axis_point, *epipole), (*other_point, *image_of_axis_point.xreplace(EQUAL)), strict=True))
+at_other_point = given((*axis_point, *epipole), (*other_point, *image_of_axis_point.xreplace(EQUAL)))
 section.identity(
     "2.4/anywhere",
     "the point may be assumed everywhere on the axis",
@@ -328,7 +330,7 @@ section.vanishing(
 # $\mu''_3$.
 
 # %%
-AT_CENTER = dict(zip(axis_point, center, strict=True))
+AT_CENTER = given(axis_point, center)
 center_pair = [equation.subs(AT_CENTER) for equation in axis_equations]
 
 for number, equation, printed_form in (
@@ -562,7 +564,7 @@ section.vanishing(
 left_product = (y01 * ya3 - y03 * ya1) * (y00 * ya2 - y02 * ya0) * first_braces * u02
 right_product = (y02 * ya3 - y03 * ya2) * (y00 * ya1 - y01 * ya0) * second_braces * u01
 left_center = y0_of_mu + t * (axis_point - y0_of_mu)
-ON_AXIS = dict(zip(epipole, image_of_axis_point, strict=True)) | dict(zip(center, left_center, strict=True))
+ON_AXIS = given(epipole, image_of_axis_point) | given(center, left_center)
 ON_AXIS |= {symbol: COMPLETED[symbol].subs(ON_AXIS) for symbol in (y00, u00)} | {ya0: COMPLETED[ya0]}
 
 section.identity("2.4/equality", "the two products are equal", where=ON_AXIS, derived=0)
@@ -622,7 +624,7 @@ section.identity(
 up01, up02, up31, up32 = sympy.symbols("up01 up02 up31 up32")
 left_image = {u01: up01, u02: up02, u31: up31, u32: up32}
 epipole_equations = [*(Z.T * homogeneous(vector(up01, up02))), *(Z[1:, :] * image_epipole)]
-Z_of_epipoles = Z.subs(dict(zip(remaining, solve(*linear_system(epipole_equations, remaining)), strict=True)))
+Z_of_epipoles = Z.subs(given(remaining, solve(*linear_system(epipole_equations, remaining))))
 in_left_image = (second_braces * u01).subs(left_image), (first_braces * u02).subs(left_image)
 
 section.identity(
@@ -665,7 +667,7 @@ y = homogeneous(point)
 
 
 def of_bundle(factors: tuple[sympy.Symbol, ...], fourth: tuple[sympy.Symbol, ...]) -> Matrix:
-    return M.subs(dict(zip((mu1, mu2, mu3, u31, u32), (*factors, *fourth), strict=True)), simultaneous=True)
+    return M.subs(given((mu1, mu2, mu3, u31, u32), (*factors, *fourth)), simultaneous=True)
 
 
 M_left, M_right = of_bundle(mu_p, u3_p), of_bundle(mu_pp, u3_pp)
@@ -724,7 +726,7 @@ section.identity(
     "2.4/transition",
     "with the basic points as control points the model is transformed by (1.5.2)",
     printed=M_star_any.subs({m: m / factor for m, factor in zip(all_mu, tau, strict=True)}, simultaneous=True)
-    * core.subs(dict(zip(all_mu, tau, strict=True)), simultaneous=True),
+    * core.subs(given(all_mu, tau), simultaneous=True),
     derived=M_star_any,
 )
 
@@ -738,18 +740,8 @@ section.identity(
 
 
 # %%
-def without_row(matrix: Matrix, row: int) -> Matrix:
-    return rows(*(matrix.row(i).T for i in range(matrix.rows) if i != row))
-
-
-def correlation_of(first: Matrix, second: Matrix) -> Matrix:
-    return Matrix(
-        3, 3, lambda i, j: (-1) ** (i + j) * determinant(without_row(first, i).col_join(without_row(second, j)))
-    )
-
-
 five = (mup2, mup3, *mu_pp)
-C_of_five = correlation_of(M_left.subs(mup1, mup2), M_right)
+C_of_five = minors_of_cameras(M_left.subs(mup1, mup2), M_right)
 minors = vector(*C_of_five)
 changes = columns(*(diff(minors, parameter) for parameter in five))
 section.rank(
@@ -764,7 +756,7 @@ section.rank(
 # The paper says that five parameters are necessary.  Of the six $\mu$, the intersection of rays determines three.
 
 # %%
-C_of_six = correlation_of(M_left, M_right)
+C_of_six = minors_of_cameras(M_left, M_right)
 section.count(
     "2.4/five-parameters",
     "five parameters are necessary for relative orientation",

@@ -20,6 +20,7 @@ from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection impo
     point,
 )
 from algebroproj_derivations.fundamentals1996.s1_6_optical_projection import M_star as optical_M_star
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -54,7 +55,7 @@ normal_mu_of_y0 = mu_of_y0.xreplace(IN_NORMAL_CASE)
 # %%
 bundle = (*center, *mu, *fourth_image)
 other_bundle = sympy.symbols("ypp01 ypp02 ypp03 mupp1 mupp2 mupp3 upp31 upp32")
-RIGHT = dict(zip(bundle, other_bundle, strict=True))
+RIGHT = given(bundle, other_bundle)
 
 
 def seen(projection: Matrix) -> tuple[sympy.Expr, Matrix]:
@@ -81,7 +82,7 @@ section.identity(
 
 # %%
 mu_normal = sympy.symbols("muN1 muN2 muN3")
-PN_star = P_star.xreplace(IN_NORMAL_CASE | dict(zip(mu, mu_normal, strict=True)))
+PN_star = P_star.xreplace(IN_NORMAL_CASE | given(mu, mu_normal))
 normal_factor, normal_image = seen(PN_star)
 section.identity(
     "3.1.1#muN",
@@ -148,7 +149,7 @@ section.identity(
 # \mathbf u_{N3}$, three linear equations for $\tau_1, \tau_2, \tau_3$.
 
 # %%
-other_center = dict(zip(center, sympy.symbols("x01 x02 x03"), strict=True))
+other_center = given(center, sympy.symbols("x01 x02 x03"))
 section.identity(
     "3.1/exclusively",
     "the transformation depends on the fourth points alone",
@@ -158,7 +159,7 @@ section.identity(
 tau3 = sympy.Symbol("tau3")
 fourth_points = T * homogeneous(fourth_image) - tau3 * homogeneous(normal_fourth_image)
 tau_of_fourth_points = vector(*solve(*linear_system(list(fourth_points), [tau1, tau2, tau3]))[:2, 0])
-at_fourth_points = dict(zip((tau1, tau2), tau_of_fourth_points, strict=True))
+at_fourth_points = given((tau1, tau2), tau_of_fourth_points)
 section.identity(
     "3.1.2#fourth-points",
     "parameters from the correspondence of the fourth points",
@@ -230,7 +231,7 @@ TAUS = {tau1: sympy.Rational(3, 2), tau2: sympy.Rational(5, 4)}
 corners = [vector(-1, -1, 2), vector(1, -1, 2), vector(0, 1, 2)]
 normal_corners = [corners[0], corners[1] / TAUS[tau1], corners[2] / TAUS[tau2]]
 before = vector(sympy.Rational(1, 4), sympy.Rational(1, 2))
-after = mapped_u.xreplace(TAUS | dict(zip(u, before, strict=True))).doit()
+after = mapped_u.xreplace(TAUS | given(u, before)).doit()
 after
 
 

@@ -8,6 +8,7 @@
 # %%
 import sympy
 
+from algebroproj_derivations.cameras import skew
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_1_projection import ratios, usual_parameters, usual_projection
@@ -38,6 +39,7 @@ from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation im
     un31,
     un32,
 )
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -183,7 +185,7 @@ ImageDrawing(
 y_a = vector(*sympy.symbols("yA1 yA2 yA3"))
 ya0, ya1, ya2, ya3 = sympy.Symbol("yA0"), *y_a
 AXIS = {ya0: 1 - sum(y_a)}
-AT_AXIS = dict(zip(point, y_a, strict=True))
+AT_AXIS = given(point, y_a)
 IN_NORMAL_CASE = {u31: un31, u32: un32}
 
 homogeneous_image = P_star * point + image_e0
@@ -235,9 +237,9 @@ section.identity(
 k, t = sympy.symbols("k t")
 left_fourth = vector(*sympy.symbols("upN31 upN32"))
 right_fourth = vector(*sympy.symbols("uppN31 uppN32"))
-LEFT_FOURTH = dict(zip(fourth_image, left_fourth, strict=True))
-RIGHT_FOURTH = dict(zip(fourth_image, right_fourth, strict=True))
-MU_RIGHT = dict(zip(mu, sympy.symbols("mupp1 mupp2 mupp3"), strict=True))
+LEFT_FOURTH = given(fourth_image, left_fourth)
+RIGHT_FOURTH = given(fourth_image, right_fourth)
+MU_RIGHT = given(mu, sympy.symbols("mupp1 mupp2 mupp3"))
 
 y0_left = y0_of_mu.xreplace(LEFT_FOURTH)
 y0_right = y0_of_mu.xreplace(RIGHT_FOURTH)
@@ -246,7 +248,7 @@ section.identity(
     "3.2.5#parallel",
     "the condition says that the base is parallel to the image plane",
     printed=common_denominator.xreplace(AXIS),
-    where=dict(zip(y_a, y0_left + t * general_base, strict=True)),
+    where=given(y_a, y0_left + t * general_base),
     derived=t * dot(plane, general_base),
 )
 
@@ -333,8 +335,8 @@ y00_left, y00_right = sympy.symbols("yp00 ypp00")
 u30_left, u30_right = sympy.symbols("upN30 uppN30")
 center_left = vector(*sympy.symbols("yp01 yp02 yp03"))
 center_right = vector(*sympy.symbols("ypp01 ypp02 ypp03"))
-LEFT = LEFT_FOURTH | dict(zip(center, center_left, strict=True))
-RIGHT = RIGHT_FOURTH | dict(zip(center, center_right, strict=True))
+LEFT = LEFT_FOURTH | given(center, center_left)
+RIGHT = RIGHT_FOURTH | given(center, center_right)
 BARYCENTRIC_BOTH = {
     y00_left: 1 - sum(center_left),
     y00_right: 1 - sum(center_right),
@@ -433,10 +435,8 @@ for number, side, scale, other, center_printed, fourth in (
 # Those of the right image are to be the same.  The last two equations for its center, (1.3.4), give its fourth point.
 
 # %%
-common_mu = dict(zip(mu, mu_left, strict=True))
-right_equations = [
-    equation.xreplace(common_mu | dict(zip(center, center_right, strict=True))) for equation in center_equations
-]
+common_mu = given(mu, mu_left)
+right_equations = [equation.xreplace(common_mu | given(center, center_right)) for equation in center_equations]
 fourth_of_right = solve(*linear_system([*right_equations[1:]], [u31, u32]))
 fourth_of_right
 
@@ -468,7 +468,7 @@ section.identity(
     "3.2/mu''",
     "the parameters of the right image are equivalent to those of the left",
     printed=mu,
-    derived=mu_of_y0.xreplace(on_plane | dict(zip(fourth_image, fourth_on_plane, strict=True))),
+    derived=mu_of_y0.xreplace(on_plane | given(fourth_image, fourth_on_plane)),
 )
 
 # %% [markdown]
@@ -482,14 +482,12 @@ section.identity(
 
 # %%
 def epipole_of(axis_point: Matrix, fourth: Matrix) -> Matrix:
-    return homogeneous_image.xreplace(
-        dict(zip(point, axis_point, strict=True)) | dict(zip(fourth_image, fourth, strict=True))
-    )
+    return homogeneous_image.xreplace(given(point, axis_point) | given(fourth_image, fourth))
 
 
 axis_of_mu = y0_left + t * (y0_right - y0_left)
 w_left, w_right = epipole_of(axis_of_mu, left_fourth), epipole_of(axis_of_mu, right_fourth)
-ON_AXIS = dict(zip(y_a, axis_of_mu, strict=True))
+ON_AXIS = given(y_a, axis_of_mu)
 section.identity("3.2/w0'", "homogeneous coordinates of the epipole", where=ON_AXIS, derived=w_left)
 
 # %% [markdown]
@@ -506,7 +504,7 @@ section.identity("3.2.9#mu", "z_N from the parameters", where=ON_AXIS, derived=z
 section.identity(
     "3.2.9",
     "z_N from the center of projection",
-    where=ON_AXIS | dict(zip(center_left, y0_left, strict=True)),
+    where=ON_AXIS | given(center_left, y0_left),
     derived=z_of_pair,
 )
 section.identity(
@@ -531,7 +529,7 @@ matrix, right_side = linear_system(
     ],
     list(right_fourth),
 )
-PAIR = {z_n: z_of_pair} | dict(zip((*y_a, *center_right), (*y0_left, *y0_right), strict=True))
+PAIR = {z_n: z_of_pair} | given((*y_a, *center_right), (*y0_left, *y0_right))
 section.identity(
     "3.2.10",
     "the fourth point satisfies both linear equations",
@@ -563,7 +561,7 @@ section.identity(
 # The fourth points that belong to $\mathbf T'$ and $\mathbf T''$ are the images of $G_3$ in $P'_N$ and $P''_N$.
 
 # %%
-image_of_e3 = u_of_y.subs(mu0, 1).xreplace(dict(zip(point, e3, strict=True)))
+image_of_e3 = u_of_y.subs(mu0, 1).xreplace(given(point, e3))
 section.identity(
     "3.2/fourth-points",
     "the fourth points of both images",
@@ -616,7 +614,7 @@ section.count(
     "3.2/G3#plane",
     "with the center given, the fourth point determines both directions of the image plane",
     printed=2,
-    derived=ratios(plane.xreplace(dict(zip(mu, mu_of_y0, strict=True)))),
+    derived=ratios(plane.xreplace(given(mu, mu_of_y0))),
     variables=tuple(fourth_image),
 )
 section.reference(
@@ -637,23 +635,27 @@ section.reference(
 # any skew-symmetric matrix.
 
 # %%
-PLANE_LEFT = dict(zip(mu, (mup1, mup2, mup3), strict=True))
-PLANE_RIGHT = dict(zip(mu, (mupp1, mupp2, mupp3), strict=True))
+PLANE_LEFT = given(mu, (mup1, mup2, mup3))
+PLANE_RIGHT = given(mu, (mupp1, mupp2, mupp3))
 flat_image = u_of_y.subs(mu0, 1).subs(point[2], 0)
 flat_matrix = columns(image_e0, P_star.col(0), P_star.col(1))
 
 
 def flat_row(index: int) -> Matrix:
     """Return one row of (2.2.4), right side included, for a point of the plane."""
-    place = dict(zip(point[:2, 0], sympy.symbols(f"y{index}1 y{index}2"), strict=True))
+    place = given(point[:2, 0], sympy.symbols(f"y{index}1 y{index}2"))
     seen = [*flat_image.xreplace(place | PLANE_LEFT), *flat_image.xreplace(place | PLANE_RIGHT)]
-    return reduced.xreplace(dict(zip(sympy.symbols("up1 up2 upp1 upp2"), seen, strict=True)))
+    return reduced.xreplace(given(sympy.symbols("up1 up2 upp1 upp2"), seen))
+
+
+def flat_correlation(axis: Matrix) -> Matrix:
+    """Return a matrix of correlation of the images of a plane."""
+    return adjugate(flat_matrix.xreplace(PLANE_LEFT)).T * skew(axis) * adjugate(flat_matrix.xreplace(PLANE_RIGHT))
 
 
 def flat_solution(axis: Matrix) -> Matrix:
     """Return what satisfies all rows: five elements of Z, and minus the element z10."""
-    skew = columns(*(cross(axis, unit) for unit in (e1, e2, e3)))
-    solution = adjugate(flat_matrix.xreplace(PLANE_LEFT)).T * skew * adjugate(flat_matrix.xreplace(PLANE_RIGHT))
+    solution = flat_correlation(axis)
     return vector(solution[1, 1], solution[1, 2], solution[2, 0], solution[2, 1], solution[2, 2], -solution[1, 0])
 
 

@@ -12,7 +12,19 @@ from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import P_star, point
 from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import correlation_matrix
-from algebroproj_derivations.fundamentals1996.s2_2_correlation import SEEN, Z_example
+from algebroproj_derivations.fundamentals1996.s2_2_correlation import (
+    SEEN,
+    Z_example,
+    Z_general,
+    z00,
+    z01,
+    z02,
+    z11,
+    z12,
+    z20,
+    z21,
+    z22,
+)
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import (
     FOURTH,
     T,
@@ -43,6 +55,7 @@ from algebroproj_derivations.fundamentals1996.s3_2_normal_case import (
     z_n,
     z_of_pair,
 )
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -218,8 +231,7 @@ for (row, column), corrected, note in (
 # parameters.
 
 # %%
-z01, z02, z11, z12, z20, z21, z22 = sympy.symbols("z01 z02 z11 z12 z20 z21 z22")
-Z = Matrix([[0, z01, z02], [1, z11, z12], [z20, z21, z22]])
+Z = Z_general.xreplace({z00: sympy.Integer(0)})
 parameters = vector(taup1, taup2, taupp1, taupp2)
 border = ((1, 0), (2, 0), (0, 1), (0, 2))
 parameters_of_z = solve(*linear_system([product[place] - Z[place] for place in border], list(parameters)))
@@ -233,7 +245,7 @@ section.identity("3.3.5", "the four parameters from the elements of Z", derived=
 # entries give $z_N$.
 
 # %%
-inner = product.xreplace(dict(zip(parameters, parameters_of_z, strict=True)))
+inner = product.xreplace(given(parameters, parameters_of_z))
 section.identity(
     "3.3/a",
     "conditions of the principal diagonal",
@@ -345,7 +357,7 @@ example_parameters = parameters_of_z.xreplace(numbers | {z_n: example_z_n}).doit
 example_parameters
 
 # %%
-TAUS = dict(zip(parameters, example_parameters, strict=True))
+TAUS = given(parameters, example_parameters)
 lines = [Z_example * homogeneous(seen) for seen in SEEN.values()]
 to_normal = T_left.xreplace(TAUS)
 moved = {
@@ -370,7 +382,7 @@ first_three = solve(*linear_system(scaled_border, [taup1, taup2, taupp1]))
 fourth_equation = (product[1, 2] - k * z12).xreplace({taup1: k, z_n: over(-k * z02, taupp2)})
 fourth = solve(*linear_system([sympy.expand(divided(fourth_equation))], [taupp2]))[0]
 z_of_k = over(-k * z02, fourth)
-family = dict(zip((*parameters, z_n), (*(f.xreplace({z_n: z_of_k}) for f in first_three), fourth, z_of_k), strict=True))
+family = given((*parameters, z_n), (*(f.xreplace({z_n: z_of_k}) for f in first_three), fourth, z_of_k))
 at_one = {symbol: value.xreplace({k: sympy.Integer(1)}) for symbol, value in family.items()}
 z21_of_det = {z21: solve(*linear_system([determinant_of_z], [z21]))[0]}
 Z_regular = Z.subs(CONDITIONS_A).xreplace(z21_of_det)
@@ -513,7 +525,7 @@ image_of_point = (P_star * point + image_e0).xreplace(NORMAL_FOURTH)
 
 
 def weights_of(axis_point: Matrix) -> Matrix:
-    return image_of_point.xreplace(dict(zip(point, axis_point, strict=True)))
+    return image_of_point.xreplace(given(point, axis_point))
 
 
 section.identity(
@@ -581,7 +593,7 @@ section.limit(
 # %%
 weights = weights_of(y_a).subs(mu2, mu1)
 epipole_symbols = sympy.symbols("u01 u02")
-AT_EPIPOLE = dict(zip(epipole_symbols, (u01, u02), strict=True))
+AT_EPIPOLE = given(epipole_symbols, (u01, u02))
 
 
 def epipole_equations(weights: Matrix) -> list[sympy.Expr]:
@@ -646,7 +658,7 @@ u00 = 1 - epipole_symbols[0] - epipole_symbols[1]
 section.limit(
     "3.3.9#u00", "the quotient u00/u02", derived=over(u00, epipole_symbols[1]).xreplace(AT_EPIPOLE), variable=eps
 )
-FOURTH_RIGHT = dict(zip((un31, un32), right_fourth, strict=True))
+FOURTH_RIGHT = given((un31, un32), right_fourth)
 systems = {
     name: linear_system(epipole_equations(weights_of(axis_point).xreplace(FOURTH_RIGHT)), [mu1, mu2])
     for name, axis_point in (("yA", y_a), ("y0", center))
@@ -704,7 +716,7 @@ section.identity(
     "the parameters of both bundles are equal",
     printed=Matrix.zeros(4, 1),
     derived=vector(*(equation for w in right_weights.values() for equation in infinite_equations(w))).xreplace(
-        {z_n: z_of_pair} | dict(zip((*y_a, *center), (*axis_of_mu, *y0_left), strict=True))
+        {z_n: z_of_pair} | given((*y_a, *center), (*axis_of_mu, *y0_left))
     ),
 )
 

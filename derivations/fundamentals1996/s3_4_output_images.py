@@ -17,6 +17,7 @@ from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation im
     tau2,
 )
 from algebroproj_derivations.fundamentals1996.s3_2_normal_case import Z_N, z_n
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -245,7 +246,7 @@ requirements = [
     for name, target in (("U0", origin), ("U1", unit1), ("U2", unit2))
 ]
 solution = solve(*linear_system(requirements, list(a)))
-elements = dict(zip(a, solution, strict=True))
+elements = given(a, solution)
 A = Matrix.vstack(Matrix([[1, 0, 0]]), a.xreplace(elements))
 A
 
@@ -336,8 +337,8 @@ section.vanishing(
 # condition (3.2.3) it is, for the first coordinate does not depend on $\tau$.
 
 # %%
-LEFT = dict(zip((un1, un2, tau1, tau2), sympy.symbols("upN1 upN2 taup1 taup2"), strict=True))
-RIGHT = dict(zip((un1, un2, tau1, tau2), sympy.symbols("uppN1 uppN2 taupp1 taupp2"), strict=True))
+LEFT = given((un1, un2, tau1, tau2), sympy.symbols("upN1 upN2 taup1 taup2"))
+RIGHT = given((un1, un2, tau1, tau2), sympy.symbols("uppN1 uppN2 taupp1 taupp2"))
 x_left, x_right = ((A_of_lines * homogeneous(u_normal)).xreplace(side) for side in (LEFT, RIGHT))
 section.identity(
     "3.4/x1",

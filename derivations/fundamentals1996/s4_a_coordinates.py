@@ -31,6 +31,7 @@ from algebroproj_sym.expressions import (
 
 section = Section("fundamentals1996", "4", "Numerical example")
 
+# %%
 BASIC = ("1", "4", "5", "2")
 
 

@@ -83,7 +83,7 @@ from algebroproj_sym.expressions import (
 
 section = Section("fundamentals1996", "4", "Numerical example")
 
-
+# %%
 Y_A = exact("-1.0", "0.5", "3.5")
 
 # %% [markdown]

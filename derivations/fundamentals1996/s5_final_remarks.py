@@ -27,15 +27,14 @@ from algebroproj_derivations.fundamentals1996.s2_2_correlation import (
 from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import axis_equations, forms_of_point, point
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import T, mapped_u, tau1, tau2
 from algebroproj_derivations.fundamentals1996.s3_2_normal_case import (
-    PLANE_LEFT,
-    PLANE_RIGHT,
-    flat_matrix,
+    flat_correlation,
     left_condition,
     left_fourth,
 )
 from algebroproj_derivations.fundamentals1996.s3_3_less_complicated_transformation import Z, border, parameters, product
+from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, adjugate, columns, cross, diff, homogeneous, over, vector
+from algebroproj_sym.expressions import Matrix, columns, diff, homogeneous, over, vector
 
 section = Section("fundamentals1996", "5", "Final remarks")
 
@@ -176,8 +175,7 @@ for slug, title, printed, images in (
 
 # %%
 axis = vector(*sympy.symbols("s1 s2 s3"))
-skew = columns(*(cross(axis, unit) for unit in (e1, e2, e3)))
-left_undetermined = adjugate(flat_matrix.xreplace(PLANE_LEFT)).T * skew * adjugate(flat_matrix.xreplace(PLANE_RIGHT))
+left_undetermined = flat_correlation(axis)
 section.count(
     "5/beyond/plane-object",
     "the images of a plane object leave two parameters of the correlation undetermined",
@@ -197,7 +195,7 @@ mu_normal = sympy.symbols("muN1 muN2 muN3")
 tau3 = (T * homogeneous(fourth_image))[0]
 fourth_of_normal = mapped_u.xreplace({u1: u31, u2: u32})
 original = {m: over(m_normal, tau) for m, m_normal, tau in zip(mu, mu_normal, (tau1, tau2, tau3), strict=True)}
-of_normal_case = dict(zip((*mu, *fourth_image), (*mu_normal, *fourth_of_normal), strict=True))
+of_normal_case = given((*mu, *fourth_image), (*mu_normal, *fourth_of_normal))
 section.identity(
     "5/beyond/orientation-from-normal-case",
     "the bundle of the normal case is the original one with its parameters divided by tau",

@@ -70,7 +70,6 @@ section.identity(
 )
 
 # %% [markdown]
-# %% [markdown]
 # **An example.**  A left image with the tip whose sine is $-7/25$.
 
 # %%
@@ -158,6 +157,8 @@ section.identity(
     "> 0, the minus sign of the image of the base turns the sign around: in the example x0'' is -178.264 and phi'' "
     "+17.799 gon, not -17.8.  Ruled out: a negative factor, which means x0'' > 0, and a swing near 200 gon, which the "
     "correlation excludes, because it ties the signs of both epipoles (2.2/beyond/epipoles).",
+    follows="The tip of the right image gets the wrong sign. In the example it is {4/approximate#phipp} gon, and the "
+    "printed formula gives the negative of it.",
 )
 
 # %% [markdown]

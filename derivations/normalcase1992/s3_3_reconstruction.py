@@ -15,6 +15,7 @@ from algebroproj_sym.expressions import Matrix, columns, diff, dot, linear_syste
 
 section = Section("normalcase1992", "3.3", "Propagation of errors concerning reconstruction")
 
+# %%
 section.reference(
     "3.3/ref-S_N",
     "the dispersion of the image coordinates",

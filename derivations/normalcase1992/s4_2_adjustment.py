@@ -47,6 +47,7 @@ from algebroproj_sym.expressions import Matrix, cross, divided, dot, inverse, ro
 
 section = Section("normalcase1992", "4", "Numerical example: adjustment")
 
+# %%
 base = e1
 UNKNOWNS = {"phip": "phi'", "kappap": "kappa'", "omega": "Omega''", "phipp": "phi''", "kappapp": "kappa''"}
 
@@ -145,27 +146,30 @@ NOTES = {(2, 0): "The second decimal, a zero, is not printed."}
 
 table = design.row_join(delta_p).row_join(weights(C))
 HEADS = {slug: f"coefficient of d{name}" for slug, name in UNKNOWNS.items()} | {"deltap": "parallax", "g": "weight"}
+
+
+def verdict_of(number: str, slug: str, place: tuple[int, int]) -> dict[str, str]:
+    """Return what a cell of the table is declared to be."""
+    if place not in SLIPS:
+        return {"note": NOTES.get(place, "")}
+    right, note = SLIPS[place]
+    finding = {"expect": "misprint" if note is LOST_SIGN else "error", "corrected": right, "note": note}
+    if slug == "g":
+        finding["grade"] = "formula"
+    if number == FIRST_WEIGHT:
+        return finding | {"follows": RECIPROCAL_FOLLOWS}
+    return finding | {"same_as": SAME_FINDING.get(slug, "")}
+
+
 for i, printed in enumerate(TABLE):
     for j, (slug, head) in enumerate(HEADS.items()):
-        slip = SLIPS.get((i, j))
+        number = f"4/errors#{i + 1}.{slug}"
         section.numeric(
-            f"4/errors#{i + 1}.{slug}",
+            number,
             f"error equation {i + 1}, {head}",
             printed=printed[j],
             derived=table[i, j],
-            **(
-                {
-                    "expect": "misprint" if slip[1] is LOST_SIGN else "error",
-                    "corrected": slip[0],
-                    "note": slip[1],
-                    "same_as": ""
-                    if (number := f"4/errors#{i + 1}.{slug}") == FIRST_WEIGHT
-                    else SAME_FINDING.get(slug, ""),
-                    "follows": RECIPROCAL_FOLLOWS if number == FIRST_WEIGHT else "",
-                }
-                if slip
-                else {"note": NOTES.get((i, j), "")}
-            ),
+            **verdict_of(number, slug, (i, j)),
         )
 
 # %% [markdown]

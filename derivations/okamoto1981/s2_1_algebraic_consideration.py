@@ -6,10 +6,10 @@
 # meet.  This section asks what the condition knows of the two photographs, and what more is needed to know the object.
 
 # %%
-from itertools import combinations
 
 import sympy
 
+from algebroproj_derivations.cameras import PLACES, Ray, wedge, with_ray
 from algebroproj_derivations.figures import ImageDrawing, SpaceDrawing
 from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.okamoto1981.notation import *
@@ -601,22 +601,8 @@ section.identity(
 # $(x \mathbf p_3 - \mathbf p_1) \wedge (y \mathbf p_3 - \mathbf p_2) = \mathbf p_1 \wedge \mathbf p_2 + x\, \mathbf p_2
 # \wedge \mathbf p_3 + y\, \mathbf p_3 \wedge \mathbf p_1$.  The product $x y$ does not arise.
 
+
 # %%
-PLACES = list(combinations(range(4), 2))
-Ray = dict[tuple[int, int], Scalar]
-
-
-def wedge(first: Matrix, second: Matrix) -> Ray:
-    return {(i, j): first[i] * second[j] - first[j] * second[i] for i, j in PLACES}
-
-
-def with_ray(row: Matrix, ray: Ray, unknown: int) -> Scalar:
-    """Return the determinant of an equation and a ray, the right side in place of an unknown; for 3, without it."""
-    i, j, k = sorted({0, 1, 2, 3} - {unknown})
-    sign = (1, -1, 1, 1)[unknown]
-    return sign * (row[i] * ray[j, k] - row[j] * ray[i, k] + row[k] * ray[i, j])
-
-
 def moment(left: Ray, right: Ray) -> Scalar:
     """Return the combination of two rays that vanishes where they meet, with the sign of (19)."""
     opposite = {place: tuple(k for k in range(4) if k not in place) for place in PLACES}

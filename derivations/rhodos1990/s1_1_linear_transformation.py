@@ -10,6 +10,7 @@ from itertools import combinations
 
 import sympy
 
+from algebroproj_derivations.cameras import inhomogeneous
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import inserted
 from algebroproj_sym import Section
@@ -38,11 +39,6 @@ section.identity(
 # **Definition.**  The images of all points fill what their inhomogeneous coordinates fill: as many dimensions as
 # independent functions are among them.  Nothing changes along $\mathbf y$ itself, which is the free factor of a
 # homogeneous vector, nor along a vector that $\mathbf P$ annihilates.
-
-
-# %%
-def inhomogeneous(image: Matrix) -> Matrix:
-    return vector(*(over(component, image[0]) for component in image[1:, 0]))
 
 
 # %% [markdown]

@@ -3,7 +3,8 @@
 #
 # How are coordinates given to points that have none?  Four points $\mathbf y_0, \dots, \mathbf y_3$ and a unit point
 # $\mathbf y_E$ define the base of a projective coordinate system.  The right column of the page is cut at its left
-# edge; its beginnings of lines are all that survives there.
+# edge; its beginnings of lines are all that survives there.  Of the words below Fig. 1, "vector of the y'-u 1 b",
+# too little is left for a claim: the letters fit the vector (1.2/BUu) and others as well.
 
 # %%
 from itertools import combinations

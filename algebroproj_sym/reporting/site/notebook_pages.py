@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from base64 import b64encode
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -16,6 +17,7 @@ from algebroproj_sym.reporting.site.markdown import latex_html, markdown_html
 from algebroproj_sym.reporting.site.templating import page
 
 Data = Mapping[str, str]
+_FOLDED = Markup("<details><summary>What this section imports</summary>{}</details>")
 
 
 @dataclass(frozen=True)
@@ -72,9 +74,16 @@ def _code(source: str) -> Markup:
     from pygments.lexers import PythonLexer
 
     code = highlight(source, PythonLexer(), HtmlFormatter(nowrap=True))
-    return Markup('<pre class="code" tabindex="0" role="group" aria-label="Code"><code>{}</code></pre>').format(
+    shown = Markup('<pre class="code" tabindex="0" role="group" aria-label="Code"><code>{}</code></pre>').format(
         Markup(code)
     )
+    return _FOLDED.format(shown) if _imports(source) else shown
+
+
+def _imports(source: str) -> bool:
+    """Whether a cell imports and does nothing else, but for a last statement that makes the section."""
+    first, *others = ast.parse(source).body or [ast.Pass()]
+    return all(isinstance(each, ast.Import | ast.ImportFrom) for each in (first, *others[:-1]))
 
 
 def _output(output: Any) -> Markup | None:

@@ -59,8 +59,7 @@ class Studies(click.Group):
             formatter.write(f"\nTo see the studies, install what they need:\n  pip install '{REQUIREMENT}'\n")
         else:
             with formatter.section("Commands"):
-                rows = [(study.name, study.summary) for study in _studies(self.path)]
-                formatter.write_dl([*rows, (REDRAW, "Write report and figures of a finished study again")])
+                formatter.write_dl([(study.name, study.summary) for study in _studies(self.path)])
 
 
 @click.group(name="study", cls=Studies)
@@ -69,6 +68,8 @@ def study_group() -> None:
 
     Finished parts are kept.  If a study is stopped, the same command goes on where it was.  The results depend only on
     the options and the seed, not on the number of workers.
+
+    `study redraw FOLDER` writes report and figures of a finished study again.
 
     In place of a name, give the path of a file or a folder with studies of your own.
     """

@@ -29,6 +29,8 @@ from algebroproj_derivations.studies.pairs.populating import HALF, KINDS, pair
 COUNTS = [8, 9, 10, 12, 16, 25, 40, 100]
 REPEATED, REPEATED_IF_TRUSTED = 4, 20
 USELESS = 50.0
+NEAR = 20.0
+"""Up to how many sigma away a critical configuration is near."""
 THRESHOLD = 3.0
 """By how many sigma a pair may miss the matrix in the RANSAC of the other programs."""
 
@@ -129,6 +131,8 @@ def judged(seed):
         "own": own,
         "predicted": predicted,
         "actual": float(np.sqrt(np.mean([each[2] ** 2 for each in again]))),
+        "lower": judgement.critical.lower / sigma,
+        "upper": judgement.critical.upper / sigma,
         "seconds": seconds,
         "others": beside(known, sigma),
     }
@@ -173,6 +177,9 @@ def tables(rows):
             f"actual over predicted at most {(1 / ratios).max():.2f}, "
             f"error over bound at most {max(row['factor'] for row in trusted):.2f}"
         )
+    for name, chosen in (("near", [row for row in rows if row["upper"] <= NEAR]), ("all", rows)):
+        shares = [row["lower"] >= row["upper"] / 2 for row in chosen]
+        print(f"{name}: lower and upper bound within a factor of 2: {np.mean(shares):.3f} of {len(shares)}")
     seconds = [row["seconds"] for row in rows]
     print(f"seconds: median {np.median(seconds):.3f}, largest {max(seconds):.3f}")
     for name in OTHERS:

@@ -216,6 +216,14 @@ def test_many_ordinary_pairs_are_trusted_and_their_errors_are_below_the_bound():
         assert np.sqrt((errors**2).mean()) < judgement.bound
 
 
+def test_a_pair_whose_prediction_hardly_holds_is_not_trusted():
+    """Of 7690 generated pairs the one that erred by four times its bound."""
+    known = pair(44296, "seven", 100, 0.4594)
+    judgement = judge(known.x1, known.x2, 0.4594)
+    assert judgement.verdict == UNDECIDED
+    assert "Linear prediction is off by 19 %" in judgement.reasons[0]
+
+
 def test_errors_that_are_too_large_contradict_sigma():
     x1, x2 = known_pair(1, "ordinary", 40, 2.0)
     judgement = judge(x1, x2, 0.2)

@@ -462,3 +462,34 @@ def test_without_the_extra_the_command_says_how_to_install_it(monkeypatch):
     result = invoke("near-critical")
     assert result.exit_code == 1
     assert "pip install 'algebroproj-sym[study]'" in result.stderr
+
+
+def test_a_finished_study_is_drawn_again_by_another_version(tmp_path, monkeypatch):
+    assert invoke("normal-case", "--members", "10", "--out", str(tmp_path)).exit_code == 0
+    report, kept = (tmp_path / "report.txt").read_bytes(), (tmp_path / "normal-case.nc").read_bytes()
+    drawings = sorted(path.name for path in (tmp_path / "figures").iterdir())
+    shutil.rmtree(tmp_path / "figures")
+    (tmp_path / "report.txt").unlink()
+    monkeypatch.setattr("algebroproj_sym.study.sweeping.provenance", lambda source: {"source": "another"})
+    assert invoke("normal-case", "--members", "10", "--out", str(tmp_path)).exit_code == 2
+    result = invoke("redraw", str(tmp_path))
+    assert result.exit_code == 0, result.output
+    assert result.stdout.splitlines()[:-1] == report.decode().splitlines()
+    assert (tmp_path / "report.txt").read_bytes() == report
+    assert sorted(path.name for path in (tmp_path / "figures").iterdir()) == drawings
+    assert (tmp_path / "normal-case.nc").read_bytes() == kept
+    flipped(tmp_path / "normal-case.nc")
+    result = invoke("redraw", str(tmp_path))
+    assert result.exit_code == 2
+    assert "expected the dataset as the study wrote it, got none or a damaged one" in " ".join(result.stderr.split())
+
+
+@pytest.mark.parametrize(
+    "text", [None, "", "[]", "null", '{"arguments": 1}', '{"arguments": {"study": "a", "members": -1}}']
+)
+def test_what_is_no_finished_study_is_not_drawn(tmp_path, text):
+    if text is not None:
+        (tmp_path / "manifest.json").write_text(text)
+    result = invoke("redraw", str(tmp_path))
+    assert result.exit_code == 2
+    assert "expected a folder of a study with manifest.json" in " ".join(result.stderr.split())

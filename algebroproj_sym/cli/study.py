@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, ProcessPoolExecutor
 from contextlib import ExitStack, contextmanager
 from multiprocessing import get_context
@@ -17,12 +17,15 @@ from algebroproj_sym.cli.terminal import console, progressing
 from algebroproj_sym.files import write_texts
 
 if TYPE_CHECKING:
+    import xarray
+
     from algebroproj_sym.study import Option, Study
     from algebroproj_sym.study.sweeping import Sweep
 
 MODULES = ("xarray", "h5netcdf", "h5py", "dask", "matplotlib", "scipy")
 REQUIREMENT = "algebroproj-sym[study]"
 CONNECTING = "10s"
+REDRAW = "redraw"
 CHUNKS_PER_WORKER = 2
 """How many chunks are under way for each worker: one is computed while another one is kept."""
 
@@ -42,6 +45,8 @@ class Studies(click.Group):
             return None
         require_modules(MODULES, "study", REQUIREMENT)
         named = {study.name: study for study in _studies(self.path)}
+        if name == REDRAW:
+            return _redrawing(named)
         if name in named:
             return _command(named[name])
         if self.path is None and Path(name).exists():
@@ -63,6 +68,8 @@ def study_group() -> None:
 
     Finished parts are kept.  If a study is stopped, the same command goes on where it was.  The results depend only on
     the options and the seed, not on the number of workers.
+
+    `study redraw FOLDER` writes report and figures of a finished study again.
 
     In place of a name, give the path of a file or a folder with studies of your own.
     """
@@ -92,6 +99,28 @@ def _command(study: Study) -> click.Command:
 
     own = [_parameter(option) for option in study.options]
     return click.Command(study.name, callback=callback, params=[*own, *_shared(study)], help=f"{study.summary}.")
+
+
+def _redrawing(named: Mapping[str, Study]) -> click.Command:
+    @click.command(REDRAW)
+    @click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path))
+    def redraw(folder: Path) -> None:
+        """Write report and figures of the finished study in FOLDER again, as this version of the program does.
+
+        The dataset stays as it is.
+        """
+        from algebroproj_sym.study import sweeping
+
+        try:
+            with sweeping.held(folder):
+                name, dataset = sweeping.finished(folder)
+                if name not in named:
+                    raise ValueError(f"{folder}: expected one of the studies {', '.join(named)}, got {name}")
+                _show(named[name], dataset, folder)
+        except ValueError as error:
+            raise click.UsageError(str(error)) from error
+
+    return redraw
 
 
 def _parameter(option: Option) -> click.Option:
@@ -154,24 +183,32 @@ def _run(
 
 def _finish(sweep: Sweep, jobs: int, scheduler: str | None) -> None:
     """Compute what is missing, and write dataset, report and figures."""
-    from algebroproj_sym.study import figures, sweeping
-    from algebroproj_sym.study.datasets import thinned
+    from algebroproj_sym.study import sweeping
 
-    study, out = sweep.study, sweep.folder
     try:
         with _executor(jobs, scheduler) as (executor, workers):
             _compute(sweep, executor, workers)
     except (BrokenExecutor, CancelledError) as error:
         raise click.ClickException(
-            f"study: the workers were lost. Finished parts are kept in {out}: the same command goes on from there"
+            f"study: the workers were lost. Finished parts are kept in {sweep.folder}: "
+            "the same command goes on from there"
         ) from error
-    dataset, step = thinned(sweeping.assemble(sweep), study.shown)
+    _show(sweep.study, sweeping.assemble(sweep), sweep.folder, sweep.result.name)
+
+
+def _show(study: Study, dataset: xarray.Dataset, out: Path, *written: str) -> None:
+    """Write report and figures of a dataset, and print the report and what is written."""
+    from algebroproj_sym.study import figures
+    from algebroproj_sym.study.datasets import thinned
+
+    dataset, step = thinned(dataset, study.shown)
     text = study.report(dataset) + (f"\nReport and figures show one member in {step}.\n" if step > 1 else "")
     drawings = figures.save(study.figures(dataset), out / "figures")
     write_texts({"report.txt": text}, out)
     console().print(text.rstrip("\n"))
     names = sorted({path.stem for path in drawings})
-    console().print(f"written to {out}: {sweep.result.name}, report.txt, figures ({', '.join(names)})")
+    files = ", ".join([*written, "report.txt", f"figures ({', '.join(names)})"])
+    console().print(f"written to {out}: {files}")
 
 
 def _compute(sweep: Sweep, executor: Executor | None, workers: int) -> None:

@@ -162,7 +162,7 @@ def prepare(sweep: Sweep) -> None:
     path = sweep.folder / MANIFEST
     if path.exists():
         _require_equal(path, sweep.manifest)
-    if sweep.result.exists() and not _is_sealed(sweep, sweep.result, range(sweep.members)):
+    if sweep.result.exists() and not _is_sealed(sweep.manifest, sweep.result, range(sweep.members)):
         raise OtherSweepError(
             f"{sweep.result}: this is not what the study has written here, or it is damaged. "
             "Choose another folder, or remove it"
@@ -174,7 +174,9 @@ def missing(sweep: Sweep) -> list[int]:
     """Return the chunks that are not there yet, or not as they were written, in order."""
     if sweep.result.exists():
         return []
-    return [chunk for chunk in range(sweep.count) if not _is_sealed(sweep, sweep.path(chunk), sweep.indices(chunk))]
+    return [
+        chunk for chunk in range(sweep.count) if not _is_sealed(sweep.manifest, sweep.path(chunk), sweep.indices(chunk))
+    ]
 
 
 def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iterator[int]:
@@ -254,6 +256,26 @@ def assemble(sweep: Sweep) -> xarray.Dataset:
     return read(sweep.result)
 
 
+def finished(folder: Path) -> tuple[str, xarray.Dataset]:
+    """Return the name of the study that is done in a folder, by whatever version of the program, and its dataset.
+
+    Raises
+    ------
+    OtherSweepError
+        If none is, or it is damaged.
+    """
+    try:
+        manifest = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
+        arguments = manifest["arguments"]
+        name, members = str(arguments["study"]), range(arguments["members"])
+        result = folder / f"{name}{SUFFIXES[arguments['format']]}"
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise OtherSweepError(f"{folder}: expected a folder of a study with {MANIFEST}, got {error}") from error
+    if not members or not _is_sealed(manifest, result, members):
+        raise OtherSweepError(f"{result}: expected the dataset as the study wrote it, got none or a damaged one")
+    return name, read(result)
+
+
 def _recorded(value: Any) -> Any:
     if not isinstance(value, Path):
         return value
@@ -268,16 +290,16 @@ def _keep(sweep: Sweep, chunk: int, dataset: xarray.Dataset) -> None:
 
 def _put(sweep: Sweep, written: Path, path: Path, members: Sequence[int] | Indices) -> None:
     """Put what is written in its place; its seal comes first, so that it is never there without one."""
-    write_texts({path.name + SEAL: _seal(sweep, written, members)}, path.parent)
+    write_texts({path.name + SEAL: _seal(sweep.manifest, written, members)}, path.parent)
     written.replace(path)
 
 
-def _is_sealed(sweep: Sweep, path: Path, members: Sequence[int] | Indices) -> bool:
+def _is_sealed(manifest: Mapping[str, Any], path: Path, members: Sequence[int] | Indices) -> bool:
     seal = path.with_name(path.name + SEAL)
-    return path.exists() and seal.exists() and seal.read_bytes() == _seal(sweep, path, members).encode()
+    return path.exists() and seal.exists() and seal.read_bytes() == _seal(manifest, path, members).encode()
 
 
-def _seal(sweep: Sweep, path: Path, members: Sequence[int] | Indices) -> str:
+def _seal(manifest: Mapping[str, Any], path: Path, members: Sequence[int] | Indices) -> str:
     digest = hashlib.sha256()
     for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
         if file.is_file():
@@ -287,7 +309,7 @@ def _seal(sweep: Sweep, path: Path, members: Sequence[int] | Indices) -> str:
                 )
     return json.dumps(
         {
-            "sweep": hashlib.sha256(json.dumps(sweep.manifest, sort_keys=True).encode()).hexdigest(),
+            "sweep": hashlib.sha256(json.dumps(manifest, sort_keys=True).encode()).hexdigest(),
             "members": [int(members[0]), int(members[-1])],
             "content": digest.hexdigest(),
         }

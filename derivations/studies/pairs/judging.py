@@ -33,7 +33,7 @@ class Limit:
     distrusted: float
 
 
-BENT = Limit(0.2, 0.5)
+BENT = Limit(0.15, 0.5)
 """Of the rise of the sum of squares at three standard deviations: its relative difference from a parabola."""
 AMBIGUOUS = Limit(-6.0, -3.0)
 """Of another minimum, and of the nearest critical configuration: how many deviations worse they are, negative."""

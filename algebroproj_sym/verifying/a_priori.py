@@ -384,7 +384,7 @@ class _Search:
                     uses = (factor, self.zeros[second])
                     yield FactorFact("PlusZero", (number, first, second), uses, factor.roundings, factor.terms)
             yield from self._mean(number, *operands)
-        if operator == "/" and self.operation(operands[0]) == ("constant", 0):
+        if operator in ("/", "*") and self.operation(operands[0]) == ("constant", 0):
             self.zeros[number] = Fact("ZeroOf", (number,))
         if operator == "neg" and (factor := self.factor(operands[0])) is not None:
             yield FactorFact("FactorOf", (number,), (factor,), factor.roundings, factor.terms)

@@ -40,13 +40,7 @@ FATES: tuple[Fate, ...] = get_args(Fate)
     help="Changes of each claim or function. 0 means all. The choice is always the same.",
 )
 @click.option("--only", type=click.Choice(("claims", "functions")), help="Change only claims, or only functions.")
-@click.option(
-    "--package",
-    "folder",
-    type=click.Path(exists=True, file_okay=False, path_type=Path),
-    metavar="DIR",
-    help="Folder that contains the package. The default is the installed package.",
-)
+@options.package_folder
 @options.samples
 @options.engine
 @options.jobs

@@ -78,6 +78,15 @@ package_name = click.option(
 )
 
 
+package_folder = click.option(
+    "--package",
+    "folder",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Folder that contains the package. The default is the installed package.",
+)
+
+
 def folder(default: str, what: str) -> Callable[[Any], Any]:
     """Return the option for the folder that a command writes to."""
     return click.option(

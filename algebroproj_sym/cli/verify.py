@@ -19,13 +19,7 @@ from algebroproj_sym.verifying import BOUND, verification_record
 @click.command()
 @options.functions
 @options.derivations
-@click.option(
-    "--package",
-    "folder",
-    type=click.Path(exists=True, file_okay=False, path_type=Path),
-    metavar="DIR",
-    help="Folder that contains the package. The default is the installed package.",
-)
+@options.package_folder
 @options.package_name
 @options.samples
 @click.option(

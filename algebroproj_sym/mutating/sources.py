@@ -22,12 +22,10 @@ _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
 
 
 class SourceMutant(NamedTuple):
-    """What was changed, the line that it changed, before and after, and what compiles the changed function."""
+    """What was changed, the line that it changed, and what compiles the changed function."""
 
     change: str
     line: str
-    unchanged: ast.AST
-    changed: ast.AST
     compiled: Callable[[], Callable[..., Any]]
 
 
@@ -44,14 +42,12 @@ def source_mutants(function: Callable[..., Any]) -> list[SourceMutant]:
     ['f * (f + x3)', '(f + x3) / f']
     """
     tree = _parsed(function)
-    parts = [holder[place] for holder, place in _parts(tree)]
-    found, seen = [], {(number, ast.unparse(part)) for number, part in enumerate(parts)}
+    found, seen = [], {(number, ast.unparse(holder[place])) for number, (holder, place) in enumerate(_parts(tree))}
     for change, number, part in _changed(tree):
         line = ast.unparse(part)
         if (number, line) not in seen:
             seen.add((number, line))
-            compiled = partial(_compiled, tree, number, part, function)
-            found.append(SourceMutant(change, line, parts[number], part, compiled))
+            found.append(SourceMutant(change, line, partial(_compiled, tree, number, part, function)))
     return found
 
 
@@ -88,12 +84,12 @@ def _compiled(tree: ast.Module, number: int, part: ast.AST, function: Callable[.
     finally:
         holder[place] = unchanged
     mutant = without_twin(function)
-    mutant.__globals__.update(digits_of(function))
+    mutant.__globals__.update(_digits_of(function))
     exec(code, mutant.__globals__)
     return mutant
 
 
-def digits_of(function: Callable[..., Any]) -> dict[str, Callable[[Any], Any]]:
+def _digits_of(function: Callable[..., Any]) -> dict[str, Callable[[Any], Any]]:
     """Return what the words for digits mean in mutants: one number, which a change may leave, is rounded to itself."""
     known = function.__globals__
     words = {word: known[word] for word in DIGITS if word in known}

@@ -206,7 +206,7 @@ def _interior(directions: Sequence[Mapping[Place, float]], size: int) -> Iterato
         step, length = _solution(hessian, gradient), 1.0
         if step is None:
             return
-        while _inverse(_symmetric(_sum([start, *moving], [1.0, *_moved(point, step, length)]), size)) is None:
+        while _triangular(_symmetric(_sum([start, *moving], [1.0, *_moved(point, step, length)]), size)) is None:
             length /= 2
             if length < SHORTEST:
                 return
@@ -250,28 +250,17 @@ def _triangular(matrix: list[list[Any]]) -> list[list[Any]] | None:
 
 def _inverse(matrix: list[list[float]]) -> list[list[float]] | None:
     """Return the inverse of a matrix if it is positive definite."""
-    if _triangular(matrix) is None:
-        return None
-    size = len(matrix)
-    columns = [_solution(matrix, [float(i == j) for i in range(size)]) for j in range(size)]
+    columns = [_solution(matrix, [float(i == j) for i in range(len(matrix))]) for j in range(len(matrix))]
     return None if any(column is None for column in columns) else columns  # type: ignore[return-value]
 
 
 def _solution(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[float] | None:
     """Return the solution of a linear system with a positive definite matrix."""
-    rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
-    for k, lead in enumerate(rows):
-        if not lead[k] > 0:
-            return None
-        for row in rows[k + 1 :]:
-            factor = row[k] / lead[k]
-            for j in range(k, len(lead)):
-                row[j] -= factor * lead[j]
+    rows = _triangular([[*row, value] for row, value in zip(matrix, right, strict=True)])
     found: list[float] = []
-    for k in reversed(range(len(rows))):
-        known = sum(x * y for x, y in zip(rows[k][k + 1 : -1], found, strict=True))
-        found.insert(0, (rows[k][-1] - known) / rows[k][k])
-    return found
+    for _, *factors, value in reversed(rows or []):
+        found.insert(0, value - sum(x * y for x, y in zip(factors, found, strict=True)))
+    return None if rows is None else found
 
 
 def _product(left: list[list[float]], right: Mapping[Place, float], size: int) -> list[list[float]]:

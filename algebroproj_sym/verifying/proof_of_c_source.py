@@ -41,7 +41,7 @@ _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""
 
 
-def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "flint") -> bool:
+def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "flint", *, plain: bool = False) -> bool:
     """Whether the C source of a kernel, executed on rational functions, is identical to the derivation.
 
     Parameters
@@ -52,46 +52,25 @@ def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "fli
         In whose folder the source is.
     engine : {"flint", "sympy"}
         The polynomial arithmetic.
+    plain : bool
+        Whether it is the source without compensation, which solves linear systems once.
 
     Returns
     -------
     bool
         True also for a kernel that is left to the NumPy source.
     """
-    return not is_compiled(lowered) or _file_is_proved(lowered.kernel, package, engine, once=False)
-
-
-def plain_c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "flint") -> bool:
-    """Whether the C source of a kernel without compensation, executed on rational functions, is the derivation.
-
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    package : module
-        In whose folder the source is.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic.
-
-    Returns
-    -------
-    bool
-        True also for a kernel that is left to the NumPy source.
-    """
-    return not is_compiled_plain(lowered) or _file_is_proved(lowered.kernel, package, engine, once=True)
-
-
-def _file_is_proved(kernel: Kernel, package: ModuleType, engine: str, *, once: bool) -> bool:
-    """Whether a kernel, and what it calls, is proved in the file that solves linear systems once, or refines them."""
-    folder = Path(str(package.__file__)).parent / "_c"
-    paths = [folder / name for name in (PLAIN_KERNELS if once else KERNELS)]
+    if not (is_compiled_plain if plain else is_compiled)(lowered):
+        return True
+    kernel, folder = lowered.kernel, Path(str(package.__file__)).parent / "_c"
+    paths = [folder / name for name in (PLAIN_KERNELS if plain else KERNELS)]
     if not all(path.is_file() for path in paths):
         return False
-    proof = plain_kernel_is_proved if once else kernel_is_proved
+    proof = plain_kernel_is_proved if plain else kernel_is_proved
     try:
         source = source_of("".join(path.read_text(encoding="utf-8") for path in paths))
         systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
-        solved = all(solver_is_proved(source, primitive, height, engine, once=once) for primitive, height in systems)
+        solved = all(solver_is_proved(source, primitive, height, engine, once=plain) for primitive, height in systems)
         return solved and product_errors_are_proved(source, engine) and proof(kernel, source, engine)
     except NotUnderstoodError:
         return False

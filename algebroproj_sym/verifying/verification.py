@@ -14,7 +14,7 @@ from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, as_record, measu
 from algebroproj_sym.verifying.adversary import Attack, attack, attack_record
 from algebroproj_sym.verifying.condition_numbers import a_priori_record
 from algebroproj_sym.verifying.identity import is_identical
-from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved, plain_c_source_is_proved
+from algebroproj_sym.verifying.proof_of_c_source import c_source_is_proved
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
 from algebroproj_sym.verifying.shipped import function_of
 from algebroproj_sym.verifying.singular_input import silent_factors
@@ -86,7 +86,7 @@ def verify(
     samples = stratified(lowered, size)
     exact = truths(lowered, samples)
     proofs = (source_is_proved(lowered.kernel, package, engine, plain=plain) for plain in (False, True))
-    c_proofs = (proof(lowered, package, engine) for proof in (c_source_is_proved, plain_c_source_is_proved))
+    c_proofs = (c_source_is_proved(lowered, package, engine, plain=plain) for plain in (False, True))
     return Verification(
         accuracy=measured(lowered, function, samples, exact),
         plain=measured(lowered, package.plain(function), samples, exact),

@@ -77,21 +77,8 @@ def _useful(rows: list[list[float]]) -> list[int] | None:
 
 def _solved(table: list[list[Any]]) -> dict[int, Any] | None:
     """Return the one solution of equations; None if there is none that is not negative."""
-    width, free = len(table[0]) - 1, list(table)
-    pivots = dict[int, list[Any]]()
-    for place in range(width):
-        row = next((row for row in free if row[place] != 0), None)
-        if row is None:
-            continue
-        free = [other for other in free if other is not row]
-        pivot = row[place]
-        row[:] = [value / pivot if value else value for value in row]
-        for other in (*free, *pivots.values()):
-            if factor := other[place]:
-                for at, value in enumerate(row):
-                    if value:
-                        other[at] -= factor * value
-        pivots[place] = row
-    if any(row[-1] != 0 for row in free) or any(row[-1] < 0 for row in pivots.values()):
-        return None
-    return {place: row[-1] for place, row in pivots.items()}
+    width = len(table[0]) - 1
+    reduced, rank = flint.fmpq_mat(table).rref()
+    rows = reduced.table()[:rank]
+    found = {next(place for place, value in enumerate(row) if value): row[-1] for row in rows}
+    return None if width in found or any(value < 0 for value in found.values()) else found

@@ -6,9 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from algebroproj_sym.reporting.live.answering import CONDITIONS
+
 KINDS = ("identity", "identity under constraints")
 MOST_CHARACTERS = 4000
-CONDITIONS = ("constraints", "nonzero", "assumptions")
 
 
 @dataclass(frozen=True)
@@ -19,7 +20,7 @@ class Question:
     ----------
     lhs, rhs : str
         The printed and the derived form.
-    constraints, nonzero, assumptions : str
+    constraints, nonzero, assumptions, letters : str
         One a line.
     """
 
@@ -28,6 +29,7 @@ class Question:
     constraints: str
     nonzero: str
     assumptions: str
+    letters: str
 
     @property
     def rows(self) -> int:
@@ -42,12 +44,15 @@ def question(record: Mapping[str, Any]) -> Question | None:
     --------
     >>> record = {"kind": "identity", "printed": "1/x", "derived": "x", "corrected": "x", "setting": {}}
     >>> question(record)
-    Question(lhs='1/x', rhs='x', constraints='', nonzero='', assumptions='')
+    Question(lhs='1/x', rhs='x', constraints='', nonzero='', assumptions='', letters='')
     >>> question({**record, "kind": "rank"}), question({**record, "printed": None})
-    (None, Question(lhs='x', rhs='x', constraints='', nonzero='', assumptions=''))
+    (None, Question(lhs='x', rhs='x', constraints='', nonzero='', assumptions='', letters=''))
     """
     printed = record["printed"] or record["corrected"]
-    if record["kind"] not in KINDS or not isinstance(printed, str) or not {*CONDITIONS} >= record["setting"].keys():
+    setting = record["setting"]
+    if record["kind"] not in KINDS or not isinstance(printed, str) or not {*CONDITIONS, "letters"} >= setting.keys():
         return None
-    texts = (printed, record["derived"], *("\n".join(record["setting"].get(key, ())) for key in CONDITIONS))
+    letters = [f"{name}: {meaning}" for name, meaning in setting.get("letters", {}).items()]
+    lists = (*(setting.get(key, ()) for key in CONDITIONS), letters)
+    texts = (printed, record["derived"], *map("\n".join, lists))
     return Question(*texts) if sum(map(len, texts)) <= MOST_CHARACTERS else None

@@ -28,8 +28,14 @@ def search_index(catalogue: Catalogue, symbols: Symbols) -> list[list[str]]:
     ]
     kernels = [(function.page, function.lowered.kernel) for function in catalogue.functions]
     functions = [
-        [page, "function", kernel.qualified_name, kernel.summary, "",
-         _spelled(kernel.paper, [symbol.name for symbol in kernel.symbols], symbols)]
+        [
+            page,
+            "function",
+            kernel.qualified_name,
+            kernel.summary,
+            "",
+            _spelled(kernel.paper, [symbol.name for symbol in kernel.symbols], symbols),
+        ]
         for page, kernel in kernels
     ]
     return claims + functions

@@ -22,7 +22,10 @@ from algebroproj_sym.verifying import function_of, load_package
 
 SHARED = {
     *("__init__.py", "drivers.py", "py.typed"),
-    *(f"_c/{name}" for name in ("compiled.c", "calls.h", "kernels.h", "systems.h", "moves.h", "loops.h", "fours.h")),
+    *(
+        f"_c/{name}"
+        for name in ("compiled.c", "calls.h", "kernels.h", "solvers.h", "systems.h", "moves.h", "loops.h", "fours.h")
+    ),
     *("_c/plain_kernels.h", "_c/plain_loops.h"),
     *(f"_runtime/{name}.py" for name in runtime_modules(["arctan2", "cos_sin", "systems"])),
 }

@@ -133,11 +133,11 @@ def _exact(program: Program) -> set[Operand]:
 
 
 def _zeros(program: Program) -> set[Operand]:
-    """Return the guards, 0 / factor and sums of them, which are zero or no numbers at all."""
+    """Return the guards, 0 / factor, 0 * sum and sums of them, which are zero or no numbers at all."""
     zeros: set[Operand] = set()
     for step in program.steps:
         if isinstance(step, Step):
-            guard = step.operator == "/" and step.operands[0] == 0
+            guard = step.operator in ("/", "*") and step.operands[0] == 0
             if guard or zeros.issuperset(step.operands):
                 zeros.add(step.name)
     return zeros

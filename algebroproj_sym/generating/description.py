@@ -9,6 +9,7 @@ import sympy
 from algebroproj_sym.declaring import LINEAR, Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, divided, entries
 from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.ranges import reach
 
 LONGEST_FACTOR = 240
 LONGEST_LINE = 400
@@ -51,20 +52,27 @@ def _in_order(expression: Scalar) -> str:
 
 
 def singularities(low: Lowered, telling: str = "") -> list[str]:
-    """Return the sentences that say where a function has no finite result; `telling` is what else happens there."""
+    """Return the sentences that say where a function has no finite result, and for which input it is known to have one.
+
+    What else happens where it has none is `telling`.
+    """
     sentences = []
     if low.hypotheses:
         factors = ", ".join(map(_factor, low.hypotheses))
         sentences.append(f"The result is not finite{telling} where one of these is zero: {factors}.")
     if low.kernel.solves_systems:
         sentences.append(
-            "Where the linear system is singular, the result is not finite. "
-            "If rounding hides the singularity, the result may be finite and very large: "
-            "the least pivot, which `hypotheses` computes, is then zero."
+            "Where the linear system is singular, or so near to it that rounding hides it, the result is not finite."
         )
     if not sentences:
         sentences.append(
             "No input is singular." if low.kernel.stages else "The formula is a polynomial: no input is singular."
+        )
+    exponent = reach(low.program)
+    if exponent is not None:
+        sentences.append(
+            "In float64 nothing overflows or underflows where every entry is zero or, in absolute value, between "
+            f"2**-{exponent} and 2**{exponent}."
         )
     return sentences
 

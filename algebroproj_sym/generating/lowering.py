@@ -2,13 +2,16 @@
 
 Where the derivation divides by a factor by which the program does not, the program is given a guard: it adds
 0/factor, which is exactly zero, and not a number where the factor vanishes.  A singular input then never passes
-for a regular one.
+for a regular one.  Where the program divides by a sum of squares, which overflows long before the quotient does, it
+adds 0*sum, which is not a number where the sum has overflowed: the quotient would be zero there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
+from itertools import count
 from typing import Any
 
 import sympy
@@ -17,7 +20,7 @@ from algebroproj_sym.declaring import Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate, vector
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.graph import Graph, Signed
-from algebroproj_sym.generating.program import Call, Program, Recorder, Step, operand_of, run, with_names
+from algebroproj_sym.generating.program import Call, Operand, Program, Recorder, Step, operand_of, run, with_names
 from algebroproj_sym.generating.sharing import share_pairs, share_reciprocals
 from algebroproj_sym.proving import RationalFunctionField
 
@@ -155,7 +158,34 @@ def program_of(kernel: Kernel, guarded: Sequence[Scalar], reciprocals: bool = Fa
         emitter.call(stage, operands)
     for symbol, signed in abbreviations.items():
         emitter.name(signed, symbol.name)
-    return emitter.program(outputs)
+    return _with_guards_of_sums_of_squares(emitter.program(outputs))
+
+
+def _with_guards_of_sums_of_squares(program: Program) -> Program:
+    """Add 0*sum to the outputs for each sum of squares that divides."""
+    steps = {step.name: step for step in program.steps if isinstance(step, Step)}
+
+    def is_sum_of_squares(operand: Operand, alone: bool = False) -> bool:
+        step = steps.get(str(operand))
+        if step is not None and step.operator == "+":
+            return all(is_sum_of_squares(term, alone=True) for term in step.operands)
+        return alone and step is not None and step.operator == "*" and step.operands[0] == step.operands[1]
+
+    divisors = [step.operands[1] for step in steps.values() if step.operator == "/"]
+    sums = [divisor for divisor in dict.fromkeys(divisors) if is_sum_of_squares(divisor)]
+    if not sums:
+        return program
+    taken = {*program.inputs} | {name for step in program.steps for name in step.names}
+    fresh = (name for place in count() if (name := f"t{place}") not in taken)
+    added: list[Step] = []
+
+    def appended(operator: str, *operands: Operand) -> Operand:
+        added.append(Step(next(fresh), operator, operands))
+        return added[-1].name
+
+    guard = reduce(lambda left, right: appended("+", left, right), [appended("*", 0, total) for total in sums])
+    outputs = tuple(out if isinstance(out, int) else appended("+", out, guard) for out in program.outputs)
+    return Program(program.inputs, (*program.steps, *added), outputs)
 
 
 def factors_of(lowered: Lowered) -> Program:

@@ -27,6 +27,7 @@ _MEANING: Mapping[str, Callable[..., Any]] = {
     "*": mul,
     "/": truediv,
     "neg": neg,
+    "absolute": abs,
     "wide": wide,
     "rounded": rounded,
     "rounded_twice": rounded_twice,
@@ -297,6 +298,9 @@ class _Recorded:
 
     def __neg__(self) -> Any:
         return self.recorder.step("neg", self)
+
+    def __abs__(self) -> Any:
+        return self.recorder.step("absolute", self)
 
     __add__ = _operation("+")
     __radd__ = _operation("+", reflected=True)

@@ -41,6 +41,15 @@ class NotUnderstoodError(ValueError):
     """The source is not what the generator writes."""
 
 
+class Magnitude:
+    """An absolute value, or what is computed from some: only decisions may depend on it, never a result."""
+
+    def _computed(self, other: object) -> Magnitude:
+        return self
+
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _computed
+
+
 @dataclass(frozen=True)
 class Meaning:
     """What the source does not say itself.
@@ -51,7 +60,7 @@ class Meaning:
         The values of names that are no variables.
     is_larger : callable, optional
         Whether one absolute value is larger than another; for numbers without an order, a choice.  Without it, the
-        conditional operator is refused.
+        conditional operator is refused.  Of magnitudes the first one is taken for larger: a matrix has full rank.
     equal : callable
         Whether two numbers are equal.
     call : callable, optional
@@ -430,7 +439,9 @@ def _value(node: Any, scope: _Scope) -> Any:
             return value(number)
         case c_ast.FuncCall(name=c_ast.ID(name="is_larger")) if scope.meaning.is_larger is not None:
             left, right = map(value, node.args.exprs)
-            return scope.meaning.is_larger(left, right)
+            return isinstance(left, Magnitude) or scope.meaning.is_larger(left, right)
+        case c_ast.FuncCall(name=c_ast.ID(name="absolute")) if scope.meaning.is_larger is not None:
+            return Magnitude()
         case c_ast.FuncCall(name=c_ast.ID(name="multiply_add")):
             if scope.meaning.product_error is not None:
                 raise NotUnderstoodError(

@@ -35,7 +35,7 @@ from algebroproj_sym.verifying.c_execution import (
 )
 from algebroproj_sym.verifying.proof_of_source import expected_values
 
-KERNELS = ("kernels.h", "systems.h")
+KERNELS = ("kernels.h", "solvers.h", "systems.h")
 PLAIN_KERNELS = ("plain_kernels.h",)
 _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""

@@ -12,7 +12,7 @@ from typing import Any
 
 from algebroproj_sym.declaring import LINEAR, Kernel
 from algebroproj_sym.generating import is_compiled
-from algebroproj_sym.generating.backends.cpp import declaration
+from algebroproj_sym.generating.backends.cpp import declaration, in_double
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.proving import RationalFunctionField
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, Source, body_values
@@ -117,13 +117,20 @@ def _shaped(entries: Any, shape: tuple[int, ...]) -> Any:
 
 def _solvers(header: Header) -> Source:
     """Return the functions that solve linear systems, each of which takes the arrays that belong to its name."""
+    bodies = {}
     for name, head in header.heads.items():
         height = int(name.rpartition("_")[2])
         width = height + name.startswith("null_vector")
         system = _SYSTEM.search(head)
         if system is None or tuple(map(int, system.groups())) != (height, 2 * height + 2, width):
             raise NotUnderstoodError(f"{name}: expected a system and its solution, got {head}")
-    return Source({}, header.bodies, {})
+        first, narrow, rest = header.bodies[name].partition(
+            "".join(f"    {line}\n" for line in in_double(name, height, width))
+        )
+        if first != "{\n" or not narrow:
+            raise NotUnderstoodError(f"{name}: expected systems of narrower numbers to be left to double precision")
+        bodies[name] = first + rest
+    return Source({}, bodies, {})
 
 
 def _product_error(text: str) -> str:

@@ -69,7 +69,8 @@ def lens_matrix(f: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any
         result[3, 2] = 0
         result[3, 3] = f
 
-    The formula is a polynomial: no input is singular.
+    The formula is a polynomial: no input is singular. In float64 nothing overflows or underflows where every entry
+    is zero or, in absolute value, between 2**-1022 and 2**1022.
 
     Operations: 0 (none).
     The derived expression takes 0 as written.
@@ -127,7 +128,8 @@ def image_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) 
         result[2] = magnification*xi3
 
     The result is not finite, and NumPy warns, where one of these is zero: ``f + xi3``. The function `hypotheses` of
-    this package computes them.
+    this package computes them. In float64 nothing overflows or underflows where every entry is zero or, in
+    absolute value, between 2**-323 and 2**323.
 
     Operations: 5 (1 addition, 3 multiplications, 1 division).
     The derived expression takes 9 as written.
@@ -197,7 +199,8 @@ def object_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None)
         result[2] = magnification*xip3
 
     The result is not finite, and NumPy warns, where one of these is zero: ``f - xip3``. The function `hypotheses`
-    of this package computes them.
+    of this package computes them. In float64 nothing overflows or underflows where every entry is zero or, in
+    absolute value, between 2**-323 and 2**323.
 
     Operations: 5 (1 subtraction, 3 multiplications, 1 division).
     The derived expression takes 9 as written.
@@ -264,7 +267,8 @@ def scale(f: ArrayLike, x3: ArrayLike, *, out: NDArray[Any] | None = None) -> ND
         result = f/(f + x3)
 
     The result is not finite, and NumPy warns, where one of these is zero: ``f + x3``. The function `hypotheses` of
-    this package computes them.
+    this package computes them. In float64 nothing overflows or underflows where every entry is zero or, in
+    absolute value, between 2**-485 and 2**485.
 
     Operations: 2 (1 addition, 1 division).
     The derived expression takes 2 as written.
@@ -335,7 +339,8 @@ def plane_homography(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArr
         result[2, 1] = 0
         result[2, 2] = mu2
 
-    The formula is a polynomial: no input is singular.
+    The formula is a polynomial: no input is singular. In float64 nothing overflows or underflows where every entry
+    is zero or, in absolute value, between 2**-1022 and 2**1022.
 
     Operations: 2 (2 subtractions).
     The derived expression takes 2 as written.
@@ -392,7 +397,8 @@ def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = 
         result[1] = mu2*u2/weighted
 
     The result is not finite, and NumPy warns, where one of these is zero: ``mu0*u1 + mu0*u2 - mu0 - mu1*u1 -
-    mu2*u2``. The function `hypotheses` of this package computes them.
+    mu2*u2``. The function `hypotheses` of this package computes them. In float64 nothing overflows or
+    underflows where every entry is zero or, in absolute value, between 2**-229 and 2**229.
 
     Operations: 10 (2 additions, 2 subtractions, 5 multiplications, 1 division).
     The derived expression takes 16 as written.
@@ -463,7 +469,8 @@ def vanishing_line(mu: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray
         result[1] = mu1 - mu0
         result[2] = mu2 - mu0
 
-    The formula is a polynomial: no input is singular.
+    The formula is a polynomial: no input is singular. In float64 nothing overflows or underflows where every entry
+    is zero or, in absolute value, between 2**-1022 and 2**1022.
 
     Operations: 2 (2 subtractions).
     The derived expression takes 2 as written.

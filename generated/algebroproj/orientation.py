@@ -62,7 +62,8 @@ def left_bundle(y_a: ArrayLike, epipole: ArrayLike, u3: ArrayLike, *, out: NDArr
 
     The result is not finite, and NumPy warns, where one of these is zero: ``u01*u32*yA1 + u01*u32*yA2 - u01*yA2 -
     u02*u31*yA1 - u02*u31*yA2 + u02*yA1 + u31*yA2 - u32*yA1``, ``yA3``. The function `hypotheses` of this
-    package computes them.
+    package computes them. In float64 nothing overflows or underflows where every entry is zero or, in absolute
+    value, between 2**-122 and 2**122.
 
     Operations: 27 (12 subtractions, 13 multiplications, 2 divisions).
     The derived expression takes 99 as written.
@@ -152,7 +153,8 @@ def right_bundle(y_a: ArrayLike, y0_left: ArrayLike, epipole: ArrayLike, u3: Arr
 
     The result is not finite, and NumPy warns, where one of these is zero: ``-y01*yA3 + y03*yA1``, ``-y02*yA3 +
     y03*yA2``, ``u01 + u02 - 1``, ``u01*u32 - u02*u31 + u02 - u32``. The function `hypotheses` of this package
-    computes them.
+    computes them. In float64 nothing overflows or underflows where every entry is zero or, in absolute value,
+    between 2**-114 and 2**114.
 
     Operations: 34 (4 additions, 11 subtractions, 16 multiplications, 3 divisions).
     The derived expression takes 209 as written.
@@ -269,11 +271,12 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
         result[2] = (d02*d03 + d12*d13 + d22*d23 + d32*d33)/(d03**2 + d13**2 + d23**2 + d33**2)
 
     The result is not finite, and NumPy warns, where one of these is zero: ``d03**2 + d13**2 + d23**2 + d33**2``.
-    The function `hypotheses` of this package computes them.
+    The function `hypotheses` of this package computes them. In float64 nothing overflows or underflows where
+    every entry is zero or, in absolute value, between 2**-14 and 2**14.
 
-    Operations: 203 (24 additions, 52 subtractions, 120 multiplications, 3 divisions, 4 negations).
+    Operations: 207 (27 additions, 52 subtractions, 121 multiplications, 3 divisions, 4 negations).
     The derived expression takes 377 as written.
-    With compensation of sums that may cancel: 1125 (112 of them compute errors of products).
+    With compensation of sums that may cancel: 1129 (112 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
     Examples
@@ -339,10 +342,11 @@ def _intersect(
     t154 = wide(mupp2) * rp1 + wide(upp2) * t149 - t45 * rp0
     d23 = rounded(t154)
     t185 = d03 * d03 + d13 * d13 + d23 * d23 + d33 * d33
+    t203 = 0 * t185
     return (
-        rounded(d00 * t137 + d10 * t128 + d20 * t154 + d30 * t144) / t185,
-        rounded(d01 * t137 + d11 * t128 + d21 * t154 + d31 * t144) / t185,
-        rounded(d02 * t137 + d12 * t128 + d22 * t154 + d32 * t144) / t185,
+        rounded(d00 * t137 + d10 * t128 + d20 * t154 + d30 * t144) / t185 + t203,
+        rounded(d01 * t137 + d11 * t128 + d21 * t154 + d31 * t144) / t185 + t203,
+        rounded(d02 * t137 + d12 * t128 + d22 * t154 + d32 * t144) / t185 + t203,
     )
 
 

@@ -502,7 +502,10 @@ Definition step (s : facts) (k : command) : option facts :=
       | _ => None
       end
   | ZeroOf v =>
-      match operation_of v with Some (Div a b) => guard (is_zero_constant a) (with_zero s v) | _ => None end
+      match operation_of v with
+      | Some (Mul a b) | Some (Div a b) => guard (is_zero_constant a) (with_zero s v)
+      | _ => None
+      end
   | PlusZero v a z =>
       match PositiveMap.find z (zeros s), factor_of s a with
       | Some _, Some (k, t) => guard (adds v a z) (with_factor s v k t)
@@ -1017,13 +1020,14 @@ Proof.
   - exact (factor_le _ _ _ (deviation_pos _ _ _ _) D2 D Fq).
 Qed.
 
-Lemma zero_of v a b : operation_of v = Some (Div a b) -> is_zero_constant a = true -> f v = 0 /\ x v = 0.
+Lemma zero_of v a b :
+  operation_of v = Some (Mul a b) \/ operation_of v = Some (Div a b) -> is_zero_constant a = true -> f v = 0 /\ x v = 0.
 Proof.
   intros O H. unfold is_zero_constant in H. destruct (operation_of a) as [[| [] | | | | | |]|] eqn:E; try discriminate.
-  assert (F := f_value _ _ O). assert (X := x_value _ _ O). simpl in *.
   assert (Fa := f_value _ _ E). assert (Xa := x_value _ _ E). simpl in *.
-  rewrite RN_float in Fa by apply float_0. rewrite F, X, Fa, Xa. unfold Rdiv. rewrite !Rmult_0_l.
-  split; [apply RN_float, float_0 | reflexivity].
+  rewrite RN_float in Fa by apply float_0.
+  destruct O as [O | O]; assert (F := f_value _ _ O); assert (X := x_value _ _ O); simpl in *;
+    rewrite F, X, Fa, Xa; unfold Rdiv; rewrite !Rmult_0_l; (split; [apply RN_float, float_0 | reflexivity]).
 Qed.
 
 Lemma plus_zero v a z k t :
@@ -1143,8 +1147,8 @@ Proof.
     apply guard_true in H as [T <-]. tests T. apply add_factor; [exact S|].
     apply N.leb_le in T2, T3. apply zero_or_true in T, T4; try exact S.
     apply mean with a b k1 k2 t1 t2; try assumption; now apply factor_of_holds with s.
-  - destruct (operation_of v) as [[| | | | | | a b |]|] eqn:O; try discriminate. apply guard_true in H as [T <-].
-    apply add_zero; [exact S|]. now apply zero_of with a b.
+  - destruct (operation_of v) as [[| | | | | a b | a b |]|] eqn:O; try discriminate; apply guard_true in H as [T <-];
+      (apply add_zero; [exact S|]); (apply zero_of with a b; [|exact T]); [left | right]; exact O.
   - destruct (PositiveMap.find z (zeros s)) as [y|] eqn:Z; [|discriminate].
     destruct (factor_of s a) as [[k t]|] eqn:A; [|discriminate]. apply guard_true in H as [T <-].
     apply add_factor; [exact S|]. apply plus_zero with a z; try assumption.

@@ -6,7 +6,9 @@ is a program, which is printed in other languages.  There are no branches: rows 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from functools import reduce
+from operator import add
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -65,7 +67,7 @@ def solution_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]] | 
     Returns
     -------
     list of number
-        The n unknowns.
+        The n unknowns, which are not finite if the matrix may be singular for all that is known after rounding.
 
     Examples
     --------
@@ -73,12 +75,19 @@ def solution_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]] | 
     [2.0, 1.0]
     """
     steps, left = [], [list(row) for row in rows]
+    rank = _Rank([row[:-1] for row in rows]) if rests is not None or hasattr(rows[0][0], "hi") else None
     while left:
         (pivot, *below), swaps = _pivoted(left)
+        if rank:
+            rank.eliminated(swaps, pivot[:-1], [row[0] for row in below])
         factors = [row[0] / pivot[0] for row in below]
         left = [_without(row[1:], factor, pivot[1:]) for row, factor in zip(below, factors, strict=True)]
         steps.append(_Step(swaps, factors, pivot))
-    unknowns = _substituted_backwards([step.head[:-1] for step in steps], [step.head[-1] for step in steps])
+    heads = [step.head[:-1] for step in steps]
+    if rank:
+        is_full = rank.is_full()
+        heads = [[_zero_unless(is_full, pivot), *entries] for pivot, *entries in heads]
+    unknowns = _substituted_backwards(heads, [step.head[-1] for step in steps])
     if rests is None:
         return unknowns
     right = [(row[-1], rest[-1]) for row, rest in zip(rows, rests, strict=True)]
@@ -100,7 +109,8 @@ def null_vector_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]]
     Returns
     -------
     list of number
-        The n + 1 components, scaled so that the largest one is 1.
+        The n + 1 components, scaled so that the largest one is 1; not finite if the null space may have more
+        dimensions for all that is known after rounding.
 
     Examples
     --------
@@ -108,8 +118,11 @@ def null_vector_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]]
     [1.0, -0.25]
     """
     steps, columns = [], [list(column) for column in zip(*rows, strict=True)]
+    rank = _Rank(columns) if rests is not None or hasattr(rows[0][0], "hi") else None
     while columns[0]:
         (pivot, *others), swaps = _pivoted(columns)
+        if rank:
+            rank.eliminated(swaps, pivot, [column[0] for column in others])
         factors = [entry / pivot[0] for entry in pivot[1:]]
         steps.append(_Step(swaps, factors, [pivot[0], *(column[0] for column in others)]))
         columns = [
@@ -125,7 +138,80 @@ def null_vector_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]]
     largest = vector[0]
     for component in vector[1:]:
         largest = selected(is_larger(component, largest), component, largest)
+    if rank:
+        largest = _zero_unless(rank.is_full(), largest)
     return [component / largest for component in vector]
+
+
+class _Rank:
+    """Whether a matrix has full rank, which is decided in spite of rounding, from what elimination leaves of it.
+
+    Elimination with pivoting among n lines is exact for a matrix that differs by ``(n + 2) u |L| |U|`` at most from the
+    one whose entries were rounded.  If that one were singular, a vector x of its null space would satisfy
+    ``|x| <= (n + 2) u |U^-1| |L^-1| |L| |U| |x|``.  It is impossible where ``(n + 2) u`` times the matrix on the right
+    takes some positive vector to a smaller one.  Absolute values in the substitutions bound it from above.  The vector
+    has the reciprocals of the sums of the columns.
+
+    Parameters
+    ----------
+    lines : sequence of sequence of number
+        The lines among which pivots are chosen, with n entries each.
+    """
+
+    def __init__(self, lines: Sequence[Sequence[Any]]) -> None:
+        self.sums = [_total(map(_size, column)) for column in zip(*lines, strict=True)]
+        with np.errstate(all="ignore"):
+            zero = self.sums[0] * 0
+            three, self.one = zero + 3, zero + 1
+            self.weights = [self.one / total for total in self.sums]
+        self.unit = abs((4 / three - 1) * three - 1)
+        if hasattr(lines[0][0], "hi"):
+            self.unit = 8 * self.unit * self.unit
+        self.errors = [zero] * len(lines)
+        self.heads: list[list[Any]] = []
+        self.totals: list[Any] = []
+
+    def eliminated(self, swaps: Sequence[Any], pivot: Sequence[Any], others: Sequence[Any]) -> None:
+        """Take note of a step: which lines were swapped with the first one, this one, how the other ones began."""
+        head = [_size(entry) for entry in pivot]
+        with np.errstate(all="ignore"):
+            error, *errors = _moved(self.errors, swaps)
+            size = _total(entry * weight for entry, weight in zip(head, self.weights[-len(head) :], strict=True))
+            total = error + size
+            ratio = (size + total) / head[0]
+            self.errors = [error + _size(other) * ratio for error, other in zip(errors, others, strict=True)]
+        self.heads.append(head)
+        self.totals.append(total)
+
+    def is_full(self) -> Any:
+        """Return whether the rank is full; if not, it is not known."""
+        with np.errstate(all="ignore"):
+            bounds: list[Any] = []
+            for (pivot, *entries), total in zip(reversed(self.heads), reversed(self.totals), strict=True):
+                terms = (entry * bound for entry, bound in zip(entries, bounds, strict=True))
+                bounds = [_total([total, *terms]) / pivot, *bounds]
+            growth = _total(bound * total for bound, total in zip(bounds, self.sums, strict=True))
+            return is_larger(self.one, growth * ((len(bounds) + 3) * self.unit))
+
+
+def _size(number: Any) -> Any:
+    return abs(number.hi if hasattr(number, "hi") else number)
+
+
+def _total(numbers: Iterable[Any]) -> Any:
+    return reduce(add, numbers)
+
+
+def _moved(values: Sequence[Any], swaps: Sequence[Any]) -> list[Any]:
+    """Swap values with the first one as lines were swapped."""
+    first, *others = values
+    for i, swap in enumerate(swaps):
+        first, others[i] = _swapped(swap, first, others[i])
+    return [first, *others]
+
+
+def _zero_unless(condition: Any, number: Any) -> Any:
+    return selected(condition, number, number * 0)
 
 
 def least_pivot_of(lines: Sequence[Sequence[Any]]) -> Any:
@@ -209,9 +295,7 @@ def _substituted_forwards(steps: Sequence[_Step], right: Sequence[Any]) -> list[
     """Do to a right side what elimination did to the rows."""
     values, done = list(right), []
     for step in steps:
-        for i, swap in enumerate(step.swaps, start=1):
-            values[0], values[i] = _swapped(swap, values[0], values[i])
-        first, *others = values
+        first, *others = _moved(values, step.swaps)
         done.append(first)
         values = [value - factor * first for value, factor in zip(others, step.factors, strict=True)]
     return done

@@ -18,8 +18,9 @@ def answer(question: str) -> str:
     ----------
     question : str
         JSON.  ``{"do": "replay", "claim": ENTRY}`` checks an entry of the ledger again.  ``{"do": "prove", "lhs": TEXT,
-        "rhs": TEXT}`` decides an identity; ``constraints``, ``nonzero`` and ``assumptions`` are lists of texts, and
-        ``where`` has the text of each name that the forms use.  ``{"do": "prepare"}`` imports the prover.
+        "rhs": TEXT}`` decides an identity, or an inequality with its ``relation``; ``constraints``, ``nonzero`` and
+        ``assumptions`` are lists of texts, and ``where`` has the text of each name that the forms use.
+        ``{"do": "prepare"}`` imports the prover.
 
     Returns
     -------

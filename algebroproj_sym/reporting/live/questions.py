@@ -8,24 +8,27 @@ from typing import Any
 
 from algebroproj_sym.reporting.live.answering import CONDITIONS
 
-KINDS = ("identity", "identity under constraints")
+KINDS = ("identity", "identity under constraints", "inequality")
 MOST_CHARACTERS = 4000
 
 
 @dataclass(frozen=True)
 class Question:
-    """An identity as text, to be changed and proved again.
+    """An identity or an inequality as text, to be changed and proved again.
 
     Attributes
     ----------
     lhs, rhs : str
         The printed and the derived form.
+    relation : str
+        Between them.
     constraints, nonzero, assumptions, letters : str
         One a line.
     """
 
     lhs: str
     rhs: str
+    relation: str
     constraints: str
     nonzero: str
     assumptions: str
@@ -44,15 +47,16 @@ def question(record: Mapping[str, Any]) -> Question | None:
     --------
     >>> record = {"kind": "identity", "printed": "1/x", "derived": "x", "corrected": "x", "setting": {}}
     >>> question(record)
-    Question(lhs='1/x', rhs='x', constraints='', nonzero='', assumptions='', letters='')
-    >>> question({**record, "kind": "rank"}), question({**record, "printed": None})
-    (None, Question(lhs='x', rhs='x', constraints='', nonzero='', assumptions='', letters=''))
+    Question(lhs='1/x', rhs='x', relation='=', constraints='', nonzero='', assumptions='', letters='')
+    >>> question({**record, "kind": "rank"}), question({**record, "kind": "limit"})
+    (None, None)
     """
     printed = record["printed"] or record["corrected"]
     setting = record["setting"]
-    if record["kind"] not in KINDS or not isinstance(printed, str) or not {*CONDITIONS, "letters"} >= setting.keys():
+    known = {"relation", "letters", *CONDITIONS}
+    if record["kind"] not in KINDS or not isinstance(printed, str) or setting.keys() - known:
         return None
     letters = [f"{name}: {meaning}" for name, meaning in setting.get("letters", {}).items()]
-    lists = (*(setting.get(key, ()) for key in CONDITIONS), letters)
-    texts = (printed, record["derived"], *map("\n".join, lists))
+    given = map("\n".join, (*(setting.get(key, ()) for key in CONDITIONS), letters))
+    texts = (printed, record["derived"], setting.get("relation", "="), *given)
     return Question(*texts) if sum(map(len, texts)) <= MOST_CHARACTERS else None

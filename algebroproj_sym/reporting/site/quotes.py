@@ -55,5 +55,5 @@ def _formula(text: str, *, block: bool) -> Markup:
         shown = latex_html(tidy, block=block)
     except Exception:
         return Markup("<code>{}</code>").format(text)
-    shown = shown.replace("&#x000AF;", "&#x02212;")  # the font has no other bar
+    shown = Markup(str(shown).replace("&#x000AF;", "&#x02212;"))  # the font has no other bar
     return Markup("<code>{}</code>").format(text) if re.search(r"\\|>&<", shown) else shown

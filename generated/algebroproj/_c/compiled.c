@@ -175,6 +175,22 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define SOLVER(name, height, width) \
     static FORCED_INLINE real NAME(name##_##height)(const real system[height][2 * height + 2], real solution[width], \
                                                     real range)
+#define SOLVER_IN_DOUBLE(name, height, width, wider) \
+    SOLVER(name, height, width) \
+    { \
+        double rows[height][2 * height + 2], found[width]; \
+        for (int row = 0; row < height; row++) { \
+            for (int column = 0; column <= height; column++) { \
+                rows[row][column] = (double)system[row][column] + (double)system[row][height + 1 + column]; \
+                rows[row][height + 1 + column] = 0; \
+            } \
+        } \
+        JOINED(name##_##height, wider)((const double (*)[2 * height + 2])rows, found, 0); \
+        for (int place = 0; place < width; place++) { \
+            solution[place] = (real)found[place]; \
+        } \
+        return range; \
+    }
 #define SOLVER_ONCE(name, height, width) \
     static FORCED_INLINE void NAME(name##_once_##height)(const real system[height][height + 1], real solution[width])
 #define PLAIN(name) static VERSION void NAME(name)
@@ -201,67 +217,6 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 /* Headroom is a little less than the largest number, to which squares of operands are added: the sum is not finite if
    products of such operands, or of sums of a few of them, or of their halves, might not be.  The splitter is the factor
    that splits a number into halves, whose products are exact. */
-#define real float
-#define absolute fabsf
-#define multiply_add fmaf
-#define headroom (FLT_MAX - FLT_MAX / 4096)
-#define splitter 4097.0f
-#define VERSION SPLIT
-#define variant float_split
-#define product_error NAME(split_product_error)
-#define within(range, operand) (range)
-#include "kernels.h"
-#include "systems.h"
-#undef variant
-#undef product_error
-#undef within
-#undef VERSION
-#ifdef FUSED
-#define VERSION FUSED
-#define variant float_fused
-#define product_error NAME(fused_product_error)
-#define within(range, operand) multiply_add(operand, operand, range)
-#include "kernels.h"
-#include "systems.h"
-#undef variant
-#undef product_error
-#undef within
-#undef VERSION
-#endif
-#ifndef gathered
-#define gathered(rows, data, layout, points) 0
-#define scattered(rows, data, layout, points) 0
-#endif
-/* Neighbouring entries are read and written together; in the formulas with compensation it would take a compiler minutes
-   to look for them. */
-OPTIMIZED("tree-slp-vectorize")
-#include "loops.h"
-#undef gathered
-#undef scattered
-#define VERSION SPLIT
-#define NARROW_VERSION VERSION
-#define variant float_plain
-#include "plain_kernels.h"
-#undef variant
-#undef VERSION
-#undef NARROW_VERSION
-#ifdef FUSED
-#define VERSION LONG
-#define NARROW_VERSION SHORT
-#define variant float_plain_fused
-#include "plain_kernels.h"
-#undef variant
-#undef VERSION
-#undef NARROW_VERSION
-#endif
-OPTIMIZED_ENDS
-#include "plain_loops.h"
-#undef real
-#undef absolute
-#undef multiply_add
-#undef headroom
-#undef splitter
-
 #define real double
 #define absolute fabs
 #define multiply_add fma
@@ -272,6 +227,7 @@ OPTIMIZED_ENDS
 #define product_error NAME(split_product_error)
 #define within(range, operand) (range)
 #include "kernels.h"
+#include "solvers.h"
 #include "systems.h"
 #undef variant
 #undef product_error
@@ -283,6 +239,7 @@ OPTIMIZED_ENDS
 #define product_error NAME(fused_product_error)
 #define within(range, operand) multiply_add(operand, operand, range)
 #include "kernels.h"
+#include "solvers.h"
 #include "systems.h"
 #undef variant
 #undef product_error
@@ -314,6 +271,71 @@ OPTIMIZED("tree-slp-vectorize")
 #define VERSION LONG
 #define NARROW_VERSION SHORT
 #define variant double_plain_fused
+#include "plain_kernels.h"
+#undef variant
+#undef VERSION
+#undef NARROW_VERSION
+#endif
+OPTIMIZED_ENDS
+#include "plain_loops.h"
+#undef real
+#undef absolute
+#undef multiply_add
+#undef headroom
+#undef splitter
+
+#define real float
+#define absolute fabsf
+#define multiply_add fmaf
+#define headroom (FLT_MAX - FLT_MAX / 4096)
+#define splitter 4097.0f
+#define VERSION SPLIT
+#define variant float_split
+#define product_error NAME(split_product_error)
+#define within(range, operand) (range)
+#include "kernels.h"
+SOLVER_IN_DOUBLE(null_vector, 8, 9, double_split)
+SOLVER_IN_DOUBLE(solve, 5, 5, double_split)
+#include "systems.h"
+#undef variant
+#undef product_error
+#undef within
+#undef VERSION
+#ifdef FUSED
+#define VERSION FUSED
+#define variant float_fused
+#define product_error NAME(fused_product_error)
+#define within(range, operand) multiply_add(operand, operand, range)
+#include "kernels.h"
+SOLVER_IN_DOUBLE(null_vector, 8, 9, double_fused)
+SOLVER_IN_DOUBLE(solve, 5, 5, double_fused)
+#include "systems.h"
+#undef variant
+#undef product_error
+#undef within
+#undef VERSION
+#endif
+#ifndef gathered
+#define gathered(rows, data, layout, points) 0
+#define scattered(rows, data, layout, points) 0
+#endif
+/* Neighbouring entries are read and written together; in the formulas with compensation it would take a compiler minutes
+   to look for them. */
+OPTIMIZED("tree-slp-vectorize")
+#include "loops.h"
+#undef gathered
+#undef scattered
+#define VERSION SPLIT
+#define NARROW_VERSION VERSION
+#define variant float_plain
+#include "plain_kernels.h"
+#undef variant
+#undef VERSION
+#undef NARROW_VERSION
+#ifdef FUSED
+#define VERSION LONG
+#define NARROW_VERSION SHORT
+#define variant float_plain_fused
 #include "plain_kernels.h"
 #undef variant
 #undef VERSION
@@ -1059,7 +1081,7 @@ static int execute(PyObject *module)
     }
     failed = failed < 0 ? -1 : PyModule_AddObjectRef(module, "calls", dictionary);
     Py_XDECREF(dictionary);
-    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "d228a242f6136d3b");
+    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "f9def32daf78bdae");
 }
 
 static PyModuleDef_Slot slots[] = {

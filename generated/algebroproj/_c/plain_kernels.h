@@ -2165,9 +2165,13 @@ PLAIN(collinearity_intersect)(const real (*restrict in0)[11], const real (*restr
         const real t319 = d43 * d44;
         const real t320 = t318 + t319;
         const real t321 = t320 * t304;
-        out0[i][0] = t305;
-        out0[i][1] = t313;
-        out0[i][2] = t321;
+        const real t322 = 0 * t303;
+        const real t323 = t305 + t322;
+        const real t324 = t313 + t322;
+        const real t325 = t321 + t322;
+        out0[i][0] = t323;
+        out0[i][1] = t324;
+        out0[i][2] = t325;
     }
 }
 
@@ -6351,9 +6355,13 @@ PLAIN(orientation_intersect)(const real (*restrict in0)[2], const real (*restric
         const real t200 = d32 * d33;
         const real t201 = t199 + t200;
         const real t202 = t201 / t185;
-        out0[i][0] = t186;
-        out0[i][1] = t194;
-        out0[i][2] = t202;
+        const real t203 = 0 * t185;
+        const real t204 = t186 + t203;
+        const real t205 = t194 + t203;
+        const real t206 = t202 + t203;
+        out0[i][0] = t204;
+        out0[i][1] = t205;
+        out0[i][2] = t206;
     }
 }
 

@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "d228a242f6136d3b"
+DIGEST = "f9def32daf78bdae"
 """What identifies the C source that belongs to this package."""
 
 

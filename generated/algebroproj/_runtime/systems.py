@@ -22,6 +22,8 @@ Rows: TypeAlias = Sequence[Sequence[Any]]
 Function: TypeAlias = Callable[..., Any]
 Prepared: TypeAlias = Callable[[Rows], tuple[Rows, Rows | None]]
 
+DOUBLE = np.dtype(np.float64)
+
 __all__ = ["least_pivot", "null_vector", "null_vector_once", "solve", "solve_once"]
 
 
@@ -92,13 +94,34 @@ def least_pivot(primitive: str, rows: Rows) -> Any:
 
 
 def _solved(rows: Rows, solve: Function, prepared: Prepared) -> tuple[Any, ...]:
-    return tuple(solution_with_bounds(rows, solve) if _have_bounds(rows) else solution_of(*prepared(rows)))
+    if _have_bounds(rows):
+        return tuple(solution_with_bounds(rows, solve))
+    heads, rests = prepared(rows)
+    return _in_double(solution_of, heads, rests)
 
 
 def _spanned(rows: Rows, null_vector: Function, solve: Function, prepared: Prepared) -> tuple[Any, ...]:
     if _have_bounds(rows):
         return tuple(null_vector_with_bounds(rows, null_vector, solve))
-    return tuple(null_vector_of(*prepared(rows)))
+    heads, rests = prepared(rows)
+    return _in_double(null_vector_of, heads, rests)
+
+
+def _in_double(solved: Function, heads: Rows, rests: Rows | None) -> tuple[Any, ...]:
+    """Return what is solved, if rests are known in double precision at least.
+
+    Of many a good system the digits of float32 do not decide the rank.
+    """
+    narrow = getattr(heads[0][0], "dtype", DOUBLE)
+    if rests is None or narrow.itemsize >= DOUBLE.itemsize:
+        return tuple(solved(heads, rests))
+    xp = namespace(heads[0])
+    rows = [
+        [_as_dtype(xp, head, xp.float64) + rest for head, rest in zip(*row, strict=True)]
+        for row in zip(heads, rests, strict=True)
+    ]
+    found = solved(rows, [[0 * entry for entry in row] for row in rows])
+    return tuple(_as_dtype(xp, number, narrow) for number in found)
 
 
 def _have_bounds(rows: Rows) -> bool:

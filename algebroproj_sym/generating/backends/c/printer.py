@@ -71,6 +71,7 @@ CONDITIONS = ("is_larger", "is_finite")
 
 _PATTERNS = {
     "neg": "-{0}",
+    "absolute": "absolute({0})",
     "product_error": "product_error({0}, {1}, {2})",
     "is_larger": "is_larger({0}, {1})",
     "is_finite": "{0} - {0} == 0",
@@ -109,14 +110,16 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     -------
     dict of str to str
         The text of each file by its name: ``kernels.h`` with the formulas, ``systems.h`` with those that solve linear
-        systems, ``moves.h``, ``loops.h``, ``fours.h`` and ``compiled.c`` with what makes ufuncs of them, and of the
-        formulas without compensation, which `plain_files` writes; ``calls.h`` with short calls of ufuncs.
+        systems, ``solvers.h`` with what solves them, ``moves.h``, ``loops.h``, ``fours.h`` and ``compiled.c`` with what
+        makes ufuncs of them, and of the formulas without compensation, which `plain_files` writes; ``calls.h`` with
+        short calls of ufuncs.
     """
     compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
     plain = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
     both = [*compiled, *plain]
     of_operations = [low for low in compiled if not low.kernel.solves_systems]
     of_systems = [low for low in compiled if low.kernel.solves_systems]
+    solvers = solvers_of([low.program for low in of_systems], refined=True)
     return {
         "kernels.h": rendered(
             "kernels.h.j2",
@@ -124,12 +127,8 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             errors=bool(of_systems) or any(_products(expanded(low.program)) for low in of_operations),
             kernels=list(map(_function, of_operations)),
         ),
-        "systems.h": rendered(
-            "systems.h.j2",
-            notice=notice,
-            solvers=solvers_of([low.program for low in of_systems], refined=True),
-            kernels=list(map(_function, of_systems)),
-        ),
+        "solvers.h": rendered("solvers.h.j2", notice=notice, solvers=solvers),
+        "systems.h": rendered("systems.h.j2", notice=notice, kernels=list(map(_function, of_systems))),
         "loops.h": rendered("loops.h.j2", notice=notice),
         "moves.h": rendered("moves.h.j2", notice=notice),
         "fours.h": rendered(
@@ -145,6 +144,7 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             digest=DIGEST,
             block=BLOCK,
             types=TYPES,
+            solvers=solvers,
             kernels=[_table_row(low.kernel) | {"by_fours": _is_short(low)} for low in compiled],
             plain_kernels=[_table_row(low.kernel) for low in plain],
             operands=max((len(core_shapes(low.kernel)) for low in both), default=1),

@@ -21,7 +21,7 @@ from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.program import Call, Operand
 from algebroproj_sym.generating.writing import NOTICE
 
-__all__ = ["declaration", "render"]
+__all__ = ["declaration", "in_double", "render"]
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.generating.backends.cpp"),
@@ -58,7 +58,27 @@ def _rendered(template: str, package: str, **given: object) -> str:
 
 def _solver(primitive: str, height: int) -> dict[str, object]:
     parts = solver(primitive, height, refined=True)
-    return parts | {"body": [line for line in parts["body"] if not line.startswith(("range =", "return range"))]}
+    body = [line for line in parts["body"] if not line.startswith(("range =", "return range"))]
+    return parts | {"body": [*in_double(f"{primitive}_{height}", height, parts["width"]), *body]}
+
+
+def in_double(name: str, height: int, width: int) -> list[str]:
+    """Return the statements that leave systems of narrower numbers to double precision."""
+    return [
+        "if constexpr (std::numeric_limits<real>::digits < std::numeric_limits<double>::digits) {",
+        f"    double rows[{height}][{2 * height + 2}] = {{}}, found[{width}] = {{}};",
+        f"    for (int row = 0; row < {height}; row++) {{",
+        f"        for (int column = 0; column <= {height}; column++) {{",
+        f"            rows[row][column] = double(system[row][column]) + double(system[row][{height + 1} + column]);",
+        "        }",
+        "    }",
+        f"    {name}(rows, found);",
+        f"    for (int place = 0; place < {width}; place++) {{",
+        "        solution[place] = real(found[place]);",
+        "    }",
+        "    return;",
+        "}",
+    ]
 
 
 def _function(low: Lowered) -> dict[str, object]:

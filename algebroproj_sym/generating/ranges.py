@@ -1,0 +1,124 @@
+"""Ranges: for which inputs nothing overflows or underflows in a program.
+
+Let every input be zero, or between 2^-k and 2^k in absolute value.  Then each number of a program is a multiple of some
+power of two, its absolute value is at most another one, and unless it is zero, at least a third one.  These exponents
+follow from operation to operation.  Rounding leaves a multiple of a power of two a multiple of it: so a sum that
+cancels cannot be arbitrarily small.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import inf
+
+from algebroproj_sym.generating.expansion import expanded
+from algebroproj_sym.generating.program import Call, Operand, Program, Step
+
+
+@dataclass(frozen=True)
+class Format:
+    """A binary format.
+
+    Attributes
+    ----------
+    digits : int
+        Of its significands.
+    least, most : int
+        The exponents of the least normal number, and of the power of two that is too large.
+    """
+
+    digits: int
+    least: int
+    most: int
+
+    @property
+    def tiniest(self) -> int:
+        """The exponent of the least positive number."""
+        return self.least - self.digits + 1
+
+
+BINARY64 = Format(53, -1022, 1024)
+BINARY32 = Format(24, -126, 128)
+
+
+@dataclass(frozen=True)
+class _Exponents:
+    """Numbers are multiples of ``2**grid``, at most ``2**high``, and unless they are zero at least ``2**low``."""
+
+    grid: float
+    low: float
+    high: float
+
+
+_ZERO = _Exponents(inf, inf, -inf)
+
+
+def reach(program: Program, numbers: Format = BINARY64) -> int | None:
+    """Return the largest k for which nothing overflows or underflows, None for a program with calls.
+
+    Parameters
+    ----------
+    program : Program
+        Any.  The errors of its products are taken in one operation, or from halves.
+    numbers : Format
+        What it computes with.
+
+    Examples
+    --------
+    >>> reach(Program(("x", "y"), (Step("t0", "*", ("x", "y")),), ("t0",)))
+    511
+    """
+    single = expanded(program)
+    if any(isinstance(step, Call) for step in single.steps):
+        return None
+    fitting, too_large = 0, 1 - numbers.least
+    if not _fits(single, fitting, numbers):
+        return None
+    while too_large - fitting > 1:
+        middle = (fitting + too_large) // 2
+        fitting, too_large = (middle, too_large) if _fits(single, middle, numbers) else (fitting, middle)
+    return fitting
+
+
+def _fits(program: Program, k: int, numbers: Format) -> bool:
+    known: dict[Operand, _Exponents] = {name: _Exponents(-k - numbers.digits + 1, -k, k) for name in program.inputs}
+    for step in program.steps:
+        assert isinstance(step, Step)
+        found = _found(step, known, numbers)
+        if found is None or found.high >= numbers.most:
+            return False
+        known[step.name] = found
+    return True
+
+
+def _found(step: Step, known: Mapping[Operand, _Exponents], numbers: Format) -> _Exponents | None:
+    """Return the exponents of the result of a step, None if it may underflow."""
+    x, *others = (known[operand] if isinstance(operand, str) else _of_integer(operand) for operand in step.operands)
+    if step.operator == "neg":
+        return x
+    y = others[0]
+    if _ZERO in (x, y):
+        return {"+": y if x == _ZERO else x, "-": y if x == _ZERO else x}.get(step.operator, _ZERO)
+    if step.operator in ("+", "-"):
+        grid = min(x.grid, y.grid)
+        return _Exponents(grid, grid, max(x.high, y.high) + 1)
+    if step.operator == "/":
+        low = x.low - y.high
+        return None if low < numbers.least else _Exponents(low - numbers.digits + 1, low, x.high - y.low)
+    grid, low, high = x.grid + y.grid, x.low + y.low, x.high + y.high
+    if step.operator == "*":
+        grid = max(grid, low - numbers.digits + 1)
+        return None if max(grid - numbers.tiniest, low - numbers.least) < 0 else _Exponents(grid, low, high)
+    assert step.operator == "product_error"
+    halves = max(x.high, y.high) + numbers.digits // 2 + 2
+    if grid < numbers.tiniest or halves >= numbers.most:
+        return None
+    return _Exponents(grid, grid, high - numbers.digits)
+
+
+def _of_integer(value: int) -> _Exponents:
+    if value == 0:
+        return _ZERO
+    size = abs(value)
+    return _Exponents((size & -size).bit_length() - 1, size.bit_length() - 1, (size - 1).bit_length())

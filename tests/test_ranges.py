@@ -1,0 +1,80 @@
+"""Within its range nothing overflows or underflows in a function, whatever the digits of the arguments are."""
+
+import numpy as np
+import pytest
+
+from algebroproj import optics, orientation, projection
+from algebroproj_sym.declaring import kernels
+from algebroproj_sym.generating.program import Program, Step
+from algebroproj_sym.generating.ranges import BINARY32, Format, reach
+from algebroproj_sym.generating.systems import system_program
+from algebroproj_sym.verifying.shipped import function_of
+
+RATIONAL = [kernel.qualified_name for kernel in kernels() if all(stage.primitive == "let" for stage in kernel.stages)]
+
+
+def program(*steps, inputs="xy"):
+    return Program(tuple(inputs), tuple(Step(*step) for step in steps), (steps[-1][0],))
+
+
+@pytest.mark.parametrize(
+    ("steps", "numbers", "expected"),
+    [
+        ([("t0", "*", ("x", "y"))], BINARY32, 63),
+        ([("t0", "+", ("x", "y"))], BINARY32, 126),
+        ([("t0", "/", ("x", "y"))], BINARY32, 63),
+        ([("t0", "*", ("x", "y")), ("t1", "product_error", ("x", "y", "t0"))], BINARY32, 51),
+        ([("t0", "-", ("x", "y")), ("t1", "*", ("t0", "t0"))], BINARY32, 51),
+        ([("t0", "*", (0, "x")), ("t1", "+", ("t0", "y"))], Format(53, -1022, 1024), 1022),
+    ],
+)
+def test_ranges_of_small_programs(steps, numbers, expected):
+    assert reach(program(*steps), numbers) == expected
+
+
+def test_linear_systems_have_none():
+    assert reach(system_program("solve", 1, refined=False)) == 511
+    assert reach(Program(("x",), (), ("x",))) == 1022
+
+
+def extreme(k, shape, generator):
+    """Return numbers from the ends of a range, neighbours of powers of two among them, and zeros."""
+    exponents = generator.choice([-k, -k, k, k, 0, generator.integers(-k, k + 1)], shape)
+    digits = generator.choice([1.0, 1 + 2.0**-52, 1.5, 1.25], shape)
+    numbers = np.ldexp(np.where(exponents == k, 1.0, digits), exponents)
+    return generator.choice([-1.0, 1.0, 1.0, 0.0], shape, p=[0.4, 0.4, 0.15, 0.05]) * numbers
+
+
+@pytest.mark.parametrize("name", RATIONAL)
+def test_nothing_overflows_or_underflows_within_the_range(name, lowered):
+    low = lowered(name)
+    k = reach(low.program)
+    if k is None:
+        assert low.program.operations().total() > 100
+        return
+    generator = np.random.default_rng(k)
+    body = function_of(low.kernel, __import__("algebroproj")).__globals__[f"_{low.kernel.name}"]
+    inputs = [extreme(k, 400, generator) for _ in low.kernel.symbols]
+    with np.errstate(over="raise", under="raise", divide="ignore", invalid="ignore"):
+        body(*inputs)
+
+
+def test_the_documentation_tells_the_range():
+    for function, exponent in ((optics.scale, 485), (projection.mu_from_center, 240)):
+        assert f"between 2**-{exponent} and 2**{exponent}" in " ".join(function.__doc__.split())
+
+
+@pytest.mark.parametrize(("dtype", "scales"), [(np.float32, (300.0, 4000.0)), (np.float64, (1e24, 1e30))])
+def test_an_intersection_that_overflows_is_not_finite(dtype, scales):
+    """Zero over infinity is no coordinate."""
+    generator = np.random.default_rng(5)
+    rows = generator.uniform(-1, 1, (3000, 14)) * np.exp(generator.uniform(*np.log(scales), (3000, 1)))
+    rows = rows.astype(dtype)
+    split = [(0, 2), (2, 4), (4, 7), (7, 9), (9, 12), (12, 14)]
+    with np.errstate(all="ignore"):
+        found = orientation.intersect(*(rows[:, a:b] for a, b in split))
+        wide = orientation.intersect(*(rows[:, a:b].astype(np.longdouble) for a, b in split)).astype(np.float64)
+    finite = np.isfinite(found).all(axis=1)
+    assert 0.1 < finite.mean() < 0.9
+    off = abs(found[finite] - wide[finite]).max(axis=1) / abs(wide[finite]).max(axis=1)
+    assert off.max() < 64 * np.finfo(dtype).eps

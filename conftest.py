@@ -1,12 +1,14 @@
 """What a run of the tests includes.
 
-By default it is what is quick.  ``--part rest`` is what that leaves out: builds and other long tests, tests that need
-an extra, and properties again with all their examples.  ``--part all`` is both.  CI runs both, with every extra.
+By default it is what is quick.  ``--part rest`` is what that leaves out: builds and other long tests, most of many
+similar cases, tests that need an extra, and properties again with all their examples.  ``--part all`` is both.  CI runs
+both, with every extra.
 """
 
 import os
 import subprocess
 import sys
+from collections import Counter
 from functools import cache
 from importlib.metadata import PackageNotFoundError, distribution, requires
 from pathlib import Path
@@ -46,15 +48,28 @@ def pytest_addoption(parser):
 def pytest_configure(config):
     config.addinivalue_line("markers", "whole: what takes long, such as a build.")
     config.addinivalue_line("markers", "extra(name): the test needs this extra.")
+    config.addinivalue_line("markers", "sampled(n): a quick run takes every n-th case.")
     settings.load_profile("quick" if config.getoption("part") == "quick" else "whole")
 
 
 def pytest_collection_modifyitems(config, items):
+    leave_out_what_is_not_sampled(items)
     part = config.getoption("part")
     if part != "all":
         chosen = is_quick if part == "quick" else is_rest
         config.hook.pytest_deselected(items=[item for item in items if not chosen(item)])
         items[:] = filter(chosen, items)
+
+
+def leave_out_what_is_not_sampled(items):
+    """Mark the cases between those that a quick run takes as parts of the whole."""
+    seen = Counter()
+    for item in items:
+        for mark in item.iter_markers("sampled"):
+            place = seen[test := (item.path, item.originalname)]
+            seen[test] += 1
+            if place % mark.args[0]:
+                item.add_marker("whole")
 
 
 def is_quick(item):

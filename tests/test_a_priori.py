@@ -337,6 +337,7 @@ def test_a_file_says_what_its_numbers_stand_for(lowered):
         assert f"entry {place} is {number}" in text
 
 
+@pytest.mark.whole
 @needs_coq
 def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     """The theorems are accepted, rest on the listed axioms, and each mutant fails the checker."""

@@ -54,6 +54,7 @@ def checked():
     return json.loads(result.stdout)
 
 
+@pytest.mark.whole
 @pytest.mark.xdist_group("checked")
 def test_check_prints_one_json_object_of_the_contract(checked):
     assert checked["schema"] == 1
@@ -63,6 +64,7 @@ def test_check_prints_one_json_object_of_the_contract(checked):
     assert all(claim["verdict"] == claim["expected"] for claim in checked["claims"])
 
 
+@pytest.mark.whole
 @pytest.mark.xdist_group("checked")
 def test_every_numbered_equation_of_the_sections_done_has_a_claim(checked):
     numbers = {claim["number"].split("#")[0] for claim in checked["claims"]}
@@ -88,6 +90,7 @@ def test_every_numbered_equation_of_the_other_papers_has_a_claim(paper, numbers)
     assert set(numbers) <= declared
 
 
+@pytest.mark.whole
 @pytest.mark.xdist_group("checked")
 def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
     numbers = [claim["number"] for claim in checked["claims"]]
@@ -95,6 +98,7 @@ def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
     assert sum(number.startswith("4/b#") and ".R" not in number for number in numbers) == 15 * 8
 
 
+@pytest.mark.whole
 @pytest.mark.xdist_group("checked")
 def test_a_false_or_misprinted_identity_carries_an_exact_point_at_which_it_fails(checked):
     refuted = [c for c in checked["claims"] if c["verdict"] in ("misprint", "false") and c["kind"] == "identity"]

@@ -34,6 +34,7 @@ def erased(program):
     return calls, tuple(map(of, program.outputs))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("throughout", [False, True])
 @pytest.mark.parametrize("name", [name for name in NAMES if name != "critical.quadric"])
 def test_without_changes_of_digits_the_program_is_the_one_it_was(name, throughout, lowered):

@@ -38,6 +38,7 @@ def files(every):
     return render(every)
 
 
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("name", KERNELS)
 def test_the_source_of_every_function_is_proved(name, lowered, files):
     assert cpp_source_is_proved(lowered(name), files)
@@ -240,6 +241,7 @@ def test_a_backend_is_its_folder_its_name_and_its_proof(repository):
     assert outside == {"generating/backends/__init__.py", *proof}
 
 
+@pytest.mark.whole
 def test_both_backends_may_write_to_one_folder(tmp_path, repository):
     derivation = str(repository / "derivations" / "fundamentals1996" / "s1_6_functions.py")
     arguments = ["generate", "--derivations", derivation, "--out", str(tmp_path), "--name", "lens"]

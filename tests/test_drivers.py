@@ -247,6 +247,7 @@ def test_the_residuals_satisfy_the_conditions_to_first_order():
     assert np.abs(corrected).max() < 1e-3 * np.abs(parallaxes(left, right)).max()
 
 
+@pytest.mark.whole
 def test_the_covariance_is_that_of_repeated_measurements():
     generator = np.random.default_rng(11)
     angles = np.array([0.05, -0.03, 0.02, -0.06, 0.04])

@@ -511,6 +511,7 @@ def assert_harmless(files):
 ALIKE = {(key,) for key in NAMED if key not in ("number", "note")} | {("derived",), ("corrected",)}
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "path",
     [pytest.param(path, marks=pytest.mark.whole if path in ALIKE else ()) for path in PLACES],

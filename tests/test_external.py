@@ -187,6 +187,7 @@ def case(file, item):
     return pytest.param(file, item, id=f"{file}: {item['name']}", marks=marks)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("file", "item"), [case(*entry) for entry in ITEMS])
 def test_every_verdict_is_the_declared_one_and_rests_on_evidence(file, item):
     arguments = {"constraints": item.get("constraints", ()), "nonzero": item.get("nonzero", ())}
@@ -330,6 +331,7 @@ def test_a_missing_file_and_a_mixture_are_wrong_usage(file):
     assert run(file([SQUARE]), "fundamentals1996").exit_code == 2
 
 
+@pytest.mark.whole
 def test_the_verdicts_do_not_depend_on_workers_or_the_hash_seed(file):
     path = file([SQUARE, DREAM, {"lhs": "x", "rhs": "y", "constraints": ["x^2 + y^2 = 3"]}])
     records = []

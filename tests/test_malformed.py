@@ -158,6 +158,7 @@ def damaged(generator):
     return json.dumps(items).encode()
 
 
+@pytest.mark.whole
 def test_damaged_values_are_decided_or_refused(check):
     generator = random.Random(7)
     statuses = {check(damaged(generator)).exit_code for _ in range(40)}

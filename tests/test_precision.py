@@ -41,6 +41,7 @@ def exact(value):
     return mpmath.mpf(numerator) / denominator
 
 
+@pytest.mark.sampled(4)
 @every_kernel
 def test_twice_the_digits(name, lowered, package):
     low = lowered(name)
@@ -55,6 +56,7 @@ def test_twice_the_digits(name, lowered, package):
             assert error <= mpmath.mpf(10) ** -29 * (abs(value) + sensitivity)
 
 
+@pytest.mark.sampled(4)
 @every_kernel
 def test_bounds_hold_near_singularities_as_well(name, lowered, package):
     low = lowered(name)

@@ -368,6 +368,7 @@ INNOCENT = [
 ]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("latex", INNOCENT)
 def test_a_statement_that_may_be_true_is_never_called_a_contradiction(latex):
     assert "contradicts" not in verdicts(latex)

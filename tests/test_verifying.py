@@ -53,6 +53,7 @@ def planted(name, old, new):
     return SimpleNamespace(__name__="planted", **{module: SimpleNamespace(**{function_name: changed})})
 
 
+@pytest.mark.sampled(6)
 @every_kernel
 def test_every_shipped_function_is_verified(name, lowered):
     verification = verify(lowered(name), load_package(), size=12)
@@ -61,6 +62,7 @@ def test_every_shipped_function_is_verified(name, lowered):
     assert verification.accuracy.overall.max_ratio <= BOUND
 
 
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("name", SMALL)
 def test_the_sympy_engine_proves_the_source_too(name):
     assert source_is_proved(KERNELS[name], load_package(), "sympy")
@@ -70,6 +72,7 @@ magnitudes = st.floats(min_value=1e-8, max_value=1e8)
 coordinates = st.builds(lambda sign, size: sign * size, st.sampled_from((-1.0, 1.0)), magnitudes)
 
 
+@pytest.mark.sampled(6)
 @every_kernel
 @settings(max_examples=8)
 @given(data=st.data())
@@ -143,6 +146,7 @@ def test_a_function_that_stays_finite_on_a_singularity_is_caught(lowered):
     assert [str(factor) for factor in silent] == ["y02"]
 
 
+@pytest.mark.sampled(4)
 @every_kernel
 def test_samples_cover_every_stratum_and_come_as_near_as_they_say(name, lowered):
     low = lowered(name)

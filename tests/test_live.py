@@ -20,10 +20,10 @@ from algebroproj_sym import prove
 from algebroproj_sym.declaring import KINDS as CLAIM_KINDS
 from algebroproj_sym.declaring import judge, select
 from algebroproj_sym.reporting.ledger import ledger
-from algebroproj_sym.reporting.live.answering import MOST_CHARACTERS, answer
+from algebroproj_sym.reporting.live.answering import CONDITIONS, MOST_CHARACTERS, answer
 from algebroproj_sym.reporting.live.bundling import own_sources
 from algebroproj_sym.reporting.live.fetching import FetchError, Package, fetched, genuine, pinned
-from algebroproj_sym.reporting.live.questions import CONDITIONS, KINDS, question
+from algebroproj_sym.reporting.live.questions import KINDS, question
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 WAIT = 300_000
@@ -57,7 +57,10 @@ def test_input_that_cannot_be_read_is_an_error_and_no_traceback(lhs):
     assert told(do="prove", lhs=lhs, rhs="x").keys() == {"error"}
 
 
-ENTRIES = {"do": "prove", "lhs": "x", "rhs": "x", "constraints": [], "where": {}, "claim": {}}
+ENTRIES = {
+    **{"do": "prove", "lhs": "x", "rhs": "x", "relation": "=", "where": {}, "claim": {}},
+    **{"constraints": [], "letters": []},
+}
 
 
 @pytest.mark.parametrize("entry", ENTRIES)
@@ -114,7 +117,21 @@ def test_a_page_asks_with_all_conditions_or_does_not_ask():
     record = {"kind": "identity", "printed": "sqrt(x**2)", "derived": "x", "setting": {"assumptions": ["x >= 0"]}}
     asked = question(record)
     assert told(do="prove", lhs=asked.lhs, rhs=asked.rhs, assumptions=[asked.assumptions])["verdict"] == "proved"
-    assert question({**record, "setting": {"letters": {"x": "3x3"}}}) is None
+    assert question({**record, "setting": {"variable": "x"}}) is None
+
+
+def test_a_page_asks_about_letters_and_a_changed_sign_is_refuted():
+    (claim,) = select(["bridges:8/epipole"])
+    asked = question(ledger([judge(claim)], timed=False)["claims"][0])
+    conditions = {key: getattr(asked, key).splitlines() for key in (*CONDITIONS, "letters")}
+    assert told(do="prove", lhs=asked.lhs, rhs=asked.rhs, **conditions)["verdict"] == "proved"
+    assert told(do="prove", lhs="E*t", rhs=asked.rhs, **conditions)["verdict"] == "refuted"
+    assert "such as R: 3x3 rotation" in told(do="prove", lhs="E", rhs="E", letters=["E"])["error"]
+
+
+def test_an_inequality_is_decided():
+    assert told(do="prove", lhs="x + 1/x", rhs="2", relation=">=", assumptions=["x > 0"])["verdict"] == "proved"
+    assert told(do="prove", lhs="x", rhs="2", relation="~")["error"].startswith("relation: expected one of")
 
 
 def test_the_kinds_that_a_page_can_ask_about_exist():

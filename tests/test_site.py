@@ -245,7 +245,7 @@ def test_pages_can_be_read_by_everyone(files):
         assert all(attributes.get("scope") in ("row", "col") for attributes in page.all("th")), name
         assert len(page.all("label")) == len(page.all("input")) > 0, name
         assert all(attributes.get("aria-label") for attributes in page.all("nav")), name
-        assert all(attributes.get("role") == "img" for attributes in page.all("svg")), name
+        assert {attributes.get("role") for attributes in page.all("svg")} <= {"img", "group"}, name
         assert 'class="skip" href="#content"' in page.text, name
 
 
@@ -254,12 +254,13 @@ def test_formulas_are_well_formed(files):
     for name, text in files.items():
         for formula in re.findall(r"<math.*?</math>", text):
             tree = ElementTree.fromstring(formula)
-            assert {element.tag for element in tree.iter()} <= TAGS, name
+            assert {element.tag for element in tree.iter()} <= PRINTED_TAGS, name
             count += 1
     assert count > 20
 
 
 TAGS = {"math", "mtext", "mrow", "mi", "mn", "mo", "mfrac", "msup", "msub", "msubsup", "mtable", "mtr", "mtd"}
+PRINTED_TAGS = TAGS | {"mover", "munder", "munderover", "mspace", "msqrt"}
 
 
 def value(element, point):
@@ -534,7 +535,7 @@ def edges(picture):
 def test_a_graph_shows_what_rests_on_what(site):
     drawing = site["fundamentals1996/graph-2.2.html"]
     assert {("2.2.3", "2.2.5"), ("2.2.5", "2.2.6"), ("2.2.4", "correlation.system")} <= edges(drawing)
-    assert edges(site["fundamentals1996/graph.html"]) == {("1.2", "2.2")}
+    assert edges(site["rhodos1990/graph.html"]) == set()
     assert Page(site["fundamentals1996/2.2.6.html"]).text.count('href="2.2.5~right.html"') == 1
 
 
@@ -588,7 +589,7 @@ def closure(pairs):
         (r"the rank of $C$ is 2", "<p>the rank of <math"),
         (r"the rank of $C is 2", "<p>the rank of $C is 2</p>"),
         (r"a &= b \\ c &= d", "<mtable"),
-        ("1\t0.5\t$x$", "<td>1</td><td>0.5</td><td><math"),
+        ("1\t0.5\t$x$", "<span>1</span> <span>0.5</span> <span><math"),
         (r"\left( x + \frac{1}{", r"<code>\left( x + \frac{1}{</code>"),
         (r"<script> = \frac", r"<code>&lt;script&gt; = \frac</code>"),
         (r"<script>", "<p>&lt;script&gt;</p>"),

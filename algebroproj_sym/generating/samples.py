@@ -29,10 +29,11 @@ Point = dict[sympy.Symbol, Fraction]
 
 @dataclass(frozen=True)
 class Sample:
-    """An input of a function and the stratum it was drawn from."""
+    """An input of a function, its stratum, and how large the factor is there that is to be near zero."""
 
     stratum: str
     values: dict[str, float]
+    distance: float | None = None
 
 
 def stratified(lowered: Lowered, size: int, seed: int = 0) -> tuple[Sample, ...]:
@@ -105,8 +106,11 @@ def _badly_scaled(symbols: Sequence[sympy.Symbol], generator: random.Random) -> 
 
 def _near(factor: Scalar, stratum: str, symbols: Sequence[sympy.Symbol], generator: random.Random) -> Iterator[Sample]:
     """Yield samples near the zeros of a factor."""
-    points = _points_near(value_of(factor), factor.free_symbols, symbols, generator)
-    return (_sample(stratum, point) for point in points)
+    value = value_of(factor)
+    for point in _points_near(value, factor.free_symbols, symbols, generator):
+        sample = _sample(stratum, point)
+        rounded = {symbol: Fraction(sample.values[symbol.name]) for symbol in symbols}
+        yield replace(sample, distance=abs(float(value(rounded))))
 
 
 def _near_results(lowered: Lowered, generator: random.Random) -> Iterator[Sample]:

@@ -56,6 +56,8 @@ class Stratum:
         The largest error over u times the larger of ``|f|`` and ``sum |x_i df/dx_i|``.
     within_ulps : bool
         Whether no error is larger than `MAX_ULP`, or than is granted near a singularity.
+    near : tuple of (float, float)
+        For each sample near a zero of a factor: what the factor is there, without sign, and the largest error in ULP.
     """
 
     name: str
@@ -66,6 +68,7 @@ class Stratum:
     max_ratio: float
     undetermined: int
     within_ulps: bool = True
+    near: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -100,6 +103,7 @@ class Accuracy:
 @dataclass(frozen=True)
 class _Errors:
     stratum: str
+    distance: float | None
     ulps: tuple[float, ...]
     ratio: float
     undetermined: int
@@ -151,10 +155,10 @@ def _errors_of(
     computed = results_of(lowered, function, samples)
     varying = [isinstance(output, str) for output in lowered.program.outputs]
     for sample, row, truth in zip(samples, computed, exact, strict=True):
-        yield _errors(sample.stratum, row.tolist(), truth, varying)
+        yield _errors(sample, row.tolist(), truth, varying)
 
 
-def _errors(stratum: str, computed: Sequence[float], truth: Truth, varying: Sequence[bool]) -> _Errors:
+def _errors(sample: Sample, computed: Sequence[float], truth: Truth, varying: Sequence[bool]) -> _Errors:
     ulps, ratio, undetermined, within_ulps = [], 0.0, 0, True
     for value, exact, sensitivity, varies in zip(computed, truth.values, truth.sensitivities, varying, strict=True):
         finite = isfinite(value)
@@ -167,7 +171,7 @@ def _errors(stratum: str, computed: Sequence[float], truth: Truth, varying: Sequ
             unit = mpmath.mpf(float(np.spacing(abs(float(exact)))))
             ulps.append(_quotient(error, unit))
             within_ulps = within_ulps and error <= MAX_ULP * unit + BOUND * UNIT_ROUNDOFF**2 * sensitivity
-    return _Errors(stratum, tuple(ulps), ratio, undetermined, bool(within_ulps))
+    return _Errors(sample.stratum, sample.distance, tuple(ulps), ratio, undetermined, bool(within_ulps))
 
 
 def _quotient(error: object, scale: object) -> float:
@@ -187,6 +191,7 @@ def _summary(name: str, errors: Sequence[_Errors]) -> Stratum:
         max_ratio=max((error.ratio for error in errors), default=0.0),
         undetermined=sum(error.undetermined for error in errors),
         within_ulps=all(error.within_ulps for error in errors),
+        near=tuple((error.distance, max(error.ulps)) for error in errors if error.distance is not None and error.ulps),
     )
 
 

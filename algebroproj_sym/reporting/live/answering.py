@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 MOST_CHARACTERS = 20_000
+CONDITIONS = ("constraints", "nonzero", "assumptions")
 _KINDS: Mapping[type, str] = {str: "text", dict: "an object"}
 
 
@@ -62,16 +63,17 @@ def _replay(asked: Mapping[str, Any]) -> dict[str, Any]:
 def _prove(asked: Mapping[str, Any]) -> dict[str, Any]:
     from algebroproj_sym import prove
 
-    given: dict[str, Any] = {key: [*asked.get(key, ())] for key in ("constraints", "nonzero", "assumptions")}
+    given: dict[str, Any] = {key: [*asked.get(key, ())] for key in (*CONDITIONS, "letters")}
     lhs, rhs = (_entry(asked, side, str) for side in ("lhs", "rhs"))
     _require_short(lhs, rhs, *(text for texts in given.values() for text in texts))
-    relation = _entry({"relation": "=", **asked}, "relation", str)
+    given["letters"] = dict(map(_letter, given["letters"])) or None
+    given["relation"] = _entry({"relation": "=", **asked}, "relation", str)
     if named := _entry({"where": {}, **asked}, "where", dict):
         read = _reader(named)
         given |= {key: [read(text) for text in given[key]] for key in ("constraints", "nonzero")}
-        proof = prove(read(lhs), read(rhs), relation=relation, **given)
+        proof = prove(read(lhs), read(rhs), **given)
     else:
-        proof = prove(lhs, rhs, relation=relation, **given)
+        proof = prove(lhs, rhs, **given)
     evidence = proof.certificate or {}
     return {
         "verdict": proof.verdict,
@@ -81,6 +83,14 @@ def _prove(asked: Mapping[str, Any]) -> dict[str, Any]:
         "right": [str(value) for value in evidence.get("right", ())],
         "reason": str(evidence.get("reason", "")) if proof.verdict == "open" else "",
     }
+
+
+def _letter(text: str) -> tuple[str, str]:
+    """Return a letter and what it is."""
+    name, colon, meaning = text.partition(":")
+    if not colon:
+        raise ValueError(f"letters: expected a letter and what it is, such as R: 3x3 rotation, got {text}")
+    return name.strip(), meaning.strip()
 
 
 def _reader(named: Mapping[str, str]) -> Callable[[str], Any]:

@@ -6,9 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from algebroproj_sym.reporting.live.answering import CONDITIONS
+
 KINDS = ("identity", "identity under constraints", "inequality")
 MOST_CHARACTERS = 4000
-CONDITIONS = ("constraints", "nonzero", "assumptions")
 
 
 @dataclass(frozen=True)
@@ -21,7 +22,7 @@ class Question:
         The printed and the derived form.
     relation : str
         Between them.
-    constraints, nonzero, assumptions : str
+    constraints, nonzero, assumptions, letters : str
         One a line.
     """
 
@@ -31,6 +32,7 @@ class Question:
     constraints: str
     nonzero: str
     assumptions: str
+    letters: str
 
     @property
     def rows(self) -> int:
@@ -45,14 +47,16 @@ def question(record: Mapping[str, Any]) -> Question | None:
     --------
     >>> record = {"kind": "identity", "printed": "1/x", "derived": "x", "corrected": "x", "setting": {}}
     >>> question(record)
-    Question(lhs='1/x', rhs='x', relation='=', constraints='', nonzero='', assumptions='')
-    >>> question({**record, "kind": "rank"}), question({**record, "printed": None})
-    (None, Question(lhs='x', rhs='x', relation='=', constraints='', nonzero='', assumptions=''))
+    Question(lhs='1/x', rhs='x', relation='=', constraints='', nonzero='', assumptions='', letters='')
+    >>> question({**record, "kind": "rank"}), question({**record, "kind": "limit"})
+    (None, None)
     """
     printed = record["printed"] or record["corrected"]
     setting = record["setting"]
-    if record["kind"] not in KINDS or not isinstance(printed, str) or setting.keys() - {"relation", *CONDITIONS}:
+    known = {"relation", "letters", *CONDITIONS}
+    if record["kind"] not in KINDS or not isinstance(printed, str) or setting.keys() - known:
         return None
-    given = ("\n".join(setting.get(key, ())) for key in CONDITIONS)
+    letters = [f"{name}: {meaning}" for name, meaning in setting.get("letters", {}).items()]
+    given = map("\n".join, (*(setting.get(key, ()) for key in CONDITIONS), letters))
     texts = (printed, record["derived"], setting.get("relation", "="), *given)
     return Question(*texts) if sum(map(len, texts)) <= MOST_CHARACTERS else None

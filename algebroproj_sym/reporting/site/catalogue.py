@@ -245,7 +245,7 @@ def _place(entry: Entry) -> tuple[str, str, int]:
 
 def _line(line: int, equation: Equation) -> int:
     """Return on which line an equation stands; without a quote it stays behind the one before it."""
-    return min((quote.line for quote in equation.quotes), default=line)
+    return equation.quotes[0].line if equation.quotes else line
 
 
 def _chapters(paper: str, entries: Sequence[Entry]) -> tuple[Chapter, ...]:

@@ -14,7 +14,7 @@ from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
 from algebroproj_sym.reporting.site.formulas import block, equation, inline
-from algebroproj_sym.reporting.site.plots import accuracy_plot
+from algebroproj_sym.reporting.site.plots import accuracy_plot, distance_plot
 from algebroproj_sym.reporting.site.tables import Table
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing.latex import latex
@@ -76,6 +76,7 @@ def _page(catalogue: Catalogue, function: Function) -> str:
         figures=figures,
         accuracy=_accuracy(figures),
         plot=accuracy_plot(figures.accuracy),
+        near=[(stratum.name, distance_plot(stratum)) for stratum in figures.accuracy.strata if stratum.near],
         operations=_operations(low),
         bound=f"{BOUND:g}",
     )

@@ -1,4 +1,4 @@
-"""The errors of a function as a picture: a row for each stratum, on a logarithmic scale."""
+"""The errors of a function as pictures: a row for each stratum, and error against distance near a singularity."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ from math import isfinite, log10
 
 from markupsafe import Markup
 
-from algebroproj_sym.verifying import Accuracy
+from algebroproj_sym.verifying import Accuracy, Stratum
 
 WIDTH, LEFT, RIGHT, ROW, TOP = 440, 40, 24, 24, 14
 LOWEST = -2.0
+SIDE, BELOW, SMALLEST, TALLEST = 300, 170, -16.0, 2.0
+"""Width and height of a picture for one singularity; exponents of the least distance and of the largest error."""
 
 
 def accuracy_plot(accuracy: Accuracy) -> Markup:
@@ -30,6 +32,47 @@ def accuracy_plot(accuracy: Accuracy) -> Markup:
         '<title id="plot-title">Errors in ULP by stratum, logarithmic scale</title>'
         '<desc id="plot-text">{}</desc>{}</svg>'
     ).format(WIDTH, bottom + 42, description, Markup("").join(parts))
+
+
+def distance_plot(stratum: Stratum) -> Markup:
+    """Return the error of each sample, in ULP, against what the factor is there that vanishes at a singularity, as SVG.
+
+    Both scales are logarithmic.  A line shows half an ULP: no function can promise less.
+    """
+
+    def x(exponent: float) -> float:
+        return LEFT + (min(max(exponent, SMALLEST), 0) - SMALLEST) / -SMALLEST * (SIDE - LEFT - 10)
+
+    def y(exponent: float) -> float:
+        return BELOW - 36 - (min(max(exponent, LOWEST), TALLEST) - LOWEST) / (TALLEST - LOWEST) * (BELOW - 46)
+
+    across = [
+        Markup(
+            '<path class="grid" d="M{0:.0f} 10V{1}"/><text x="{0:.0f}" y="{2}" text-anchor="middle">1e{3}</text>'
+        ).format(x(k), BELOW - 36, BELOW - 20, k)
+        for k in (-16, -12, -8, -4, 0)
+    ]
+    up = [
+        Markup('<path class="grid" d="M{} {:.0f}H{}"/><text x="{}" y="{:.0f}" text-anchor="end">{}</text>').format(
+            LEFT, y(k), SIDE - 10, LEFT - 4, y(k) + 4, _tick(k)
+        )
+        for k in range(int(LOWEST), int(TALLEST) + 1)
+    ]
+    half = Markup('<path class="half" d="M{} {:.0f}H{}"/>').format(LEFT, y(log10(0.5)), SIDE - 10)
+    dots = "".join(f"M{x(_log(at)):.0f} {y(_log(error)):.0f}h0" for at, error in sorted(stratum.near))
+    largest = max(error for _, error in stratum.near)
+    return Markup(
+        '<svg viewBox="0 0 {} {}" role="img" aria-label="{}: {} samples, largest error {:.3g} ULP">{}{}{}'
+        '<path class="dots" d="{}"/><text x="{}" y="{}" text-anchor="middle">size of the factor</text></svg>'
+    ).format(
+        *(SIDE, BELOW, stratum.name, len(stratum.near), largest),
+        *(Markup("").join(across), Markup("").join(up), half, dots),
+        *((LEFT + SIDE) // 2, BELOW - 4),
+    )
+
+
+def _log(value: float) -> float:
+    return log10(value) if value > 0 else float("-inf")
 
 
 def _x(value: float, top: float) -> str:

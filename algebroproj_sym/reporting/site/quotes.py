@@ -28,8 +28,8 @@ def quoted(quote: Quote) -> Markup:
 
 def _piece(text: str) -> Markup:
     if "\t" in text:
-        cells = Markup("").join(Markup("<td>{}</td>").format(_sentence(cell)) for cell in text.split("\t"))
-        return Markup('<div class="formula"><table><tbody><tr>{}</tr></tbody></table></div>').format(cells)
+        cells = Markup(" ").join(Markup("<span>{}</span>").format(_sentence(cell)) for cell in text.split("\t"))
+        return Markup('<p class="cells">{}</p>').format(cells)
     if "$" in text or not _FORMULA.search(text):
         return Markup("<p>{}</p>").format(_sentence(text))
     return _formula(text, block=True)
@@ -55,4 +55,5 @@ def _formula(text: str, *, block: bool) -> Markup:
         shown = latex_html(tidy, block=block)
     except Exception:
         return Markup("<code>{}</code>").format(text)
+    shown = Markup(str(shown).replace("&#x000AF;", "&#x02212;"))  # the font has no other bar
     return Markup("<code>{}</code>").format(text) if re.search(r"\\|>&<", shown) else shown

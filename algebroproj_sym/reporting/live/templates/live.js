@@ -43,7 +43,7 @@ function sentences(answer) {
   if (answer.error) return ["not decided", answer.error];
   if (answer.status) return [answer.status, answer.reason || "The verdict follows from the evidence of the ledger."];
   const found = [answer.verdict];
-  if (answer.verdict === "proved") found.push("Both sides are equal wherever they are defined.");
+  if (answer.verdict === "proved") found.push("It holds wherever both sides are defined.");
   if (answer.hypotheses.length) found.push(`It holds where ${answer.hypotheses.join(", ")}.`);
   const point = Object.entries(answer.counterexample).map(([name, value]) => `${name} = ${value}`);
   if (answer.verdict === "refuted" && point.length) found.push(`At ${point.join(", ")}:`);
@@ -101,7 +101,7 @@ function begin(section) {
       lhs: field("lhs"),
       rhs: field("rhs"),
       relation: field("relation").trim() || "=",
-      ...Object.fromEntries(["constraints", "nonzero", "assumptions"].map((name) => [name, lines(field(name))])),
+      ...Object.fromEntries(["constraints", "nonzero", "assumptions", "letters"].map((name) => [name, lines(field(name))])),
       where: section.dataset.claim ? (await claim()).where : {},
     }), () => written() === asked);
   });

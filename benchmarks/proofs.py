@@ -16,6 +16,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -30,7 +31,7 @@ from sympy.polys.rings import ring
 
 from algebroproj_sym.declaring import Claim, select
 from algebroproj_sym.declaring.claim import in_derived_terms
-from algebroproj_sym.expressions import divided, entries, evaluate, in_steps, symbols_of
+from algebroproj_sym.expressions import divided, entries, evaluate, over, symbols_of
 from algebroproj_sym.proving import prove
 
 CLAIMS = 50
@@ -38,6 +39,8 @@ LIMIT = 10.0
 ROUNDS = 3
 WALL = 10
 """How many times the limit a claim may take on the clock."""
+
+_SUM, _PRODUCT, _POWER, _ATOM = range(4)
 
 Decide = Callable[[Claim], bool]
 
@@ -105,6 +108,58 @@ def by_ring(claim: Claim) -> bool:
     lift = lambda q: Quotient(ground(QQ(q.numerator, q.denominator)), ground.one)  # noqa: E731
     pairs = [(evaluate(p, point, lift)[0], evaluate(d, point, lift)[0]) for p, d in sides(claim)]
     return all(p.numerator * d.denominator == d.numerator * p.denominator for p, d in pairs)
+
+
+def in_steps(expression: Any) -> dict[str, list[str]]:
+    """Return an expression as text that keeps every division, in steps that later ones refer to by ``$0``, ``$1``."""
+    roots = entries(expression)
+    uses = _uses(roots)
+    written: dict[Any, tuple[str, int]] = {}
+    steps: list[str] = []
+    for root in roots:
+        _write(root, uses, written, steps)
+    return {"steps": steps, "entries": [written[root][0] for root in roots]}
+
+
+def _uses(roots: Sequence[Any]) -> Counter[Any]:
+    uses: Counter[Any] = Counter(roots)
+    waiting = list(dict.fromkeys(roots))
+    while waiting:
+        for argument in waiting.pop().args:
+            uses[argument] += 1
+            if uses[argument] == 1:
+                waiting.append(argument)
+    return uses
+
+
+def _write(node: Any, uses: Counter[Any], written: dict[Any, tuple[str, int]], steps: list[str]) -> None:
+    if node in written:
+        return
+    for argument in node.args:
+        _write(argument, uses, written, steps)
+    text, rank = _text(node, written)
+    if uses[node] > 1 and len(text) > 3 and rank != _ATOM:
+        steps.append(text)
+        text, rank = f"${len(steps) - 1}", _ATOM
+    written[node] = text, rank
+
+
+def _text(node: Any, written: dict[Any, tuple[str, int]]) -> tuple[str, int]:
+    def within(argument: Any, least: int) -> str:
+        text, rank = written[argument]
+        return text if rank >= least else f"({text})"
+
+    if isinstance(node, sympy.Add):
+        return " + ".join(within(argument, _PRODUCT) for argument in node.args), _SUM
+    if isinstance(node, sympy.Mul):
+        return "*".join(within(argument, _POWER) for argument in node.args), _PRODUCT
+    if isinstance(node, over):
+        return f"{within(node.args[0], _POWER)}/{within(node.args[1], _POWER)}", _PRODUCT
+    if isinstance(node, sympy.Pow):
+        exponent = int(node.exp)
+        return f"{within(node.base, _ATOM)}**{exponent if exponent >= 0 else f'({exponent})'}", _POWER
+    text = str(node.name if isinstance(node, sympy.Symbol) else node)
+    return text, _ATOM if text.isalnum() or not isinstance(node, sympy.Rational) else _SUM
 
 
 def by_singular(claim: Claim) -> bool:

@@ -8,11 +8,11 @@ import sys
 from time import perf_counter
 
 import numpy as np
+from hard_inputs import hard, roundings
 
 import algebroproj
 from algebroproj_sym.declaring import ELEMENTARY, kernels
 from algebroproj_sym.generating.lowering import lowered_form
-from algebroproj_sym.verifying.rounding import hard, roundings
 from algebroproj_sym.verifying.shipped import call, function_of
 
 INPUTS = 1_000_000

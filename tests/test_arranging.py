@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import judge, select
 from algebroproj_sym.expressions import Matrix, columns, entries, evaluate, inverse, over, symbols_of, vector
+from algebroproj_sym.expressions.arranging import value_of
 from algebroproj_sym.showing import arranged, as_declared, in_names, named_latex, shown
-from algebroproj_sym.showing.arranging import value_of
 from algebroproj_sym.showing.latex import latex
 
 x, y, z, a, f = sympy.symbols("x y z a f")

@@ -554,8 +554,7 @@ ERRORS = {
         lambda: prove(sympy.HadamardProduct(A, R), A),
         "lhs: expected products of matrices, got one entry by entry in HadamardProduct(A, R)",
     ),
-    "a root": (lambda: prove(Norm(a) + 1, Norm(b) + 1), "norm: expected norm(a)**2, or norm(a) alone on a side"),
-    "a function": (lambda: prove(sympy.sin(n) * A, A), "lhs: expected matrices, rational numbers and their + - * /"),
+    "a function": (lambda: prove(sympy.tan(n) * A, A), "lhs: expected matrices, rational numbers and their + - * /"),
     "a symbolic exponent": (lambda: prove(A**n, A), "lhs: expected an integer as exponent, got n in A**n"),
     "a float": (lambda: prove(0.5 * A, A), "lhs: expected matrices, rational numbers"),
     "a cross product in the plane": (
@@ -634,6 +633,23 @@ def test_a_number_that_occurs_in_a_definition_alone_has_a_value():
         assert (found["verdict"], replay_identity(found).status) == ("refuted", "replayed")
 
 
+@pytest.mark.parametrize(
+    ("left", "right", "constraints", "verdict"),
+    [
+        ("x", "1", ["A = x*eye(n)"], "refuted"),
+        ("x", "1", ["A = n*eye(n)"], "refuted"),
+        ("trace(A)", "n*x", ["A = x*eye(n)"], "proved"),
+        ("trace(A)", "3*x", ["A = x*eye(n)", "n = 3"], "proved"),
+        ("x", "1", ["A = x*eye(n)", "n = 3"], "refuted"),
+        ("x", "1", ["A = x*eye(n)", "n = 1/3"], "open"),
+        ("det(S)", "0", ["A = x*eye(n)", "S = S.T"], "refuted"),
+    ],
+)
+def test_a_size_that_occurs_in_a_definition_alone_is_a_size(left, right, constraints, verdict):
+    found = record_of(left, right, {"A": "nxn", "S": "2x2"}, constraints)
+    assert (found["verdict"], replay_identity(found).status == "replayed") == (verdict, verdict != "open")
+
+
 def test_sizes_keep_their_assumptions_and_are_one_symbol_by_name():
     n = sympy.Symbol("n", even=True, positive=True)
     even = sympy.MatrixSymbol("A", n, n)
@@ -683,15 +699,16 @@ def test_the_example_is_as_declared_and_replayed(claims):
         record = record_of(claim["lhs"], claim["rhs"], claim["letters"], claim.get("constraints", ()))
         assert (claim["name"], record["verdict"]) == (claim["name"], claim["expected"])
         assert replay_identity(record).status == "replayed", claim["name"]
-        point = record["counterexample"] or record["certificate"]["witness"]
-        assert differs(record, point) is (claim["expected"] == "refuted"), claim["name"]
+        if "angle" not in record["certificate"] and "diff(" not in claim["lhs"]:
+            point = record["counterexample"] or record["certificate"]["witness"]
+            assert differs(record, point) is (claim["expected"] == "refuted"), claim["name"]
 
 
 def test_the_example_has_right_and_wrong_ones_each_with_its_source(claims):
-    assert len(claims) >= 70
+    assert len(claims) >= 80
     assert all(claim["source"] for claim in claims)
     slips = [claim for claim in claims if claim["expected"] == "refuted"]
-    assert len(slips) >= 20
+    assert len(slips) >= 30
 
 
 def test_the_command_decides_and_replays_a_file(tmp_path, repository):
@@ -701,7 +718,7 @@ def test_the_command_decides_and_replays_a_file(tmp_path, repository):
     (tmp_path / "answers.json").write_text(answers.stdout)
     result = CliRunner().invoke(main, ["replay", str(tmp_path / "answers.json")])
     assert result.exit_code == 0, result.output
-    assert "70 identities: 70 replayed, 0 rejected" in result.output
+    assert "96 identities: 96 replayed, 0 rejected" in result.output
 
 
 @pytest.mark.parametrize(
@@ -712,7 +729,7 @@ def test_the_command_decides_and_replays_a_file(tmp_path, repository):
         ({"letters": {"A": "3 by 3"}}, "letters, A: expected a shape and properties such as '3x3 rotation', got"),
         ({"letters": {"A": "3x3 rotaton"}}, "properties, A: expected one of rotation"),
         ({"lhs": "A*"}, "lhs, position 2: expected a number, a name or '(', got the end"),
-        ({"lhs": "foo(A)"}, "lhs: expected one of the functions adj, conj"),
+        ({"lhs": "foo(A)"}, "lhs: expected one of the functions Ad, ad, adj, conj"),
         ({"lhs": "A*a"}, "expected two sides of one shape, got 3x1 and 3x3"),
         ({"witness": {"x": "1"}}, "key 'witness': expected none beside the key 'letters'"),
         ({"lhs": "(" * 5000}, "levels of nesting"),

@@ -292,7 +292,7 @@ def test_additions_lower_the_error():
     x1, x2 = known_pair_at(1, "plane", 20, 0.005)
     pairs = pairs_of(x1, x2)
     fit = estimating.minima(pairs)[0]
-    found = [addition.bound for addition in additions(pairs, fit, 0.5)]
+    found = [addition.bound for addition in additions(pairs, fit, 0.5, predicting.checks(fit.matrix, pairs))]
     before = judge(x1, x2, 0.5).bound
     assert before > found[0] > found[1] > found[2]
 
@@ -349,6 +349,7 @@ def test_the_first_line_says_whether_a_pair_can_be_trusted(tmp_path, kind, criti
     assert lines[0].startswith(first)
     assert len(lines) <= 24
     assert max(map(len, lines[:-1])) <= 130
+    assert sum("simulated:" in line for line in lines) == 3
     assert {path.name for path in (tmp_path / "out" / "figures").iterdir()} == {
         f"{name}.{kind}" for name in ("distances", "epipolar-lines") for kind in ("png", "pdf")
     }
@@ -392,6 +393,17 @@ def test_points_on_a_line_are_judged_and_drawn(tmp_path, sigma):
     result = study(written(tmp_path, "\n".join(rows)), tmp_path / "out", "--members", "2", "--sigma", sigma)
     assert result.exit_code == 0, result.output
     assert result.stdout.startswith("Do not trust this pair.")
+
+
+@pytest.mark.parametrize(("kind", "count"), [("ordinary", 2500), ("quadric", 3000)])
+def test_of_very_many_pairs_a_part_gives_the_start(kind, count):
+    known = pair(3, kind, count, 0.5, 0.01)
+    pairs = pairs_of(known.x1, known.x2)
+    fit, found = estimating.minima(pairs)[0], nearest_critical(pairs)
+    best = min(estimating.descended(pairs, start).squares for start in estimating.starts(pairs))
+    assert fit.squares <= best * (1 + 1e-9)
+    assert np.linalg.norm(fit.jacobian.T @ estimating.distances(fit.matrix, pairs)[0]) < 1e-3 * fit.squares
+    assert 0 < found.lower <= found.upper <= flattened(pairs)[0]
 
 
 def test_no_file_and_a_missing_one_are_refused(tmp_path):

@@ -11,7 +11,16 @@ from algebroproj_sym import Section, prove
 from algebroproj_sym.declaring import DeclarationError, judge
 from algebroproj_sym.exporting.files import exported
 from algebroproj_sym.expressions import NotRationalError, TextForm, over
-from algebroproj_sym.expressions.letters import Adjugate, Cross, Dot, Norm, Skew
+from algebroproj_sym.expressions.letters import (
+    Adjugate,
+    Cross,
+    Dot,
+    Exponential,
+    LeftJacobian,
+    Norm,
+    RightJacobian,
+    Skew,
+)
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving.statements import UnsupportedError
 from algebroproj_sym.replaying import declaration_digest, replay_claim
@@ -55,6 +64,21 @@ CLAIMS = {
         "properties": {R: "rotation"},
         "expect": "false",
         "instead": "1.1",
+    },
+    "exponential": {
+        "printed": sympy.Trace(Exponential(Skew(a))),
+        "derived": 1 + 2 * cos(Norm(a)),
+    },
+    "exponential named": {
+        "printed": R.T * a,
+        "derived": a,
+        "constraints": [Eq(R, Exponential(Skew(a)))],
+    },
+    "exponential misprint": {
+        "printed": LeftJacobian(a),
+        "corrected": LeftJacobian(-a),
+        "derived": RightJacobian(a),
+        "expect": "misprint",
     },
     "scale": {"printed": Adjugate(A) * a, "derived": A.I * a, "scale": True},
     "scaled constraint": {"printed": sympy.Symbol("k") * Skew(t) * R, "derived": E, "scale": True, **ESSENTIAL},
@@ -323,7 +347,7 @@ ERRORS = {
     "limit": (
         lambda s: s.limit("1.1", "t", printed=sin(x), derived=sin(x), variable=x),
         UnsupportedError,
-        "of kind limit, got real functions; only identity, identity under constraints takes them",
+        "of kind limit, got real functions; only identity, identity under constraints, inequality takes them",
     ),
     "scale": (
         lambda s: s.up_to_scale("1.1", "t", printed=sin(x), derived=x),
@@ -404,7 +428,7 @@ def test_what_cannot_be_declared_is_named(declare, error, message):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"printed": Norm(a) * A, "derived": A}, "claim demo:1.1, norm: expected norm(a)**2"),
+        ({"printed": Exponential(A), "derived": A}, "claim demo:1.1, exp: expected skew(v), hat(x) or ad(x)"),
         ({"printed": sin(x), "derived": sin(x), "witness": {x: 0.5}}, "claim demo:1.1, witness, x: expected"),
     ],
 )

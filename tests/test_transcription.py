@@ -5,13 +5,15 @@ from decimal import Decimal
 import pytest
 import sympy
 
-from algebroproj_sym.declaring import BrokenModuleError, derivation_at, judge, statement_text
-from algebroproj_sym.expressions import over, vector
+from algebroproj_sym.declaring import BrokenModuleError, derivation_at, derivations_of, judge, statement_text
+from algebroproj_sym.expressions import evaluate, over, symbols_of, vector
+from algebroproj_sym.showing import as_declared, shown
 
 HEAD = """
 import sympy
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import over, vector
+from algebroproj_sym.expressions import evaluate, over, symbols_of, vector
+from algebroproj_sym.showing import as_declared, shown
 section = Section("demo", "1", "Squares")
 x, y = sympy.symbols("x y")
 """
@@ -59,6 +61,36 @@ def test_the_printed_form_is_the_one_that_the_quote_has(call, quote, printed, de
     wanted = eval(printed, {"x": x, "y": y, "yp": yp, "over": over, "vector": vector})
     (claim,) = declared(call, quote)
     assert statement_text(claim.printed) == statement_text(wanted)
+
+
+@pytest.mark.parametrize(
+    ("latex", "shown_as"),
+    [
+        (r"y + x", "y + x"),
+        (r"3 (y - x) z", "3*(y - x)*z"),
+        (r"-\frac{y - 1}{z y} + y/x", "-(y - 1)/(z*y) + y/x"),
+        (r"(y - x)^2 \cdot z y^{\prime}", "(y - x)**2*z*yp"),
+        (r"\begin{vmatrix} y & x \\ 1 & z \end{vmatrix}", "-x + y*z"),
+    ],
+)
+def test_a_form_is_shown_in_the_order_of_print(latex, shown_as, declared):
+    (claim,) = declared(IDENTITY, f"latex = 'a = {latex}'", symbols="")
+    assert shown(as_declared(claim, "printed")) == shown_as
+
+
+def test_the_sides_of_an_equation_and_the_entries_of_a_vector_keep_their_order(declared):
+    (claim,) = declared(IDENTITY, "latex = 'y + x = z - a'\nequation = true", symbols="")
+    assert shown(as_declared(claim, "printed")) == "y + x - (z - a)"
+    call = 'section.identity("1.1", "", derived=vector(x, y))'
+    for latex in (r"(y - x, 2 z y)^T", r"\begin{pmatrix} y - x \\ 2 z y \end{pmatrix}"):
+        (claim,) = declared(call, f"latex = '{latex}'", symbols="")
+        assert shown(as_declared(claim, "printed")) == "[y - x], [2*z*y]"
+
+
+def test_factors_that_vanish_keep_their_order(declared):
+    quote = "latex = ['y - x = 0', 'y z = 0']\nsides = [0]"
+    (claim,) = declared('section.vanishing("1.1", "", derived=x * y)', quote, symbols="")
+    assert shown(as_declared(claim, "printed")) == "(y - x, y*z)"
 
 
 def test_claims_that_share_a_row_share_its_numbers(declared):
@@ -110,3 +142,17 @@ def test_a_table_for_other_claims_says_nothing(declared):
 def test_a_broken_table_is_a_named_error(declared):
     with pytest.raises(BrokenModuleError, match=r"symbols.toml: expected keys of .*'sizes'.* got \['size'\]"):
         declared(IDENTITY, 'latex = "x"', symbols="[[table]]\nsize = 1")
+
+
+def test_what_is_shown_of_a_quote_is_what_is_claimed():
+    claims = [claim for derivation in derivations_of(["fundamentals1996"]) for claim in derivation.section.claims]
+    quoted = [
+        c
+        for c in claims
+        if c.source.argument("printed") is None and isinstance(c.printed, sympy.Expr | sympy.MatrixBase)
+    ]
+    assert len(quoted) > 100
+    for claim in quoted:
+        form = as_declared(claim, "printed")
+        point = {symbol: sympy.Rational(7 * k + 5, k + 3) for k, symbol in enumerate(symbols_of([claim.printed]))}
+        assert evaluate(form, point) == evaluate(claim.printed, point), claim.number

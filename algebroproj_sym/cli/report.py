@@ -20,6 +20,7 @@ from algebroproj_sym.cli.steps import (
 from algebroproj_sym.cli.terminal import console
 from algebroproj_sym.declaring import drivers, kernels, located, split
 from algebroproj_sym.generating import PACKAGE, render, write
+from algebroproj_sym.reporting.dependences import noting
 from algebroproj_sym.reporting.live.bundling import live_files
 from algebroproj_sym.reporting.live.fetching import FetchError
 from algebroproj_sym.reporting.site.catalogue import catalogue
@@ -65,20 +66,24 @@ def report(
     except OccupiedError as error:
         raise click.UsageError(f"--out: {error}") from error
     carried = _live_files() if live else {}
-    judgements = judged(claims, engine, jobs)
-    console().print(summary_text(judgements))
-    say_what_is_wrong(judgements)
-    numbers = {(claim.paper, claim.number) for claim in claims}
-    chosen = [k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}]
-    lowered = lowered_after(judgements, chosen, engine, jobs)
-    package = render(lowered, drivers(sources))
-    with TemporaryDirectory() as folder:
-        write(package, Path(folder) / PACKAGE)
-        verifications = verified(lowered, Path(folder), samples, engine, jobs)
-    modules = [derivation for derivation, _ in found]
-    shown = run_notebooks({module.path: module for module in modules}.values(), jobs) if notebooks else []
+    with noting(selectors) as rests:
+        judgements = judged(claims, engine, jobs)
+        console().print(summary_text(judgements))
+        say_what_is_wrong(judgements)
+        numbers = {(claim.paper, claim.number) for claim in claims}
+        chosen = [
+            k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}
+        ]
+        lowered = lowered_after(judgements, chosen, engine, jobs)
+        package = render(lowered, drivers(sources))
+        with TemporaryDirectory() as folder:
+            write(package, Path(folder) / PACKAGE)
+            verifications = verified(lowered, Path(folder), samples, engine, jobs)
+        modules = [derivation for derivation, _ in found]
+        shown = run_notebooks({module.path: module for module in modules}.values(), jobs) if notebooks else []
+        known = rests()
     functions = functions_of(lowered, verifications, package)
-    site = render_site(catalogue(judgements, modules, functions, shown, live)) | carried
+    site = render_site(catalogue(judgements, modules, functions, shown, live, known)) | carried
     replace(site, out)
     console().print(f"written to {out}: {len(site)} files; open {out / 'index.html'}")
     require_as_declared(judgements, verifications, out / "index.html")

@@ -62,6 +62,8 @@ class Claim:
         What is zero, and what is not, wherever the statement is made.
     assumptions : tuple of TextForm
         What else holds there, for a statement with real functions.
+    relation : {"=", "!=", "<", "<=", ">", ">="}
+        Of the printed form to the derived one, for an inequality.
     letters : tuple of (str, str)
         For a statement in letters: its vectors and matrices, and what they are.
     witness : mapping of Symbol, or name, to rational number, or None
@@ -105,6 +107,7 @@ class Claim:
     constraints: tuple[Any, ...] = ()
     nonzero: tuple[Any, ...] = ()
     assumptions: tuple[TextForm, ...] = ()
+    relation: str = "="
     letters: tuple[tuple[str, str], ...] = ()
     witness: Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str] | None = None
     variable: sympy.Symbol | None = None

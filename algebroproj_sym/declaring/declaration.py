@@ -70,7 +70,7 @@ def declared(
     )
     about = {"paper": paper, "section": section, "number": number, "title": title, "kind": kind, "expected": expected}
     try:
-        claim = None if given.properties or given.assumptions else _rational(about, given, dict(options), where)
+        claim = None if _is_real(given, kind, options) else _rational(about, given, dict(options), where)
     except NotRationalError:
         if not given.is_text:
             raise
@@ -78,6 +78,12 @@ def declared(
     claim = claim or _of_text(about, given, options, where)
     _require_complete(claim, where)
     return claim
+
+
+def _is_real(given: Given, kind: str, options: Mapping[str, Any]) -> bool:
+    """Whether a statement is one in letters or about real numbers, even if its forms are rational."""
+    compared = "relation" in KINDS[kind].takes and "relation" in options
+    return bool(given.properties or given.assumptions) or compared
 
 
 def _of_text(about: Mapping[str, Any], given: Given, options: dict[str, Any], where: str) -> Claim:

@@ -10,10 +10,23 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from algebroproj_sym.proving.statements import RELATIONS
 from algebroproj_sym.proving.worker import Outcome, Question
 
 EXPECTED = ("proved", "refuted", "open")
-KEYS = ("name", "lhs", "rhs", "letters", "constraints", "nonzero", "assumptions", "variables", "witness", "expected")
+KEYS = (
+    "name",
+    "lhs",
+    "rhs",
+    "relation",
+    "letters",
+    "constraints",
+    "nonzero",
+    "assumptions",
+    "variables",
+    "witness",
+    "expected",
+)
 MAX_BYTES = 20_000_000
 
 
@@ -68,8 +81,9 @@ def identities(path: Path) -> tuple[Identity, ...]:
     Parameters
     ----------
     path : Path
-        JSON: a list of objects with ``lhs`` and ``rhs`` as text, and optionally ``constraints``, ``nonzero`` and
-        ``assumptions`` (lists of text), ``name``, ``letters`` (the vectors and matrices, such as
+        JSON: a list of objects with ``lhs`` and ``rhs`` as text, and optionally ``relation`` (one of
+        `algebroproj_sym.proving.statements.RELATIONS`), ``constraints``, ``nonzero`` and ``assumptions`` (lists of
+        text), ``name``, ``letters`` (the vectors and matrices, such as
         ``{"R": "3x3 rotation"}``), ``variables`` (the names that may occur), ``witness`` (name to rational number as
         text) and ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
 
@@ -126,8 +140,15 @@ def _identity(path: Path, place: int, item: Any) -> Identity:
         variables,
         _texts(where, "assumptions", item.get("assumptions", [])),
         letters,
+        _relation(where, item.get("relation", "=")),
     )
     return Identity(path, where, name, question, expected)
+
+
+def _relation(where: str, value: Any) -> str:
+    if value not in RELATIONS:
+        raise MalformedFileError(f"{where}, key 'relation': expected one of {', '.join(RELATIONS)}, got {value!r:.80}")
+    return str(value)
 
 
 def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

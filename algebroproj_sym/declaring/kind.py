@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from pathlib import Path
 from typing import Any, Literal, Protocol, TypedDict, get_args
 
 import sympy
@@ -16,7 +15,8 @@ from algebroproj_sym.expressions import Rounding
 from algebroproj_sym.proving import Proof
 
 Field = Literal[
-    "constraints", "nonzero", "assumptions", "letters", "variable", "variables", "kernel", "rounding", "assumed"
+    "constraints", "nonzero", "assumptions", "relation", "letters", "variable", "variables", "kernel", "rounding",
+    "assumed",
 ]  # fmt: skip
 FIELDS: tuple[Field, ...] = get_args(Field)
 """What only some kinds of claims use."""
@@ -40,6 +40,7 @@ class Options(TypedDict, total=False):
     constraints: Sequence[sympy.Expr]
     nonzero: Sequence[sympy.Expr]
     assumptions: Sequence[Any]
+    relation: str
     properties: Mapping[Any, Any]
     witness: Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str]
     variable: sympy.Symbol
@@ -78,8 +79,8 @@ class Kind:
     says : str, or callable from Claim to str
         A sentence: how the printed form is compared with the derived one.
     transcribe : callable
-        It takes the folder of the quotes, section and number of a claim, and what is derived, and returns the printed
-        form that the quote has.
+        It takes the folder of the quotes, section and number of a claim, what is derived, and what makes expressions,
+        and returns the printed form that the quote has.
     takes : tuple of str
         Which fields of a claim it uses, of those that not every kind uses.
     one_shape : bool
@@ -110,7 +111,7 @@ class Kind:
     declare: Callable[..., Claim]
     compare: Callable[[Claim, Any, str], Proof]
     says: str | Callable[[Claim], str]
-    transcribe: Callable[[Path, str, str, Any], Any] = transcribed
+    transcribe: Callable[..., Any] = transcribed
     takes: tuple[Field, ...] = ()
     one_shape: bool = False
     require: Callable[[Claim, str], None] | None = None

@@ -14,9 +14,11 @@ import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
 from algebroproj_sym.declaring.quotes import FILE, UNPARSED, Quote, quotations
-from algebroproj_sym.expressions import Matrix, entries, remembered, shape
+from algebroproj_sym.expressions import Matrix, columns, entries, remembered, shape, vector
+from algebroproj_sym.expressions.arranging import negated, sum_of
 from algebroproj_sym.proving import prove
 from algebroproj_sym.reading import (
+    Builder,
     Side,
     Symbols,
     UnreadableDocumentError,
@@ -28,10 +30,10 @@ from algebroproj_sym.reading import (
 
 _DIGITS = re.compile(r"(?<![\d.,])[-−]?\s?(?:\d+(?:[.,]\d+)?|\.\d+)(?!\d)")
 _PLAIN = str.maketrans({"−": "-", ",": "."})
-_BROKEN = re.compile(r"\\n(?!eq|u(?![a-z]))")
+BROKEN_LINE = re.compile(r"\\n(?!eq|u(?![a-z]))")
 
 
-def transcribed(folder: Path, section: str, number: str, derived: Any) -> Any:
+def transcribed(folder: Path, section: str, number: str, derived: Any, build: Builder | None = None) -> Any:
     """Return what is printed, as the quote of a claim has it.
 
     Parameters
@@ -41,17 +43,26 @@ def transcribed(folder: Path, section: str, number: str, derived: Any) -> Any:
     section, number : str
         Where the claim stands.
     derived : Expression or None
-        What is derived: several expressions of a quote fill its shape by rows.
+        What is derived: several columns of a quote stand side by side, and other expressions fill its shape by rows.
+        A row is read as a column where that is derived.
+    build : callable, optional
+        What makes expressions; without it the one that is claimed, with `in_order` the one that is shown.
 
     Raises
     ------
     DeclarationError
         If there is no quote, or it cannot be read: with its line, the place and the reason.
     """
-    quote, found = _read(folder, section, number)
-    wanted = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
+    quote, found = _read(folder, section, number, build)
+    wanted: tuple[int, ...] = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
     if len(found) == 1 and (shape(found[0]) or not wanted):
-        return found[0]
+        is_transposed = wanted[1:] == (1,) and shape(found[0]) == (1, wanted[0])
+        return found[0].T if is_transposed else found[0]
+    heights = {shape(form)[0] if shape(form)[1:] == (1,) else 0 for form in found}
+    if heights and 0 not in heights and (derived is None or wanted == (*heights, len(found))):
+        return columns(*found)
+    if derived is None and not any(map(shape, found)):
+        return vector(*found)
     parts = [entry for form in found for entry in entries(form)]
     if wanted and all(entry == 0 for entry in parts):
         return Matrix.zeros(*wanted)
@@ -61,9 +72,11 @@ def transcribed(folder: Path, section: str, number: str, derived: Any) -> Any:
     raise DeclarationError(f"expected {of}, got {len(parts)} expressions in the quote on line {quote.line}")
 
 
-def transcribed_factors(folder: Path, section: str, number: str, derived: Any) -> tuple[Any, ...]:
+def transcribed_factors(
+    folder: Path, section: str, number: str, derived: Any, build: Builder | None = None
+) -> tuple[Any, ...]:
     """Return the expressions of a quote; see `transcribed`."""
-    return tuple(entry for form in _read(folder, section, number)[1] for entry in entries(form))
+    return tuple(entry for form in _read(folder, section, number, build)[1] for entry in entries(form))
 
 
 def transcribed_number(folder: Path, section: str, number: str, derived: Any) -> Decimal:
@@ -82,10 +95,10 @@ def transcribed_number(folder: Path, section: str, number: str, derived: Any) ->
     return found[quote.claims.index(number)]
 
 
-def _read(folder: Path, section: str, number: str) -> tuple[Quote, list[Any]]:
+def _read(folder: Path, section: str, number: str, build: Builder | None) -> tuple[Quote, list[Any]]:
     quote = _quote_of(folder, number)
     try:
-        return quote, readings(quote, symbols_for(section, number, tables_in(folder)))
+        return quote, readings(quote, symbols_for(section, number, tables_in(folder)), build)
     except UnreadableDocumentError as error:
         raise DeclarationError(str(error)) from error
     except UnreadableError as error:
@@ -105,7 +118,7 @@ def _quote_of(folder: Path, number: str) -> Quote:
     return quote
 
 
-def readings(quote: Quote, symbols: Symbols) -> list[Any]:
+def readings(quote: Quote, symbols: Symbols, build: Builder | None = None) -> list[Any]:
     """Return the expressions that a quote has for its claims.
 
     Raises
@@ -113,7 +126,7 @@ def readings(quote: Quote, symbols: Symbols) -> list[Any]:
     UnreadableError
         If the quote is no formula, has no such side, or a symbol of it is not known.
     """
-    return [expression for piece in quote.read for expression in _readings(piece, quote, symbols)]
+    return [expression for piece in quote.read for expression in _readings(piece, quote, symbols, build)]
 
 
 def numbers_in(text: str) -> list[Decimal]:
@@ -127,20 +140,20 @@ def numbers_in(text: str) -> list[Decimal]:
     return [Decimal(re.sub(r"\s", "", found).translate(_PLAIN)) for found in _DIGITS.findall(text)]
 
 
-def _readings(piece: str, quote: Quote, symbols: Symbols) -> Iterator[Any]:
+def _readings(piece: str, quote: Quote, symbols: Symbols, build: Builder | None) -> Iterator[Any]:
     for values in product(*quote.indices.values()):
         chosen = replace(symbols, indices=tuple(zip(quote.indices, values, strict=True)))
         for cell in _cells(piece):
-            yield from _parts(read_formula(cell, chosen), quote)
+            yield from _parts(read_formula(cell, chosen, build), quote, build)
 
 
 def _cells(piece: str) -> list[str]:
     r"""Return the cells of a row of a table, which tabulators separate, or the formula; a scanned ``\n`` is a space."""
     cells = [cell.strip(" $") for cell in piece.split("\t")] if "\t" in piece else [piece]
-    return [_BROKEN.sub(" ", cell) for cell in cells]
+    return [BROKEN_LINE.sub(" ", cell) for cell in cells]
 
 
-def _parts(sides: tuple[Side, ...], quote: Quote) -> list[Any]:
+def _parts(sides: tuple[Side, ...], quote: Quote, build: Builder | None) -> list[Any]:
     if not quote.equation:
         wrong = [side for side in quote.sides if not -len(sides) <= side < len(sides)]
         if wrong:
@@ -149,7 +162,9 @@ def _parts(sides: tuple[Side, ...], quote: Quote) -> list[Any]:
     left, right = sides[0](), sides[-1]()
     if len(sides) < 2 or (shape(left) != shape(right) and right != 0):
         raise UnreadableError("the formula is no equation whose two sides have one shape")
-    difference = left if right == 0 else left - right
+    if build and (quote.coefficients or shape(left)):
+        raise UnreadableError("what is computed of both sides has no order")
+    difference = left if right == 0 else sum_of(left, negated(right)) if build else left - right
     return _coefficients(difference, quote.coefficients) if quote.coefficients else [difference]
 
 

@@ -36,7 +36,6 @@ from algebroproj_sym.expressions.parsing import ParseError, names_in, parse, par
 from algebroproj_sym.expressions.quotient import over, remembered
 from algebroproj_sym.expressions.rounding import ROUNDINGS, Rounding, decimals, leading, rounded
 from algebroproj_sym.expressions.size import size
-from algebroproj_sym.expressions.steps import in_steps
 from algebroproj_sym.expressions.symbols import SymbolError, admits, assumed, assumption, is_plain, values_of
 from algebroproj_sym.expressions.text_form import TextForm
 from algebroproj_sym.expressions.writing import written
@@ -73,7 +72,6 @@ __all__ = [
     "floor",
     "free_symbols",
     "homogeneous",
-    "in_steps",
     "inverse",
     "is_plain",
     "jacobian",

@@ -29,6 +29,7 @@ SCALES = 7
 MAX_DEGREE_TOGETHER = 30
 MAX_DEGREE_OF_ROOT = 9
 TOGETHER_STEPS = 3_000
+MOST_OF_RESULTANT = 60_000
 MOST_SIMPLE = 800
 _SCALES = (Fraction(1), Fraction(2), Fraction(1, 2))
 _SMALL = [Fraction(n) for n in (1, 2, 3, -1, -2, 4, 5, -3, 7, -4)]
@@ -323,8 +324,10 @@ class _Start:
             if variable in present[j]
         ]
         for _, i, j, variable in sorted(pairs)[:3]:
-            if constraints[i].degrees()[variable] * constraints[j].degrees()[variable] <= 12:
-                found = self._reduced(constraints[i].resultant(constraints[j], variable))
+            first, second = constraints[i], constraints[j]
+            degree = first.degrees()[variable] * second.degrees()[variable]
+            if degree <= 12 and degree * len(first) * len(second) <= MOST_OF_RESULTANT:
+                found = self._reduced(first.resultant(second, variable))
                 if found != 0 and found not in constraints:
                     return found
         return None

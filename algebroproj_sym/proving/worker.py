@@ -36,6 +36,8 @@ class Question:
         Comparisons that hold.
     letters : mapping of name to text, or None
         The vectors and matrices among the names, such as ``3x3 rotation``.
+    relation : str
+        Between the two sides.
     """
 
     lhs: str
@@ -46,6 +48,7 @@ class Question:
     variables: tuple[str, ...] | None = None
     assumptions: tuple[str, ...] = ()
     letters: Mapping[str, str] | None = None
+    relation: str = "="
 
     @property
     def named_texts(self) -> Iterator[tuple[str, str]]:
@@ -208,6 +211,7 @@ def _decided(question: Question, engine: str) -> Outcome:
         proof = prove(
             question.lhs,
             question.rhs,
+            relation=question.relation,
             constraints=question.constraints,
             nonzero=question.nonzero,
             assumptions=question.assumptions,

@@ -1,20 +1,22 @@
 """Reading: the LaTeX of quotes as expressions, and the equations of a document, each with a verdict.
 
 A text becomes displays (`documents`), with its macros expanded (`macros`); a display becomes statements (`statements`);
-a statement becomes tokens (`lexing`) and a tree of the grammar (`grammar`).  A letter stands for what a table
-(`symbols`), or a definition above it (`vocabulary`), says.  Then each relation is judged (`judging`), and where one
-fails, the smallest change is sought by which it would hold (`repairs`).
+a statement becomes tokens (`lexing`) and a tree of the grammar (`grammar`), which can keep the order of print
+(`ordering`).  A letter stands for what a table (`symbols`), or a definition above it (`vocabulary`), says.  Then each
+relation is judged (`judging`), and where one fails, the smallest change is sought by which it would hold (`repairs`).
 """
 
 from algebroproj_sym.reading.documents import Document, UnreadableDocumentError, document_at, document_of
 from algebroproj_sym.reading.folder import write_folder
-from algebroproj_sym.reading.grammar import Side, read_formula
+from algebroproj_sym.reading.grammar import Builder, Side, read_formula
 from algebroproj_sym.reading.judging import VERDICTS, Link, Reading, Verdict, read_document
 from algebroproj_sym.reading.lexing import UnreadableError
+from algebroproj_sym.reading.ordering import in_order
 from algebroproj_sym.reading.symbols import Symbols, SymbolsFile, Table, symbols_file, symbols_for, tables_in
 
 __all__ = [
     "VERDICTS",
+    "Builder",
     "Document",
     "Link",
     "Reading",
@@ -27,6 +29,7 @@ __all__ = [
     "Verdict",
     "document_at",
     "document_of",
+    "in_order",
     "read_document",
     "read_formula",
     "symbols_file",

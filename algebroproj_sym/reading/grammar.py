@@ -36,6 +36,7 @@ from algebroproj_sym.reading.lexing import Piece, UnreadableError, pieces_of, to
 Names = Callable[[str], Any]
 Side = Callable[[], Expression]
 Formula = Tree[Token]
+Builder = Callable[[Formula, Names], Any]
 
 _ENDINGS = (".", ";", ",", r"\Rightarrow", r"\implies", r"\quad", r"\qquad", "\\ ", r"\,", r"\;", r"\:", r"\!", "~")
 MOST_FACTORIAL = 100
@@ -141,7 +142,7 @@ def _parser() -> Lark:
     return Lark(grammar, parser="lalr", lexer=_Given)
 
 
-def read_formula(latex: str, names: Names) -> tuple[Side, ...]:
+def read_formula(latex: str, names: Names, build: Builder | None = None) -> tuple[Side, ...]:
     r"""Return the sides of a formula; each is read when it is called.
 
     Parameters
@@ -150,6 +151,8 @@ def read_formula(latex: str, names: Names) -> tuple[Side, ...]:
         One expression, or several joined by relations.
     names : callable
         What a symbol stands for, written as `written` does; None if it is not known.
+    build : callable, optional
+        What makes an expression of a tree; by default `evaluated`.
 
     Raises
     ------
@@ -164,7 +167,7 @@ def read_formula(latex: str, names: Names) -> tuple[Side, ...]:
     (y01**2*over(1, mu), 0)
     """
     found = parsed(unaligned(pieces_of(latex)), lambda name: names(name) is not None)
-    return tuple(partial(evaluated, side, names) for side in found.sides)
+    return tuple(partial(build or evaluated, side, names) for side in found.sides)
 
 
 def evaluated(tree: Formula, names: Names) -> Expression:

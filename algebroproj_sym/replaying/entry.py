@@ -21,6 +21,7 @@ _LANGUAGES = {"assumptions", "letters"}
 SETTINGS: Mapping[str, set[str]] = {
     "identity": {"nonzero", *_LANGUAGES},
     "identity under constraints": {*_CONSTRAINED, *_LANGUAGES},
+    "inequality": {*_CONSTRAINED, "assumptions", "relation"},
     "identity up to scale": {*_CONSTRAINED, "letters"},
     "structure": set(),
     "vanishing": {"nonzero"},

@@ -26,6 +26,9 @@ KEYS = {
     "counterexample", "certificate",
 }  # fmt: skip
 
+_OF_REALS = {"assumptions", "relation"}
+_OF_SOME = {"letters", *_OF_REALS}
+
 
 def require_identity(record: Mapping[str, Any]) -> None:
     """Check whether the verdict on an identity follows from its evidence.
@@ -43,7 +46,7 @@ def require_identity(record: Mapping[str, Any]) -> None:
         If there is no evidence.
     """
     require(
-        record.keys() - {"seconds", "assumptions", "letters"} == KEYS,
+        record.keys() - {"seconds", *_OF_SOME} == KEYS,
         f"expected the entries {sorted(KEYS)}, got {sorted(record)}",
     )
     verdict, certificate = record["verdict"], record["certificate"]
@@ -57,13 +60,13 @@ def require_identity(record: Mapping[str, Any]) -> None:
     require(record["method"] == certificate["method"], "the method differs from that of the certificate")
     require(record["reason"] is None, "a decided identity must not give a reason")
     if "letters" in record:
-        require("assumptions" not in record, "assumptions are used by real laws alone")
+        require(not record.keys() & _OF_REALS, "assumptions and relations are used by real laws alone")
         require_in_letters(record)
         return
     if certificate["method"] in ("real laws", "enclosures"):
         require_real_form({"relation": "=", "assumptions": [], **record})
         return
-    require("assumptions" not in record, "assumptions are used by real laws alone")
+    require(not record.keys() & _OF_REALS, "assumptions and relations are used by real laws alone")
     question = _question(record)
     if verdict == "refuted":
         _require_difference(record, question, certificate)

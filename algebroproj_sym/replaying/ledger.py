@@ -145,6 +145,10 @@ def _follow(record: Mapping[str, Any]) -> None:
     )
     require((kind == "identity") <= ("constraints" not in statement.setting), "an identity must not have constraints")
     require(
+        (kind == "inequality") == (statement.setting.get("relation", "=") != "="),
+        "an inequality needs a relation other than equality, and no other claim has one",
+    )
+    require(
         (kind == "definition") == (verdict == "definition"),
         "the kind definition and the verdict definition belong together",
     )

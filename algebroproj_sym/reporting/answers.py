@@ -55,6 +55,7 @@ def _record(answer: Answer) -> dict[str, Any]:
         "name": identity.name,
         "lhs": identity.question.lhs,
         "rhs": identity.question.rhs,
+        **({} if identity.question.relation == "=" else {"relation": identity.question.relation}),
         **({} if identity.question.letters is None else {"letters": dict(identity.question.letters)}),
         "constraints": list(identity.question.constraints),
         "nonzero": list(identity.question.nonzero),

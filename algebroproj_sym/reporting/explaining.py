@@ -157,6 +157,8 @@ def _about(judgement: Judgement, *, full: bool) -> Iterator[Line]:
     claim = judgement.claim
     seen: set[str] = set()
     for part in ("printed", "derived", "corrected"):
+        if part == "derived" and claim.relation != "=":
+            yield "relation", f"printed {claim.relation} derived"
         if getattr(claim, part) is not None:
             lines = [line for line in form_lines(claim, part, LONGEST_FORM, full=full) if line not in seen]
             yield from _labelled(part, lines)

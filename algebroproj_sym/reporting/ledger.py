@@ -109,6 +109,8 @@ def _setting(claim: Claim) -> dict[str, Any]:
         setting["nonzero"] = [*map(statement_text, claim.nonzero)]
     if isinstance(claim.derived, TextForm) and claim.derived.letters is None:
         setting["assumptions"] = [*map(statement_text, claim.assumptions)]
+    if claim.relation != "=":
+        setting["relation"] = claim.relation
     if claim.letters:
         setting["letters"] = dict(claim.letters)
     if claim.variable is not None:

@@ -1,6 +1,7 @@
 """Showing: claims and their evidence as text and as LaTeX, in the order and with the names of the author."""
 
-from algebroproj_sym.showing.arranging import LONG, Part, arranged, as_declared, shown
+from algebroproj_sym.expressions.arranging import LONG, arranged
+from algebroproj_sym.showing.arranging import Part, as_declared, shown
 from algebroproj_sym.showing.difference import differing_entries
 from algebroproj_sym.showing.display import conditions, evidence_lines, folded, markdown
 from algebroproj_sym.showing.forms import derived_form

@@ -14,14 +14,25 @@ from typing import Any, Literal
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim, Statement
+from algebroproj_sym.declaring.claim import Claim, DeclarationError, Statement
+from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.declaring.source import Source
 from algebroproj_sym.expressions import TextForm, columns, entries, over, rows, shape, size, vector, written
+from algebroproj_sym.expressions.arranging import (
+    LONG,
+    REMEMBERED,
+    arranged,
+    negated,
+    numbers_first,
+    power_of,
+    product_of,
+    quotient_of,
+    sum_of,
+    with_parts,
+)
+from algebroproj_sym.reading import in_order
 
 Part = Literal["printed", "derived", "corrected"]
-REMEMBERED = 1 << 16
-LONG = 1500
-"""Symbols and numbers of the largest form that is put in order."""
 
 
 class _OtherwiseWrittenError(Exception):
@@ -29,7 +40,7 @@ class _OtherwiseWrittenError(Exception):
 
 
 def as_declared(claim: Claim, part: Part) -> Statement | None:
-    """Return a form of a claim as its declaration writes it; what is computed there is in SymPy's order.
+    """Return a form of a claim as its declaration, or its quote, writes it; what is computed is in SymPy's order.
 
     Examples
     --------
@@ -43,8 +54,10 @@ def as_declared(claim: Claim, part: Part) -> Statement | None:
     if statement is None or isinstance(statement, Decimal | TextForm):
         return statement
     node = claim.source.argument(part) if claim.source else None
-    if claim.source is None or node is None or (not isinstance(statement, tuple) and size(statement, LONG) > LONG):
+    if claim.source is None or (not isinstance(statement, tuple) and size(statement, LONG) > LONG):
         return arranged(statement)
+    if node is None:
+        return (_as_quoted(claim, claim.source) if part == "printed" else None) or arranged(statement)
     parts = statement if isinstance(statement, tuple) else entries(statement)
     is_scalar = not isinstance(statement, tuple | sympy.MatrixBase)
     nodes = _entries_as_written(node, claim.source, None if is_scalar else len(parts))
@@ -56,21 +69,14 @@ def as_declared(claim: Claim, part: Part) -> Statement | None:
     return forms[0] if not shape(statement) else sympy.ImmutableDenseMatrix(*statement.shape, forms)
 
 
-def arranged(statement: Any) -> Any:
-    """Return a form whose parts are stored in the order in which SymPy shows them; a long one stays as it is."""
-    if isinstance(statement, tuple):
-        return tuple(map(arranged, statement))
-    if isinstance(statement, Decimal | TextForm) or size(statement, LONG) > LONG:
-        return statement
-    if isinstance(statement, sympy.MatrixBase):
-        return sympy.ImmutableDenseMatrix(*statement.shape, list(map(_arranged, statement.flat())))
-    return _arranged(statement)
-
-
-@lru_cache(maxsize=REMEMBERED)
-def value_of(form: Any) -> Any:
-    """Return the expression that an arranged form stands for."""
-    return form.func(*map(value_of, form.args)) if form.args else form
+def _as_quoted(claim: Claim, source: Source) -> Any:
+    """Return a printed form that is read from its quote, in the order of print; None if it is not, or has none."""
+    place = (source.folder, claim.section, claim.number, claim.derived)
+    read = KINDS[claim.kind].transcribe
+    try:
+        return read(*place, in_order) if read(*place) == claim.printed else None
+    except DeclarationError:
+        return None
 
 
 def shown(form: Any) -> str:
@@ -92,36 +98,15 @@ def shown(form: Any) -> str:
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _arranged(node: Any) -> Any:
-    if not node.args:
-        return node
-    if isinstance(node, sympy.Mul):
-        return _product(map(_arranged, node.as_ordered_factors()))
-    return _with_parts(node, map(_arranged, node.as_ordered_terms() if isinstance(node, sympy.Add) else node.args))
-
-
-def _with_parts(node: Any, parts: Iterable[Any]) -> Any:
-    return over(*parts) if isinstance(node, over) else node.func(*parts, evaluate=False)
-
-
-def _product(parts: Iterable[Any]) -> Any:
-    """Return a product of the factors of some products, with their numbers as one before them."""
-    factors = [factor for part in parts for factor in _factors(part)]
-    number = sympy.Mul(*(factor for factor in factors if factor.is_Number))
-    others = [factor for factor in factors if not factor.is_Number]
-    return sympy.Mul(*([] if number == 1 and others else [number]), *others, evaluate=False)
-
-
-@lru_cache(maxsize=REMEMBERED)
 def _as_quotient(node: Any) -> Any:
     if not node.args:
         return node
     parts = list(map(_as_quotient, node.args))
     if isinstance(node, over):
-        return _quotient(*parts)
+        return quotient_of(*parts)
     if isinstance(node, sympy.Mul):
-        return _product(parts)
-    return _with_parts(node, parts)
+        return numbers_first(parts)
+    return with_parts(node, parts)
 
 
 def _entries_as_written(node: ast.expr, source: Source, count: int | None) -> list[ast.expr] | None:
@@ -166,7 +151,7 @@ def _form(node: ast.expr | None, expression: Any, source: Source) -> Any:
                 return form
         except (_OtherwiseWrittenError, ArithmeticError, TypeError):
             pass
-    return _arranged(expression)
+    return arranged(expression)
 
 
 def _read(node: ast.expr, source: Source) -> tuple[Any, Any]:
@@ -180,7 +165,7 @@ def _read(node: ast.expr, source: Source) -> tuple[Any, Any]:
             return _meant(_entry(source.names.get(name), index))
         case ast.UnaryOp(op=ast.USub(), operand=operand):
             value, form = _read(operand, source)
-            return -value, _negated(form)
+            return -value, negated(form)
         case ast.BinOp(left=left, op=operator, right=right):
             return _combined(operator, _read(left, source), _read(right, source))
         case ast.Call(func=ast.Name(id=name), args=[above, below]) if source.names.get(name) is over:
@@ -192,7 +177,7 @@ def _read(node: ast.expr, source: Source) -> tuple[Any, Any]:
 def _meant(value: Any) -> tuple[Any, Any]:
     if not isinstance(value, sympy.Expr):
         raise _OtherwiseWrittenError
-    return value, _arranged(value)
+    return value, arranged(value)
 
 
 def _entry(matrix: Any, index: ast.expr) -> Any:
@@ -207,41 +192,13 @@ def _combined(operator: ast.operator, left: tuple[Any, Any], right: tuple[Any, A
     (a, first), (b, second) = left, right
     match operator:
         case ast.Add():
-            return a + b, sympy.Add(*_terms(first), second, evaluate=False)
+            return a + b, sum_of(first, second)
         case ast.Sub():
-            return a - b, sympy.Add(*_terms(first), _negated(second), evaluate=False)
+            return a - b, sum_of(first, negated(second))
         case ast.Mult():
-            return a * b, sympy.Mul(*_factors(first), *_factors(second), evaluate=False)
+            return a * b, product_of(first, second)
         case ast.Div():
-            return a / b, _quotient(first, second)
+            return a / b, quotient_of(first, second)
         case ast.Pow() if second.is_Integer:
-            return a**b, sympy.Pow(first, second, evaluate=False)
+            return a**b, power_of(first, second)
     raise _OtherwiseWrittenError
-
-
-def _terms(form: Any) -> tuple[Any, ...]:
-    return form.args if isinstance(form, sympy.Add) else (form,)
-
-
-def _factors(form: Any) -> tuple[Any, ...]:
-    return form.args if isinstance(form, sympy.Mul) else (form,)
-
-
-def _quotient(above: Any, below: Any) -> Any:
-    if below == 1:
-        return above
-    numerators = [] if above == 1 else _factors(above)
-    return sympy.Mul(*numerators, *map(_inverted, _factors(below)), evaluate=False)
-
-
-def _inverted(factor: Any) -> Any:
-    base, exponent = factor.args if factor.is_Pow else (factor, sympy.S.One)
-    return base if exponent == -1 else sympy.Pow(base, -exponent, evaluate=False)
-
-
-def _negated(form: Any) -> Any:
-    first, *others = _factors(form)
-    if not first.is_Rational:
-        return sympy.Mul(-1, first, *others, evaluate=False)
-    kept = [] if first == -1 and others else [-first]
-    return sympy.Mul(*kept, *others, evaluate=False)

@@ -13,10 +13,12 @@ from algebroproj_sym.declaring.claim import CORRECTED, Claim, Statement, Verdict
 from algebroproj_sym.declaring.judging import Judgement
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import Expression, TextForm, assumption, decimals, evaluate, leading, size
-from algebroproj_sym.showing.arranging import Part, arranged, as_declared, shown
+from algebroproj_sym.expressions.arranging import arranged
+from algebroproj_sym.showing.arranging import Part, as_declared, shown
 from algebroproj_sym.showing.forms import derived_form
 from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.showing.naming import Meaning, Named, in_names, latex_of_name, named_latex
+from algebroproj_sym.showing.text_latex import NEGATED, RELATIONS
 
 LONGEST = 400
 """Symbols and numbers of the largest expression that is shown as a formula."""
@@ -190,7 +192,10 @@ def _formula(claim: Claim, verdict: Verdict) -> str:
     derived = kind.applied % {"derived": _side(claim, "derived"), "variable": variable}
     if claim.printed is None:
         return derived
-    relation = kind.negated if verdict in (*CORRECTED, "false") else kind.relation
+    holds = verdict not in (*CORRECTED, "false")
+    relation = kind.relation if holds else kind.negated
+    if claim.relation != "=":
+        relation = (RELATIONS if holds else NEGATED)[claim.relation]
     sides = (derived, _side(claim, "printed")) if kind.derived_first else (_side(claim, "printed"), derived)
     return f"{sides[0]} {relation} {sides[1]}"
 

@@ -14,7 +14,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import TextForm, over
-from algebroproj_sym.showing.arranging import arranged
+from algebroproj_sym.expressions.arranging import arranged
 from algebroproj_sym.showing.names import latex_name, parts
 from algebroproj_sym.showing.text_latex import latex_of_text
 

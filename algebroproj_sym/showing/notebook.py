@@ -15,8 +15,8 @@ import sympy
 from algebroproj_sym.declaring import Claim, Section, judge
 from algebroproj_sym.declaring.text_forms import Given, text_fields
 from algebroproj_sym.expressions import NotRationalError
+from algebroproj_sym.expressions.arranging import arranged
 from algebroproj_sym.proving import reduced
-from algebroproj_sym.showing.arranging import arranged
 from algebroproj_sym.showing.display import markdown
 from algebroproj_sym.showing.latex import latex
 

@@ -18,7 +18,9 @@ Written: TypeAlias = tuple[str, int]
 """LaTeX, and how tightly it binds."""
 
 _COMPARISON = re.compile("(<=|>=|!=|==|<|>|=)")
-_RELATIONS = {"!=": r"\neq", "<=": r"\leq", ">=": r"\geq", "==": "="}
+RELATIONS = {"=": "=", "!=": r"\neq", "<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq", "==": "="}
+NEGATED = {"=": r"\neq", "!=": "=", "<": r"\not<", "<=": r"\not\leq", ">": r"\not>", ">=": r"\not\geq"}
+"""LaTeX of what relates two sides, and of what says that it does not hold everywhere."""
 _NAMES = {
     **{name: rf"\{name}" for name in ("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth")},
     "exp": r"\exp",
@@ -43,7 +45,7 @@ def latex_of_text(form: TextForm) -> str:
         return _matrix([map(_with_functions, row) for row in rows_of(form.text)])
     parts = _COMPARISON.split(form.text)
     side = _with_functions if form.letters is None else _reader(dict(form.letters))
-    shown = (_RELATIONS.get(part, part) if place % 2 else side(part) for place, part in enumerate(parts))
+    shown = (RELATIONS.get(part, part) if place % 2 else side(part) for place, part in enumerate(parts))
     return " ".join(shown)
 
 
@@ -156,7 +158,10 @@ def _reader(letters: Mapping[str, str]) -> Callable[[str], str]:
 
 _OPERATORS = {"cross": r" \times ", "dot": r" \cdot ", "kron": r" \otimes ", "qmul": r" \circ "}
 _AROUND = {"skew": r"\left[%s\right]_{\times}", "norm": r"\left\|%s\right\|", "conj": r"\overline{%s}"}
-_CALLED = {"det": r"\det", "trace": r"\operatorname{tr}", "rotation": r"\operatorname{rot}"}
+_CALLED = {
+    "det": r"\det", "trace": r"\operatorname{tr}", "rotation": r"\operatorname{rot}", "sin": r"\sin", "cos": r"\cos",
+    "exp": r"\exp", "jl": "J_l", "jr": "J_r",
+}  # fmt: skip
 
 
 def _in_letters(term: Any) -> Written:
@@ -189,8 +194,8 @@ def _in_letters(term: Any) -> Written:
     inner = ", ".join(_in_letters(part)[0] for part in parts)
     if kind in _AROUND:
         return _AROUND[kind] % inner, ATOM
-    if kind == "vee":
-        return _attached(_in_letters(parts[0]), "^", r"\vee"), POWER
+    if kind in ("vee", "hat"):
+        return _attached(_in_letters(parts[0]), "^", r"\vee" if kind == "vee" else r"\wedge"), POWER
     return _CALLED.get(kind, rf"\operatorname{{{kind}}}") + _bracketed(inner), POWER
 
 

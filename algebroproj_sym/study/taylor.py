@@ -1,13 +1,13 @@
 """Derivatives of generated functions, and of chains of them, by truncated Taylor series: exact rules, no differences.
 
 A number carries its value, its derivatives by some variables and, if wanted, its second derivatives.  As an arithmetic
-of `precision` it takes the source of every generated function as it is; the derivatives of a linear system's solution
-are those of the equations it satisfies, ``A x' = b' - A' x``.
+of `precision` it takes the source of every generated function as it is, and of the elimination that solves systems.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 from operator import truediv
@@ -16,11 +16,12 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from algebroproj._runtime.elimination import null_vector_of, solution_of
 from algebroproj._runtime.systems import null_vector, solve
 from algebroproj_sym.declaring import ELEMENTARY, Primitive
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 
-__all__ = ["Taylor", "composed", "gradient", "hessian", "inverses", "taylor", "variables"]
+__all__ = ["Taylor", "composed", "gradient", "hessian", "taylor", "variables"]
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -95,6 +96,21 @@ class Taylor:
     def __rtruediv__(self, other: Any) -> Taylor:
         return _with_value(0 * self.parts, other + 0 * self.value, self.count) / self
 
+    def is_larger(self, other: Taylor) -> _Condition:
+        """Return where the absolute value is larger than that of another number."""
+        return _Condition(abs(self.value) > abs(other.value))
+
+
+@dataclass(frozen=True)
+class _Condition:
+    """Where a condition holds."""
+
+    holds: Any
+
+    def selected(self, first: Taylor, second: Taylor) -> Taylor:
+        """Return one number where the condition holds, and another one elsewhere."""
+        return Taylor(np.where(self.holds, first.parts, second.parts), first.count)
+
 
 def _with_value(parts: Any, value: Any, count: int) -> Taylor:
     parts[0] = value
@@ -135,8 +151,8 @@ def taylor(count: int, order: int = 1) -> Arithmetic:
         split=lambda number: tuple(number.parts) if isinstance(number, Taylor) else (number, *(0.0,) * (parts - 1)),
         nearest=lambda numbers: (numbers[0], np.zeros_like(numbers[0])),
         meanings={
-            "solve": _solve,
-            "null_vector": _null_vector,
+            "solve": _linear(solution_of, solve),
+            "null_vector": _linear(null_vector_of, null_vector),
             **{name: _elementary(primitive) for name, primitive in ELEMENTARY.items()},
         },
     )
@@ -198,22 +214,6 @@ def hessian(numbers: Numbers, count: int) -> Array:
     return np.moveaxis(second, (0, 1), (-2, -1))
 
 
-def inverses(matrices: Array) -> Array:
-    """Return the inverses of a batch of matrices; those of exactly singular ones are not numbers.
-
-    Examples
-    --------
-    >>> inverses(np.array([[[2.0]], [[0.0]]])).tolist()
-    [[[0.5]], [[nan]]]
-    """
-    with np.errstate(all="ignore"):
-        signs = np.linalg.slogdet(matrices)[0]
-        regular = np.isfinite(signs) & (signs != 0)
-        identity = np.eye(matrices.shape[-1])
-        found = np.linalg.inv(np.where(regular[..., None, None], matrices, identity))
-    return np.where(regular[..., None, None], found, np.nan)
-
-
 def _both_ways(a: Any, b: Any) -> Any:
     product = a[:, None] * b[None]
     return product + np.swapaxes(product, 0, 1)
@@ -224,54 +224,23 @@ def _second(parts: Any, count: int) -> Any:
     return parts[1 + count :].reshape(count, count, *parts.shape[1:]) if len(parts) > 1 + count else None
 
 
-def _stacked(rows: Sequence[Sequence[Any]]) -> tuple[Array, int]:
-    """Return the parts, shape (parts, ..., n, m), of the entries of some rows, and the number of variables."""
-    sample = next(entry for row in rows for entry in row if isinstance(entry, Taylor))
-    full = [[(entry if isinstance(entry, Taylor) else 0 * sample + entry).parts for entry in row] for row in rows]
-    return np.stack([np.stack(np.broadcast_arrays(*row), axis=-1) for row in full], axis=-2), sample.count
+def _numbers(given: Sequence[Any]) -> list[Taylor]:
+    """Return numbers with derivatives, some of which are given without."""
+    sample = next(number for number in given if isinstance(number, Taylor))
+    return [number if isinstance(number, Taylor) else 0 * sample + number for number in given]
 
 
-def _values(rows: Sequence[Sequence[Any]]) -> list[list[Any]]:
-    return [[entry.value if isinstance(entry, Taylor) else entry for entry in row] for row in rows]
+def _linear(eliminated: Callable[..., list[Any]], solved: Callable[..., tuple[Any, ...]]) -> Callable[..., Any]:
+    """Return what solves linear systems of numbers with derivatives: elimination, with the values refined."""
 
+    def results(*rows: Sequence[Any]) -> tuple[Taylor, ...]:
+        entries = _numbers([entry for row in rows for entry in row])
+        width = len(rows[0])
+        system = [entries[start : start + width] for start in range(0, len(entries), width)]
+        values = solved(*([entry.value for entry in row] for row in system))
+        return tuple(_with_value(n.parts, value, n.count) for n, value in zip(eliminated(system), values, strict=True))
 
-def _solve(*rows: Sequence[Any]) -> tuple[Taylor, ...]:
-    solution = np.stack(np.broadcast_arrays(*solve(*_values(rows))), axis=-1)
-    system, count = _stacked(rows)
-    return _entries(_implicit(system, solution, count), count)
-
-
-def _entries(parts: Array, count: int) -> tuple[Taylor, ...]:
-    return tuple(Taylor(parts[..., k], count) for k in range(parts.shape[-1]))
-
-
-def _implicit(system: Array, solution: Array, count: int) -> Array:
-    """Differentiate the equations ``A x = b`` at their solution: shape (parts, ..., n)."""
-    value, first, second = system[0], system[1 : 1 + count], _second(system, count)
-    inverse = inverses(value[..., :-1])
-    extended = np.concatenate([solution, -np.ones_like(solution[..., :1])], axis=-1)
-    firsts = -np.einsum("...ij,p...jk,...k->p...i", inverse, first, extended)
-    if second is None:
-        return np.concatenate([solution[None], firsts])
-    crossed = np.einsum("p...jk,q...k->pq...j", first[..., :-1], firsts)
-    right = np.einsum("pq...jk,...k->pq...j", second, extended) + crossed + np.swapaxes(crossed, 0, 1)
-    seconds = -np.einsum("...ij,pq...j->pq...i", inverse, right)
-    return np.concatenate([solution[None], firsts, seconds.reshape(count * count, *solution.shape)])
-
-
-def _null_vector(*rows: Sequence[Any]) -> tuple[Taylor, ...]:
-    """Differentiate a null vector whose largest component stays 1: the others solve a system."""
-    vector = np.stack(np.broadcast_arrays(*null_vector(*_values(rows))), axis=-1)
-    fixed = np.argmax(abs(vector), axis=-1)
-    order = np.argsort(np.arange(vector.shape[-1]) == fixed[..., None], axis=-1, kind="stable")
-    system, count = _stacked(rows)
-    system = np.take_along_axis(system, np.broadcast_to(order[..., None, :], system.shape), axis=-1)
-    system[..., -1] *= -1
-    solved = _implicit(system, np.take_along_axis(vector, order, axis=-1)[..., :-1], count)
-    whole = np.concatenate([solved, 0 * solved[..., :1]], axis=-1)
-    whole[0, ..., -1] += 1
-    back = np.broadcast_to(np.argsort(order, axis=-1), whole.shape)
-    return _entries(np.take_along_axis(whole, back, axis=-1), count)
+    return results
 
 
 def composed(inner: Taylor, value: Any, slope: Any, bend: Any) -> Taylor:
@@ -286,15 +255,14 @@ def _elementary(primitive: Primitive) -> Callable[..., Any]:
     function = getattr(import_module(f"algebroproj._runtime.{primitive.name}"), primitive.name)
 
     def results(*given: Any) -> Any:
-        sample = next(number for number in given if isinstance(number, Taylor))
-        count = sample.count
-        numbers = [number if isinstance(number, Taylor) else 0 * sample + number for number in given]
+        numbers = _numbers(given)
+        count = numbers[0].count
         found = function(*(number.value for number in numbers))
         values = found if isinstance(found, tuple) else (found,)
         changes = [number.first for number in numbers]
         firsts = primitive.tangent([number.value for number in numbers], values, changes, truediv)
         parts = [np.concatenate([value[None], first]) for value, first in zip(values, firsts, strict=True)]
-        if len(sample.parts) > 1 + count:
+        if len(numbers[0].parts) > 1 + count:
             operands = [Taylor(number.parts[: 1 + count], count) for number in numbers]
             known = [Taylor(part, count) for part in parts]
             rows = [

@@ -13,15 +13,13 @@ other, are a certificate that a verified checker follows.  Coefficients are mult
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 from itertools import product
 from typing import Any, TypeAlias
 
-from algebroproj_sym.verifying.straight_line import StraightLine, exact_values, magnitudes
+from algebroproj_sym.verifying.straight_line import StraightLine
 
-UNIT = Fraction(1, 2**53)
 ONE = 2**20
 """The coefficient 1."""
 
@@ -74,11 +72,6 @@ class Bound:
     roundings: int
     terms: Terms
 
-    @property
-    def coefficients(self) -> tuple[Fraction, ...]:
-        """The coefficients of u^2 times kappa."""
-        return tuple(Fraction(coefficient, ONE) for _, coefficient in self.terms)
-
 
 @dataclass(frozen=True)
 class Analysis:
@@ -102,28 +95,6 @@ class Analysis:
     def is_complete(self) -> bool:
         """Whether there is a bound for each result."""
         return None not in self.bounds
-
-    def relative_errors(self, arguments: Sequence[Fraction]) -> list[Fraction | None]:
-        """Return the bound of the relative error of each result at some point; None where there is none.
-
-        Raises
-        ------
-        ZeroDivisionError
-            If the function divides by zero there.
-        """
-        exact = exact_values(self.line, arguments)
-        sizes = magnitudes(self.line, exact, arguments)
-        return [None if bound is None else _relative_error(bound, exact, sizes) for bound in self.bounds]
-
-
-def _relative_error(bound: Bound, exact: Mapping[int, Fraction], sizes: Mapping[int, Fraction]) -> Fraction | None:
-    if any(exact[place] == 0 for place, _ in bound.terms):
-        return None
-    kappas = (sizes[place] / abs(exact[place]) for place, _ in bound.terms)
-    deviation = bound.roundings * UNIT + sum(
-        c * UNIT**2 * kappa for c, kappa in zip(bound.coefficients, kappas, strict=True)
-    )
-    return deviation / (1 - deviation) if deviation < 1 else None
 
 
 def analysis(line: StraightLine) -> Analysis:

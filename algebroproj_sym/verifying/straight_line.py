@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from algebroproj_sym.generating import Lowered, c_name, is_compiled
 from algebroproj_sym.generating.expansion import expanded
@@ -91,54 +90,3 @@ def executed(lowered: Lowered, source: Source) -> StraightLine:
     recorder = Recorder([symbol.name for symbol in lowered.kernel.symbols])
     meaning = Meaning(product_error=lambda left, right, product: recorder.step("product_error", left, right, product))
     return numbered(recorder.program(kernel_outputs(source, c_name(lowered.kernel), recorder.inputs, meaning)))
-
-
-def exact_values(line: StraightLine, arguments: Sequence[Fraction]) -> dict[int, Fraction]:
-    """Return the value of each operation without rounding."""
-    values: dict[int, Fraction] = {}
-    for number, (operator, operands) in line.operations.items():
-        values[number] = (
-            Fraction(operands[0])
-            if operator == "constant"
-            else arguments[operands[0]]
-            if operator == "input"
-            else _computed(operator, *(values[operand] for operand in operands))
-        )
-    return values
-
-
-def _computed(operator: str, *operands: Any) -> Any:
-    first, *others = operands
-    match operator:
-        case "+":
-            return first + others[0]
-        case "-":
-            return first - others[0]
-        case "*":
-            return first * others[0]
-        case "/":
-            return first / others[0]
-        case "neg":
-            return -first
-        case _:
-            return first * others[0] - others[1]
-
-
-def magnitudes(line: StraightLine, exact: Mapping[int, Fraction], arguments: Sequence[Fraction]) -> dict[int, Fraction]:
-    """Return the value of each operation with absolute values of everything, so that no sum cancels."""
-    sizes: dict[int, Fraction] = {}
-    for number, (operator, operands) in line.operations.items():
-        match operator:
-            case "constant" | "input":
-                sizes[number] = abs(exact[number])
-            case "neg":
-                sizes[number] = sizes[operands[0]]
-            case "+" | "-":
-                sizes[number] = sizes[operands[0]] + sizes[operands[1]]
-            case "*":
-                sizes[number] = sizes[operands[0]] * sizes[operands[1]]
-            case "/":
-                sizes[number] = sizes[operands[0]] / abs(exact[operands[1]])
-            case _:
-                sizes[number] = sizes[operands[0]] * sizes[operands[1]] + sizes[operands[2]]
-    return sizes

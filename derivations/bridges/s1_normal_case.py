@@ -10,6 +10,7 @@
 # %%
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import u1, u2
 from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import (
     frame,
@@ -117,6 +118,31 @@ section.identity(
     "the matrices of correlation of 1992 and of 1996",
     printed=(K * A_left).T * C_1992 * (K * A_right),
     derived=C_1996.xreplace(of_calibrated),
+)
+
+# %% [markdown]
+# **An example.**  The left image in both coordinates, with the lines on which it shows three points of the right image.
+# Each line is computed twice: by $\mathbf C$ of 1992, and by $\mathbf C$ of 1996.
+
+# %%
+BASIC = rows(vector(-1, -1), vector(2, 0), vector(0, 2))
+TIPPED = Matrix([[24, 0, 7], [0, 25, 0], [-7, 0, 24]]) / 25
+EXAMPLE = given((*g_left, *g_right, *R_left, *R_right, *d, c), (*BASIC, *BASIC, *Matrix.eye(3), *TIPPED, 1, 0, 0, 2))
+K_example, C_1992_example, C_1996_example = (
+    matrix.xreplace(EXAMPLE).doit() for matrix in (K, C_1992, C_1996.xreplace(of_calibrated))
+)
+POINTS = {"G0": vector(0, 0), "G1": vector(1, 0), "G2": vector(0, 1)}
+SEEN = [vector(0, 0), vector(1, 0), vector(0, 1)]
+ImageDrawing(
+    "The left image in the rectangular coordinates of 1992 and in the affine ones of 1996, with the same lines.",
+    {
+        "1992": (
+            {name: point_at(point, BASIC) for name, point in POINTS.items()},
+            [K_example.T * C_1992_example * K_example * frame(BASIC) * homogeneous(point) for point in SEEN],
+        ),
+        "1996": (POINTS, [C_1996_example * homogeneous(point) for point in SEEN]),
+    },
+    axes=(r"x \mathrm{\ and\ } u_1", r"y \mathrm{\ and\ } u_2"),
 )
 
 # %% [markdown]

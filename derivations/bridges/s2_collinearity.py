@@ -8,13 +8,14 @@
 # %%
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import mu0, mu1, mu2, mu3, u31, u32
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import y0_of_mu
 from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import coordinates, frame
 from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, homogeneous, over, rows, vector
+from algebroproj_sym.expressions import Matrix, columns, homogeneous, inverse, over, rows, vector
 
 section = Section("bridges", "2", "Collinearity")
 
@@ -159,6 +160,28 @@ section.identity(
     "the comparator does not change the affine coordinates of 1996",
     printed=coordinates(picture, picture_frame),
     derived=coordinates(comparator(picture), rows(*(comparator(picture_frame.row(n).T) for n in range(3)))),
+)
+
+# %% [markdown]
+# **An example.**  A square in the picture, and what a comparator sees that is inclined about two axes.  Parallels stay
+# parallel.
+
+# %%
+INCLINED = Matrix([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
+inclined = given((*D, x_center, y_center, c), (*INCLINED, 0, 0, sympy.Rational(1, 2)))
+SQUARE = {"0": vector(0, 0), "1": vector(1, 0), "2": vector(0, 1), "3": vector(1, 1)}
+SIDES = [vector(0, 1, 0), vector(0, 0, 1), vector(1, -1, 0), vector(1, 0, -1)]
+ImageDrawing(
+    "A square in the picture, and a parallelogram in the comparator.  The point 3 has the affine coordinates (1, 1) "
+    "in both.",
+    {
+        "picture": (SQUARE, SIDES),
+        "comparator": (
+            {name: comparator(corner).xreplace(inclined) for name, corner in SQUARE.items()},
+            [inverse(device.xreplace(inclined)).T.doit() * side for side in SIDES],
+        ),
+    },
+    axes=("x", "y"),
 )
 
 # %% [markdown]

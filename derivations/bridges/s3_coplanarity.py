@@ -9,6 +9,7 @@
 import sympy
 
 from algebroproj_derivations.bridges.s2_collinearity import okamoto
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import frame
 from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import (
     C,
@@ -20,9 +21,9 @@ from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import (
     u_left,
     u_right,
 )
-from algebroproj_derivations.inserting import given
+from algebroproj_derivations.inserting import given, inserted
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, adjugate, columns, determinant, dot, linear_system, rows, vector
+from algebroproj_sym.expressions import Matrix, adjugate, columns, determinant, dot, linear_system, over, rows, vector
 
 section = Section("bridges", "3", "Coplanarity")
 
@@ -70,6 +71,35 @@ section.identity(
         )
     ),
     derived=coplanarity_determinant(okamoto(first), okamoto(second)),
+)
+
+# %% [markdown]
+# **An example.**  Four equations are four planes: two through the left center, which meet in the left ray, and two
+# through the right one.  The determinant is zero if the two rays meet.  Here two cameras see the point $P$.  The
+# second number is the determinant of the left ray and of the right ray to $Q$.
+
+# %%
+AHEAD = Matrix([[0, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0]])
+BESIDE = Matrix([[0, 0, 0, 1], [-1, 1, 0, 0], [0, 0, 1, 0]])
+P, Q, unit_of_base = vector(2, 1, 4), vector(2, 2, 4), vector(1, 0, 0)
+
+
+def determinant_for(left_point: Matrix, right_point: Matrix) -> sympy.Expr:
+    images = (camera * vector(1, *place) for camera, place in ((AHEAD, left_point), (BESIDE, right_point)))
+    seen = [over(image[i], image[0]) for image in images for i in (1, 2)]
+    return inserted(coplanarity_determinant(AHEAD, BESIDE), (xc1, yc1, xc2, yc2), seen).doit()
+
+
+determinant_for(P, P), determinant_for(P, Q)
+
+# %%
+SpaceDrawing(
+    "The plane of both centers and the point P.  The right ray to Q leaves this plane, and the left ray does not meet "
+    "it.",
+    {"C'": vector(0, 0, 0), "C''": unit_of_base, "P": P, "Q": Q},
+    segments=[("C''", "Q")],
+    triangles=[("C'", "C''", "P")],
+    axes=("X", "Y", "Z"),
 )
 
 # %% [markdown]

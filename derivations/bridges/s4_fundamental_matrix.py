@@ -10,10 +10,21 @@
 import sympy
 
 from algebroproj_derivations.bridges.s3_coplanarity import M_left, M_right, minors
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star
 from algebroproj_derivations.fundamentals1996.s2_2_correlation import C_of_cameras, Z_general, design, primed, unknowns
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, adjugate, columns, cross, determinant, dot, linear_system, vector
+from algebroproj_sym.expressions import (
+    Matrix,
+    adjugate,
+    columns,
+    cross,
+    determinant,
+    dot,
+    homogeneous,
+    linear_system,
+    vector,
+)
 
 section = Section("bridges", "4", "The fundamental matrix")
 
@@ -103,6 +114,41 @@ section.up_to_scale(
     "the fundamental matrix by the pseudo-inverse of the left camera",
     printed=matrix_of(epipole_of_core) * core_right * pseudo_inverse,
     derived=C_of_cameras.T,
+)
+
+# %% [markdown]
+# **An example.**  Two cameras with small numbers, and three points that they see.
+
+# %%
+EXAMPLE_LEFT = Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])
+EXAMPLE_RIGHT = Matrix([[1, 0, 1, 1], [-1, 1, 0, 2], [0, 0, 1, 2]])
+F_example = minors(EXAMPLE_LEFT, EXAMPLE_RIGHT).T
+SPACE = {"1": vector(1, 1, 1, 1), "2": vector(1, 2, 0, 1), "3": vector(2, -1, 1, 1)}
+
+
+def seen_by(camera: Matrix, point: Matrix) -> Matrix:
+    image = camera * point
+    return (image / image[0])[1:, :]
+
+
+left_seen, right_seen = (
+    {name: seen_by(camera, point) for name, point in SPACE.items()} for camera in (EXAMPLE_LEFT, EXAMPLE_RIGHT)
+)
+left_center, right_center = center_of(EXAMPLE_LEFT), center_of(EXAMPLE_RIGHT)
+ImageDrawing(
+    "Each point of the left image gives a line of the right one, which contains its partner, and the other way round.  "
+    "All lines meet in the epipole E.",
+    {
+        "left image": (
+            {"E": seen_by(EXAMPLE_LEFT, right_center), **left_seen},
+            [F_example.T * homogeneous(point) for point in right_seen.values()],
+        ),
+        "right image": (
+            {"E": seen_by(EXAMPLE_RIGHT, left_center), **right_seen},
+            [F_example * homogeneous(point) for point in left_seen.values()],
+        ),
+    },
+    axes=("x_1", "x_2"),
 )
 
 # %% [markdown]

@@ -10,6 +10,7 @@ import sympy
 
 from algebroproj_derivations.bridges.s1_normal_case import C_1992, R_left, R_right, d
 from algebroproj_derivations.bridges.s4_fundamental_matrix import matrix_of
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import rotation
 from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
@@ -33,6 +34,25 @@ section.identity(
     "rotation and base of the right image in the system of the left one",
     printed=relative_rotation * in_left_system + relative_base,
     derived=rotation.T * (R_left * in_left_system - d),
+)
+
+# %% [markdown]
+# **An example.**  A right image with a tip whose sine is $-7/25$: the axes of both systems at their centers.
+
+# %%
+TIPPED = Matrix([[24, 0, -7], [0, 25, 0], [7, 0, 24]]) / 25
+EXAMPLE_BASE = vector(3, 0, 0)
+SYSTEMS = (("'", vector(0, 0, 0), Matrix.eye(3)), ("''", EXAMPLE_BASE, TIPPED))
+POINT = {"P": vector(sympy.Rational(3, 2), 1, -3)}
+SpaceDrawing(
+    "Both systems of axes i, j, k, the base between the centers and a point P.  R turns one system to the other; t is "
+    "the base as the right image sees it.",
+    {f"C{primes}": place for primes, place, _ in SYSTEMS}
+    | {f"{name}{primes}": place + turn.col(n) for primes, place, turn in SYSTEMS for n, name in enumerate("ijk")}
+    | POINT,
+    segments=[("C'", "C''"), ("C'", "P"), ("C''", "P")]
+    + [(f"C{primes}", f"{name}{primes}") for primes, _, _ in SYSTEMS for name in "ijk"],
+    axes=("X_1", "X_2", "X_3"),
 )
 
 # %% [markdown]

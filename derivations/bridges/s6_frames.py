@@ -8,6 +8,7 @@
 import sympy
 
 from algebroproj_derivations.bridges.s4_fundamental_matrix import matrix_of
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import BARYCENTRIC, U, mu0, mu1, mu2, mu3, u1, u2, u30, u31, u32
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star
 from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import T, tau1, tau2
@@ -84,6 +85,34 @@ section.identity(
     "the fundamental matrix of the rectified images",
     printed=inverse(H_right).T * C_original.T * inverse(H_left),
     derived=Z_N.T,
+)
+
+# %% [markdown]
+# **An example.**  The left image before and after $\mathbf T$.  The right image gives the same three lines.
+
+# %%
+FACTORS = {taup1: 3, taup2: 2, taupp1: sympy.Rational(5, 4), taupp2: 1}
+T_left, T_right = (transformation.xreplace(FACTORS) for transformation in (H_left, H_right))
+Z_normal = Z_N.xreplace({z_n: sympy.Rational(1, 4)})
+GRID = {"G0": vector(0, 0), "G1": vector(1, 0), "G2": vector(0, 1), "P": vector(1, 1)}
+RIGHT = [vector(0, 0), vector(sympy.Rational(1, 2), sympy.Rational(1, 2)), vector(0, 1)]
+
+
+def transformed(seen: Matrix) -> Matrix:
+    image = T_left * homogeneous(seen)
+    return (image / image[0])[1:, :]
+
+
+ImageDrawing(
+    "The lines of three points of the right image meet in the epipole.  After the transformation they are parallel; "
+    "the images of the basic points are where they were.",
+    {
+        "original": (GRID, [T_left.T * Z_normal * T_right * homogeneous(seen) for seen in RIGHT]),
+        "rectified": (
+            {name: transformed(seen) for name, seen in GRID.items()},
+            [Z_normal * T_right * homogeneous(seen) for seen in RIGHT],
+        ),
+    },
 )
 
 # %% [markdown]

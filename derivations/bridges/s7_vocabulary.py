@@ -34,6 +34,7 @@ import sympy
 
 from algebroproj_derivations.bridges.s3_coplanarity import M_left, M_right, minors
 from algebroproj_derivations.bridges.s4_fundamental_matrix import center_left, center_right
+from algebroproj_derivations.figures import QuadricDrawing
 from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, dot, vector
@@ -80,6 +81,23 @@ section.identity(
     printed=dot(y, doubled_quadric * y),
     derived=2 * dot(M_left * y, G * (M_right * y)),
 )
+# %% [markdown]
+# **An example.**  Both image vectors are the differences of the point and the center, the base is the first unit
+# vector, and $\mathbf G$ is a diagonal matrix.
+
+# %%
+SHIFTED = given((*M_left, *M_right), (*Matrix.eye(4)[1:, :], *Matrix([[-1, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])))
+SECOND = given(G, Matrix.diag(2, 1, -1))
+QuadricDrawing(
+    "Points of this quadric have two matrices of correlation.  It contains both centers.",
+    doubled_quadric.xreplace(SHIFTED | SECOND),
+    {"C'": vector(0, 0, 0), "C''": vector(1, 0, 0), "1": vector(-1, 0, 2), "2": vector(2, 0, -2), "3": vector(1, 2, 2)},
+)
+
+# %% [markdown]
+# Both centers lie on every such quadric, and $\mathbf C$ itself gives none.
+
+# %%
 section.identity(
     "7/critical-surface#centers",
     "the quadric contains both centers",

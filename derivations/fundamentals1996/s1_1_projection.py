@@ -47,8 +47,8 @@ B
 
 # %%
 
-section.definition("1.1/z", "ray from the center to a point", printed=ray)
-section.definition("1.1.1", "coordinates related to the base, equation of reconstruction", printed=reconstruction)
+section.definition("1.1/z", "ray from the center to a point")
+section.definition("1.1.1", "coordinates related to the base, equation of reconstruction")
 
 # %% [markdown]
 # **Print.**  The base vectors are the columns of $\mathbf B$.  In its first row the print has $b_{01}$ and $b_{02}$
@@ -58,7 +58,6 @@ section.definition("1.1.1", "coordinates related to the base, equation of recons
 section.identity(
     "1.1.2",
     "matrix of the base",
-    printed=Matrix([[b0[0], b0[1], b0[2]], [b0[1], b1[1], b2[1]], [b0[2], b1[2], b2[2]]]),
     derived=B,
     expect="misprint",
     corrected=columns(b0, b1, b2),
@@ -74,20 +73,8 @@ section.identity(
 r = Matrix(3, 3, sympy.symbols("r:3:3"))
 inverse_elements = dict(zip(r, inverse(B), strict=True))
 
-section.identity(
-    "1.1/projection",
-    "equation of projection",
-    printed=r * ray,
-    where=inverse_elements,
-    derived=solve(B, ray),
-)
-section.identity(
-    "1.1/inverse",
-    "inversion of the base",
-    printed=r * columns(b0, b1, b2),
-    where=inverse_elements,
-    derived=E3,
-)
+section.identity("1.1/projection", "equation of projection", where=inverse_elements, derived=solve(B, ray))
+section.identity("1.1/inverse", "inversion of the base", where=inverse_elements, derived=E3)
 
 # %% [markdown]
 # ## The reciprocal vectors
@@ -203,23 +190,16 @@ u = vector(u1, u2)
 p = b0 + u1 * unit1 + u2 * unit2
 
 section.definition("1.1/e", "units of the image plane", printed=columns(unit1, unit2))
-section.definition("1.1/u", "affine coordinates of an image point", printed=u1 * unit1 + u2 * unit2)
+section.definition("1.1/u", "affine coordinates of an image point")
 section.definition("1.1/quasihomogeneous", "quasihomogeneous vector of an image point", printed=homogeneous(u))
 
 # %% [markdown]
 # **Print.**  The same point as a weighted mean of the base vectors, and as a product of matrices.
 
 # %%
-section.identity("1.1/p", "image point from the base", printed=(1 - u1 - u2) * b0 + u1 * b1 + u2 * b2, derived=p)
-section.identity(
-    "1.1/p#base", "image point, barycentric", printed=columns(b0, b1, b2) * vector(1 - u1 - u2, u1, u2), derived=p
-)
-section.identity(
-    "1.1/p#U",
-    "image point, affine",
-    printed=columns(b0, b1, b2) * Matrix([[1, -1, -1], [0, 1, 0], [0, 0, 1]]) * vector(1, u1, u2),
-    derived=p,
-)
+section.identity("1.1/p", "image point from the base", derived=p)
+section.identity("1.1/p#base", "image point, barycentric", derived=p)
+section.identity("1.1/p#U", "image point, affine", derived=p)
 
 # %% [markdown]
 # ## Projection
@@ -232,7 +212,7 @@ factor, tau = sympy.symbols("mu tau")
 intersection = solve(*linear_system(list(tau * ray - p), [tau, u1, u2]))
 seen = {factor: over(1, intersection[0]), u1: intersection[1], u2: intersection[2]}
 
-section.identity("1.1/ray", "the image point is on the ray", printed=factor * p, where=seen, derived=ray)
+section.identity("1.1/ray", "the image point is on the ray", where=seen, derived=ray)
 
 # %% [markdown]
 # **What is the factor?**  The sum of the coordinates of the ray.  It vanishes exactly if the ray is parallel to the
@@ -251,14 +231,8 @@ section.identity(
 # **Print.**  So the ray is reconstructed from its image point, but for the factor that the image has lost.
 
 # %%
-section.identity(
-    "1.1.4",
-    "equation of reconstruction",
-    printed=factor * (columns(b0, b1, b2) * U * vector(1, u1, u2)),
-    where=seen,
-    derived=ray,
-)
-section.identity("1.1.4#P", "matrix of reconstruction", printed=columns(b0, b1 - b0, b2 - b0), derived=B * U)
+section.identity("1.1.4", "equation of reconstruction", where=seen, derived=ray)
+section.identity("1.1.4#P", "matrix of reconstruction", derived=B * U)
 
 # %% [markdown]
 # **An example.**  This base sees the point $(2, 2, 4)$ at the affine image coordinates
@@ -289,13 +263,7 @@ SpaceDrawing(
 P = columns(b0, unit1, unit2)
 P_star = inverse(P)
 
-section.identity(
-    "1.1.5",
-    "equation of projection",
-    printed=factor * vector(1, u1, u2),
-    where=seen,
-    derived=P_star * ray,
-)
+section.identity("1.1.5", "equation of projection", where=seen, derived=P_star * ray)
 section.identity(
     "1.1.5#U*",
     "from barycentric to affine coordinates",
@@ -330,16 +298,10 @@ M_star
 
 # %%
 
-section.identity(
-    "1.1.6",
-    "singular projective matrix",
-    printed=columns(-elements * center, elements).col_join(Matrix([[0, 0, 0, 0]])),
-    derived=M_star,
-)
+section.identity("1.1.6", "singular projective matrix", derived=M_star)
 section.identity(
     "1.1.6#equation",
     "equation of projection, quasihomogeneous",
-    printed=factor * vector(1, u1, u2, 0),
     where=seen,
     derived=M_star.xreplace(dict(zip(elements, P_star, strict=True))) * homogeneous(point),
 )
@@ -349,7 +311,7 @@ section.identity(
 
 # %%
 section.identity("1.1/singular", "the matrix is singular", printed=0, derived=determinant(M_star))
-section.identity("1.1.7", "the center has no image", printed=vector(0, 0, 0, 0), derived=M_star * homogeneous(center))
+section.identity("1.1.7", "the center has no image", derived=M_star * homogeneous(center))
 
 # %% [markdown]
 # Is the center the only such point?  The three equations $\mathbf M^* \mathbf y = \mathbf 0$ have no other solution

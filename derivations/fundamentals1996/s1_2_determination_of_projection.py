@@ -35,7 +35,6 @@ section.definition("1.2/e", "unit points of space", printed=rows(e0, e1, e2, e3)
 section.identity(
     "1.2/e'0",
     "image of the origin",
-    printed=vector(1, 1, 0),
     derived=image_coordinates(b0),
     expect="misprint",
     corrected=vector(1, 0, 0),
@@ -46,8 +45,8 @@ section.identity(
 # The others are right.
 
 # %%
-section.identity("1.2/e'1", "image of the first unit point", printed=vector(1, 1, 0), derived=image_coordinates(b1))
-section.identity("1.2/e'2", "image of the second unit point", printed=vector(1, 0, 1), derived=image_coordinates(b2))
+section.identity("1.2/e'1", "image of the first unit point", derived=image_coordinates(b1))
+section.identity("1.2/e'2", "image of the second unit point", derived=image_coordinates(b2))
 section.definition("1.2/e'3", "image of the third unit point, a general point", printed=image_e3)
 
 # %% [markdown]
@@ -102,7 +101,7 @@ section.identity(
 # %%
 p = Matrix(3, 3, sympy.symbols("p:3:3"))
 elements = dict(zip(p, P_star_of_rays, strict=True))
-section.identity("1.2/j=0", "case of the origin", printed=vector(-mu0, 0, 0), derived=P_star_of_rays * center)
+section.identity("1.2/j=0", "case of the origin", derived=P_star_of_rays * center)
 section.identity(
     "1.2/j=1",
     "case of the first unit point",
@@ -111,11 +110,7 @@ section.identity(
     derived=columns(P_star_of_rays * rays[1], P_star_of_rays * e1),
 )
 section.identity(
-    "1.2/j=2#vector",
-    "case of the second unit point, the vector",
-    printed=vector(p[0, 1] + mu0, p[1, 1], p[2, 1]),
-    where=elements,
-    derived=P_star_of_rays * rays[2],
+    "1.2/j=2#vector", "case of the second unit point, the vector", where=elements, derived=P_star_of_rays * rays[2]
 )
 
 # %% [markdown]
@@ -125,7 +120,6 @@ section.identity(
 section.identity(
     "1.2/j=2",
     "case of the second unit point, the elements",
-    printed=vector(mu2 - mu0, mu2, 0),
     derived=P_star_of_rays * e2,
     expect="misprint",
     corrected=vector(mu2 - mu0, 0, mu2),
@@ -157,38 +151,14 @@ M_star
 
 # %%
 
-section.identity(
-    "1.2.2",
-    "matrix of projection",
-    printed=Matrix([[mu1 - mu0, mu2 - mu0, mu3 - mu0], [mu1, 0, u31 * mu3], [0, mu2, u32 * mu3]]),
-    derived=P_star,
-)
-section.identity(
-    "1.2.2#base",
-    "matrix of projection, from center and base",
-    printed=Matrix([[mu1 - mu0, mu2 - mu0, mu3 - mu0], [mu1, 0, u31 * mu3], [0, mu2, u32 * mu3]]),
-    where=seen,
-    derived=P_star_of_rays,
-)
+section.identity("1.2.2", "matrix of projection", derived=P_star)
+section.identity("1.2.2#base", "matrix of projection, from center and base", where=seen, derived=P_star_of_rays)
 
 # %%
-section.identity(
-    "1.2.3",
-    "singular projective matrix",
-    printed=Matrix(
-        [
-            [mu0, mu1 - mu0, mu2 - mu0, mu3 - mu0],
-            [0, mu1, 0, u31 * mu3],
-            [0, 0, mu2, u32 * mu3],
-            [0, 0, 0, 0],
-        ]
-    ),
-    derived=M_star,
-)
+section.identity("1.2.3", "singular projective matrix", derived=M_star)
 section.identity(
     "1.2.3#base",
     "singular projective matrix, from center and base by (1.1.6)",
-    printed=M_star,
     where=seen,
     derived=columns(-P_star_of_rays * center, P_star_of_rays).col_join(Matrix.zeros(1, 4)),
 )

@@ -44,17 +44,7 @@ u_of_y
 
 # %%
 y0 = sympy.Symbol("y0")
-printed_denominator = y0 * mu0 + y1 * mu1 + y2 * mu2 + y3 * mu3
-section.identity(
-    "1.3.1",
-    "affine image coordinates",
-    printed=vector(
-        (y1 * mu1 + y3 * u31 * mu3) / printed_denominator,
-        (y2 * mu2 + y3 * u32 * mu3) / printed_denominator,
-    ),
-    where={y0: 1 - y1 - y2 - y3},
-    derived=u_of_y,
-)
+section.identity("1.3.1", "affine image coordinates", where={y0: 1 - y1 - y2 - y3}, derived=u_of_y)
 
 # %% [markdown]
 # **Meaning.**  The coordinates are weighted means of the images of the basic points: $\mu_j$ is the weight that
@@ -111,12 +101,7 @@ P_star
 # **Print.**
 
 # %%
-section.identity(
-    "1.3.2",
-    "matrix of projection for mu0 = 1",
-    printed=Matrix([[mu1 - 1, mu2 - 1, mu3 - 1], [mu1, 0, u31 * mu3], [0, mu2, u32 * mu3]]),
-    derived=P_star,
-)
+section.identity("1.3.2", "matrix of projection for mu0 = 1", derived=P_star)
 section.structure(
     "1.3.2#structure",
     "the structure of the matrix",
@@ -129,12 +114,7 @@ section.structure(
 
 # %%
 Delta = determinant(P_star)
-section.identity(
-    "1.3.3",
-    "determinant of the matrix of projection",
-    printed=mu1 * mu2 * (mu3 - 1) - u31 * (mu1 - 1) * mu2 * mu3 - u32 * mu1 * (mu2 - 1) * mu3,
-    derived=Delta,
-)
+section.identity("1.3.3", "determinant of the matrix of projection", derived=Delta)
 Delta
 
 # %% [markdown]
@@ -151,20 +131,7 @@ section.vanishing(
     derived=determinant(linear_system(list(unknown * P_star - E3), list(unknown))[0]),
 )
 P = inverse(P_star)
-section.identity(
-    "1.3/P",
-    "matrix of reconstruction in mu and u3",
-    printed=Matrix(
-        [
-            [-mu2 * mu3 * u31, mu2 * (mu3 - 1) - (mu2 - 1) * mu3 * u32, (mu2 - 1) * mu3 * u31],
-            [-mu1 * mu3 * u32, (mu1 - 1) * mu3 * u32, mu1 * (mu3 - 1) - (mu1 - 1) * mu3 * u31],
-            [mu1 * mu2, -(mu1 - 1) * mu2, -mu1 * (mu2 - 1)],
-        ]
-    )
-    / DELTA,
-    where={DELTA: Delta},
-    derived=P,
-)
+section.identity("1.3/P", "matrix of reconstruction in mu and u3", where={DELTA: Delta}, derived=P)
 
 # %% [markdown]
 # ## Where is the center?
@@ -183,13 +150,10 @@ y0_of_mu
 # means the same after multiplication by $-1$.
 
 # %%
-for row, printed_form in enumerate(
-    (vector(1, mu1 - 1, mu2 - 1, mu3 - 1), vector(0, -mu1, 0, -u31 * mu3), vector(0, 0, -mu2, -u32 * mu3))
-):
+for row in range(3):
     section.up_to_scale(
         f"1.3.4#{row + 1}",
         f"equation {row + 1} for the center of projection",
-        printed=printed_form,
         derived=columns(-right_side, system)[row, :].T,
     )
 
@@ -200,10 +164,7 @@ for row, printed_form in enumerate(
 y01_of_y03 = solve(*linear_system([center_equations[1]], [y01]))[0]
 y02_of_y03 = solve(*linear_system([center_equations[2]], [y02]))[0]
 section.identity(
-    "1.3/y01,y02#y03",
-    "the first two components of the center, from the third",
-    printed=vector(-u31 * mu3 / mu1 * y03, -u32 * mu3 / mu2 * y03),
-    derived=vector(y01_of_y03, y02_of_y03),
+    "1.3/y01,y02#y03", "the first two components of the center, from the third", derived=vector(y01_of_y03, y02_of_y03)
 )
 
 # %% [markdown]
@@ -225,7 +186,6 @@ section.identity(
 section.identity(
     "1.3/insertion#Delta",
     "the first equation after insertion, through the determinant",
-    printed=y03 / (mu1 * mu2) * DELTA,
     where={DELTA: Delta},
     derived=inserted,
 )
@@ -234,18 +194,8 @@ section.identity(
 # The components of the center, as printed:
 
 # %%
-for name, component, printed_component in (
-    ("y03", 2, -mu1 * mu2 / DELTA),
-    ("y02", 1, u32 * mu3 * mu1 / DELTA),
-    ("y01", 0, u31 * mu2 * mu3 / DELTA),
-):
-    section.identity(
-        f"1.3/{name}",
-        f"center of projection, {name}",
-        printed=printed_component,
-        where={DELTA: Delta},
-        derived=y0_of_mu[component],
-    )
+for name, component in (("y03", 2), ("y02", 1), ("y01", 0)):
+    section.identity(f"1.3/{name}", f"center of projection, {name}", where={DELTA: Delta}, derived=y0_of_mu[component])
 
 # %% [markdown]
 # **Meaning.**  The center is the point that has no image: $\mathbf M^*$ takes it to zero.  Its four barycentric
@@ -263,7 +213,6 @@ section.identity(
 section.identity(
     "1.3/y00",
     "fourth barycentric coordinate of the center",
-    printed=vector(1 - y01 - y02 - y03, u30 * mu1 * mu2 * mu3 / DELTA),
     where={DELTA: Delta, u30: BARYCENTRIC[u30], **at_mu},
     derived=vector(BARYCENTRIC[y00].subs(at_mu), 1 - sum(y0_of_mu)),
 )
@@ -312,13 +261,9 @@ section.identity(
 )
 
 # %%
-section.identity("1.3.5#mu3", "third parameter", printed=-y00 / (u30 * y03), where=BARYCENTRIC, derived=mu_of_y0[2])
-section.identity(
-    "1.3.5#mu2", "second parameter", printed=u32 * y00 / (u30 * y02), where=BARYCENTRIC, derived=mu_of_y0[1]
-)
-section.identity(
-    "1.3.5#mu1", "first parameter", printed=u31 * y00 / (u30 * y01), where=BARYCENTRIC, derived=mu_of_y0[0]
-)
+section.identity("1.3.5#mu3", "third parameter", where=BARYCENTRIC, derived=mu_of_y0[2])
+section.identity("1.3.5#mu2", "second parameter", where=BARYCENTRIC, derived=mu_of_y0[1])
+section.identity("1.3.5#mu1", "first parameter", where=BARYCENTRIC, derived=mu_of_y0[0])
 
 # %% [markdown]
 # **Meaning.**  The determinant of this system is $y_{01} y_{02} y_{03} u_{30}$.  The center must not lie in a
@@ -384,31 +329,7 @@ section.count(
 
 # %%
 P_of_y0 = inverse(P_star_of_y0)
-section.identity(
-    "1.3.7",
-    "matrix of reconstruction in y0 and u3",
-    printed=Matrix(
-        [
-            [
-                -y01,
-                y01 / (u31 * y00) * (y00 * (1 - u32) + u30 * (y02 + y03)),
-                y01 / (u32 * y00) * (u32 * y00 - u30 * y02),
-            ],
-            [
-                -y02,
-                y02 / (u31 * y00) * (u31 * y00 - u30 * y01),
-                y02 / (u32 * y00) * (y00 * (1 - u31) + u30 * (y01 + y03)),
-            ],
-            [
-                -y03,
-                y03 / (u31 * y00) * (u31 * y00 - u30 * y01),
-                y03 / (u32 * y00) * (u32 * y00 - u30 * y02),
-            ],
-        ]
-    ),
-    where=BARYCENTRIC,
-    derived=P_of_y0,
-)
+section.identity("1.3.7", "matrix of reconstruction in y0 and u3", where=BARYCENTRIC, derived=P_of_y0)
 
 # %% [markdown]
 # The base follows, but for a common factor: with $\mu_0$ left free, $\mathbf P^*$ and $\mathbf B^*$ carry it.
@@ -445,19 +366,9 @@ Delta_of_y0
 # y_{03}$ are poles, about which the restrictions a) and b) say nothing.
 
 # %%
-section.identity(
-    "1.3.8",
-    "determinant in y0 and u3",
-    printed=-u31 * u32 * y00**2 / (u30**2 * y01 * y02 * y03),
-    where=BARYCENTRIC,
-    derived=Delta_of_y0,
-)
+section.identity("1.3.8", "determinant in y0 and u3", where=BARYCENTRIC, derived=Delta_of_y0)
 section.vanishing(
-    "1.3/a,b",
-    "restrictions a) and b), for y0 and u3 as independent variables",
-    printed=(u31, u32, y00),
-    where=BARYCENTRIC,
-    derived=Delta_of_y0,
+    "1.3/a,b", "restrictions a) and b), for y0 and u3 as independent variables", where=BARYCENTRIC, derived=Delta_of_y0
 )
 
 # %% [markdown]

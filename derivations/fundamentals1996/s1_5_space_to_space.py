@@ -87,12 +87,7 @@ M_general = Matrix(4, 4, m)
 point = vector(y1, y2, y3)
 y = homogeneous(point)
 
-section.identity(
-    "1.5.1",
-    "regular projective transformation, row by row",
-    printed=vector(*(m[4 * i] + m[4 * i + 1] * y1 + m[4 * i + 2] * y2 + m[4 * i + 3] * y3 for i in range(4))),
-    derived=M_general * y,
-)
+section.identity("1.5.1", "regular projective transformation, row by row", derived=M_general * y)
 
 # %% [markdown]
 # ## The core
@@ -120,12 +115,7 @@ section.identity(
     printed=columns(vector(mu0, 0, 0, 0), vector(mu1, mu1, 0, 0), vector(mu2, 0, mu2, 0), vector(mu3, 0, 0, mu3)),
     derived=M_star * units,
 )
-section.identity(
-    "1.5.2",
-    "matrix of the regular projective transformation",
-    printed=Matrix([[mu0, mu1 - mu0, mu2 - mu0, mu3 - mu0], [0, mu1, 0, 0], [0, 0, mu2, 0], [0, 0, 0, mu3]]),
-    derived=M_star,
-)
+section.identity("1.5.2", "matrix of the regular projective transformation", derived=M_star)
 
 # %% [markdown]
 # **Meaning.**  It is the *core*.  Any regular matrix $\mathbf S$ takes this form as soon as both systems are referred
@@ -205,7 +195,6 @@ fitted = dict(zip(factors, mu_of_fifth, strict=True))
 section.identity(
     "1.5.3",
     "the solution maps the fifth point to its image",
-    printed=mu4 * homogeneous(fifth_image),
     derived=M_star.xreplace(fitted) * homogeneous(fifth_point),
 )
 
@@ -217,17 +206,13 @@ section.identity(
 y0, u0 = sympy.symbols("y0 u0")
 of_fifth = {y0: y40, y1: y41, y2: y42, y3: y43, u0: u40, u1: u41, u2: u42, u3: u43}
 section.identity(
-    "1.5.4#mu0",
-    "the first factor, in both forms",
-    printed=vector(mu4 * (1 - u1 - u2 - u3) / (1 - y1 - y2 - y3), mu4 * u0 / y0),
-    where=of_fifth,
-    derived=vector(mu_of_fifth[0], mu_of_fifth[0]),
+    "1.5.4#mu0", "the first factor, in both forms", where=of_fifth, derived=vector(mu_of_fifth[0], mu_of_fifth[0])
 )
 
 # %%
-section.identity("1.5.4#mu1", "the second factor", printed=mu4 * u1 / y1, where=of_fifth, derived=mu_of_fifth[1])
-section.identity("1.5.4#mu2", "the third factor", printed=mu4 * u2 / y2, where=of_fifth, derived=mu_of_fifth[2])
-section.identity("1.5.4#mu3", "the fourth factor", printed=mu4 * u3 / y3, where=of_fifth, derived=mu_of_fifth[3])
+section.identity("1.5.4#mu1", "the second factor", where=of_fifth, derived=mu_of_fifth[1])
+section.identity("1.5.4#mu2", "the third factor", where=of_fifth, derived=mu_of_fifth[2])
+section.identity("1.5.4#mu3", "the fourth factor", where=of_fifth, derived=mu_of_fifth[3])
 
 # %% [markdown]
 # The fifth point must not lie in a plane through three basic points: there the system is singular.
@@ -260,14 +245,8 @@ section.identity(
     where={row_times_y[i]: dot(M_general.row(i), y) for i in range(4)},
     derived=inhomogeneous(M_general * y),
 )
-divisor = mu0 + (mu1 - mu0) * y1 + (mu2 - mu0) * y2 + (mu3 - mu0) * y3
 image = inhomogeneous(M_star * y)
-section.identity(
-    "1.5.5",
-    "image coordinates",
-    printed=vector(mu1 * y1 / divisor, mu2 * y2 / divisor, mu3 * y3 / divisor),
-    derived=image,
-)
+section.identity("1.5.5", "image coordinates", derived=image)
 section.identity(
     "1.5/mu4",
     "the image coordinates do not depend on the fourth factor",
@@ -338,14 +317,12 @@ def coefficients(form: sympy.Expr, unknowns: tuple[sympy.Symbol, ...]) -> Matrix
 section.identity(
     "1.5/plane",
     "equation of a plane of the image space, in coordinates of the object space",
-    printed=dot(a_image, M_general * y),
     derived=mapped[0] * dot(a_image, homogeneous(inhomogeneous(mapped))),
 )
 Y = sympy.symbols("Y:4")
 section.identity(
     "1.5.6#column",
     "coefficients of a plane in object space from those in image space",
-    printed=M_general.T * a_image,
     derived=coefficients(dot(a_image, M_general * vector(*Y)), Y),
 )
 
@@ -376,7 +353,6 @@ M_inverse = Matrix(4, 4, sympy.symbols("n:4:4"))
 section.identity(
     "1.5.7",
     "coefficients of a plane in image space, by the inverse",
-    printed=M_inverse.T * a,
     derived=coefficients(dot(a, M_inverse * vector(*Y)), Y),
 )
 
@@ -394,6 +370,5 @@ quadratic_form = dot(substituted, A * substituted)
 section.identity(
     "1.5/conics",
     "symmetric matrix of the image of a quadric",
-    printed=M_inverse.T * A * M_inverse,
     derived=Matrix(4, 4, lambda i, j: diff(quadratic_form, Y[i], Y[j]) / 2),
 )

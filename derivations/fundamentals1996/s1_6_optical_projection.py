@@ -82,13 +82,11 @@ M_f
 
 # %%
 M_f_printed = f * Matrix([[1, 0, 0, 1 / f], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-M_f_inverse_printed = Matrix([[1, 0, 0, -1 / f], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) / f
 section.identity("1.6/M_f", "projective matrix of the lens", printed=M_f_printed, derived=M_f)
-section.identity("1.6/M_f#inverse", "its inverse", printed=M_f_inverse_printed, derived=inverse(M_f))
+section.identity("1.6/M_f#inverse", "its inverse", derived=inverse(M_f))
 section.up_to_scale(
     "1.6/M_f#backward",
     "the inverse maps backwards",
-    printed=M_f_inverse_printed,
     derived=rows(*(coefficients(component, xi_prime) for component in object_vector)),
 )
 
@@ -100,48 +98,17 @@ section.up_to_scale(
 
 # %%
 tau = sympy.Symbol("tau")
-section.identity(
-    "1.6.1",
-    "from object to image",
-    printed=M_f_printed * homogeneous(xi),
-    derived=tau_of_xi * homogeneous(image),
-)
-section.identity(
-    "1.6.1#scalar",
-    "image coordinates",
-    printed=vector(*(f * component / (f + xi3) for component in xi)),
-    derived=image,
-)
-section.identity(
-    "1.6.1#gauss",
-    "Gauss' law",
-    printed=1 / f,
-    derived=over(1, image[2]) - over(1, xi3),
-)
+section.identity("1.6.1", "from object to image", derived=tau_of_xi * homogeneous(image))
+section.identity("1.6.1#scalar", "image coordinates", derived=image)
+section.identity("1.6.1#gauss", "Gauss' law", derived=over(1, image[2]) - over(1, xi3))
 
 # %% [markdown]
 # From image to object.  $\tau$ is the same number, $f + \xi_3$.
 
 # %%
-section.identity(
-    "1.6.2",
-    "from image to object",
-    printed=tau * M_f_inverse_printed * homogeneous(xi_prime),
-    where={tau: f + object_point[2]},
-    derived=homogeneous(object_point),
-)
-section.identity(
-    "1.6.2#scalar",
-    "object coordinates",
-    printed=vector(*(f * component / (f - xip3) for component in xi_prime)),
-    derived=object_point,
-)
-section.identity(
-    "1.6.2#gauss",
-    "Gauss' law, backwards",
-    printed=-1 / f,
-    derived=over(1, object_point[2]) - over(1, xip3),
-)
+section.identity("1.6.2", "from image to object", where={tau: f + object_point[2]}, derived=homogeneous(object_point))
+section.identity("1.6.2#scalar", "object coordinates", derived=object_point)
+section.identity("1.6.2#gauss", "Gauss' law, backwards", derived=over(1, object_point[2]) - over(1, xip3))
 
 # %% [markdown]
 # **How large is the image?**  Its scale is the same for all three coordinates.  The paper has it by the distance of the
@@ -151,20 +118,17 @@ section.identity(
 section.identity(
     "1.6/scale",
     "image scale, from the distance of the object",
-    printed=vector(*(f / (f + xi3) for _ in xi)),
     derived=vector(*(over(image[i], xi[i]) for i in range(3))),
 )
 section.identity(
     "1.6/scale#image",
     "image scale, from the distance of the image",
-    printed=vector(*((f - xip3) / f for _ in xi)),
     where={xip3: image[2]},
     derived=vector(*(over(image[i], xi[i]) for i in range(3))),
 )
 section.identity(
     "1.6/scale#gauss",
     "that the two forms of the scale are equal is Gauss' law",
-    printed=1 / f,
     derived=over(1, xip3) - over(1, xi3),
     constraints=[f**2 - (f + xi3) * (f - xip3)],
 )
@@ -181,19 +145,9 @@ a_image = inverse(M_f).T * a
 E_form = dot(a, homogeneous(xi))
 E_image_form = dot(a, object_vector)
 
-section.identity(
-    "1.6/a'",
-    "coefficients of the image plane, by (1.5.7)",
-    printed=vector(a[0] / f, a[1] / f, a[2] / f, (-a[0] / f + a[3]) / f),
-    derived=a_image,
-)
+section.identity("1.6/a'", "coefficients of the image plane, by (1.5.7)", derived=a_image)
 E_image_printed = f * a[0] + f * a[1] * xip1 + f * a[2] * xip2 + (f * a[3] - a[0]) * xip3
-section.up_to_scale(
-    "1.6/E'",
-    "equation of the image plane",
-    printed=coefficients(E_image_printed, xi_prime),
-    derived=coefficients(E_image_form, xi_prime),
-)
+section.up_to_scale("1.6/E'", "equation of the image plane", derived=coefficients(E_image_form, xi_prime))
 
 # %% [markdown]
 # **Print.**  The equation of $E$ itself and the sentence around it are lost in the scan.  What survives fixes it: $E$
@@ -222,13 +176,8 @@ in_plane, in_image_plane = vector(xi1, xi2), vector(xip1, xip2)
 S_line = coefficients(E_form.subs(xi3, 0), in_plane)
 S_image_line = coefficients(E_image_form.subs(xip3, 0), in_image_plane)
 
-section.up_to_scale("1.6/S", "line of E in the principal plane", printed=vector(*a[:3, 0]), derived=S_line)
-section.up_to_scale(
-    "1.6/S'",
-    "line of E' in the principal plane",
-    printed=vector(f * a[0], f * a[1], f * a[2]),
-    derived=S_image_line,
-)
+section.up_to_scale("1.6/S", "line of E in the principal plane", derived=S_line)
+section.up_to_scale("1.6/S'", "line of E' in the principal plane", derived=S_image_line)
 
 # %%
 section.up_to_scale("1.6/S#identical", "the two lines are identical", printed=S_line, derived=S_image_line)
@@ -280,10 +229,8 @@ SpaceDrawing(
 # %%
 V_line = coefficients(E_form.subs(xi3, -f), in_plane)
 V_image_line = coefficients(E_image_form.subs(xip3, f), in_image_plane)
-section.up_to_scale("1.6.3", "vanishing line in E", printed=vector(a[0] - f * a[3], a[1], a[2]), derived=V_line)
-section.up_to_scale(
-    "1.6.4", "vanishing line in E', the horizon", printed=vector(f * a[3], a[1], a[2]), derived=V_image_line
-)
+section.up_to_scale("1.6.3", "vanishing line in E", derived=V_line)
+section.up_to_scale("1.6.4", "vanishing line in E', the horizon", derived=V_image_line)
 
 # %% [markdown]
 # **Are these the images of the lines at infinity?**  The points at infinity of a plane are its directions.  One is
@@ -347,10 +294,9 @@ units = columns(image_e0, image_e1, image_e2)
 M_star = columns(*(factor * units.col(j) for j, factor in enumerate(factors))) * inverse(units)
 M = inverse(M_star)
 
-M_star_printed = Matrix([[mu0, mu1 - mu0, mu2 - mu0], [0, mu1, 0], [0, 0, mu2]])
 M_printed = Matrix([[1 / mu0, 1 / mu1 - 1 / mu0, 1 / mu2 - 1 / mu0], [0, 1 / mu1, 0], [0, 0, 1 / mu2]])
-section.identity("1.6/M*", "matrix from E to E'", printed=M_star_printed, derived=M_star)
-section.identity("1.6/M", "matrix from E' to E", printed=M_printed, derived=M)
+section.identity("1.6/M*", "matrix from E to E'", derived=M_star)
+section.identity("1.6/M", "matrix from E' to E", derived=M)
 
 # %% [markdown]
 # **What are the factors of a lens?**  A point of $E$ with the affine coordinates $u_1, u_2$ is
@@ -392,16 +338,11 @@ section.identity(
 up1, up2, mu_symbol = sympy.symbols("up1 up2 mu")
 weights = solve(columns(*image_basic_points), imaged(E_point))
 section.up_to_scale(
-    "1.6.5",
-    "affine coordinates from E to E'",
-    printed=M_star_printed * homogeneous(u),
-    where=mu_of_lens,
-    derived=vector(sum(weights), weights[1], weights[2]),
+    "1.6.5", "affine coordinates from E to E'", where=mu_of_lens, derived=vector(sum(weights), weights[1], weights[2])
 )
 section.identity(
     "1.6.5#backward",
     "affine coordinates from E' to E",
-    printed=mu_symbol * M_printed * homogeneous(vector(up1, up2)),
     where={mu_symbol: mapped[0], up1: mapped_u[0], up2: mapped_u[1]},
     derived=homogeneous(u),
 )
@@ -417,13 +358,8 @@ at_infinity = vector(1, 0, 0)
 g = M_star.T * at_infinity
 g_image = M.T * at_infinity
 
-section.identity("1.6/g", "line of E with its image at infinity", printed=vector(mu0, mu1 - mu0, mu2 - mu0), derived=g)
-section.identity(
-    "1.6/g'",
-    "image of the line at infinity of E",
-    printed=vector(1 / mu0, 1 / mu1 - 1 / mu0, 1 / mu2 - 1 / mu0),
-    derived=g_image,
-)
+section.identity("1.6/g", "line of E with its image at infinity", derived=g)
+section.identity("1.6/g'", "image of the line at infinity of E", derived=g_image)
 
 # %% [markdown]
 # **Do they coincide with $V$ and $V'$?**  The plane $E$ passes through the basic points.  (1.6.3), taken at a point
@@ -560,25 +496,15 @@ g_origin_printed, g_image_origin_printed = (
     vector(0, 1 / mu1 - 1 / mu0, 1 / mu2 - 1 / mu0),
 )
 g_origin, g_image_origin = parallel_through_origin(g), parallel_through_origin(g_image)
-section.up_to_scale("1.6.6", "parallel to g through the origin", printed=g_origin_printed, derived=g_origin)
-section.up_to_scale(
-    "1.6.6#image",
-    "parallel to g' through the origin of the image",
-    printed=g_image_origin_printed,
-    derived=g_image_origin,
-)
+section.up_to_scale("1.6.6", "parallel to g through the origin", derived=g_origin)
+section.up_to_scale("1.6.6#image", "parallel to g' through the origin of the image", derived=g_image_origin)
 
 # %% [markdown]
 # **Do the two parallels correspond?**  Yes.  With the coefficients as printed, $\mathbf M^T \mathbf g_0 = -\mu_0
 # \mathbf g'_0$.
 
 # %%
-section.up_to_scale(
-    "1.6/g0'",
-    "the two parallels correspond",
-    printed=M_printed.T * g_origin_printed,
-    derived=g_image_origin,
-)
+section.up_to_scale("1.6/g0'", "the two parallels correspond", derived=g_image_origin)
 section.identity(
     "1.6/beyond/g0'",
     "the factor between the two sides",

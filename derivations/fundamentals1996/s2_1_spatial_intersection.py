@@ -24,7 +24,6 @@ from algebroproj_sym.expressions import (
     homogeneous,
     inverse,
     over,
-    rows,
     solve,
     vector,
 )
@@ -64,7 +63,6 @@ seen_from_centers = {
 section.identity(
     "2.1/d",
     "base of the two centers",
-    printed=center_left - center_right,
     derived=base,
     expect="misprint",
     corrected=center_right - center_left,
@@ -92,17 +90,9 @@ section.identity(
 # right side.
 
 # %%
+section.identity("2.1/p''", "triple product with a repeated vector", derived=dot(cross(p_right, d), p_right))
 section.identity(
-    "2.1/p''",
-    "triple product with a repeated vector",
-    printed=0,
-    derived=dot(cross(p_right, d), p_right),
-)
-section.identity(
-    "2.1.2",
-    "condition of coplanarity",
-    printed=0,
-    derived=dot(cross(p_left, d), p_right).xreplace(seen_from_centers),
+    "2.1.2", "condition of coplanarity", derived=dot(cross(p_left, d), p_right).xreplace(seen_from_centers)
 )
 
 # %% [markdown]
@@ -133,7 +123,6 @@ section.identity(
 
 # %%
 P_left, P_right = (Matrix(3, 3, sympy.symbols(f"{name}:3:3")) for name in ("p", "q"))
-columns_left, columns_right = ([P.col(j) for j in range(3)] for P in (P_left, P_right))
 u_left, u_right = (homogeneous(vector(*sympy.symbols(f"{name}1 {name}2"))) for name in ("up", "upp"))
 
 
@@ -155,11 +144,6 @@ triple = dot(cross(P_left * u_left, d), P_right * u_right)
 section.identity(
     "2.1.3",
     "condition of coplanarity in image coordinates",
-    printed=vector(
-        (p_left.T * D_printed * p_right)[0],
-        (u_left.T * P_left.T * D_printed * P_right * u_right)[0],
-        (u_left.T * C_elements * u_right)[0],
-    ),
     where=correlation
     | dict(zip(p_left, P_left * u_left, strict=True))
     | dict(zip(p_right, P_right * u_right, strict=True)),
@@ -176,20 +160,7 @@ section.identity(
     printed=P_left.T * D_printed * P_right,
     derived=C,
 )
-p0_left, p1_left, p2_left = columns_left
-p0_right, p1_right, p2_right = columns_right
-section.identity(
-    "2.1.4#components",
-    "matrix of correlation, by components",
-    printed=Matrix(
-        [
-            [dot(cross(p0_left, d), p0_right), dot(cross(p0_left, d), p1_right), dot(cross(p0_left, d), p2_right)],
-            [dot(cross(p1_left, d), p0_right), dot(cross(p1_left, d), p1_right), dot(cross(p1_left, d), p2_right)],
-            [dot(cross(p2_left, d), p0_right), dot(cross(p2_left, d), p1_right), dot(cross(p2_left, d), p2_right)],
-        ]
-    ),
-    derived=P_left.T * D * P_right,
-)
+section.identity("2.1.4#components", "matrix of correlation, by components", derived=P_left.T * D * P_right)
 
 # %% [markdown]
 # **Do homologous points satisfy it?**  They are images of one object point.  With $\mathbf u'$ and $\mu'$ given, the
@@ -207,12 +178,7 @@ homologous = {
 }
 seen_right = u_right.xreplace(homologous)
 
-section.identity(
-    "2.1.3#homologous",
-    "homologous points satisfy the equation",
-    printed=0,
-    derived=dot(u_left, C * seen_right),
-)
+section.identity("2.1.3#homologous", "homologous points satisfy the equation", derived=dot(u_left, C * seen_right))
 
 # %% [markdown]
 # **An example.**  Two cameras in $(0, 0, 0)$ and $(4, 0, 0)$ look at the point $P = (2, 1, 4)$.  Their matrix of
@@ -260,8 +226,8 @@ SpaceDrawing(
 # $\mathbf D$ takes the base to zero.  So $\mathbf D$ is singular, and with it $\mathbf C$.
 
 # %%
-section.identity("2.1/det-D", "the matrix of the base is singular", printed=0, derived=determinant(D))
-section.identity("2.1/det-C", "the matrix of correlation is singular", printed=0, derived=determinant(C))
+section.identity("2.1/det-D", "the matrix of the base is singular", derived=determinant(D))
+section.identity("2.1/det-C", "the matrix of correlation is singular", derived=determinant(C))
 
 # %% [markdown]
 # ## 2. Where is the partner of a point?
@@ -281,7 +247,6 @@ section.definition("2.1.5", "dual transformations", printed=columns((u_left.T * 
 section.identity(
     "2.1/lines",
     "homologous points lie on the lines",
-    printed=vector(0, 0),
     derived=vector(dot(C * seen_right, u_left), dot(C.T * u_left, seen_right)),
 )
 
@@ -315,16 +280,11 @@ at_centers = dict(zip(d, center_right - center_left, strict=True))
 
 # %%
 section.up_to_scale(
-    "2.1/epipoles#left",
-    "epipole in P'",
-    printed=inverse_left * d,
-    where=inverses | at_centers,
-    derived=solve(P_left, center_right - center_left),
+    "2.1/epipoles#left", "epipole in P'", where=inverses | at_centers, derived=solve(P_left, center_right - center_left)
 )
 section.up_to_scale(
     "2.1/epipoles#right",
     "epipole in P''",
-    printed=inverse_right * d,
     where=inverses | at_centers,
     derived=solve(P_right, center_left - center_right),
 )
@@ -341,7 +301,7 @@ section.definition(
     "matrices of projection and reconstruction",
     printed=inverse(P_left) * P_left,
 )
-section.identity("2.1/Dd", "the base annihilates itself", printed=vector(0, 0, 0), derived=D * d)
+section.identity("2.1/Dd", "the base annihilates itself", derived=D * d)
 
 # %% [markdown]
 # So the epipole of $P''$ is annihilated.  Both sides of the chain, the product and zero, are held against $\mathbf C
@@ -367,12 +327,7 @@ section.identity(
     where=inverses,
     derived=C.T * epipole_left,
 )
-section.identity(
-    "2.1/u0'C#zero",
-    "the left epipole is annihilated",
-    printed=vector(0, 0, 0),
-    derived=C.T * epipole_left,
-)
+section.identity("2.1/u0'C#zero", "the left epipole is annihilated", derived=C.T * epipole_left)
 
 # %% [markdown]
 # **Meaning.**  The epipoles are the solutions of $\mathbf C^T \mathbf u'_0 = \mathbf 0$ and $\mathbf C
@@ -382,7 +337,6 @@ section.identity(
 section.identity(
     "2.1.6",
     "equations for the epipoles",
-    printed=columns(vector(0, 0, 0), vector(0, 0, 0)),
     derived=columns(
         C.T.xreplace(at_centers) * solve(P_left, center_right - center_left),
         C.xreplace(at_centers) * solve(P_right, center_left - center_right),
@@ -424,7 +378,6 @@ section.up_to_scale(
 section.identity(
     "2.1/epipolar-line",
     "every line h'' contains the epipole of P''",
-    printed=vector(0, 0),
     derived=vector(dot(C.T * u_left, epipole_right), dot(u_left, C * epipole_right)),
 )
 section.identity(
@@ -520,12 +473,7 @@ section.identity(
     note="The first factor must be P''^T, as in the first equation it must be P'^T.",
     same_as="2.1.8#left-second",
 )
-section.identity(
-    "2.1/D-skew",
-    "the matrix of the base is skew-symmetric",
-    printed=-D_printed,
-    derived=D.T,
-)
+section.identity("2.1/D-skew", "the matrix of the base is skew-symmetric", derived=D.T)
 
 # %% [markdown]
 # **What do the equations contain?**  All elements of both transformations, says the paper, and they are very
@@ -560,10 +508,8 @@ section.identity(
 
 # %%
 P, P_inverse = P_left, inverse_left
-p0, p1, p2 = columns_left
 K = Matrix(3, 3, lambda i, j: dot(P.col(i), cross(d, P.col(j))))
-kappa0, kappa1, kappa2 = sympy.symbols("kappa0 kappa1 kappa2")
-kappa = vector(kappa0, kappa1, kappa2)
+kappa = vector(*sympy.symbols("kappa0 kappa1 kappa2"))
 kappa_elements = vector(K[2, 1], K[0, 2], K[1, 0])
 DET = sympy.Symbol("D")
 
@@ -585,30 +531,9 @@ section.rank(
 # **Print.**  (2.1.9) has $\mathbf K$ in five forms.
 
 # %%
-section.identity(
-    "2.1.9#product",
-    "K as a product",
-    printed=rows(p0, p1, p2) * D_printed * columns(p0, p1, p2),
-    derived=K,
-)
-section.identity(
-    "2.1.9#triple",
-    "K by triple products with the base in the middle",
-    printed=Matrix(
-        [
-            [0, dot(cross(p0, d), p1), dot(cross(p0, d), p2)],
-            [dot(cross(p1, d), p0), 0, dot(cross(p1, d), p2)],
-            [dot(cross(p2, d), p0), dot(cross(p2, d), p1), 0],
-        ]
-    ),
-    derived=P.T * D * P,
-)
-section.identity(
-    "2.1.9#volume",
-    "K by triple products with the base at the end",
-    printed=skew(dot(cross(p1, p2), d), dot(cross(p2, p0), d), dot(cross(p0, p1), d)),
-    derived=P.T * D * P,
-)
+section.identity("2.1.9#product", "K as a product", derived=K)
+section.identity("2.1.9#triple", "K by triple products with the base in the middle", derived=P.T * D * P)
+section.identity("2.1.9#volume", "K by triple products with the base at the end", derived=P.T * D * P)
 
 # %% [markdown]
 # For the fourth form the vector products are expressed by the rows $\mathbf p^j$ of $\mathbf P^*$, the reciprocal
@@ -620,7 +545,6 @@ reciprocal_products = [dot(P_inverse.row(j), d) for j in range(3)]
 section.identity(
     "2.1.9#reciprocal",
     "K by the rows of the matrix of projection",
-    printed=skew(*reciprocal_products) / DET,
     where={DET: determinant(P)} | inverses,
     derived=P.T * D * P,
     expect="error",
@@ -636,7 +560,7 @@ section.identity(
 # $\boldsymbol\kappa = \det(\mathbf P)\, \mathbf P^* \mathbf d$.
 
 # %%
-section.structure("2.1.9#kappa", "K is skew-symmetric", printed=skew(*kappa), derived=P.T * D * P)
+section.structure("2.1.9#kappa", "K is skew-symmetric", derived=P.T * D * P)
 section.identity(
     "2.1/beyond/kappa",
     "the three elements of K are the projection of the base",
@@ -654,37 +578,19 @@ section.identity(
 # %%
 K_left = K
 K_right = P_right.T * D * P_right
-section.identity(
-    "2.1.10#left",
-    "dual relation in P'",
-    printed=over(factor_right, factor_left) * h_left,
-    where=homologous | lines,
-    derived=K_left * u_left,
-)
-section.identity(
-    "2.1.10#right",
-    "dual relation in P''",
-    printed=-over(factor_left, factor_right) * h_right,
-    where=homologous | lines,
-    derived=K_right * seen_right,
-)
+section.identity("2.1.10#left", "dual relation in P'", where=homologous | lines, derived=K_left * u_left)
+section.identity("2.1.10#right", "dual relation in P''", where=homologous | lines, derived=K_right * seen_right)
 
 # %% [markdown]
 # $\mathbf K$ annihilates the epipole, and its elements are the epipole: that of either image, for $\mathbf d$ and
 # $-\mathbf d$ have the same quotients.
 
 # %%
-section.identity(
-    "2.1.11",
-    "K annihilates the epipole",
-    printed=vector(0, 0, 0),
-    derived=K * solve(P, d),
-)
+section.identity("2.1.11", "K annihilates the epipole", derived=K * solve(P, d))
 projected_base = solve(P, d)
 section.identity(
     "2.1.12",
     "epipole from the elements of K",
-    printed=kappa / kappa0,
     where=dict(zip(kappa, kappa_elements, strict=True)),
     derived=homogeneous(vector(over(projected_base[1], projected_base[0]), over(projected_base[2], projected_base[0]))),
 )

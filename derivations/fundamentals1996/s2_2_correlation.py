@@ -53,7 +53,6 @@ Z_general = Matrix([[z00, z01, z02], [1, z11, z12], [z20, z21, z22]])
 section.identity(
     "2.2.1",
     "division by one element",
-    printed=c[1, 0] * Z_general,
     where={z[j, k]: over(c[j, k], c[1, 0]) for j, k in product(range(3), repeat=2)},
     derived=c,
 )
@@ -173,12 +172,7 @@ design
 # **Print.**
 
 # %%
-section.identity(
-    "2.2/row",
-    "one row of the system of eight unknowns",
-    printed=Matrix([[1, upp1, upp2, up1 * upp1, up1 * upp2, up2, up2 * upp1, up2 * upp2, -up1]]),
-    derived=design,
-)
+section.identity("2.2/row", "one row of the system of eight unknowns", derived=design)
 
 # %% [markdown]
 # **How many points?**  Conventional photogrammetry knows the interior orientation: $\mathbf C$ is made of a rotation
@@ -219,19 +213,7 @@ def at(row: Matrix, left: tuple[int, int], right: tuple[int, int]) -> Matrix:
 
 
 basic_rows = Matrix.vstack(*(at(design, unit, unit) for unit in ((0, 0), (1, 0), (0, 1))))
-section.identity(
-    "table:2.2",
-    "coefficients of the system",
-    printed=Matrix(
-        [
-            [1, 0, 0, 0, 0, 0, 0, 0, 0],
-            [1, 1, 0, 1, 0, 0, 0, 0, -1],
-            [1, 0, 1, 0, 0, 1, 0, 1, 0],
-            [1, upp1, upp2, up1 * upp1, up1 * upp2, up2, up2 * upp1, up2 * upp2, -up1],
-        ]
-    ),
-    derived=basic_rows.col_join(design),
-)
+section.identity("table:2.2", "coefficients of the system", derived=basic_rows.col_join(design))
 
 # %% [markdown]
 # The three numerical rows are solved for three of the unknowns.  What remains is the matrix of five elements:
@@ -244,12 +226,7 @@ Z = divided(Z_general.xreplace(eliminated))
 Z
 
 # %%
-section.identity(
-    "2.2.2",
-    "three unknowns from the basic points",
-    printed=vector(0, -1 - z11, -z20 - z22),
-    derived=basic_solution,
-)
+section.identity("2.2.2", "three unknowns from the basic points", derived=basic_solution)
 
 # %% [markdown]
 # Do eight points fix the eight unknowns?  Take five pairs beside the basic points, with $u''_2$ as the equation has it,
@@ -312,7 +289,6 @@ transformed = dot(A_left * v_left, c * (A_right * v_right))
 section.identity(
     "2.2/C-bar",
     "correlation in other coordinates",
-    printed=A_left.T * c * A_right,
     derived=Matrix(3, 3, lambda i, j: diff(transformed, v_left[i], v_right[j])),
 )
 AFFINE_REFERENCE = (
@@ -373,13 +349,8 @@ reduced
 # %%
 Z_printed = Matrix([[0, -1 - z11, -z20 - z22], [1, z11, z12], [z20, z21, z22]])
 
-section.identity("2.2.3", "matrix of correlation referred to the basic points", printed=Z_printed, derived=Z)
-section.identity(
-    "2.2.4",
-    "one equation of the reduced system",
-    printed=Matrix([[upp1 * (up1 - 1), up1 * upp2, up2 - upp2, up2 * upp1, upp2 * (up2 - 1), upp1 - up1]]),
-    derived=reduced,
-)
+section.identity("2.2.3", "matrix of correlation referred to the basic points", derived=Z)
+section.identity("2.2.4", "one equation of the reduced system", derived=reduced)
 
 # %% [markdown]
 # **Meaning.**  Five further points determine the five unknowns.  That is not the five of conventional
@@ -438,7 +409,6 @@ elements_of_basic_points = {
 section.identity(
     "2.2.3#cameras",
     "matrix of correlation of two images",
-    printed=c[1, 0] * Z_printed,
     where={c[1, 0]: C_of_basic_points[1, 0], **elements_of_basic_points},
     derived=C_of_basic_points,
 )
@@ -457,40 +427,12 @@ h_left
 # **Print.**
 
 # %%
-section.identity(
-    "2.2.5#left",
-    "epipolar line in P', as a product",
-    printed=Z_printed * vector(1, upp1, upp2),
-    derived=h_left,
-)
-section.identity(
-    "2.2.5#left-components",
-    "epipolar line in P', by components",
-    printed=vector(
-        -(1 + z11) * upp1 - (z20 + z22) * upp2,
-        1 + z11 * upp1 + z12 * upp2,
-        z20 + z21 * upp1 + z22 * upp2,
-    ),
-    derived=h_left,
-)
+section.identity("2.2.5#left", "epipolar line in P', as a product", derived=h_left)
+section.identity("2.2.5#left-components", "epipolar line in P', by components", derived=h_left)
 
 # %%
-section.identity(
-    "2.2.5#right",
-    "epipolar line in P'', as a product",
-    printed=Matrix([[0, 1, z20], [-1 - z11, z11, z21], [-z20 - z22, z12, z22]]) * vector(1, up1, up2),
-    derived=h_right,
-)
-section.identity(
-    "2.2.5#right-components",
-    "epipolar line in P'', by components",
-    printed=vector(
-        up1 + z20 * up2,
-        -1 - z11 + z11 * up1 + z21 * up2,
-        -z20 - z22 + z12 * up1 + z22 * up2,
-    ),
-    derived=h_right,
-)
+section.identity("2.2.5#right", "epipolar line in P'', as a product", derived=h_right)
+section.identity("2.2.5#right-components", "epipolar line in P'', by components", derived=h_right)
 
 # %% [markdown]
 # ## Where do the lines meet?
@@ -515,10 +457,7 @@ epipole_right
 D = sympy.Symbol("D")
 D_printed = z11 * z22 - z12 * z21
 section.identity(
-    "2.2/D",
-    "identical determinants",
-    printed=vector(D_printed, D_printed),
-    derived=vector(determinant(system_left[0]), determinant(system_right[0])),
+    "2.2/D", "identical determinants", derived=vector(determinant(system_left[0]), determinant(system_right[0]))
 )
 
 # %% [markdown]
@@ -636,29 +575,13 @@ u = homogeneous(vector(u1, u2))
 u01, u02 = sympy.symbols("u01 u02")
 epipole = homogeneous(vector(u01, u02))
 kappa = vector(*sympy.symbols("kappa:3"))
-kappa0, kappa1, kappa2 = kappa
 line = cross(kappa, u)
 
-section.identity(
-    "2.2.8#K",
-    "epipolar line as a product with K",
-    printed=Matrix([[0, -kappa2, kappa1], [kappa2, 0, -kappa0], [-kappa1, kappa0, 0]]) * u,
-    derived=line,
-)
-section.identity(
-    "2.2.8",
-    "epipolar line as a product with a matrix of the point",
-    printed=Matrix([[0, u2, -u1], [-u2, 0, 1], [u1, -1, 0]]) * kappa,
-    derived=line,
-)
+section.identity("2.2.8#K", "epipolar line as a product with K", derived=line)
+section.identity("2.2.8", "epipolar line as a product with a matrix of the point", derived=line)
 
 # %%
-section.identity(
-    "2.2/kappa",
-    "the matrix of the epipole, applied to kappa",
-    printed=Matrix([[0, u02, -u01], [-u02, 0, 1], [u01, -1, 0]]) * kappa,
-    derived=cross(kappa, epipole),
-)
+section.identity("2.2/kappa", "the matrix of the epipole, applied to kappa", derived=cross(kappa, epipole))
 section.rank(
     "2.2/kappa#epipole",
     "the epipole gives kappa but for a factor",
@@ -682,7 +605,6 @@ joining
 section.identity(
     "2.2.9#u",
     "epipolar line from the epipole and the point, with the matrix of the point",
-    printed=Matrix([[0, u2, -u1], [-u2, 0, 1], [u1, 1, 0]]) * epipole,
     derived=joining,
     expect="misprint",
     corrected=Matrix([[0, u2, -u1], [-u2, 0, 1], [u1, -1, 0]]) * epipole,
@@ -692,7 +614,6 @@ section.identity(
 section.identity(
     "2.2.9#u0",
     "epipolar line from the epipole and the point, with the matrix of the epipole",
-    printed=Matrix([[0, -u02, -u01], [u02, 0, -1], [-u01, 1, 0]]) * u,
     derived=joining,
     expect="misprint",
     corrected=Matrix([[0, -u02, u01], [u02, 0, -1], [-u01, 1, 0]]) * u,
@@ -701,12 +622,7 @@ section.identity(
 )
 
 # %%
-section.identity(
-    "2.2.9",
-    "epipolar line from the epipole and the point, by components",
-    printed=vector(u2 * u01 - u1 * u02, -u2 + u02, u1 - u01),
-    derived=joining,
-)
+section.identity("2.2.9", "epipolar line from the epipole and the point, by components", derived=joining)
 section.identity(
     "2.2.9#line",
     "the line joins the epipole and the point",

@@ -85,11 +85,10 @@ section.identity(
 section.identity(
     "2.3.1#forms",
     "image coordinates as quotients of linear forms",
-    printed=vector(n1 / d, n2 / d),
     where={d: dot(M.row(0).T, point), n1: dot(M.row(1).T, point), n2: dot(M.row(2).T, point)},
     derived=image,
 )
-section.identity("2.3/d", "the denominator", printed=denominator, derived=(M * point)[0])
+section.identity("2.3/d", "the denominator", derived=(M * point)[0])
 
 # %% [markdown]
 # Of the separate numerators the print drops the image coordinate of $G_3$, which (2.3.1) has.
@@ -98,7 +97,6 @@ section.identity("2.3/d", "the denominator", printed=denominator, derived=(M * p
 section.identity(
     "2.3/n",
     "the numerators",
-    printed=vector(y1 * mu1 + y3 * mu3, y2 * mu2 + y3 * mu3),
     derived=(M * point)[1:, :],
     expect="misprint",
     corrected=vector(y1 * mu1 + y3 * u31 * mu3, y2 * mu2 + y3 * u32 * mu3),

@@ -88,18 +88,8 @@ SpaceDrawing(
 p_left, p_right = Matrix(3, 3, sympy.symbols("p:3:3")), Matrix(3, 3, sympy.symbols("q:3:3"))
 base = vector(*sympy.symbols("d1 d2 d3"))
 C = correlation_matrix(p_left, p_right, base)
-section.identity(
-    "2.4/epipoles",
-    "the epipole of the left image",
-    printed=Matrix.zeros(3, 1),
-    derived=C.T * inverse(p_left) * base,
-)
-section.identity(
-    "2.4/epipoles#right",
-    "the epipole of the right image",
-    printed=Matrix.zeros(3, 1),
-    derived=C * inverse(p_right) * base,
-)
+section.identity("2.4/epipoles", "the epipole of the left image", derived=C.T * inverse(p_left) * base)
+section.identity("2.4/epipoles#right", "the epipole of the right image", derived=C * inverse(p_right) * base)
 
 # %% [markdown]
 # **Which point of the axis is it?**  Any.  On a line through the center all points have the same image.
@@ -124,16 +114,11 @@ section.up_to_scale(
 # %%
 image_of_axis = M * homogeneous(axis_point)
 section.identity(
-    "2.4/2.3.0#1",
-    "projection of a point of the axis, first component",
-    printed=ya0 + ya1 * mu1 + ya2 * mu2 + ya3 * mu3,
-    where=COMPLETED,
-    derived=image_of_axis[0],
+    "2.4/2.3.0#1", "projection of a point of the axis, first component", where=COMPLETED, derived=image_of_axis[0]
 )
 section.identity(
     "2.4/2.3.0#2",
     "projection of a point of the axis, second component",
-    printed=ya1 * mu1 + ya2 * mu2 + ya3 * mu3,
     derived=image_of_axis[1],
     expect="misprint",
     corrected=ya1 * mu1 + ya3 * u31 * mu3,
@@ -143,7 +128,6 @@ section.identity(
 section.identity(
     "2.4/2.3.0#3",
     "projection of a point of the axis, third component",
-    printed=ya2 * mu2 + ya3 * mu3,
     derived=image_of_axis[2],
     expect="misprint",
     corrected=ya2 * mu2 + ya3 * u32 * mu3,
@@ -173,14 +157,12 @@ def as_form(equation: sympy.Expr, *unknowns: sympy.Symbol) -> Matrix:
 section.up_to_scale(
     "2.4/2.3.1#1",
     "first equation for the parameters",
-    printed=vector(ya1 * (u01 - 1), ya2 * u01, ya3 * (u01 - u31), -u01 * ya0),
     where=COMPLETED,
     derived=as_form(axis_equations[0], mu1, mu2, mu3),
 )
 section.up_to_scale(
     "2.4/2.3.1#2",
     "second equation for the parameters",
-    printed=vector(ya1 * u02, ya2 * (u02 - 1), ya3 * (u02 - u32), -u02 * ya0),
     where=COMPLETED,
     derived=as_form(axis_equations[1], mu1, mu2, mu3),
 )
@@ -212,36 +194,19 @@ mu_left
 # %%
 D = sympy.Symbol("D")
 section.up_to_scale(
-    "2.4/left#1",
-    "first equation of the left bundle",
-    printed=vector(ya1 * (u01 - 1) + ya2 * u01, ya3 * (u01 - u31), -u01 * ya0),
-    where=COMPLETED,
-    derived=as_form(left_equations[0], mu2, mu3),
+    "2.4/left#1", "first equation of the left bundle", where=COMPLETED, derived=as_form(left_equations[0], mu2, mu3)
 )
 section.up_to_scale(
-    "2.4/left#2",
-    "second equation of the left bundle",
-    printed=vector(ya1 * u02 + ya2 * (u02 - 1), ya3 * (u02 - u32), -u02 * ya0),
-    where=COMPLETED,
-    derived=as_form(left_equations[1], mu2, mu3),
+    "2.4/left#2", "second equation of the left bundle", where=COMPLETED, derived=as_form(left_equations[1], mu2, mu3)
 )
-D_printed = ya1 * ya3 * (u32 * (1 - u01) - u02 * (1 - u31)) + ya2 * ya3 * (-u31 * (1 - u02) + u01 * (1 - u32))
-section.identity("2.4/2.3.2#D", "determinant of the left bundle", printed=D_printed, derived=D_left)
+section.identity("2.4/2.3.2#D", "determinant of the left bundle", derived=D_left)
 
 # %%
 section.identity(
-    "2.4/2.3.2#mu2",
-    "first and second parameter of the left bundle",
-    printed=ya0 * ya3 * (u01 * u32 - u02 * u31) / D,
-    where=COMPLETED | {D: D_left},
-    derived=mu_left[1],
+    "2.4/2.3.2#mu2", "first and second parameter of the left bundle", where=COMPLETED | {D: D_left}, derived=mu_left[1]
 )
 section.identity(
-    "2.4/2.3.2#mu3",
-    "third parameter of the left bundle",
-    printed=ya0 * (ya1 * u02 - ya2 * u01) / D,
-    where=COMPLETED | {D: D_left},
-    derived=mu_left[2],
+    "2.4/2.3.2#mu3", "third parameter of the left bundle", where=COMPLETED | {D: D_left}, derived=mu_left[2]
 )
 
 # %% [markdown]
@@ -396,32 +361,18 @@ mu12_of_center = vector(*(component.subs(AT_CENTER) for component in mu12_of_axi
 # The two parameters, from either point:
 
 # %%
-section.identity(
-    "2.4/D''",
-    "determinant of the right bundle",
-    printed=ya1 * ya2 * u00,
-    where=COMPLETED,
-    derived=determinant(pair_matrix),
-)
+section.identity("2.4/D''", "determinant of the right bundle", where=COMPLETED, derived=determinant(pair_matrix))
 first_braces = u01 * (1 - u32) - u31 * (1 - u02)
 second_braces = u02 * (1 - u31) - u32 * (1 - u01)
-for name, source, derived, (Y0, Y1, Y2, Y3) in (
-    ("yA", "the point of the axis", mu12_of_axis_point, (ya0, ya1, ya2, ya3)),
-    ("y0", "the left center", mu12_of_center, (y00, y01, y02, y03)),
+for name, source, derived in (
+    ("yA", "the point of the axis", mu12_of_axis_point),
+    ("y0", "the left center", mu12_of_center),
 ):
     section.identity(
-        f"2.4/mu1({name})",
-        f"first parameter of the right bundle, from {source}",
-        printed=1 / (Y1 * u00) * (Y3 * first_braces * mu3 + Y0 * u01),
-        where=COMPLETED,
-        derived=derived[0],
+        f"2.4/mu1({name})", f"first parameter of the right bundle, from {source}", where=COMPLETED, derived=derived[0]
     )
     section.identity(
-        f"2.4/mu2({name})",
-        f"second parameter of the right bundle, from {source}",
-        printed=1 / (Y2 * u00) * (Y3 * second_braces * mu3 + Y0 * u02),
-        where=COMPLETED,
-        derived=derived[1],
+        f"2.4/mu2({name})", f"second parameter of the right bundle, from {source}", where=COMPLETED, derived=derived[1]
     )
 
 # %% [markdown]
@@ -510,18 +461,10 @@ section.identity(
 equal_mu1 = mu12_of_axis_point[0] - mu12_of_center[0]
 equal_mu2 = mu12_of_axis_point[1] - mu12_of_center[1]
 section.up_to_scale(
-    "2.4/mu3#1",
-    "first equation for the third parameter",
-    printed=vector((y01 * ya3 - y03 * ya1) * first_braces, (y00 * ya1 - y01 * ya0) * u01),
-    where=COMPLETED,
-    derived=as_form(equal_mu1, mu3),
+    "2.4/mu3#1", "first equation for the third parameter", where=COMPLETED, derived=as_form(equal_mu1, mu3)
 )
 section.up_to_scale(
-    "2.4/mu3#2",
-    "second equation for the third parameter",
-    printed=vector((y02 * ya3 - y03 * ya2) * second_braces, (y00 * ya2 - y02 * ya0) * u02),
-    where=COMPLETED,
-    derived=as_form(equal_mu2, mu3),
+    "2.4/mu3#2", "second equation for the third parameter", where=COMPLETED, derived=as_form(equal_mu2, mu3)
 )
 
 # %% [markdown]
@@ -622,13 +565,7 @@ left_center = y0_of_mu + t * (axis_point - y0_of_mu)
 ON_AXIS = dict(zip(epipole, image_of_axis_point, strict=True)) | dict(zip(center, left_center, strict=True))
 ON_AXIS |= {symbol: COMPLETED[symbol].subs(ON_AXIS) for symbol in (y00, u00)} | {ya0: COMPLETED[ya0]}
 
-section.identity(
-    "2.4/equality",
-    "the two products are equal",
-    printed=left_product - right_product,
-    where=ON_AXIS,
-    derived=0,
-)
+section.identity("2.4/equality", "the two products are equal", where=ON_AXIS, derived=0)
 section.identity(
     "2.4/equality#mu3",
     "both solutions are the third parameter of the right bundle",
@@ -723,7 +660,6 @@ mu_p, mu_pp = (sympy.symbols(f"{name}1:4") for name in ("mup", "mupp"))
 u3_p, u3_pp = (sympy.symbols(f"{name}31:33") for name in ("up", "upp"))
 mup1, mup2, mup3 = mu_p
 mupp1, mupp2, mupp3 = mu_pp
-upp31, upp32 = u3_pp
 up1, up2, upp1, upp2 = image_coordinates = sympy.symbols("up1 up2 upp1 upp2")
 y = homogeneous(point)
 
@@ -768,17 +704,7 @@ section.rank(
 # %%
 forms_of_point = [dot(form, y) for form in intersection]
 section.identity(
-    "table:2.3",
-    "coefficients of relative reconstruction",
-    printed=Matrix(
-        [
-            [up1 * (mup1 - 1) - mup1, up1 * (mup2 - 1), up1 * (mup3 - 1) - up31 * mup3],
-            [up2 * (mup1 - 1), up2 * (mup2 - 1) - mup2, up2 * (mup3 - 1) - up32 * mup3],
-            [upp1 * (mupp1 - 1) - mupp1, upp1 * (mupp2 - 1), upp1 * (mupp3 - 1) - upp31 * mupp3],
-            [upp2 * (mupp1 - 1), upp2 * (mupp2 - 1) - mupp2, upp2 * (mupp3 - 1) - upp32 * mupp3],
-        ]
-    ),
-    derived=linear_system(forms_of_point, point)[0],
+    "table:2.3", "coefficients of relative reconstruction", derived=linear_system(forms_of_point, point)[0]
 )
 section.identity(
     "2.4/beyond/right-sides",

@@ -107,9 +107,8 @@ Z_N = Z.subs(FOUR_ZEROS).subs(z20, z_n)
 Z_N
 
 # %%
-Z_N_printed = Matrix([[0, -1, -z_n], [1, 0, 0], [z_n, 0, 0]])
-section.identity("3.2.1", "correlation matrix of the normal case", printed=Z_N_printed, derived=Z_N)
-section.identity("3.2.1#skewsymmetric", "it is skewsymmetric", printed=-Z_N_printed.T, derived=Z_N)
+section.identity("3.2.1", "correlation matrix of the normal case", derived=Z_N)
+section.identity("3.2.1#skewsymmetric", "it is skewsymmetric", derived=Z_N)
 
 # %% [markdown]
 # **Is that not too much?**  Constant coefficients are more than parallel lines.  Both epipoles, $(0, -z_{20}, 1)$ and
@@ -136,16 +135,10 @@ section.identity(
 # **Print.**  Of the right line the first term has the wrong sign.
 
 # %%
-section.identity(
-    "3.2.2#left",
-    "epipolar line in the left image",
-    printed=vector(-u_right[0] - z_n * u_right[1], 1, z_n),
-    derived=Z_N * homogeneous(u_right),
-)
+section.identity("3.2.2#left", "epipolar line in the left image", derived=Z_N * homogeneous(u_right))
 section.identity(
     "3.2.2#right",
     "epipolar line in the right image",
-    printed=vector(-u_left[0] + z_n * u_left[1], -1, -z_n),
     derived=Z_N.T * homogeneous(u_left),
     expect="misprint",
     corrected=vector(u_left[0] + z_n * u_left[1], -1, -z_n),
@@ -159,18 +152,8 @@ section.identity(
 
 # %%
 coplanarity = dot(homogeneous(u_left), Z_N * homogeneous(u_right))
-section.identity(
-    "3.2.3",
-    "epipolar lines of both images",
-    printed=(u_left[0] + z_n * u_left[1]) - (u_right[0] + z_n * u_right[1]),
-    derived=coplanarity,
-)
-section.identity(
-    "3.2/zN",
-    "the factor from one pair of points",
-    printed=-(u_left[0] - u_right[0]) / (u_left[1] - u_right[1]),
-    derived=solve(*linear_system([coplanarity], [z_n]))[0],
-)
+section.identity("3.2.3", "epipolar lines of both images", derived=coplanarity)
+section.identity("3.2/zN", "the factor from one pair of points", derived=solve(*linear_system([coplanarity], [z_n]))[0])
 
 # %% [markdown]
 # **An example.**  For $z_N = 1/4$ homologous points lie on these lines.
@@ -206,20 +189,12 @@ IN_NORMAL_CASE = {u31: un31, u32: un32}
 homogeneous_image = P_star * point + image_e0
 epipole = u_of_y.subs(mu0, 1).xreplace(AT_AXIS | IN_NORMAL_CASE)
 common_denominator = ya0 + ya1 * mu1 + ya2 * mu2 + ya3 * mu3
-section.identity(
-    "3.2.4",
-    "projection of a point of the epipolar axis",
-    printed=vector(*(ya * m + ya3 * un * mu3 for ya, m, un in ((ya1, mu1, un31), (ya2, mu2, un32))))
-    / common_denominator,
-    where=AXIS,
-    derived=epipole,
-)
+section.identity("3.2.4", "projection of a point of the epipolar axis", where=AXIS, derived=epipole)
 epipole_weights = homogeneous_image.xreplace(AT_AXIS | IN_NORMAL_CASE)
 for name, numerator in (("uN01", epipole_weights[1]), ("uN02", epipole_weights[2])):
     section.vanishing(
         f"3.2.5#{name}",
         f"{name} is infinite where the denominator vanishes",
-        printed=(common_denominator,),
         where=AXIS,
         derived=over(epipole_weights[0], numerator),
         note="The derived side is 1/u; where the numerator vanishes as well, the coordinate is 0/0.",
@@ -317,7 +292,6 @@ z_of_pair = over(C_N[2, 0], C_N[1, 0])
 section.up_to_scale(
     "3.2.1#mu",
     "images with equal parameters have the correlation matrix of the normal case",
-    printed=Z_N_printed,
     where={z_n: z_of_pair},
     derived=C_N,
 )
@@ -370,16 +344,13 @@ BARYCENTRIC_BOTH = {
 mu_left, mu_right = mu_of_y0.xreplace(LEFT), mu_of_y0.xreplace(RIGHT)
 
 for j in range(3):
-    numerator_left, numerator_right = (1, 1) if j == 2 else (left_fourth[j], right_fourth[j])
     section.identity(
         f"3.2.6#mu{j + 1}",
         f"equality of the parameters mu{j + 1}",
-        printed=numerator_left * y00_left / (u30_left * center_left[j])
-        - numerator_right * y00_right / (u30_right * center_right[j]),
         where=BARYCENTRIC_BOTH,
         derived=(1, 1, -1)[j] * (mu_left[j] - mu_right[j]),
     )
-section.definition("3.2/u'N31", "choice of the first coordinate of the fourth point", printed=LEFT_FOURTH[u31])
+section.definition("3.2/u'N31", "choice of the first coordinate of the fourth point")
 
 # %% [markdown]
 # (3.2.5), multiplied by $u_{N30}$, is linear in the coordinates of the fourth point.  For each image the form, and its
@@ -403,12 +374,11 @@ def coefficients(form: sympy.Expr, variables: Matrix) -> Matrix:
     return vector(-right_side[0], *linear)
 
 
-for number, title, y00_printed, center_printed, fourth, parameters in (
-    ("3.2.7", "condition for the fourth point, left image", y00_left, center_left, left_fourth, mu_left),
+for number, title, center_printed, fourth, parameters in (
+    ("3.2.7", "condition for the fourth point, left image", center_left, left_fourth, mu_left),
     (
         "3.2.10#parallel",
         "condition for the fourth point, right image",
-        y00_right,
         center_right,
         right_fourth,
         mu_right,
@@ -418,20 +388,9 @@ for number, title, y00_printed, center_printed, fourth, parameters in (
     section.identity(
         f"{number}-form" if "#" in number else f"{number}#form",
         f"{title}: (3.2.5) with the parameters inserted",
-        printed=linear_form,
         derived=(1 - sum(fourth)) * (1 - sum(y_a) + dot(y_a, parameters)),
     )
-    section.identity(
-        number,
-        title,
-        printed=vector(
-            -(ya3 / center_printed[2] * y00_printed - ya0),
-            ya1 / center_printed[0] * y00_printed - ya0,
-            ya2 / center_printed[1] * y00_printed - ya0,
-        ),
-        where=AXIS | BARYCENTRIC_BOTH,
-        derived=coefficients(linear_form, fourth),
-    )
+    section.identity(number, title, where=AXIS | BARYCENTRIC_BOTH, derived=coefficients(linear_form, fourth))
 
 # %% [markdown]
 # **Meaning.**  This is one linear condition for two coordinates.  With the choice of the first one the plane is
@@ -482,14 +441,7 @@ fourth_of_right = solve(*linear_system([*right_equations[1:]], [u31, u32]))
 fourth_of_right
 
 # %%
-section.identity(
-    "3.2.8",
-    "fourth point of the right image",
-    printed=vector(
-        *(center_right[j] * center_left[2] / (center_left[j] * center_right[2]) * left_fourth[j] for j in (0, 1))
-    ),
-    derived=fourth_of_right,
-)
+section.identity("3.2.8", "fourth point of the right image", derived=fourth_of_right)
 
 # %% [markdown]
 # The text refers to (3.3.6) here, the formula for $z_N$ from $\mathbf Z$.  The conditions between the fourth points
@@ -538,17 +490,7 @@ def epipole_of(axis_point: Matrix, fourth: Matrix) -> Matrix:
 axis_of_mu = y0_left + t * (y0_right - y0_left)
 w_left, w_right = epipole_of(axis_of_mu, left_fourth), epipole_of(axis_of_mu, right_fourth)
 ON_AXIS = dict(zip(y_a, axis_of_mu, strict=True))
-section.identity(
-    "3.2/w0'",
-    "homogeneous coordinates of the epipole",
-    printed=vector(
-        0,
-        ya1 * mu1 + ya3 * left_fourth[0] * mu3,
-        ya2 * mu2 + ya3 * left_fourth[1] * mu3,
-    ),
-    where=ON_AXIS,
-    derived=w_left,
-)
+section.identity("3.2/w0'", "homogeneous coordinates of the epipole", where=ON_AXIS, derived=w_left)
 
 # %% [markdown]
 # The line from the origin to the epipole has the direction of all lines, $\mathbf h'^T_{N0} \mathbf w'_0 = 0$.  So
@@ -556,26 +498,14 @@ section.identity(
 
 # %%
 section.up_to_scale(
-    "3.2/h'N0",
-    "line from the origin to the epipole",
-    printed=vector(0, 1, z_n),
-    where={z_n: z_of_pair},
-    derived=cross(image_e0, w_left),
+    "3.2/h'N0", "line from the origin to the epipole", where={z_n: z_of_pair}, derived=cross(image_e0, w_left)
 )
-section.identity(
-    "3.2.9#mu",
-    "z_N from the parameters",
-    printed=-(ya1 * mu1 + ya3 * left_fourth[0] * mu3) / (ya2 * mu2 + ya3 * left_fourth[1] * mu3),
-    where=ON_AXIS,
-    derived=z_of_pair,
-)
+section.identity("3.2.9#mu", "z_N from the parameters", where=ON_AXIS, derived=z_of_pair)
 
 # %%
 section.identity(
     "3.2.9",
     "z_N from the center of projection",
-    printed=-(left_fourth[0] * center_left[1] * (ya1 * center_left[2] - center_left[0] * ya3))
-    / (left_fourth[1] * center_left[0] * (ya2 * center_left[2] - center_left[1] * ya3)),
     where=ON_AXIS | dict(zip(center_left, y0_left, strict=True)),
     derived=z_of_pair,
 )
@@ -586,13 +516,7 @@ section.identity(
     where=ON_AXIS,
     derived=z_of_pair,
 )
-section.identity(
-    "3.2.10#epipolar",
-    "the fourth points lie on one epipolar line",
-    printed=(right_fourth[0] + z_n * right_fourth[1]) - (left_fourth[0] + z_n * left_fourth[1]),
-    where={z_n: z_of_pair},
-    derived=0,
-)
+section.identity("3.2.10#epipolar", "the fourth points lie on one epipolar line", where={z_n: z_of_pair}, derived=0)
 
 # %% [markdown]
 # **Another way to the right image.**  $\mathbf u''_{N3}$ lies on the epipolar line of $\mathbf u'_{N3}$, and
@@ -631,7 +555,6 @@ section.rank(
 section.identity(
     "3.2/tau1'",
     "first parameter of the left transformation",
-    printed=u30 / un30,
     where={u30: FOURTH[u30], un30: FOURTH[un30].xreplace({un31: u31})},
     derived=tau_of_fourth_points[0].xreplace({un31: u31}),
 )

@@ -100,7 +100,6 @@ product = T_left.T * Z_N * T_right
 section.identity(
     "3.3.2",
     "coplanarity in the coordinates of the original images",
-    printed=dot(u_left, product * u_right),
     derived=FACTORS[taup] * FACTORS[taupp] * dot(normal_left, Z_N * normal_right),
 )
 
@@ -122,7 +121,6 @@ C_normal = correlation_matrix(*(adjugate(P_star.xreplace(side)) for side in (LEF
 section.up_to_scale(
     "3.3.3",
     "relation of the correlation matrices",
-    printed=product,
     where={z_n: over(C_normal[2, 0], C_normal[1, 0])},
     derived=T_left.T * C_normal * T_right,
 )
@@ -181,28 +179,24 @@ section.identity(
 
 # %%
 PRIMES = "  A slip of the scan cannot be told from one of the print."
-for (row, column), printed, corrected, note in (
+for (row, column), corrected, note in (
     (
         (1, 1),
-        taup1 * (taupp1 - 1) - taup1 * (taup1 - 1),
         taup1 * (taupp1 - 1) - taupp1 * (taup1 - 1),
         "The factor before the second bracket must be tau1''.",
     ),
     (
         (1, 2),
-        taup1 * (taupp2 - 1) - taup2 * (taup1 - 1) * z_n,
         taup1 * (taupp2 - 1) - taupp2 * (taup1 - 1) * z_n,
         "The factor before the second bracket must be tau2''.",
     ),
     (
         (2, 1),
-        taup2 * z_n * (taupp1 - 1) - taup1 * (taup2 - 1),
         taup2 * z_n * (taupp1 - 1) - taupp1 * (taup2 - 1),
         "The factor before the second bracket must be tau1''.",
     ),
     (
         (2, 2),
-        taup2 * z_n * (taupp2 - 1) - taup2 * (taup1 - 1) * z_n,
         taup2 * z_n * (taupp2 - 1) - taupp2 * (taup2 - 1) * z_n,
         "The second term must be tau2'' (tau2' - 1) z_N: a prime and, in the bracket, an index.",
     ),
@@ -210,7 +204,6 @@ for (row, column), printed, corrected, note in (
     section.identity(
         f"3.3.4#{row}{column}",
         f"entry ({row}, {column})",
-        printed=printed,
         derived=product[row, column],
         expect="misprint",
         corrected=corrected,
@@ -233,12 +226,7 @@ parameters_of_z = solve(*linear_system([product[place] - Z[place] for place in b
 parameters_of_z
 
 # %%
-section.identity(
-    "3.3.5",
-    "the four parameters from the elements of Z",
-    printed=vector(1, z20 / z_n, -z01, -z02 / z_n),
-    derived=parameters_of_z,
-)
+section.identity("3.3.5", "the four parameters from the elements of Z", derived=parameters_of_z)
 
 # %% [markdown]
 # With these parameters the diagonal of the product gives two conditions, in agreement with (2.2.2), and the other two
@@ -249,7 +237,6 @@ inner = product.xreplace(dict(zip(parameters, parameters_of_z, strict=True)))
 section.identity(
     "3.3/a",
     "conditions of the principal diagonal",
-    printed=vector(-1 - z11, -z20 - z22),
     where={z11: inner[1, 1], z22: inner[2, 2]},
     derived=vector(z01, z02),
 )
@@ -263,9 +250,9 @@ def solved(place: tuple[int, int]) -> sympy.Expr:
 
 
 z_of_12, z_of_21 = solved((1, 2)), solved((2, 1))
-form_12, form_21 = -z02 / (1 + z12), z01 * z20 / (z01 + z20 + z21 + z01 * z20)
-section.identity("3.3.6#12", "z_N from entry (1, 2)", printed=form_12, derived=z_of_12)
-section.identity("3.3.6#21", "z_N from entry (2, 1)", printed=form_21, derived=z_of_21)
+form_21 = z01 * z20 / (z01 + z20 + z21 + z01 * z20)
+section.identity("3.3.6#12", "z_N from entry (1, 2)", derived=z_of_12)
+section.identity("3.3.6#21", "z_N from entry (2, 1)", derived=z_of_21)
 
 # %% [markdown]
 # **Two forms of one number?**  They are equal on $\det \mathbf Z = 0$.  Of this determinant the last term is
@@ -276,7 +263,6 @@ determinant_printed = z01 * z12 * z20 + z02 * z21 - z20 * z11 * z02
 section.identity(
     "3.3/det",
     "determinant of the correlation matrix",
-    printed=determinant_printed - z12 * z01,
     derived=determinant(Z),
     expect="misprint",
     corrected=determinant_printed - z22 * z01,
@@ -293,7 +279,6 @@ determinant_of_z = determinant(Z).subs(CONDITIONS_A)
 section.identity(
     "3.3.6",
     "the two forms of z_N are identical",
-    printed=form_12,
     derived=form_21,
     constraints=[determinant_of_z],
     nonzero=[z02, z01, z20],
@@ -313,7 +298,6 @@ section.identity(
 section.identity(
     "3.3.7#left",
     "second parameter of the left image",
-    printed=z01 / (z01 + z20 + z21 + z01 * z20),
     derived=parameters_of_z[1].xreplace({z_n: z_of_21}),
     expect="error",
     corrected=(z01 + z20 + z21 + z01 * z20) / z01,
@@ -325,7 +309,6 @@ section.identity(
 section.identity(
     "3.3.7#right",
     "second parameter of the right image",
-    printed=1 / (1 + z12),
     derived=parameters_of_z[3].xreplace({z_n: z_of_12}),
     expect="error",
     corrected=1 + z12,
@@ -457,7 +440,6 @@ section.up_to_scale(
 section.identity(
     "3.3/u'N31",
     "in the second solution the first coordinate of the fourth point is kept",
-    printed=u31,
     derived=mapped_u[0].xreplace({tau1: sympy.Integer(1), u1: u31, u2: u32}),
     expect="false",
     instead="3.3/beyond/u'N31",
@@ -538,7 +520,6 @@ def weights_of(axis_point: Matrix) -> Matrix:
 section.identity(
     "3.3/quotient",
     "quotient of the coordinates of the epipole",
-    printed=-z_n,
     where={z_n: z_of_pair},
     derived=over(w_left[1], w_left[2]),
 )
@@ -573,13 +554,7 @@ section.reference(
 # In the limit the coordinates keep their quotient.
 
 # %%
-section.limit(
-    "3.3/quotient#limit",
-    "the quotient in the limit",
-    printed=-z_n,
-    derived=over(u01, u02),
-    variable=eps,
-)
+section.limit("3.3/quotient#limit", "the quotient in the limit", derived=over(u01, u02), variable=eps)
 section.reference(
     "3.3/ref-3.3.7",
     "display with the limiting process",
@@ -622,7 +597,6 @@ D_left = ya3 * ((ya1 + ya2) * sum_n - ya1 - z_n * ya2)
 section.limit(
     "3.3.8#D",
     "divisor of the left bundle",
-    printed=D_left,
     where=AXIS,
     derived=over(determinant(left_system[0]), epipole_symbols[1]).xreplace(AT_EPIPOLE),
     variable=eps,
@@ -630,7 +604,6 @@ section.limit(
 section.limit(
     "3.3.8#mu1",
     "first and second parameter of the left bundle",
-    printed=-ya0 * ya3 * sum_n / D_left,
     where=AXIS,
     derived=left_solution[0].xreplace(AT_EPIPOLE),
     variable=eps,
@@ -638,7 +611,6 @@ section.limit(
 section.limit(
     "3.3.8#mu3",
     "third parameter of the left bundle",
-    printed=ya0 * (ya1 + z_n * ya2) / D_left,
     where=AXIS,
     derived=left_solution[1].xreplace(AT_EPIPOLE),
     variable=eps,
@@ -673,11 +645,7 @@ section.identity(
 # %%
 u00 = 1 - epipole_symbols[0] - epipole_symbols[1]
 section.limit(
-    "3.3.9#u00",
-    "the quotient u00/u02",
-    printed=z_n - 1,
-    derived=over(u00, epipole_symbols[1]).xreplace(AT_EPIPOLE),
-    variable=eps,
+    "3.3.9#u00", "the quotient u00/u02", derived=over(u00, epipole_symbols[1]).xreplace(AT_EPIPOLE), variable=eps
 )
 FOURTH_RIGHT = dict(zip((un31, un32), right_fourth, strict=True))
 systems = {
@@ -688,24 +656,17 @@ solutions = {name: solve(*system) for name, system in systems.items()}
 section.limit(
     "3.3.9#D",
     "divisor of the right bundle",
-    printed=ya1 * ya2 * (z_n - 1),
     derived=over(determinant(systems["yA"][0]), epipole_symbols[1]).xreplace(AT_EPIPOLE),
     variable=eps,
 )
 r31, r32 = right_fourth
 sum_r = r31 + z_n * r32
 BOTH = AXIS | BARYCENTRIC
-for name, (c0, c1, c2, c3) in (("yA", (ya0, ya1, ya2, ya3)), ("y0", (y00, y01, y02, y03))):
-    for i, printed in enumerate(
-        (
-            (c3 * (sum_r - z_n) * mu3 - z_n * c0) / (c1 * (z_n - 1)),
-            (c3 * (1 - sum_r) * mu3 + c0) / (c2 * (z_n - 1)),
-        )
-    ):
+for name in ("yA", "y0"):
+    for i in range(2):
         section.limit(
             f"3.3.9#mu{i + 1}({name})",
             f"parameter mu{i + 1} of the right bundle, from {name}",
-            printed=printed,
             where=BOTH,
             derived=solutions[name][i].xreplace(AT_EPIPOLE),
             variable=eps,

@@ -50,12 +50,6 @@ def equation(line: Matrix) -> sympy.Expr:
     return dot(line, homogeneous(u_normal))
 
 
-def coefficients(form: sympy.Expr) -> Matrix:
-    """Return the coefficients (constant first) of the line, form = 0."""
-    linear, right_side = linear_system([form], [un1, un2])
-    return vector(-right_side[0], *linear)
-
-
 # %% [markdown]
 # ## The families of parallels
 #
@@ -74,17 +68,12 @@ constant_g, constant_h = sympy.symbols("gN0 hN0")
 section.identity(
     "3.4/gN",
     "coefficients of the family of the vanishing line, as used",
-    printed=vector(constant_g, tau1 - 1, tau2 - 1),
     derived=vector(constant_g, *g_direction),
     note="The numbers are those of the vanishing line g, (1.6/g) with mu0 = 1, mu_i = tau_i.  As lines of the normal "
     "case plane they are not parallels to its vanishing line: 3.4/gN#parallels.",
 )
 section.identity(
-    "3.4/hN",
-    "the family of the epipolar lines",
-    printed=vector(constant_h, 1, z_n),
-    where={constant_h: any_epipolar_line[0]},
-    derived=any_epipolar_line,
+    "3.4/hN", "the family of the epipolar lines", where={constant_h: any_epipolar_line[0]}, derived=any_epipolar_line
 )
 
 # %% [markdown]
@@ -182,13 +171,13 @@ section.reference(
     meant="3.4",
     note="There is no Fig. 4.2.",
 )
-for name, printed, line in (
-    ("hN0", un1 + z_n * un2, h_lines[0]),
-    ("hN1", un1 + z_n * un2 - 1, h_lines[1]),
-    ("gN0", (tau1 - 1) * un1 + (tau2 - 1) * un2, g_lines[0]),
-    ("gN2", (tau1 - 1) * un1 + (tau2 - 1) * un2 - (tau2 - 1), g_lines[1]),
+for name, line in (
+    ("hN0", h_lines[0]),
+    ("hN1", h_lines[1]),
+    ("gN0", g_lines[0]),
+    ("gN2", g_lines[1]),
 ):
-    section.identity(f"3.4/{name}", f"frame line {name}", printed=coefficients(printed), derived=line)
+    section.identity(f"3.4/{name}", f"frame line {name}", derived=line)
 
 # %% [markdown]
 # **Where do they meet?**  Four corners follow.
@@ -211,7 +200,6 @@ corners = {
 section.vanishing(
     "3.4/delta",
     "the lines intersect where delta is not zero",
-    printed=(DELTA_PRINTED,),
     derived=determinant(rows(g_direction, epipolar_direction)),
 )
 for name, printed in (
@@ -263,59 +251,32 @@ A
 
 # %%
 
-section.definition("3.4/A", "form of the affine transformation", printed=Matrix.vstack(Matrix([[1, 0, 0]]), a))
-section.identity("3.4/a10", "no translation", printed=vector(0, 0), derived=vector(elements[a10], elements[a20]))
+section.definition("3.4/A", "form of the affine transformation")
+section.identity("3.4/a10", "no translation", derived=vector(elements[a10], elements[a20]))
 
 # %% [markdown]
 # **Print.**  The conditions at $U_1$ and $U_2$, multiplied by $\delta$, and what follows from them.
 
 # %%
-for row, (first, second) in enumerate(((a11, a12), (a21, a22)), start=1):
-    printed_equations = [
-        -(tau2 - 1) * first + (tau1 - 1) * second - (delta if row == 1 else 0),
-        z_n * (tau2 - 1) * first - (tau2 - 1) * second - (0 if row == 1 else delta),
-    ]
-    for place, printed in enumerate(printed_equations):
+for row in (1, 2):
+    for place in range(2):
         required = requirements[3 * (row - 1) + 1 + place].xreplace({a10: sympy.Integer(0), a20: sympy.Integer(0)})
         section.identity(
             f"3.4/equations#{row}{place + 1}",
             f"condition of row {row} at U{place + 1}",
-            printed=printed,
             where={delta: DELTA_PRINTED},
             derived=DELTA_PRINTED * required,
         )
-section.identity(
-    "3.4/a11,a12", "elements of the first row", printed=vector(1, z_n), derived=vector(elements[a11], elements[a12])
-)
-section.identity(
-    "3.4/a21,a22",
-    "elements of the second row",
-    printed=vector((tau1 - 1) / (tau2 - 1), 1),
-    derived=vector(elements[a21], elements[a22]),
-)
+section.identity("3.4/a11,a12", "elements of the first row", derived=vector(elements[a11], elements[a12]))
+section.identity("3.4/a21,a22", "elements of the second row", derived=vector(elements[a21], elements[a22]))
 
 # %% [markdown]
 # The matrix, the coordinates, and a control: the fourth corner was not used, and becomes the unit point.
 
 # %%
-section.identity(
-    "3.4.1#matrix",
-    "matrix of the transformation to the output system",
-    printed=Matrix([[1, 0, 0], [0, 1, z_n], [0, (tau1 - 1) / (tau2 - 1), 1]]),
-    derived=A,
-)
-section.identity(
-    "3.4.1",
-    "rectangular coordinates",
-    printed=vector(1, un1 + z_n * un2, (tau1 - 1) * un1 / (tau2 - 1) + un2),
-    derived=A * homogeneous(u_normal),
-)
-section.identity(
-    "3.4/control",
-    "the fourth corner becomes the unit point",
-    printed=vector(1, 1, 1),
-    derived=A * homogeneous(corners["unit"]),
-)
+section.identity("3.4.1#matrix", "matrix of the transformation to the output system", derived=A)
+section.identity("3.4.1", "rectangular coordinates", derived=A * homogeneous(u_normal))
+section.identity("3.4/control", "the fourth corner becomes the unit point", derived=A * homogeneous(corners["unit"]))
 
 # %% [markdown]
 # **An example.**  The frame of the left image, with $z_N$ and $\tau$ of section 4 f and g:
@@ -389,7 +350,6 @@ section.identity(
 section.identity(
     "3.4/x1#condition",
     "the difference of the first coordinates is the normal case condition",
-    printed=(LEFT[un1] + z_n * LEFT[un2]) - (RIGHT[un1] + z_n * RIGHT[un2]),
     derived=x_left[1] - x_right[1],
 )
 

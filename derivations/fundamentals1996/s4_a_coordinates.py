@@ -190,12 +190,11 @@ CUT_OFF_ALONE = {
     }
 }
 ELEMENTS = [(i, j) for i in range(3) for j in range(3)]
-for side, printed_matrix in MATRICES.items():
+for side in MATRICES:
     for i, j in ELEMENTS:
         section.numeric(
             f"4/b#{side}.R{i + 1}{j + 1}",
             f"{MATRIX_NAMES[side]}, row {i + 1}, column {j + 1}",
-            printed=printed_matrix[i][j],
             derived=FULL_ROTATIONS[side][i, j],
             rounding=ROUNDING[side],
             **CUT_OFF_ALONE.get((side, i, j), {}),

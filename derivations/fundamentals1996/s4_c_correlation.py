@@ -206,7 +206,6 @@ Z_full = correlation_matrix(full_elements)
 section.identity(
     "4/c/epipoles",
     "the epipoles solve the equations",
-    printed=Matrix.zeros(3, 2),
     derived=columns(Z_full.T * homogeneous(full_epipoles["left"]), Z_full * homogeneous(full_epipoles["right"])),
 )
 section.identity(
@@ -256,7 +255,7 @@ section.numeric(
 # %%
 section.definition("4/d/yA", "point assumed on the epipolar axis", printed=Y_A)
 for side, prime in (("left", "'"), ("right", "''")):
-    section.definition(f"4/d#{side}.mu0", f"normalization of the {side} bundle, mu{prime}0", printed=sympy.Integer(1))
+    section.definition(f"4/d#{side}.mu0", f"normalization of the {side} bundle, mu{prime}0")
 
 
 def left_bundle(u0: Matrix, u3: Matrix) -> Matrix:

@@ -192,7 +192,7 @@ for side in SIDES:
         named(f"{side}.y0", PRINTED_CENTERS[side]),
         full_f,
     )
-    section.definition(f"4/f#{side}.muN0", f"normalization of the {side} normal case", printed=sympy.Integer(1))
+    section.definition(f"4/f#{side}.muN0", f"normalization of the {side} normal case")
     declare_cells(
         section,
         "4/f",

@@ -20,6 +20,11 @@ def image_vector(abscissa: sympy.Expr, ordinate: sympy.Expr) -> Matrix:
     return vector(abscissa, ordinate, -c)
 
 
+def of_rectangular(distance: sympy.Expr) -> Matrix:
+    """Return the matrix that takes (1, x, y) to the image vector; its transpose takes lines the other way."""
+    return Matrix([[0, 1, 0], [0, 0, 1], [-distance, 0, 0]])
+
+
 x_vector, x_left, x_right = image_vector(x, y), image_vector(xp, yp), image_vector(xpp, ypp)
 
 

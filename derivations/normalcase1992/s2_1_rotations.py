@@ -10,6 +10,7 @@ from itertools import product
 
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
@@ -96,6 +97,28 @@ section.identity(
     ),
     constraints=CIRCLES_LEFT + CIRCLES_RIGHT,
     witness=PYTHAGOREAN,
+)
+
+# %% [markdown]
+# **An example.**  All angles have the sine $7/25$, those of the left image with the opposite sign.
+
+# %%
+COSINE, SINE = sympy.Rational(24, 25), sympy.Rational(7, 25)
+turned = {
+    "'": R_p.xreplace(given((*PHI_LEFT, *KAPPA_LEFT), (COSINE, -SINE) * 2)),
+    "''": R_pp.xreplace(given((*OMEGA, *PHI_RIGHT, *KAPPA_RIGHT), (COSINE, SINE) * 3)),
+}
+centers = {"'": vector(0, 0, 0), "''": 4 * unit_base}
+CORNERS = {"1": vector(-1, -1, -2), "2": vector(1, -1, -2), "3": vector(1, 1, -2), "4": vector(-1, 1, -2)}
+SIDES = (("1", "2"), ("2", "3"), ("3", "4"), ("4", "1"))
+SpaceDrawing(
+    "Both images are turned about their centers, and the base stays where it is.",
+    {f"C{primes}": place for primes, place in centers.items()}
+    | {n + primes: place + turned[primes] * p for primes, place in centers.items() for n, p in CORNERS.items()},
+    segments=[("C'", "C''")]
+    + [(first + primes, second + primes) for primes in centers for first, second in SIDES]
+    + [(f"C{primes}", n + primes) for primes in centers for n in CORNERS],
+    axes=("X_1", "X_2", "X_3"),
 )
 
 # %% [markdown]

@@ -8,10 +8,21 @@
 # %%
 import sympy
 
-from algebroproj_derivations.inserting import given
+from algebroproj_derivations.figures import ImageDrawing
+from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, determinant, diff, dot, inverse, linear_system, over, vector
+from algebroproj_sym.expressions import (
+    Matrix,
+    determinant,
+    diff,
+    dot,
+    homogeneous,
+    inverse,
+    linear_system,
+    over,
+    vector,
+)
 
 section = Section("normalcase1992", "2.3", "Adjustment")
 
@@ -224,6 +235,23 @@ section.identity(
     "weight of a fictitious residual for coordinates of equal variance",
     printed=sigma**2 * (h1p**2 + h2p**2 + h1pp**2 + h2pp**2),
     derived=variance_of(fictitious, residuals, equal_variances),
+)
+
+# %% [markdown]
+# **An example.**  The left image has a tip, and the right one a swing, both of the sine $7/25$.  The line of the right
+# point misses the left point $p$; the residuals move $p$ to the foot $q$, the nearest point of the line.
+
+# %%
+TIP, SWING = (about(sympy.Rational(24, 25), sympy.Rational(7, 25)) for about in (turn_phi, turn_kappa))
+line = of_rectangular(2).T * correlation(TIP, SWING, unit_base) * inserted(x_right, (xpp, ypp, c), (1, 1, 2))
+measured = vector(1, 1)
+direction = line[1:, :]
+misclosure = dot(line, homogeneous(measured)) / dot(direction, direction)
+ImageDrawing(
+    "A measured point p of the left image, the line on which it should lie, and the foot q.  Here the right image has "
+    "no error.",
+    {"left image": ({"p": measured, "q": measured - misclosure * direction, "H": vector(0, 0)}, [line])},
+    axes=("x", "y"),
 )
 
 # %% [markdown]

@@ -7,6 +7,7 @@
 # %%
 import sympy
 
+from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
@@ -126,6 +127,32 @@ section.identity(
 # **Meaning.**  Homologous points have equal ordinates.  The lines are parallel to the first axis: they contain its
 # point at infinity.  For one ordinate both are the same line, and the image planes are one plane if the centers have
 # the same third coordinate.
+
+#
+# Here the original left image has a tip, and its lines meet; those of the normal case are parallel.
+
+# %%
+TIP = turn_phi(sympy.Rational(24, 25), sympy.Rational(7, 25))
+SPACE = {"1": vector(-2, -2, -4), "2": vector(2, 0, -4), "3": vector(0, 2, -4)}
+
+
+def seen(turn: Matrix, base: Matrix) -> dict[str, Matrix]:
+    return {name: image_of(turn.T * (place - base)).xreplace({c: 2}).doit() for name, place in SPACE.items()}
+
+
+right_vectors = [vector(*point, -2) for point in seen(E3, unit_base).values()]
+lines_of = of_rectangular(2).T
+ImageDrawing(
+    "Three points of the left image, on the lines that the right image gives.",
+    {
+        "original": (
+            seen(TIP, 0 * unit_base),
+            [lines_of * correlation(TIP, E3, unit_base) * right for right in right_vectors],
+        ),
+        "normal case": (seen(E3, 0 * unit_base), [lines_of * C_normal * right for right in right_vectors]),
+    },
+    axes=("x", "y"),
+)
 
 # %%
 section.vanishing(

@@ -9,7 +9,8 @@
 # %%
 import sympy
 
-from algebroproj_derivations.inserting import given
+from algebroproj_derivations.figures import ImageDrawing
+from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, diff, dot, linear_system, over, vector
@@ -120,6 +121,22 @@ section.identity(
     printed=B_a_of_normal,
     where=OF_IMAGE,
     derived=B_a,
+)
+
+# %% [markdown]
+# **An example.**  What a small tip does to nine points of an image with $c = 2$, to the first order.
+
+# %%
+NINE = {f"{i}{j}": vector(i - 1, j - 1) for i in range(3) for j in range(3)}
+of_tip = {
+    name: place + inserted(B_a_of_normal, (xn, yn, c), (*place, 2)) * vector(0, sympy.Rational(1, 10), 0)
+    for name, place in NINE.items()
+}
+ImageDrawing(
+    "A grid before and after a tip of 1/10.  All points move to the left, those at the sides most, and the corners "
+    "move up or down as well.",
+    {"before": (NINE, []), "after": (of_tip, [])},
+    axes=("x_N", "y_N"),
 )
 
 # %% [markdown]

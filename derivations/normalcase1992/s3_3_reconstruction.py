@@ -7,6 +7,7 @@
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_derivations.normalcase1992.s3_2_propagation import estimator, parallax_rows
 from algebroproj_sym import Section
@@ -261,7 +262,26 @@ section.limit(
 
 # %% [markdown]
 # **Meaning.**  A distant point is uncertain along its ray, and its standard error grows with the square of the
-# distance:  half the parallax, four times the error.  The factor itself is printed with the wrong sign.
+# distance:  half the parallax, four times the error.
+
+
+# %%
+CENTER, STEP = vector(0, 0, 4), sympy.Rational(1, 20)
+RAY = {"P": vector(sympy.Rational(1, 2), 0, -1), "Q": vector(sympy.Rational(1, 2), 1, -1)}
+DISTANCE = {"P": 2, "Q": 4}
+places = {name: CENTER + DISTANCE[name] * RAY[name] for name in RAY}
+SpaceDrawing(
+    "Two points seen from two centers with c = 1, Q with half the parallax of P.  The pieces of the rays are what an "
+    "uncertain parallax, of 1/20, makes of them: four times as long for Q.",
+    {"C'": CENTER, "C''": CENTER + unit_base, **places}
+    | {f"{name}-": places[name] - STEP * DISTANCE[name] ** 2 * RAY[name] for name in RAY}
+    | {f"{name}+": places[name] + STEP * DISTANCE[name] ** 2 * RAY[name] for name in RAY},
+    segments=[("C'", "P"), ("C'", "Q"), ("C''", "P"), ("C''", "Q"), ("P-", "P+"), ("Q-", "Q+"), ("C'", "C''")],
+    axes=("X_1", "X_2", "X_3"),
+)
+
+# %% [markdown]
+# The factor itself is printed with the wrong sign.
 
 # %%
 section.identity(

@@ -7,6 +7,7 @@
 # %%
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import A_of_nine, d, e, in_comparator, nine
@@ -51,6 +52,21 @@ section.identity(
     "50",
     "measured coordinates, referred to the principal point",
     derived=measured - vector(xh, yh).xreplace(of_principal_point),
+)
+
+# %% [markdown]
+# **An example.**  A picture at the principal distance 2, without rotations, and the ray of the point $P$.
+
+# %%
+C, P = vector(0, 0, 3), vector(2, 1, -1)
+H, p = C - vector(0, 0, 2), C + (P - C) / 2
+FRAME = {f"{k}": H + vector(x, y, 0) for k, (x, y) in enumerate(((-2, -2), (2, -2), (2, 2), (-2, 2)), 1)}
+SpaceDrawing(
+    "The picture 1234, its center of projection C and the principal point H at the foot of the perpendicular.  The "
+    "comparator measures the point p in this plane, from an origin of its own, 1.",
+    {"C": C, "H": H, "p": p, "P": P, **FRAME},
+    segments=[("C", "H"), ("C", "P"), ("1", "2"), ("2", "3"), ("3", "4"), ("4", "1")],
+    axes=("X", "Y", "Z"),
 )
 
 # %% [markdown]

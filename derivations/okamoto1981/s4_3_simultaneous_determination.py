@@ -4,6 +4,7 @@
 # The procedure of section 3, with 18 parameters in place of 22.  How many points does it need now?
 
 # %%
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import A_of_nine, nine
 from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
@@ -85,6 +86,17 @@ section.rank(
     "four points and three further pairs determine the eighteen parameters",
     printed=18,
     derived=determined,
+)
+
+# %%
+CENTERS = {"C1": vector(0, 0, 4), "C2": vector(2, 0, 4)}
+CONTROL = {f"G{k}": place for k, place in enumerate(control_points)}
+TIES = {"1": vector(1, 1, 0), "2": vector(2, 1, 1), "3": vector(2, 0, 0)}
+SpaceDrawing(
+    "Two centers, four given points G and three further ones.  Every point is seen from both centers.",
+    CENTERS | CONTROL | TIES,
+    segments=[(center, name) for center in CENTERS for name in CONTROL | TIES],
+    axes=("X", "Y", "Z"),
 )
 
 # %% [markdown]

@@ -5,8 +5,11 @@
 # on triplets of photographs and on calibration.
 
 # %%
+from itertools import combinations
+
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s1_1_general_collinearity import A_of_eleven, eleven, of_angles
 from algebroproj_derivations.okamoto1981.s1_2_space_correspondence import B, images_of_five
@@ -152,6 +155,16 @@ section.rank(
 # **Definition.**  The conditions of similarity know nothing of the object but ratios of distances.  **Print.**  With
 # the conditions of coplanarity they determine all parameters of the model, the interior orientation among them: seven
 # pairs, and the ratios of six distances of four points, or in the general case of nine distances of five points.
+
+
+# %%
+PLACES = {"1": vector(0, 0, 0), "2": vector(2, 0, 0), "3": vector(0, 2, 0), "4": vector(2, 2, 0), "5": vector(1, 1, 2)}
+SpaceDrawing(
+    "Five points have ten distances.  The first nine are used; the tenth, of 4 and 5, is left out, as in section 2.2.",
+    PLACES,
+    segments=list(combinations(PLACES, 2))[:9],
+    axes=("X", "Y", "Z"),
+)
 
 # %%
 section.rank(

@@ -6,8 +6,11 @@
 # edge; its beginnings of lines are all that survives there.
 
 # %%
+from itertools import combinations
+
 import sympy
 
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, determinant, dot, inverse, linear_system, over, solve, vector
@@ -58,6 +61,27 @@ section.rank(
     "four points and a unit point yield a base",
     printed=4,
     derived=B.xreplace(solved),
+)
+
+# %% [markdown]
+# **A figure.**  In a plane there are three points and vectors of three components.  The base vectors are the edges of a
+# box whose diagonal is the unit point.
+
+# %%
+PLANE = [vector(1, 0, 0), vector(sympy.Rational(1, 2), 1, 0), vector(sympy.Rational(1, 4), sympy.Rational(1, 4), 1)]
+DIAGONAL = vector(2, sympy.Rational(3, 2), 1)
+lengths = solve(columns(*PLANE), DIAGONAL)
+EDGES = {f"b{i}": (length * point).doit() for i, (length, point) in enumerate(zip(lengths, PLANE, strict=True))}
+CORNERS = {
+    "+".join(names) or "O": sum((EDGES[name] for name in names), start=vector(0, 0, 0))
+    for count in range(3)
+    for names in combinations(EDGES, count)
+} | {"E": DIAGONAL}
+SpaceDrawing(
+    "Three base vectors b0, b1, b2 and their sum E.",
+    CORNERS,
+    segments=[(a, b) for a, b in combinations(CORNERS, 2) if CORNERS[b] - CORNERS[a] in EDGES.values()] + [("O", "E")],
+    axes=("y_0", "y_1", "y_2"),
 )
 
 # %% [markdown]

@@ -9,12 +9,15 @@ from typing import Any
 import numpy as np
 import xarray
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
-from algebroproj_derivations.studies.pairs import estimating, predicting
+from algebroproj_derivations.studies.pairs import estimating, explaining, predicting
 from algebroproj_derivations.studies.pairs.drawings import residuals_in_pictures, uncertain_lines
-from algebroproj_derivations.studies.pairs.judging import PairJudgement, judge, require_sigma, simulated
+from algebroproj_derivations.studies.pairs.judging import PairJudgement, judge, require_sigma, selected, simulated
+from algebroproj_derivations.studies.pairs.measuring import measured
 from algebroproj_derivations.studies.pairs.normalising import pairs_of
-from algebroproj_derivations.studies.pairs.pair_files import read_pairs
+from algebroproj_derivations.studies.pairs.pair_files import COLUMNS
+from algebroproj_derivations.studies.pairs.robust import require_ransac
 from algebroproj_derivations.studies.pairs.wording import in_words
 from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
@@ -22,50 +25,72 @@ from algebroproj_sym.study.sampling import normal
 
 
 def check(**options: Any) -> None:
-    """Refuse a file without pairs, and errors without sense."""
+    """Refuse a file without pairs, and options without sense."""
     if options["file"] is None:
         raise ValueError("file: expected a CSV file with the columns x1, y1, x2, y2, got none")
-    require_sigma(options["sigma"])
+    sigma = options.pop("sigma")
+    require_sigma(sigma)
+    require_ransac(options["ransac"])
     try:
-        pixels = read_pairs(options["file"])
+        pixels = measured(**options).pixels
     except OSError as error:
-        raise ValueError(f"file: {options['file']} cannot be read ({error.strerror})") from error
+        raise ValueError(f"file: {error.filename} cannot be read ({error.strerror})") from error
     try:
         pairs_of(*pixels)
     except ValueError as error:
         raise ValueError(f"file: {options['file']}: {error}") from error
 
 
-def chunk(indices: Indices, seed: int, *, file: Path, sigma: float) -> xarray.Dataset:
+def chunk(indices: Indices, seed: int, *, sigma: float, **source: Any) -> xarray.Dataset:
     """Measure the adjusted pairs again, with random errors, and see by how much the check points are wrong."""
-    pixels = read_pairs(file)
-    pairs = pairs_of(*pixels)
+    given = measured(**source)
+    pairs = pairs_of(*given.pixels)
     fit = estimating.minima(pairs)[0]
-    places, adjusted = predicting.checks(fit.matrix, pairs), estimating.adjusted(fit.matrix, pairs)
+    places, adjusted = predicting.checks(fit.matrix, pairs, given.frames), estimating.adjusted(fit.matrix, pairs)
+    additions = explaining.additions(pairs, fit, sigma, places)
+    whole = np.concatenate([adjusted, places[:, [addition.place for addition in additions]]], axis=1)
     errors = []
-    for changes in sigma * normal(seed, indices, pixels.shape):
-        again = pairs_of(*(adjusted + changes))
-        found = estimating.minima(again)[0]
-        errors.append(np.sqrt((predicting.errors(found.matrix, again, places) ** 2).mean()))
+    for changes in sigma * normal(seed, indices, whole.shape):
+        measurements = whole + changes
+        errors.append(
+            [_error(measurements[:, : adjusted.shape[1] + more], places) for more in range(len(additions) + 1)]
+        )
+    frames = np.full((2, 2, 2), np.nan) if given.frames is None else given.frames
     data = {
-        "error": variable([MEMBER], errors, "pixel", "root mean square error at the check points"),
-        "measured": variable(["side", "pair", "axis"], pixels, "pixel", "the pairs of the file"),
+        "error": variable(
+            [MEMBER, "added"], errors, "pixel", "root mean square error at the check points, with some pairs added"
+        ),
+        "measured": variable(["side", "pair", "axis"], given.pixels, "pixel", "the pairs that are judged"),
+        "frame": variable(["side", "corner", "axis"], frames, "pixel", "corners of the pictures, if they are known"),
+        "read": variable([], given.read, about="number of pairs of the file"),
+        "chance": variable([], given.chance, about="log10 of how many sets of wrong pairs were kept, too"),
         "sigma": variable([], sigma, "pixel", "standard deviation of a coordinate"),
     }
     return xarray.Dataset(data, coords={MEMBER: indices})
 
 
+def _error(pixels: NDArray[np.float64], places: NDArray[np.float64]) -> float:
+    """Return the root mean square error at check points of the matrix of some pairs."""
+    again = pairs_of(*pixels)
+    return float(np.sqrt((predicting.errors(estimating.minima(again)[0].matrix, again, places) ** 2).mean()))
+
+
 def _judged(dataset: xarray.Dataset) -> PairJudgement:
-    return simulated(judge(*dataset.measured.values, float(dataset.sigma)), dataset.error.values)
+    frames = dataset.frame.values if np.isfinite(dataset.frame.values).all() else None
+    judgement = judge(*dataset.measured.values, float(dataset.sigma), frames)
+    return simulated(selected(judgement, int(dataset.read), float(dataset.chance)), dataset.error.values[:, 0])
 
 
 def report(dataset: xarray.Dataset) -> str:
     """Return the judgement, first in words and then in numbers."""
-    errors = np.quantile(dataset.error.values, [0.5, 0.95])
+    errors, added = np.quantile(dataset.error.values, [0.5, 0.95], axis=0)
     repeated = (
-        f"{dataset.sizes[MEMBER]} simulated measurements: median {errors[0]:.2g} px, 95 % below {errors[1]:.2g} px."
+        f"{dataset.sizes[MEMBER]} simulated measurements: median {errors[0]:.2g} px, 95 % below {added[0]:.2g} px."
     )
-    return in_words(_judged(dataset), repeated)
+    judgement, read = _judged(dataset), int(dataset.read)
+    kept = len(judgement.residuals)
+    left_out = f"RANSAC kept {kept} of {read} pairs. " if np.isfinite(dataset.chance.values) else ""
+    return in_words(judgement, left_out + repeated, added[1:])
 
 
 def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
@@ -81,8 +106,13 @@ STUDY = Study(
     name="pair",
     summary="Whether two pictures determine their relative position well enough to be trusted",
     options=(
-        Option("file", Path, None, "CSV file of pairs, with the columns x1, y1, x2, y2 in pixels."),
+        Option("file", Path, None, "Pairs: CSV, OpenCV's as .npz, COLMAP's database or images.txt."),
         Option("sigma", float, 0.5, "Standard deviation of the coordinates, in pixels."),
+        Option("columns", str, COLUMNS, "Names of the columns of a CSV file, or their numbers."),
+        Option("images", str, None, "Names of the left and of the right picture in COLMAP's files."),
+        Option("size", str, None, "Width and height of the pictures in pixels, such as 4000,3000."),
+        Option("camera", Path, None, "Calibration: TOML, .npz, COLMAP's database or cameras.txt."),
+        Option("ransac", float, None, "Leave out pairs that miss the matrix by more pixels, by PoseLib's RANSAC."),
     ),
     members=100,
     size=10,

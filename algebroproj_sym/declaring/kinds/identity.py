@@ -1,4 +1,4 @@
-"""Equality of scalars, vectors or matrices, wherever the constraints hold."""
+"""Equality of scalars, vectors or matrices, and inequality of scalars, wherever the constraints hold."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.expressions import Scalar, TextForm
 from algebroproj_sym.proving import Proof, prove
+from algebroproj_sym.proving.statements import RELATIONS
 from algebroproj_sym.proving.statements import prove as prove_any
 
 
@@ -54,6 +55,7 @@ def decided_text(claim: Claim, left: TextForm, right: str, engine: str) -> Proof
             constraints=[form.text for form in claim.constraints],
             nonzero=[form.text for form in claim.nonzero],
             assumptions=[form.text for form in claim.assumptions],
+            relation=claim.relation,
             witness=claim.witness,
             engine=engine,
             letters=None if left.letters is None else dict(claim.letters),
@@ -72,8 +74,22 @@ def identity(
     section: Declaring, number: str, title: str, *, printed: Any = QUOTED, derived: Any, **options: Unpack[Options]
 ) -> Claim:
     """Declare that two scalars, vectors or matrices are equal, wherever the constraints hold."""
-    kind = CONSTRAINED if options.get("constraints") else IDENTITY
+    is_equality = options.get("relation", "=") == "="
+    kind = INEQUALITY if not is_equality else CONSTRAINED if options.get("constraints") else IDENTITY
     return section.declare(kind, number, title, printed, derived, **options)
+
+
+def inequality(
+    section: Declaring, number: str, title: str, *, printed: Any = QUOTED, derived: Any, **options: Unpack[Options]
+) -> Claim:
+    """Declare that the printed scalar has a relation to the derived one, other than equality."""
+    return section.declare(INEQUALITY, number, title, printed, derived, **options)
+
+
+def _require_relation(claim: Claim, where: str) -> None:
+    others = [relation for relation in RELATIONS if relation != "="]
+    if claim.relation not in others:
+        raise DeclarationError(f"{where}, relation: expected one of {', '.join(others)}, got {claim.relation!r}")
 
 
 IDENTITY = Kind(
@@ -91,4 +107,13 @@ CONSTRAINED = replace(
     name="identity under constraints",
     says="Both sides are equal wherever the constraints hold.",
     takes=("constraints", "nonzero", "assumptions", "letters", "assumed"),
+)
+INEQUALITY = replace(
+    IDENTITY,
+    name="inequality",
+    declare=inequality,
+    says=lambda claim: f"Printed {claim.relation} derived, wherever both sides are defined and the conditions hold.",
+    takes=("constraints", "nonzero", "assumptions", "relation"),
+    require=_require_relation,
+    is_marked=False,
 )

@@ -1,6 +1,7 @@
 """What SymPy's matrix expressions lack: products of vectors, cross-product matrices, adjugates, quaternions.
 
-A vector is an n x 1 matrix.  A quaternion is a vector (w, x, y, z) with Hamilton's product.
+A vector is an n x 1 matrix.  A quaternion is a vector (w, x, y, z) with Hamilton's product.  A motion is a vector of 6
+components, first a translation and then a rotation vector.
 """
 
 from __future__ import annotations
@@ -148,3 +149,60 @@ class VectorPart(_OfMatrices):
     """The vector (x, y, z) of a quaternion."""
 
     kind = "imag"
+
+
+class Exponential(_OfMatrices):
+    """The exponential of ``Skew(v)``, ``Hat(x)`` or ``LittleAdjoint(x)``: a rotation, a pose, the adjoint of a pose."""
+
+    kind = "exp"
+
+
+class LeftJacobian(_OfMatrices):
+    """The series ``1 + M/2! + M**2/3! + ...`` of the matrix M of a rotation vector or of a motion.
+
+    ``exp(Skew(v + d))`` is ``exp(Skew(LeftJacobian(v)*d))*exp(Skew(v))`` up to squares of d: perturbed on the left.
+    """
+
+    kind = "jl"
+
+
+class RightJacobian(_OfMatrices):
+    """The left Jacobian of the opposite vector: it is that of a perturbation on the right."""
+
+    kind = "jr"
+
+
+class Directional(_OfMatrices):
+    """The derivative of a matrix by e, where a letter v is ``v + e*d``: of the matrix, the letter and d."""
+
+    kind = "diff"
+
+
+class LeftPerturbed(_OfMatrices):
+    """The derivative of a matrix by e, where a rotation R is ``exp(skew(e*d))*R``: of the matrix, R and d."""
+
+    kind = "ldiff"
+
+
+class RightPerturbed(_OfMatrices):
+    """The derivative of a matrix by e, where a rotation R is ``R*exp(skew(e*d))``: of the matrix, R and d."""
+
+    kind = "rdiff"
+
+
+class Hat(_OfMatrices):
+    """The 4 x 4 matrix of a motion (t, v): ``[[Skew(v), t], [0, 0]]``."""
+
+    kind = "hat"
+
+
+class LittleAdjoint(_OfMatrices):
+    """The 6 x 6 matrix of a motion (t, v): ``[[Skew(v), Skew(t)], [0, Skew(v)]]``."""
+
+    kind = "ad"
+
+
+class BigAdjoint(_OfMatrices):
+    """The 6 x 6 matrix of a pose ``[[R, t], [0, 1]]``: ``[[R, Skew(t)*R], [0, R]]``."""
+
+    kind = "Ad"

@@ -157,6 +157,8 @@ _READERS: Mapping[Any, Callable[[Reading, Any], Term]] = {
     sympy.Identity: Reading._constant,
     sympy.ZeroMatrix: Reading._constant,
     over: Reading._quotient,
+    sympy.sin: lambda reading, node: reading._of("sin", node),
+    sympy.cos: lambda reading, node: reading._of("cos", node),
     sympy.Add: lambda reading, node: reading._of("sum", node),
     sympy.Mul: lambda reading, node: reading._of("product", node),
     sympy.Pow: Reading._power,
@@ -169,6 +171,8 @@ _CLASSES: Mapping[str, Any] = {
     "det": sympy.Determinant,
     "kron": kronecker.KroneckerProduct,
     "diag": diagonal.DiagMatrix,
+    "sin": sympy.sin,
+    "cos": sympy.cos,
 }
 
 

@@ -207,7 +207,23 @@ def _entry(shapes: Sequence[Shape], value: Any) -> Shape:
     return ONE
 
 
-_THREE, _FOUR = (3, 1), (4, 1)
+def _jacobian(shapes: Sequence[Shape], value: Any) -> Shape:
+    _require([*shapes] in ([(3, 1)], [(6, 1)]), "jl, jr", "a vector of 3 or 6 components", shapes)
+    return shapes[0][0], shapes[0][0]
+
+
+def _derivative(kind: str, turned: bool) -> Callable[[Sequence[Shape], Any], Shape]:
+    def rule(shapes: Sequence[Shape], value: Any) -> Shape:
+        expected = "a form, a letter and a direction of its shape"
+        if turned:
+            _require([*shapes[1:]] == [(3, 3), (3, 1)], kind, "a form, a matrix of 3x3 and a vector of 3x1", shapes)
+        _require(len(shapes) == 3 and (turned or shapes[1] == shapes[2]), kind, expected, shapes)
+        return shapes[0]
+
+    return rule
+
+
+_THREE, _FOUR, _SIX = (3, 1), (4, 1), (6, 1)
 
 FUNCTIONS: Mapping[str, Callable[[Sequence[Shape], Any], Shape]] = {
     "trace": _square("trace", scalar=True),
@@ -227,6 +243,17 @@ FUNCTIONS: Mapping[str, Callable[[Sequence[Shape], Any], Shape]] = {
     "imag": _fixed("imag", "a quaternion of 4 components", [_FOUR], _THREE),
     "kron": _kron,
     "vec": _vec,
+    "sin": _fixed("sin", "a number", [ONE], ONE),
+    "cos": _fixed("cos", "a number", [ONE], ONE),
+    "exp": _square("exp", scalar=False),
+    "jl": _jacobian,
+    "jr": _jacobian,
+    "diff": _derivative("diff", turned=False),
+    "ldiff": _derivative("ldiff", turned=True),
+    "rdiff": _derivative("rdiff", turned=True),
+    "hat": _fixed("hat", "a vector of 6 components", [_SIX], (4, 4)),
+    "ad": _fixed("ad", "a vector of 6 components", [_SIX], (6, 6)),
+    "Ad": _fixed("Ad", "a matrix of 4x4", [(4, 4)], (6, 6)),
 }
 """Functions of letters, by the names they have in text, with the shapes of what they make."""
 

@@ -110,7 +110,7 @@ def _in_double(solved: Function, heads: Rows, rests: Rows | None) -> tuple[Any, 
 
     Of many a good system the digits of float32 do not decide the rank.
     """
-    narrow = heads[0][0].dtype if rests is not None else None
+    narrow = getattr(heads[0][0], "dtype", DOUBLE)
     if rests is None or narrow.itemsize >= DOUBLE.itemsize:
         return tuple(solved(heads, rests))
     xp = namespace(heads[0])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
 import sympy
@@ -239,9 +240,13 @@ def _by_symbol(
     """Return a point by symbol: matrices for letters, fractions for numbers, integers for sizes."""
     matrices = {
         letters.get(name, sympy.MatrixSymbol(name, len(rows), len(rows[0]))): sympy.ImmutableMatrix(
-            [[sympy.Rational(entry.numerator, entry.denominator) for entry in row] for row in rows]
+            [[_number(point.shown(name, entry)) for entry in row] for row in rows]
         )
         for name, rows in point.letters.items()
     }
-    numbers = {**point.scalars, **point.sizes}
+    numbers = {name: point.shown(name, value) for name, value in point.scalars.items()} | dict(point.sizes)
     return matrices | {scalars.get(name, sympy.Symbol(name)): value for name, value in numbers.items()}
+
+
+def _number(value: Any) -> Any:
+    return sympy.Rational(value.numerator, value.denominator) if isinstance(value, Fraction) else value

@@ -18,13 +18,15 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import admits, over, text, values_of
+from algebroproj_sym.expressions import admits, is_plain, over, text, values_of
 from algebroproj_sym.expressions.letters import LetterError, Term, factors_of, letters_text
+from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
 from algebroproj_sym.proving.letters.points import example, has_properties
-from algebroproj_sym.proving.letters.properties import Coordinates, coordinates
+from algebroproj_sym.proving.letters.properties import Coordinates, Letter, coordinates
 from algebroproj_sym.proving.letters.rewriting import proof_in_words
 from algebroproj_sym.proving.letters.rules import rules_for
+from algebroproj_sym.proving.letters.series import FUNCTIONS, speaks_of_angles, without_series
 from algebroproj_sym.proving.letters.statements import (
     Statement,
     fixed,
@@ -32,6 +34,7 @@ from algebroproj_sym.proving.letters.statements import (
     without_definitions,
     without_lengths,
 )
+from algebroproj_sym.proving.letters.turns import Turn
 from algebroproj_sym.proving.letters.words import Algebra, NotWordsError
 from algebroproj_sym.proving.points import rational_zeros
 from algebroproj_sym.proving.prove import Decision, UndefinedError
@@ -45,6 +48,7 @@ MORE_TRIES = 200
 CONSTRAINED_STARTS = 8
 CONSTRAINED_TRIES = 60
 
+_CIRCLE = [(Fraction(a, c), Fraction(b, c)) for a, b, c in ((3, 4, 5), (-4, 3, 5), (5, 12, 13), (-8, 15, 17))]
 _NUMBERS = Field(Fraction)
 _EXPRESSIONS = Field(lambda value: sympy.Rational(value.numerator, value.denominator), over)
 
@@ -61,17 +65,36 @@ class Point:
         The numbers.
     sizes : mapping of str to int
         The sizes.
+    turn : Turn, optional
+        The angle of which others are multiples; values have a number in its place.
     """
 
     letters: Mapping[str, Rows]
     scalars: Mapping[str, Fraction]
     sizes: Mapping[str, int]
+    turn: Turn | None = None
+
+    def value(self, term: Term) -> Rows:
+        """Return the rows of a term.
+
+        Raises
+        ------
+        ZeroDivisionError
+            If it is not defined, or not known exactly.
+        """
+        return entries_of(term, self.letters, self.scalars, _NUMBERS, self.sizes, self.turn)
 
     def record(self) -> dict[str, Any]:
         """Return the values as text."""
-        rows = {name: [[*map(str, row)] for row in value] for name, value in self.letters.items()}
-        values = {name: str(value) for name, value in self.scalars.items()}
+        rows = {
+            name: [[str(self.shown(name, x)) for x in row] for row in value] for name, value in self.letters.items()
+        }
+        values = {name: str(self.shown(name, value)) for name, value in self.scalars.items()}
         return rows | values | dict(self.sizes)
+
+    def shown(self, name: str, value: Fraction) -> Any:
+        """Return what an entry of a letter, or a number, is."""
+        return value if self.turn is None or name not in self.turn.names else self.turn.shown(value)
 
 
 @dataclass(frozen=True)
@@ -135,10 +158,13 @@ def decide(statement: Statement, engine: str = "flint") -> Found:
 class _Question:
     def __init__(self, statement: Statement, engine: str) -> None:
         self.letters = statement.letters
+        self.size_names = statement.size_names
         self.definitions, statement = without_definitions(without_lengths(statement))
+        statement = without_derivatives(statement)
         self.statement = statement
         self.engine = engine
         self.witness: Point | None = None
+        self.angles, self.plain = without_series(statement) if speaks_of_angles(statement) else ([], statement)
         self.hypotheses = hypotheses_of(statement.terms, statement.letters)
 
     def found(self) -> Found:
@@ -159,7 +185,7 @@ class _Question:
 
     def _without_entries(self) -> str:
         """Return why entries decide nothing; empty if they may."""
-        if self.statement.size_names:
+        if self.size_names:
             return "no proof was found in words, and sizes with names have no entries"
         turning = [each for each in self.statement.letters.values() if "orthogonal" in each.properties]
         if any(int(letter.shape[0]) > LARGEST_TURN for letter in turning):
@@ -194,7 +220,7 @@ class _Question:
             sizes = {name: Fraction(size) for name, size in point.sizes.items()}
             if not all(self._admits(*each) for each in {**self._completed(point).scalars, **sizes}.items()):
                 return None
-            values = [entries_of(term, point.letters, point.scalars, _NUMBERS, point.sizes) for term in statement.terms]
+            values = [point.value(term) for term in statement.terms]
         except (ZeroDivisionError, IndexError):
             return None
         left, right, *others = values
@@ -203,7 +229,15 @@ class _Question:
             rows == [[0]] for rows in nonzero
         ):
             return None
+        if point.turn is not None and not self._is_exact(point.turn):
+            return None
         return left != right
+
+    def _is_exact(self, turn: Turn) -> bool:
+        """Whether constraints hold at an angle if they hold with a number in its place, and nothing else is assumed."""
+        scalars = self.statement.scalars
+        plain = all(name not in scalars or is_plain(scalars[name]) for name in self.definitions)
+        return plain and all(turn.degree(term) is not None for term in self.statement.constraints)
 
     def _admits(self, name: str, value: Fraction) -> bool:
         return name not in self.statement.scalars or admits(self.statement.scalars[name], value)
@@ -212,17 +246,45 @@ class _Question:
         generator = random.Random(self.statement.seed)
         for attempt in range(tries):
             sizes = self._sizes(generator, attempt)
-            if self.statement.constraints:
+            if self.statement.constraints and not self.angles:
                 yield from self._constrained_points(sizes, attempt)
             letters = {
                 name: example(letter, sizes, generator, attempt) for name, letter in self.statement.letters.items()
             }
             scalars = {name: self._number(symbol, generator, attempt) for name, symbol in self._scalars().items()}
             if None not in letters.values():
-                yield Point(letters, scalars, sizes)  # type: ignore[arg-type]
+                point = Point(letters, scalars, sizes)  # type: ignore[arg-type]
+                yield self._turned(point, generator) if self.angles else point
+
+    def _turned(self, point: Point, generator: random.Random) -> Point:
+        """Return a point at which lengths are rational, and angles multiples of one."""
+        cosine, sine = generator.choice(_CIRCLE)
+        value = Fraction(generator.randint(1, 3))
+        letters, scalars, names = dict(point.letters), dict(point.scalars), set[str]()
+        parts = {part for term in self.statement.terms for part in factors_of(term)}
+        has_angle = any(part.kind in FUNCTIONS and part.kind != "norm" for part in parts)
+        frame, lengths = _frame(generator), generator.choice(((3, 4, 5), (1, 2, 4), (2, 1, 4), (2, 2, 2)))
+        within = {
+            part.value for angle in self.angles for part in factors_of(angle) if part.kind in ("letter", "symbol")
+        }
+        for place, name in enumerate(sorted(within - {*point.sizes})):
+            turns = has_angle and generator.random() < 0.8
+            length = lengths[place % 3] * (value if turns else Fraction(1))
+            if name in scalars:
+                symbol = self.statement.scalars.get(name, sympy.Symbol(name))
+                if turns and symbol.is_algebraic is None:
+                    signed = generator.choice((length, -length))
+                    scalars[name] = signed if admits(symbol, signed) else -signed
+                    names.add(name)
+                continue
+            if self.letters[name].properties <= {"skew"}:
+                axis = frame[place % 3] if generator.random() < 0.7 else generator.choice(_frame(generator))
+                letters[name] = _of_length(letters[name], [length * entry for entry in axis], self.letters[name])
+                names |= {name} if turns else set()
+        return Point(letters, scalars, point.sizes, Turn(cosine, sine, value, frozenset(names)))
 
     def _sizes(self, generator: random.Random, attempt: int) -> dict[str, int]:
-        names = self.statement.size_names
+        names = self.size_names
         if attempt < 4:
             return {name: 2 + (k + attempt) % 2 for k, name in enumerate(names)}
         return {name: generator.randint(1, 3) for name in names}
@@ -230,7 +292,7 @@ class _Question:
     def _scalars(self) -> dict[str, sympy.Symbol]:
         terms = (*self.statement.terms, *self.definitions.values())
         names = {part.value for term in terms for part in factors_of(term) if part.kind == "symbol"}
-        others = sorted(names - {*self.statement.size_names})
+        others = sorted(names - {*self.size_names})
         return {name: self.statement.scalars.get(name, sympy.Symbol(name)) for name in others}
 
     def _number(self, symbol: sympy.Symbol, generator: random.Random, attempt: int) -> Fraction:
@@ -256,29 +318,29 @@ class _Question:
                 yield Point(letters, numbers, sizes)
 
     def _refuted(self, point: Point) -> Found:
-        values = [
-            entries_of(side, point.letters, point.scalars, _NUMBERS, point.sizes)
-            for side in (self.statement.left, self.statement.right)
-        ]
-        shown = ([[*map(str, row)] for row in rows] for rows in values)
+        shown = ([[*map(str, row)] for row in point.value(side)] for side in self.statement.terms[:2])
         certificate = {"method": "counterexample"} | dict(zip(("left", "right"), shown, strict=True))
+        if point.turn is not None:
+            certificate = {"method": "counterexample", "angle": str(point.turn.value)}
         return Found("refuted", certificate, self._scope(point.sizes), self._completed(point))
 
     def _completed(self, point: Point) -> Point:
-        """Return a point with values also for what constraints define."""
+        """Return a point with values also for what constraints define, if these are exact."""
+        if point.turn is not None:
+            return point
         letters, scalars = dict(point.letters), dict(point.scalars)
         for name, term in self.definitions.items():
-            rows = entries_of(term, point.letters, point.scalars, _NUMBERS, point.sizes)
+            rows = point.value(term)
             if name in self.letters:
                 letters[name] = rows
             else:
                 scalars[name] = rows[0][0]
-        return Point(letters, scalars, point.sizes)
+        return Point(letters, scalars, point.sizes, point.turn)
 
     # -- proofs
 
     def _in_words(self) -> Found | None:
-        statement = self.statement
+        statement = self.plain
         algebra = Algebra(statement.letters)
         try:
             claim = algebra.poly(statement.left) - algebra.poly(statement.right)
@@ -296,7 +358,10 @@ class _Question:
 
     def _proved(self, certificate: Mapping[str, Any], scope: str) -> Found:
         witness = {} if self.witness is None else {"witness": self._completed(self.witness).record()}
-        return Found("proved", {**certificate, "scope": scope, **witness}, scope, None, self.hypotheses)
+        angles: dict[str, Any] = {"angles": [*map(letters_text, self.angles)]} if self.angles else {}
+        if self.witness is not None and self.witness.turn is not None:
+            angles["angle"] = str(self.witness.turn.value)
+        return Found("proved", {**certificate, **angles, "scope": scope, **witness}, scope, None, self.hypotheses)
 
     def _scope(self, sizes: Mapping[str, int]) -> str:
         """Return the shapes of the letters, such as ``for 3x3 and 3x1``."""
@@ -304,7 +369,7 @@ class _Question:
         return f"for {' and '.join('x'.join(shape) for shape in sorted(shapes, reverse=True))}" if shapes else ""
 
     def _by_entries(self) -> Found | None:
-        expansion = _Expansion(self.statement)
+        expansion = _Expansion(self.plain)
         if expansion.equations:
             return self._constrained(expansion)
         field = RationalFunctionField(expansion.symbols, self.engine)
@@ -314,7 +379,7 @@ class _Question:
             for signs in product((1, -1), repeat=len(expansion.signs)):
                 values = named | {name: field.lift(Fraction(s)) for name, s in zip(expansion.signs, signs, strict=True)}
                 letters = {k: entries_of(each.entries, {}, values, numbers) for k, each in expansion.letters.items()}
-                sides = (entries_of(side, letters, values, numbers) for side in self.statement.terms[:2])
+                sides = (entries_of(side, letters, values, numbers) for side in self.plain.terms[:2])
                 pairs = zip(*sides, strict=True)
                 if any(not (a - b).is_zero for rows in pairs for a, b in zip(*rows, strict=True)):
                     return None
@@ -330,15 +395,15 @@ class _Question:
         return UndefinedError(f"prove: expected sides in which something has an inverse somewhere, got {texts}")
 
     def _constrained(self, expansion: _Expansion) -> Found | None:
-        left, right, *others = (expansion.matrix(term) for term in self.statement.terms)
-        nonzero = [unit[0] for unit in others[len(self.statement.constraints) :]]
+        left, right, *others = (expansion.matrix(term) for term in self.plain.terms)
+        nonzero = [unit[0] for unit in others[len(self.plain.constraints) :]]
         given = [
             symbol for symbol in self.statement.scalars.values() if symbol.name in {s.name for s in expansion.symbols}
         ]
         proof = decided(
             left, right, constraints=expansion.equations, nonzero=nonzero, engine=self.engine, assumptions=given
         )
-        if proof.verdict == "refuted" and proof.counterexample is not None:
+        if proof.verdict == "refuted" and proof.counterexample is not None and not self.angles:
             values = {symbol.name: value for symbol, value in proof.counterexample.items()}
             if all(isinstance(value, Fraction) for value in values.values()):
                 values |= {symbol.name: Fraction(1) for symbol in expansion.symbols if symbol.name not in values}
@@ -359,6 +424,20 @@ class _Question:
     def _whole(self, expansion: _Expansion, proof: dict[str, Any]) -> dict[str, Any]:
         """Return a proof with a witness that has a value also for coordinates that cancel."""
         return proof | {"witness": dict.fromkeys(expansion.values, "1") | proof["witness"]}
+
+
+def _frame(generator: random.Random) -> Rows:
+    """Return three vectors of length 1, each orthogonal to the others."""
+    rotation = Letter("R", (3, 3), frozenset({"rotation", "orthogonal"}))
+    return example(rotation, {}, generator, 0) or [[Fraction(i == j) for j in range(3)] for i in range(3)]
+
+
+def _of_length(rows: Rows, vector: list[Fraction], letter: Letter) -> Rows:
+    """Return a cross-product matrix, or a vector, of which the last three components are given; others as they are."""
+    if "skew" in letter.properties and len(rows) == 3:
+        x, y, z = vector
+        return [[Fraction(0), -z, y], [z, Fraction(0), -x], [-y, x, Fraction(0)]]
+    return [*rows[:-3], *([entry] for entry in vector)] if len(rows) >= 3 and len(rows[0]) == 1 else rows
 
 
 class _Expansion:

@@ -9,7 +9,9 @@ from functools import reduce
 from operator import add, mul, truediv
 from typing import Any, TypeAlias
 
-from algebroproj_sym.expressions.letters import ONE, Size, Term
+from algebroproj_sym.expressions.letters import ONE, Size, Term, parse_letters
+from algebroproj_sym.proving.letters.series import FUNCTIONS, SERIES, matrix_of, name_of
+from algebroproj_sym.proving.letters.turns import Turn
 
 Rows: TypeAlias = list[list[Any]]
 
@@ -36,6 +38,7 @@ def entries_of(
     scalars: Mapping[str, Any],
     field: Field,
     sizes: Mapping[str, int] | None = None,
+    turn: Turn | None = None,
 ) -> Rows:
     """Return the rows of a term.
 
@@ -51,6 +54,8 @@ def entries_of(
         What they are numbers of.
     sizes : mapping of str to int, optional
         The sizes that have names.
+    turn : Turn, optional
+        The angle of which others are multiples, where there are functions of angles.
 
     Raises
     ------
@@ -65,14 +70,19 @@ def entries_of(
     >>> [str(entry) for row in entries_of(term, {"A": rows}, {"x": Fraction(1)}, Field(Fraction)) for entry in row]
     ['-2', '1', '3/2', '-1/2']
     """
-    return _Evaluation(letters, scalars, field, sizes or {}).rows(term)
+    return _Evaluation(letters, scalars, field, sizes or {}, turn).rows(term)
 
 
 class _Evaluation:
     def __init__(
-        self, letters: Mapping[str, Rows], scalars: Mapping[str, Any], field: Field, sizes: Mapping[str, int]
+        self,
+        letters: Mapping[str, Rows],
+        scalars: Mapping[str, Any],
+        field: Field,
+        sizes: Mapping[str, int],
+        turn: Turn | None,
     ) -> None:
-        self.letters, self.scalars, self.field, self.sizes = letters, scalars, field, sizes
+        self.letters, self.scalars, self.field, self.sizes, self.turn = letters, scalars, field, sizes, turn
         self.known: dict[Term, Rows] = {}
         self.zero, self.one = field.lift(Fraction(0)), field.lift(Fraction(1))
 
@@ -104,9 +114,33 @@ class _Evaluation:
             return reduce(self.product, parts)
         if term.kind == "kron":
             return reduce(_kron, parts)
+        if term.kind in FUNCTIONS:
+            return self.of_angle(term)
         function = getattr(self, term.kind)
         result: Rows = function(*parts)
         return result
+
+    def of_angle(self, term: Term) -> Rows:
+        """Return a function of an angle, at a multiple of the one that is known."""
+        if self.turn is None:
+            raise ZeroDivisionError("no angle is known")
+        if term.kind in ("exp", "jl", "jr"):
+            matrix = self.rows(matrix_of(term))
+            square = matrix[2][1] ** 2 + matrix[0][2] ** 2 + matrix[1][0] ** 2
+            degree = self.turn.degree_of_angle(term.parts[0])
+            numbers = {"N": square} | {f"c{k}": self.turn.stumpff(k, square, degree) for k in range(6)}
+            total, power = self.scaled(self.zero, matrix), self.identity(len(matrix))
+            for text in SERIES[name_of(term)]:
+                factor = entries_of(parse_letters(text, {}), {}, numbers, self.field)[0][0]
+                total, power = self.sum(total, self.scaled(factor, power)), self.product(power, matrix)
+            return total
+        rows, degree = self.rows(term.parts[0]), self.turn.degree(term.parts[0])
+        square = reduce(add, (entry**2 for row in rows for entry in row))
+        if term.kind == "norm":
+            return [[self.turn.length(square, degree)]]
+        if term.kind == "cos":
+            return [[self.turn.stumpff(0, square, degree)]]
+        return [[rows[0][0] * self.turn.stumpff(1, square, degree)]]
 
     def size(self, size: Size) -> int:
         return size if isinstance(size, int) else self.sizes[size]
@@ -225,6 +259,20 @@ class _Evaluation:
             [_twice(x * z - w * y), _twice(y * z + w * x), w * w - x * x - y * y + z * z],
         ]
         return [[self.field.divide(entry, square) for entry in row] for row in rows]
+
+    def hat(self, motion: Rows) -> Rows:
+        rows = [[*row, *t] for row, t in zip(self.skew(motion[3:]), motion[:3], strict=True)]
+        return [*rows, [self.zero] * 4]
+
+    def ad(self, motion: Rows) -> Rows:
+        return self.adjoint(self.skew(motion[3:]), self.skew(motion[:3]))
+
+    def Ad(self, pose: Rows) -> Rows:  # noqa: N802
+        rotation = [row[:3] for row in pose[:3]]
+        return self.adjoint(rotation, self.product(self.skew([row[3:] for row in pose[:3]]), rotation))
+
+    def adjoint(self, diagonal: Rows, above: Rows) -> Rows:
+        return self.block([diagonal, above, self.scaled(self.zero, diagonal), diagonal], 2)
 
     def block(self, parts: list[Rows], width: int) -> Rows:
         lines = [parts[k : k + width] for k in range(0, len(parts), width)]

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import sympy
 
-from algebroproj_sym.expressions.letters import LetterError, Size, Term, factors_of, letters_text, made, number
+from algebroproj_sym.expressions.letters import Size, Term, factors_of, letters_text, made, number
 from algebroproj_sym.proving.letters.properties import Letter
 from algebroproj_sym.proving.points import seed_of
 
@@ -88,12 +88,7 @@ def without_lengths(statement: Statement) -> Statement:
         left, right = (_squared(made("power", side, value=2), statement.letters) for side in (left, right))
     constraints = (*(_squared(term, statement.letters) for term in statement.constraints),)
     nonzero = (*(_squared(term, statement.letters) for term in statement.nonzero),)
-    changed = replace(statement, left=left, right=right, constraints=constraints, nonzero=nonzero)
-    norms = {letters_text(part) for term in changed.terms for part in factors_of(term) if part.kind == "norm"}
-    if norms:
-        text = min(norms)
-        raise LetterError(f"norm: expected {text}**2, or {text} alone on a side; roots are not decided")
-    return changed
+    return replace(statement, left=left, right=right, constraints=constraints, nonzero=nonzero)
 
 
 def _squared(term: Term, letters: Mapping[str, Letter]) -> Term:
@@ -125,9 +120,10 @@ def without_definitions(statement: Statement) -> tuple[dict[str, Term], Statemen
     ('skew(t)*R', '(skew(t)*R).T*t', ())
     """
     definitions: dict[str, Term] = {}
+    sizes = statement.size_names
     place = 0
     while place < len(statement.constraints):
-        found = _definition(statement.constraints[place], statement)
+        found = _definition(statement.constraints[place], statement, sizes)
         if found is None:
             place += 1
             continue
@@ -150,7 +146,7 @@ def without_definitions(statement: Statement) -> tuple[dict[str, Term], Statemen
     return definitions, statement
 
 
-def _definition(constraint: Term, statement: Statement) -> tuple[Term, Term] | None:
+def _definition(constraint: Term, statement: Statement, sizes: Sequence[str]) -> tuple[Term, Term] | None:
     """Return what a constraint defines, and as what."""
     for place, part in enumerate(constraint.parts if constraint.kind == "sum" else ()):
         minus = part.kind == "product" and len(part.parts) == 2 and part.parts[0] == number(-1)
@@ -160,7 +156,7 @@ def _definition(constraint: Term, statement: Statement) -> tuple[Term, Term] | N
             continue
         if defined.kind == "letter" and statement.letters[defined.value].properties:
             continue
-        if defined.value in statement.size_names:
+        if defined.value in sizes:
             continue
         value = others[0] if len(others) == 1 else made("sum", *others)
         return defined, value if minus else _negative(value)

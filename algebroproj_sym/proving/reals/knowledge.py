@@ -232,7 +232,6 @@ class Knowledge:
             return False
         for factor in factors:
             if self._rewritten(factor) or self._zero(factor):
-                cofactor = divmod(goal, factor)[0]
                 place = self.theory.facts.index(self.theory.fact("=", self.back(factor)))
                 own = self.into(self.theory.facts[place].polynomial)
                 cofactor = divmod(goal, own)[0]

@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import Any
 
 from algebroproj_sym.proving.consequences import End
-from algebroproj_sym.proving.polynomials import content_of
+from algebroproj_sym.proving.polynomials import by_degree, content_of
 from algebroproj_sym.proving.reals.knowledge import Knowledge, rational_gcd
 from algebroproj_sym.proving.reals.rewriting import reduced_by
 from algebroproj_sym.replaying.field import Element
@@ -202,7 +202,7 @@ def factors(knowledge: Knowledge, element: Element) -> tuple[Fraction, list[tupl
     return number, [(own, power) for own, power in found.values() if power]
 
 
-def primes(number: Fraction) -> list[tuple[int, int]] | None:
+def primes(number: Fraction) -> list[tuple[int, int]]:
     """Return a positive number as powers of small primes, and of what is left."""
     found = []
     for value, sign in ((number.numerator, 1), (number.denominator, -1)):
@@ -248,7 +248,7 @@ def _logarithm(knowledge: Knowledge, name: str, argument: Element) -> None:
         return
     if left is not None:
         listed.append([1, left])
-    listed += [[power, theory.number(prime)] for prime, power in primes(abs(number)) or ()]
+    listed += [[power, theory.number(prime)] for prime, power in primes(abs(number))]
     if len(listed) == 1 and listed[0][0] == 1 and (listed[0][1] - argument).is_zero:
         if _is_exponential(knowledge, argument):
             knowledge.step("logarithms", target=name, parts=[[1, knowledge.said(argument)]])
@@ -366,17 +366,9 @@ def _replaced(polynomial: Any, power: tuple[int, int], value: Any) -> Any:
     place, degree = power
     if int(polynomial.degrees()[place]) < degree:
         return polynomial
-    result = polynomial * 0
     gen = polynomial.context().gens()[place]
-    parts: dict[int, dict[Any, Any]] = {}
-    for powers, coefficient in polynomial.to_dict().items():
-        listed = [*map(int, powers)]
-        count, listed[place] = listed[place], 0
-        parts.setdefault(count, {})[tuple(listed)] = coefficient
-    for count, terms in parts.items():
-        piece = polynomial.context().from_dict(terms)
-        result = result + piece * value ** (count // degree) * gen ** (count % degree)
-    return result
+    parts = by_degree(polynomial, place).items()
+    return sum((part * value ** (n // degree) * gen ** (n % degree) for n, part in parts), polynomial * 0)
 
 
 def _rooted(knowledge: Knowledge, radicand: Element, degree: int) -> Element | None:
@@ -409,9 +401,7 @@ def _rooted(knowledge: Knowledge, radicand: Element, degree: int) -> Element | N
         if outside:
             value = value * element**outside
         if inside:
-            if not knowledge.step("defined", term=_root_text(knowledge.said(element), degree)):
-                return None
-            part = theory.named("root", element, degree=degree)
+            part = _root_of(knowledge, element, degree)
             if part is None:
                 return None
             value = value * part**inside
@@ -420,22 +410,22 @@ def _rooted(knowledge: Knowledge, radicand: Element, degree: int) -> Element | N
     if negative:
         return None
     if left is not None:
-        if not knowledge.positive(left) or not knowledge.step("defined", term=_root_text(knowledge.said(left), degree)):
-            return None
-        part = knowledge.theory.named("root", left, degree=degree)
+        part = _root_of(knowledge, left, degree) if knowledge.positive(left) else None
         if part is None:
             return None
         value = value * part
-    for prime, power in primes(abs(number)) or ():
+    for prime, power in primes(abs(number)):
         if power // degree:
             value = value * theory.number(Fraction(prime) ** (power // degree))
         if power % degree:
-            knowledge.step("defined", term=_root_text(str(prime), degree))
-            part = knowledge.theory.named("root", theory.number(prime), degree=degree)
+            part = _root_of(knowledge, theory.number(prime), degree)
             assert part is not None
             value = value * part ** (power % degree)
     return value
 
 
-def _root_text(text: str, degree: int) -> str:
-    return f"({text})**(1/{degree})"
+def _root_of(knowledge: Knowledge, radicand: Element, degree: int) -> Element | None:
+    """Return the root of something that is shown to have one."""
+    if not knowledge.step("defined", term=f"({knowledge.said(radicand)})**(1/{degree})"):
+        return None
+    return knowledge.theory.named("root", radicand, degree=degree)

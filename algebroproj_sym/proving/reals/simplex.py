@@ -50,26 +50,27 @@ def _table(
 
 def _useful(rows: list[list[float]]) -> list[int] | None:
     """Return which columns solve equations with nonnegative numbers, by the simplex method."""
-    import numpy as np
-
-    table = np.array([*rows, [0.0] * len(rows[0])])
-    table[-1] = table.sum(axis=0)
+    table = [*rows, [sum(column) for column in zip(*rows, strict=True)]]
     costs, basis = table[-1], [len(rows[0]) - 1] * len(rows)
     for pivots in range(MOST_PIVOTS):
         if costs[-1] <= TINY:
             return sorted({place for place in basis if place < len(rows[0]) - 1})
-        better = np.flatnonzero(costs[:-1] > TINY)
-        if not len(better):
+        better = [place for place, cost in enumerate(costs[:-1]) if cost > TINY]
+        if not better:
             return None
-        entering = int(better[costs[better].argmax()] if pivots < MOST_PIVOTS // 2 else better[0])
-        candidates = [number for number in range(len(rows)) if table[number, entering] > TINY]
+        entering = max(better, key=costs.__getitem__) if pivots < MOST_PIVOTS // 2 else better[0]
+        candidates = [number for number in range(len(rows)) if table[number][entering] > TINY]
         if not candidates:
             return None
-        leaving = min(candidates, key=lambda each: (table[each, -1] / table[each, entering], -basis[each]))
-        table[leaving] /= table[leaving, entering]
-        factors = table[:, entering].copy()
-        factors[leaving] = 0.0
-        table -= factors[:, None] * table[leaving]
+        leaving = min(candidates, key=lambda each: (table[each][-1] / table[each][entering], -basis[each]))
+        pivot = table[leaving][entering]
+        used = [(place, value / pivot) for place, value in enumerate(table[leaving]) if value]
+        for number, row in enumerate(table):
+            factor = row[entering] if number != leaving else 0.0
+            for place, value in used if factor else ():
+                row[place] -= factor * value
+        for place, value in used:
+            table[leaving][place] = value
         basis[leaving] = entering
     return None
 

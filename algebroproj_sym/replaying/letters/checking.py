@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence, Set
 from fractions import Fraction
+from functools import partial
 from itertools import product
 from typing import Any
 
 from algebroproj_sym.replaying.consequences import Question, require_consequence
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.field import Element, Field
+from algebroproj_sym.replaying.letters.derivatives import without_derivatives
 from algebroproj_sym.replaying.letters.matrices import Coordinates, Entries, Matrix, has_properties
 from algebroproj_sym.replaying.letters.reading import Node, Size, changed, constant, made, parts_of, read
+from algebroproj_sym.replaying.letters.series import has_functions, without_functions
 from algebroproj_sym.replaying.letters.statement import (
     Statement,
     conditions,
@@ -19,6 +22,7 @@ from algebroproj_sym.replaying.letters.statement import (
     without_definitions,
     without_lengths,
 )
+from algebroproj_sym.replaying.letters.turns import Turn
 from algebroproj_sym.replaying.letters.words import Poly, Words
 from algebroproj_sym.replaying.rejection import Rejected, require, require_keys
 from algebroproj_sym.replaying.text import integer, number, parse, texts
@@ -61,11 +65,16 @@ def require_in_letters(record: Mapping[str, Any]) -> None:
         If it does not.
     """
     given, certificate = stated(record), record["certificate"]
-    statement = without_definitions(without_lengths(given))
+    statement = without_derivatives(without_definitions(without_lengths(given)))
     if record["verdict"] == "refuted":
-        require_keys(certificate, {"method", "left", "right"})
         require(certificate["method"] == "counterexample", "expected the method 'counterexample'")
         require(record["hypotheses"] == [], "a counterexample needs no hypotheses")
+        if has_functions(statement):
+            require_keys(certificate, {"method", "angle"})
+            point = _AtPoint(given, statement, record["counterexample"], number(certificate["angle"]))
+            require(point.left != point.right, "the two sides do not differ")
+            return
+        require_keys(certificate, {"method", "left", "right"})
         _require_difference(_AtPoint(given, statement, record["counterexample"]), certificate)
         return
     require(record["counterexample"] is None, "what is proved has no counterexample")
@@ -77,8 +86,12 @@ def require_in_letters(record: Mapping[str, Any]) -> None:
     )
     checks = {"words": _require_words, "entries": _require_entries}
     require(certificate["method"] in checks, f"there is no method {certificate['method']!r}")
-    checks[certificate["method"]](statement, {**certificate, "shapes": _scope(given)})
-    witness = _AtPoint(given, statement, certificate["witness"])
+    evidence, plain, angle = {**certificate, "shapes": _scope(given)}, statement, Fraction(1)
+    if has_functions(statement):
+        require({"angles", "angle"} <= evidence.keys(), "expected the angles of the functions")
+        plain, angle = without_functions(statement, evidence.pop("angles")), number(evidence.pop("angle"))
+    checks[certificate["method"]](plain, evidence)
+    witness = _AtPoint(given, statement, certificate["witness"], angle)
     require(witness.left == witness.right, "the sides differ at the witness")
 
 
@@ -88,36 +101,50 @@ def require_in_letters(record: Mapping[str, Any]) -> None:
 class _AtPoint:
     """Both sides at a point, where all conditions hold."""
 
-    def __init__(self, given: Statement, statement: Statement, point: Any) -> None:
+    def __init__(self, given: Statement, statement: Statement, point: Any, angle: Fraction = Fraction(1)) -> None:
         require(isinstance(point, Mapping), "expected a point")
         named = given.sizes
+        turn = Turn(angle) if has_functions(statement) else None
+        given = given if turn is None else statement
         symbols = {part.value for node in given.nodes for part in parts_of(node) if part.kind == "symbol"} - named
         expected = named | symbols | given.letters.keys()
         require(point.keys() == expected, "the point has not a value for every letter and number, and no other")
         sizes = {name: integer(point[name]) for name in named}
         require(all(size > 0 for size in sizes.values()), "a size is not positive")
-        letters = {name: _rows(point[name]) for name in given.letters}
+        entry = (lambda name, text: number(text)) if turn is None else turn.read
+        letters = {name: _rows(point[name], partial(entry, name)) for name in given.letters}
         for name, letter in given.letters.items():
             shape = tuple(_sized(size, sizes) for size in letter.shape)
             same = (len(letters[name]), len(letters[name][0])) == shape
             require(same and has_properties(letter, letters[name]), f"{name} is not what it is declared to be")
-        numbers = {name: number(point[name]) for name in symbols}
-        entries = Entries(Algebra(numbers.__getitem__, Fraction), letters, sizes)
+        numbers = {name: entry(name, point[name]) for name in symbols}
+        entries = Entries(Algebra(numbers.__getitem__, Fraction), letters, sizes, turn)
         for node in given.constraints:
             require(not any(map(any, entries.of(node))), "the point violates a constraint")
+        if turn is not None:
+            self._require_homogeneous(statement, turn)
         for node in given.nonzero:
             require(entries.scalar(node) != 0, "something vanishes at the point that must not")
         self.left, self.right = entries.of(statement.left), entries.of(statement.right)
+
+    def _require_homogeneous(self, statement: Statement, turn: Turn) -> None:
+        """Require that what is zero with a number in the place of an angle is zero at the angle."""
+        turn.require_pure()
+        known = all(turn.degree(node) is not None for node in statement.constraints)
+        require(known, "a constraint that is not homogeneous in an angle")
+        letters = turn.names & statement.letters.keys()
+        plain = all(statement.letters[name].properties <= {"skew"} for name in letters)
+        require(plain, "a letter with properties is a multiple of an angle")
 
 
 def _sized(size: Size, sizes: Mapping[str, int]) -> int:
     return size if isinstance(size, int) else sizes[size]
 
 
-def _rows(value: Any) -> Matrix:
+def _rows(value: Any, entry: Callable[[Any], Fraction] = number) -> Matrix:
     good = isinstance(value, list) and all(isinstance(row, list) and row for row in value)
     require(good and len({len(row) for row in value}) == 1, "expected the rows of a matrix")
-    return [[number(entry) for entry in row] for row in value]
+    return [[entry(text) for text in row] for row in value]
 
 
 def _require_difference(point: _AtPoint, certificate: Mapping[str, Any]) -> None:

@@ -8,7 +8,9 @@ from itertools import combinations
 from typing import Any, TypeAlias
 
 from algebroproj_sym.replaying.evaluation import Algebra
-from algebroproj_sym.replaying.letters.reading import Letter, Node, Size
+from algebroproj_sym.replaying.letters.reading import Letter, Node, Size, read
+from algebroproj_sym.replaying.letters.series import EXPONENTIAL, JACOBIAN, KINDS, matrix_of
+from algebroproj_sym.replaying.letters.turns import Turn
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 
 Matrix: TypeAlias = list[list[Any]]
@@ -27,8 +29,11 @@ class Entries:
     [[Fraction(20, 1)]]
     """
 
-    def __init__(self, algebra: Algebra, letters: Mapping[str, Matrix], sizes: Mapping[str, int]) -> None:
+    def __init__(
+        self, algebra: Algebra, letters: Mapping[str, Matrix], sizes: Mapping[str, int], turn: Turn | None = None
+    ) -> None:
         self.algebra = algebra
+        self.turn = turn
         self.letters = letters
         self.sizes = sizes
         self.zero, self.one = algebra.number(Fraction(0)), algebra.number(Fraction(1))
@@ -67,7 +72,48 @@ class Entries:
         if kind == "block":
             lines = [parts[k : k + value[0]] for k in range(0, len(parts), value[0])]
             return [[entry for row in rows for entry in row] for line in lines for rows in zip(*line, strict=True)]
-        return self._function(kind, parts)
+        return self._of_angle(node, parts[0]) if kind in KINDS else self._function(kind, parts)
+
+    def _of_angle(self, node: Node, inner: Matrix) -> Matrix:
+        """Return a function of an angle at a point, where a multiple of the angle of the point has its place."""
+        if self.turn is None:
+            raise Rejected("a function of an angle without an angle")
+        (argument,) = node.parts
+        if node.kind in ("sin", "cos", "norm"):
+            square = sum((row[0] * row[0] for row in inner), Fraction(0))
+            degree = self.turn.degree(argument)
+            if node.kind == "norm":
+                return [[self.turn.length(square, degree)]]
+            numbers = self.turn.functions(square, degree)
+            return [[numbers["c0"] if node.kind == "cos" else inner[0][0] * numbers["c1"]]]
+        matrix = self.of(matrix_of(node))
+        v = [matrix[2][1], matrix[0][2], matrix[1][0]]
+        require([row[:3] for row in matrix[:3]] == self._skew(v), "the exponential of a matrix that is not skew")
+        square = sum((x * x for x in v), Fraction(0))
+        numbers = {"N": square, **self.turn.functions(square, self.turn.of_argument(argument))}
+        values = Entries(Algebra(numbers.__getitem__, Fraction), {}, {})
+        size = range(len(matrix))
+        table = EXPONENTIAL if node.kind == "exp" else JACOBIAN
+        power = [[Fraction(i == j) for j in size] for i in size]
+        total = [[Fraction(0) for _ in size] for _ in size]
+        for text in table[len(matrix)]:
+            factor = values.scalar(read(text, {}))
+            total = _added(total, [[factor * entry for entry in row] for row in power])
+            power = self._times(power, matrix)
+        return total
+
+    def _hat(self, x: Sequence[Any]) -> Matrix:
+        rows = [[*row, t] for row, t in zip(self._skew(x[3:]), x, strict=False)]
+        return [*rows, [self.zero] * 4]
+
+    def _adjoint(self, diagonal: Matrix, above: Matrix) -> Matrix:
+        zeros = [self.zero] * 3
+        upper = [[*left, *right] for left, right in zip(diagonal, above, strict=True)]
+        return [*upper, *([*zeros, *row] for row in diagonal)]
+
+    def _of_pose(self, m: Matrix) -> Matrix:
+        turned = [row[:3] for row in m[:3]]
+        return self._adjoint(turned, self._times(self._skew([row[3] for row in m[:3]]), turned))
 
     def _size(self, size: Size) -> int:
         return size if isinstance(size, int) else self.sizes[size]
@@ -175,7 +221,7 @@ def _hamilton(p: Sequence[Any], q: Sequence[Any]) -> list[Any]:
 
 
 _VECTORS = ("cross", "vee", "vec", "qmul", "conj", "pure", "imag")
-_OF_COMPONENTS = ("cross", "skew", "diag", "dot", "outer", "qmul", "conj", "rotation", "pure", "imag")
+_OF_COMPONENTS = ("hat", "ad", "cross", "skew", "diag", "dot", "outer", "qmul", "conj", "rotation", "pure", "imag")
 _OF_ONE_OR_TWO: Mapping[str, Callable[..., Any]] = {
     "transpose": lambda entries, m: _transposed(m),
     "trace": lambda entries, m: [[entries._total(m[k][k] for k in range(len(m)))]],
@@ -193,6 +239,9 @@ _OF_ONE_OR_TWO: Mapping[str, Callable[..., Any]] = {
     "rotation": lambda entries, q: entries._rotation(q),
     "pure": lambda entries, v: [entries.zero, *v],
     "imag": lambda entries, q: q[1:],
+    "hat": lambda entries, x: entries._hat(x),
+    "ad": lambda entries, x: entries._adjoint(entries._skew(x[3:]), entries._skew(x[:3])),
+    "Ad": lambda entries, m: entries._of_pose(m),
 }
 
 

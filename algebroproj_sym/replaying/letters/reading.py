@@ -122,6 +122,11 @@ _OF_VECTORS: Mapping[str, tuple[list[Shape], Shape]] = {
     "rotation": ([(4, 1)], (3, 3)),
     "pure": ([(3, 1)], (4, 1)),
     "imag": ([(4, 1)], (3, 1)),
+    "sin": ([NUMBER], NUMBER),
+    "cos": ([NUMBER], NUMBER),
+    "hat": ([(6, 1)], (4, 4)),
+    "ad": ([(6, 1)], (6, 6)),
+    "Ad": ([(4, 4)], (6, 6)),
 }
 
 
@@ -136,9 +141,16 @@ def _shape(kind: str, shapes: list[Shape], value: Any) -> Shape:
         return shapes[0] if kind == "sum" else NUMBER
     if kind == "product":
         return _product(shapes)
-    if kind in ("power", "trace", "det", "adj"):
+    if kind in ("power", "trace", "det", "adj", "exp"):
         require(len(shapes) == 1 and shapes[0][0] == shapes[0][1], wrong)
-        return shapes[0] if kind in ("power", "adj") else NUMBER
+        return shapes[0] if kind in ("power", "adj", "exp") else NUMBER
+    if kind in ("diff", "ldiff", "rdiff"):
+        moves = len(shapes) == 3 and (shapes[1] == shapes[2] if kind == "diff" else shapes[1:] == [(3, 3), (3, 1)])
+        require(moves, wrong)
+        return shapes[0]
+    if kind in ("jl", "jr"):
+        require(shapes in ([(3, 1)], [(6, 1)]), wrong)
+        return shapes[0][0], shapes[0][0]
     if kind in ("norm", "diag"):
         require(len(shapes) == 1 and shapes[0][1] == 1, wrong)
         return NUMBER if kind == "norm" else (shapes[0][0], shapes[0][0])
@@ -187,7 +199,10 @@ def _fixed_shape(kind: str, shapes: list[tuple[int, int]], value: Any, wrong: st
     return sum(line[0][0] for line in lines), sum(width for _, width in lines[0])
 
 
-FUNCTIONS = (*_OF_VECTORS, "dot", "trace", "det", "adj", "norm", "diag", "outer", "kron", "vec")
+FUNCTIONS = (
+    *_OF_VECTORS, "dot", "trace", "det", "adj", "norm", "diag", "outer", "kron", "vec", "exp", "jl", "jr", "diff",
+    "ldiff", "rdiff",
+)  # fmt: skip
 
 
 def read(text: Any, letters: Mapping[str, Shape]) -> Node:

@@ -100,8 +100,6 @@ def without_lengths(statement: Statement) -> Statement:
         squares = (changed(made("power", side, value=2), square) for side in sides)
         left, right = (constant(s.parts[0].value ** 2) if _is_number(s) else s for s in squares)
         rest = replace(rest, left=left, right=right)
-    lengths = any(part.kind == "norm" for node in rest.nodes for part in parts_of(node))
-    require(not lengths, "a length that is not squared")
     return rest
 
 
@@ -110,17 +108,21 @@ def _is_number(node: Node) -> bool:
 
 
 def without_definitions(statement: Statement) -> Statement:
-    """Put for each letter without properties, or number, that a constraint defines what it is."""
+    """Put for each letter without properties, or number, that a constraint defines what it is; sizes are kept."""
+    return _without_definitions(statement, statement.sizes)
+
+
+def _without_definitions(statement: Statement, sizes: set[str]) -> Statement:
     for place, constraint in enumerate(statement.constraints):
         for name, value in _definitions(constraint):
             if name.kind == "letter" and statement.letters[name.value].properties:
                 continue
-            if name.value in statement.sizes:
+            if name.value in sizes:
                 continue
             others = statement.constraints[:place] + statement.constraints[place + 1 :]
             letters = {other: letter for other, letter in statement.letters.items() if other != name.value}
             rest = replace(statement, constraints=others, letters=letters)
-            return without_definitions(rest.every(lambda node, n=name, v=value: _put(node, n, v)))
+            return _without_definitions(rest.every(lambda node, n=name, v=value: _put(node, n, v)), sizes)
     return statement
 
 

@@ -17,8 +17,9 @@ def answer(question: str) -> str:
     ----------
     question : str
         JSON.  ``{"do": "replay", "claim": ENTRY}`` checks an entry of the ledger again.  ``{"do": "prove", "lhs": TEXT,
-        "rhs": TEXT}`` decides an identity; ``constraints``, ``nonzero`` and ``assumptions`` are lists of texts, and
-        ``where`` has the text of each name that the forms use.  ``{"do": "prepare"}`` imports the prover.
+        "rhs": TEXT}`` decides an identity, or an inequality with its ``relation``; ``constraints``, ``nonzero`` and
+        ``assumptions`` are lists of texts, and ``where`` has the text of each name that the forms use.
+        ``{"do": "prepare"}`` imports the prover.
 
     Returns
     -------
@@ -64,12 +65,13 @@ def _prove(asked: Mapping[str, Any]) -> dict[str, Any]:
     given: dict[str, Any] = {key: [*asked.get(key, ())] for key in ("constraints", "nonzero", "assumptions")}
     lhs, rhs = (_entry(asked, side, str) for side in ("lhs", "rhs"))
     _require_short(lhs, rhs, *(text for texts in given.values() for text in texts))
+    relation = _entry({"relation": "=", **asked}, "relation", str)
     if named := _entry({"where": {}, **asked}, "where", dict):
         read = _reader(named)
         given |= {key: [read(text) for text in given[key]] for key in ("constraints", "nonzero")}
-        proof = prove(read(lhs), read(rhs), **given)
+        proof = prove(read(lhs), read(rhs), relation=relation, **given)
     else:
-        proof = prove(lhs, rhs, **given)
+        proof = prove(lhs, rhs, relation=relation, **given)
     evidence = proof.certificate or {}
     return {
         "verdict": proof.verdict,

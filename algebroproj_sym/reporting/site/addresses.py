@@ -49,6 +49,11 @@ def errata_page(paper: str) -> str:
     return f"{paper}/errata.html"
 
 
+def graph_page(paper: str, section: str | None = None) -> str:
+    """Return the address of the graph of what rests on what, in a section or of the sections of a paper."""
+    return f"{paper}/graph.html" if section is None else f"{paper}/graph-{slug(section)}.html"
+
+
 def claim_page(paper: str, number: str) -> str:
     """Return the address of the page of a claim."""
     return f"{paper}/{slug(number)}.html"

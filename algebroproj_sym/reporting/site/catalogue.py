@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import accumulate
+from operator import itemgetter
 
-from algebroproj_sym.declaring import Claim, Derivation, Judgement, Publication, publication
+from algebroproj_sym.declaring import Claim, Derivation, Judgement, Publication, Quote, Verdict, publication, quotations
 from algebroproj_sym.generating import Lowered
+from algebroproj_sym.reporting.dependences import Dependences, Key
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.notebooks import Notebook
 from algebroproj_sym.reporting.site.addresses import claim_page, claim_record, function_page, notebook_page, slug
 from algebroproj_sym.verifying import Verification
+
+GRAVITY: tuple[Verdict, ...] = ("definition", "proved", "illegible", "misprint", "error", "false", "open")
+"""The verdicts, the gravest one last."""
 
 
 @dataclass(frozen=True)
@@ -61,18 +67,60 @@ class Entry:
         return claim_page(self.claim.paper, self.claim.number)
 
     @property
+    def key(self) -> Key:
+        """Paper and number."""
+        return self.claim.paper, self.claim.number
+
+    @property
+    def quote(self) -> Quote | None:
+        """What the paper prints."""
+        return quotations(self.derivation.path.parent).quotes.get(self.claim.number)
+
+    @property
     def record(self) -> str:
         """The address of its entry of the ledger."""
         return claim_record(self.claim.paper, self.claim.number)
+
+
+@dataclass(frozen=True, eq=False)
+class Equation:
+    """What a paper says under one number, and the claims about it."""
+
+    number: str
+    entries: tuple[Entry, ...]
+
+    @property
+    def quotes(self) -> tuple[Quote, ...]:
+        """What the paper prints."""
+        return tuple(dict.fromkeys(entry.quote for entry in self.entries if entry.quote is not None))
+
+    @property
+    def counts(self) -> Mapping[str, int]:
+        """How often each verdict occurs."""
+        return summary([entry.judgement for entry in self.entries])
+
+    @property
+    def verdict(self) -> Verdict:
+        """The gravest verdict of its claims."""
+        return max((entry.judgement.verdict for entry in self.entries), key=GRAVITY.index)
 
 
 @dataclass(frozen=True)
 class Chapter:
     """A section of a paper, as far as it is selected."""
 
+    paper: str
     number: str
     title: str
     entries: tuple[Entry, ...]
+
+    @cached_property
+    def equations(self) -> tuple[Equation, ...]:
+        """The claims by what stands before the number sign, in the order in which the paper prints them."""
+        groups = _grouped(self.entries, lambda entry: entry.claim.number.partition("#")[0])
+        equations = [Equation(number, tuple(entries)) for number, entries in groups.items()]
+        lines = accumulate(equations, _line, initial=0)
+        return tuple(equation for _, equation in sorted(zip([*lines][1:], equations, strict=True), key=itemgetter(0)))
 
 
 @dataclass(frozen=True)
@@ -111,12 +159,15 @@ class Catalogue:
         The derivations, run; none unless they are wanted.
     live : bool
         Whether the pages carry the prover.
+    rests : mapping of (str, str) to tuple of (str, str)
+        What claims rest on, by paper and number.
     """
 
     papers: tuple[Paper, ...]
     functions: tuple[Function, ...]
     notebooks: tuple[Notebook, ...] = ()
     live: bool = False
+    rests: Dependences = field(default_factory=dict)
 
     @property
     def entries(self) -> tuple[Entry, ...]:
@@ -134,6 +185,22 @@ class Catalogue:
         ran = any(notebook.module == module for notebook in self.notebooks)
         return f"{notebook_page(module)}#{slug(entry.claim.number)}" if ran else None
 
+    def bases(self, entry: Entry) -> tuple[Entry, ...]:
+        """Return the claims that a claim rests on, as far as they are selected."""
+        return tuple(self.by_number[key] for key in self.rests.get(entry.key, ()) if key in self.by_number)
+
+    def resting_on(self, entry: Entry) -> tuple[Entry, ...]:
+        """Return the claims that rest on a claim, as far as they are selected."""
+        return self._resting.get(entry.key, ())
+
+    @cached_property
+    def _resting(self) -> Mapping[Key, tuple[Entry, ...]]:
+        found: dict[Key, tuple[Entry, ...]] = {}
+        for entry in self.entries:
+            for base in self.bases(entry):
+                found[base.key] = (*found.get(base.key, ()), entry)
+        return found
+
     def functions_on(self, claim: Claim) -> tuple[Function, ...]:
         """Return the functions that rest on a claim."""
         kernels = ((function, function.lowered.kernel) for function in self.functions)
@@ -146,6 +213,7 @@ def catalogue(
     functions: Sequence[Function] = (),
     notebooks: Sequence[Notebook] = (),
     live: bool = False,
+    rests: Dependences | None = None,
 ) -> Catalogue:
     """Return what the site is about.
 
@@ -161,11 +229,13 @@ def catalogue(
         The derivations, run.
     live : bool
         Whether the pages carry the prover.
+    rests : mapping of (str, str) to tuple of (str, str), optional
+        What claims rest on, by paper and number.
     """
     entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
     groups = _grouped(sorted(entries, key=_place), lambda entry: entry.claim.paper)
-    papers = tuple(Paper(publication(key), _chapters(group)) for key, group in groups.items())
-    return Catalogue(papers, tuple(functions), tuple(notebooks), live)
+    papers = tuple(Paper(publication(key), _chapters(key, group)) for key, group in groups.items())
+    return Catalogue(papers, tuple(functions), tuple(notebooks), live, rests or {})
 
 
 def _place(entry: Entry) -> tuple[str, str, int]:
@@ -173,9 +243,14 @@ def _place(entry: Entry) -> tuple[str, str, int]:
     return entry.claim.paper, entry.derivation.module, entry.derivation.section.claims.index(entry.claim)
 
 
-def _chapters(entries: Sequence[Entry]) -> tuple[Chapter, ...]:
+def _line(line: int, equation: Equation) -> int:
+    """Return on which line an equation stands; without a quote it stays behind the one before it."""
+    return min((quote.line for quote in equation.quotes), default=line)
+
+
+def _chapters(paper: str, entries: Sequence[Entry]) -> tuple[Chapter, ...]:
     sections = _grouped(entries, lambda entry: entry.claim.section)
-    return tuple(Chapter(number, _titles(group), tuple(group)) for number, group in sections.items())
+    return tuple(Chapter(paper, number, _titles(group), tuple(group)) for number, group in sections.items())
 
 
 def _grouped(entries: Sequence[Entry], key: Callable[[Entry], str]) -> Mapping[str, list[Entry]]:

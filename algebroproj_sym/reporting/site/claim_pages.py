@@ -7,7 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from algebroproj_sym.declaring import KINDS, Grade, Judgement, bibtex, quotations
+from algebroproj_sym.declaring import KINDS, Grade, Judgement, bibtex
 from algebroproj_sym.reporting.findings import HEADINGS, Finding, by_grade, gathered
 from algebroproj_sym.reporting.live.questions import question
 from algebroproj_sym.reporting.site.addresses import errata_page, paper_page
@@ -22,12 +22,18 @@ from algebroproj_sym.reporting.site.comparison import (
 from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.reporting.site.formulas import block, described, listed
 from algebroproj_sym.reporting.site.prose import linked
+from algebroproj_sym.reporting.site.symbols import MOST, Symbols, names_of
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing import Part, as_declared, markdown
 
+MOST_LISTED = 12
+"""Claims that rest on one, or on which one rests, before the others are folded."""
 
-def claim_html(catalogue: Catalogue, paper: Paper, place: int, record: Mapping[str, Any]) -> str:
-    """Return the page of a claim, with its entry of the ledger at hand."""
+
+def claim_html(
+    catalogue: Catalogue, symbols: Symbols, paper: Paper, place: int, record: Mapping[str, Any], with_graph: bool
+) -> str:
+    """Return the page of a claim, with its entry of the ledger at hand, whose section may have a graph."""
     entry = paper.entries[place]
     claim = entry.claim
     sides, differences = comparison(entry.judgement)
@@ -48,7 +54,9 @@ def claim_html(catalogue: Catalogue, paper: Paper, place: int, record: Mapping[s
         note=linked(claim.note, entry.claim.paper, entry.page, catalogue),
         instead=catalogue.by_number.get((entry.claim.paper, claim.instead)),
         functions=catalogue.functions_on(entry.claim),
-        quote=quotations(entry.derivation.path.parent).quotes.get(entry.claim.number),
+        most_listed=MOST_LISTED,
+        symbols=[symbols[paper.about.key, name] for name in names_of(claim)[:MOST]],
+        with_graph=with_graph,
         cell=catalogue.cell_of(entry),
         record=record,
         markdown=markdown(entry.judgement),
@@ -59,10 +67,11 @@ def claim_html(catalogue: Catalogue, paper: Paper, place: int, record: Mapping[s
     )
 
 
-def paper_files(catalogue: Catalogue, paper: Paper) -> dict[str, str]:
-    """Return the pages that list the claims of a paper: all of them, and the errata."""
+def paper_files(catalogue: Catalogue, paper: Paper, with_graph: frozenset[str]) -> dict[str, str]:
+    """Return the pages that list the claims of a paper, of which some sections have a graph: all, and the errata."""
     address = paper_page(paper.about.key)
-    files = {address: page("paper", address, catalogue=catalogue, paper=paper, line=_line)}
+    shown = {"line": _line, "with_graph": with_graph, "most_listed": MOST_LISTED}
+    files = {address: page("paper", address, catalogue=catalogue, paper=paper, **shown)}
     address = errata_page(paper.about.key)
 
     def note(entry: Entry) -> Markup:

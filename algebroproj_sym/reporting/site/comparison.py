@@ -150,12 +150,12 @@ def _cells(printed: Any, right: Any) -> tuple[Markup, ...]:
 def conditions(judgement: Judgement) -> Markup:
     """Return in a line under which conditions a verdict stands: what is zero there, and what is not."""
     claim = judgement.claim
-    scope = (judgement.certificate or {}).get("scope")
-    given = [Markup("{}").format(scope)] if scope else []
-    given += [Markup("{} is {}").format(symbol(name), described_letter(text)) for name, text in claim.letters]
+    given = [Markup("{} is {}").format(symbol(name), described_letter(text)) for name, text in claim.letters]
     given += [_condition(constraint, "=") for constraint in (*claim.constraints, *claim.assumptions)]
     given += [_condition(factor, "≠") for factor in dict.fromkeys((*claim.nonzero, *judgement.hypotheses))]
     given += [Markup("{}").format(assumption(assumed)) for assumed in claim.assumed]
+    if (judgement.certificate or {}).get("scope") == "for every size":
+        given.append(Markup("and the sizes may be any others that fit"))
     if not given:
         return Markup()
     more = [Markup("and {} more conditions").format(len(given) - MOST)] if len(given) > MOST else []

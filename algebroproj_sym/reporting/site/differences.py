@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import sympy
 
 from algebroproj_sym.expressions import over, shape
-from algebroproj_sym.showing.arranging import value_of
+from algebroproj_sym.expressions.arranging import value_of
 from algebroproj_sym.showing.latex import NOTHING, SIGN, WHOLE, Marks
 
 Pair: TypeAlias = tuple[Marks, Marks]
@@ -26,7 +26,7 @@ def difference(left: Any, right: Any) -> Pair:
 
     Examples
     --------
-    >>> from algebroproj_sym.showing.arranging import arranged
+    >>> from algebroproj_sym.expressions.arranging import arranged
     >>> x, y, z = sympy.symbols("x y z")
     >>> difference(x + y, x + y)[0] == NOTHING
     True

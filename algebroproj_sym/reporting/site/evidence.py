@@ -39,8 +39,8 @@ METHODS = {
     "words": "Both sides are equal in the algebra of words: matrices are multiplied as letters, by rules that hold for "
     "matrices of every size that fits. The rules and sums are below.",
     "entries": "Both sides are equal entry by entry, with the entries below for the letters.",
-    "real laws": "Both sides are equal by the laws of real functions below, wherever the conditions hold.",
-    "enclosures": "Both sides were enclosed at a rational point, in intervals that do not meet.",
+    "real laws": "What is stated follows by the laws of real functions below, wherever the conditions hold.",
+    "enclosures": "It fails at a rational point. There both sides were enclosed in intervals that show it.",
     "divergence": "The expression has a pole where the variable goes to zero.",
 }
 _SHOWN_ELSEWHERE = ("method", "reason", "refutation", "entries", "left", "right", "witness", "point", "instance")

@@ -11,8 +11,10 @@ from algebroproj_sym.reporting.site.catalogue import Catalogue
 from algebroproj_sym.reporting.site.claim_pages import claim_html, headlines, paper_files
 from algebroproj_sym.reporting.site.folder import MARKER
 from algebroproj_sym.reporting.site.function_pages import function_files
+from algebroproj_sym.reporting.site.graph_pages import graph_files, graphs_of
 from algebroproj_sym.reporting.site.notebook_pages import notebook_files
 from algebroproj_sym.reporting.site.search import search_script
+from algebroproj_sym.reporting.site.symbols import symbols_in
 from algebroproj_sym.reporting.site.templating import licence, page, static, style
 
 
@@ -27,21 +29,24 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
     quotes = quotes_of(entry.derivation for entry in catalogue.entries)
     record = ledger([entry.judgement for entry in catalogue.entries], quotes, timed=False)
     records = {(claim["paper"], claim["number"]): claim for claim in record["claims"]}
+    symbols = symbols_in(catalogue)
     files = {
         START: page("start", START, catalogue=catalogue, verdicts=VERDICTS, headlines=headlines(catalogue)),
         SEARCH: page("search", SEARCH, catalogue=catalogue),
-        MARKER: search_script(catalogue),
+        MARKER: search_script(catalogue, symbols),
         LEDGER: json.dumps(record, indent=1, ensure_ascii=False) + "\n",
         "style.css": style(),
         "font-licence.txt": licence(),
-        "search.js": static("search.js"),
-        "copy.js": static("copy.js"),
+        **{name: static(name) for name in ("search.js", "copy.js", "graph.js", "symbols.js")},
     }
     for paper in catalogue.papers:
-        files |= paper_files(catalogue, paper)
+        graphs = graphs_of(catalogue, paper)
+        with_graph = frozenset(graph.chapter.number for graph in graphs)
+        files |= paper_files(catalogue, paper, with_graph)
+        files |= graph_files(catalogue, paper, graphs)
         for place, entry in enumerate(paper.entries):
             claim = records[entry.claim.paper, entry.claim.number]
-            files[entry.page] = claim_html(catalogue, paper, place, claim)
+            files[entry.page] = claim_html(catalogue, symbols, paper, place, claim, entry.claim.section in with_graph)
             if catalogue.live:
                 files[entry.record] = json.dumps(claim, ensure_ascii=False) + "\n"
     if catalogue.live:

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable
-from typing import Any
 
-from algebroproj_sym.declaring import Claim
-from algebroproj_sym.expressions import TextForm, symbols_of
 from algebroproj_sym.reporting.site.catalogue import Catalogue
+from algebroproj_sym.reporting.site.symbols import Symbols, names_of
 from algebroproj_sym.showing.names import plain_name
 
 MOST_SYMBOLS = 60
 
 
-def search_index(catalogue: Catalogue) -> list[list[str]]:
+def search_index(catalogue: Catalogue, symbols: Symbols) -> list[list[str]]:
     """Return an entry for each claim and function: address, where, number or name, title, verdict, symbols."""
     claims = [
         [
@@ -23,33 +22,50 @@ def search_index(catalogue: Catalogue) -> list[list[str]]:
             entry.claim.number,
             entry.claim.title,
             entry.judgement.verdict,
-            _symbols(entry.claim),
+            _spelled(entry.claim.paper, names_of(entry.claim), symbols),
         ]
         for entry in catalogue.entries
     ]
+    kernels = [(function.page, function.lowered.kernel) for function in catalogue.functions]
     functions = [
-        [f.page, "function", f.name, f.lowered.kernel.summary, "", _spelled(s.name for s in f.lowered.kernel.symbols)]
-        for f in catalogue.functions
+        [
+            page,
+            "function",
+            kernel.qualified_name,
+            kernel.summary,
+            "",
+            _spelled(kernel.paper, [symbol.name for symbol in kernel.symbols], symbols),
+        ]
+        for page, kernel in kernels
     ]
     return claims + functions
 
 
-def search_script(catalogue: Catalogue) -> str:
+def search_script(catalogue: Catalogue, symbols: Symbols) -> str:
     """Return the index as JavaScript; what could end the script element or a line is escaped."""
-    lines = [json.dumps(entry, ensure_ascii=True).replace("<", "\\u003c") for entry in search_index(catalogue)]
+    index = search_index(catalogue, symbols)
+    lines = [json.dumps(entry, ensure_ascii=True).replace("<", "\\u003c") for entry in index]
     return "const SEARCH_INDEX = [\n" + ",\n".join(lines) + "\n];\n"
 
 
-def _symbols(claim: Claim) -> str:
-    return _spelled(name for form in (claim.printed, claim.corrected, claim.derived) for name in _names(form))
+def _spelled(paper: str, names: Iterable[str], symbols: Symbols) -> str:
+    """Return symbols as they are spelled in the derivations, as text, and as the paper prints them."""
+    spellings = [
+        spelling
+        for name in sorted({*names})[:MOST_SYMBOLS]
+        for spelling in (name, plain_name(name), *map(_typed, symbols[paper, name].printed))
+    ]
+    return " ".join(dict.fromkeys(spellings))
 
 
-def _names(form: Any) -> list[str]:
-    if isinstance(form, TextForm):
-        return form.names
-    return [symbol.name for symbol in symbols_of([form])] if hasattr(form, "free_symbols") else []
+def _typed(latex: str) -> str:
+    r"""Return a printed symbol as it is typed, without primes behind an index.
 
-
-def _spelled(names: Iterable[str]) -> str:
-    known = sorted({*names})[:MOST_SYMBOLS]
-    return " ".join(dict.fromkeys(spelling for name in known for spelling in (name, plain_name(name))))
+    Examples
+    --------
+    >>> _typed(r"\zeta_{22}"), _typed("u_{31}''"), _typed("u''_{31}")
+    ('zeta22', "u''31", "u''31")
+    """
+    primes = "'" * latex.count("'")
+    letter, _, index = re.sub(r"[\\{}']", "", latex).partition("_")
+    return f"{letter}{primes}{index}"

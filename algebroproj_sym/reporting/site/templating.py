@@ -12,6 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from algebroproj_sym.reporting.site import addresses
 from algebroproj_sym.reporting.site.comparison import conditions, these_are
 from algebroproj_sym.reporting.site.formulas import block, bullet
+from algebroproj_sym.reporting.site.quotes import quoted
 
 FONT = "stix-two-math.woff2"
 FORMULAS = "Formulas"
@@ -40,6 +41,7 @@ _TEMPLATES.globals.update(
     these_are=these_are,
     block=block,
     bullet=bullet,
+    quoted=quoted,
 )
 
 

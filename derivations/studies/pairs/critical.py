@@ -22,15 +22,13 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_derivations.studies.pairs.normalising import Pairs
+from algebroproj_derivations.studies.pairs.normalising import Pairs, sample
 
 Numbers = NDArray[np.float64]
 
 ROUNDOFF = 2.0**-53
 DENSE = 40
 """Up to how many pairs the terms of second order are bounded together, not one by one."""
-MANY = 1000
-"""From how many pairs on fewer starts are tried."""
 BISECTIONS = 60
 STEPS = 40
 CONVERGED = 1e-10
@@ -71,9 +69,17 @@ def nearest_critical(pairs: Pairs) -> Critical:
     >>> bool(0 < found.lower <= found.upper)
     True
     """
-    found = [flattened(pairs), *(_approached(pairs, start) for start in _starts(pairs))]
-    distance, moved, kernel = min(found, key=lambda each: each[0])
+    some, starts = sample(pairs), _starts(pairs)
+    if some is not pairs:
+        kernel = min((_approached(some, start) for start in starts), key=_distance)[2]
+        starts = [kernel.reshape(2, 9).T] if kernel.any() else starts
+    found = [flattened(pairs), *(_approached(pairs, start) for start in starts)]
+    distance, moved, kernel = min(found, key=_distance)
     return Critical(min(lower_bound(pairs), distance), distance, moved, kernel)
+
+
+def _distance(found: tuple[float, Numbers, Numbers]) -> float:
+    return found[0]
 
 
 def rows(points: Numbers) -> Numbers:
@@ -137,6 +143,8 @@ def _by_elimination(a: Numbers, linear: Numbers, norms: Numbers, half: float, ro
         weights = 1 / np.maximum(np.linalg.norm(turned, axis=(1, 2)), 1e-3 * norms)
     b, e = weights[:, None] * a, weights[:, None, None] * linear
     regular = vectors[:7].T
+    if not np.linalg.norm(vectors @ vectors.T - np.eye(9)) < rounding / 4:
+        return 0.0
     inverse = np.linalg.pinv(b @ regular)
     e0, e1 = np.einsum("nik,ij->njk", e, apart), np.einsum("nik,ij->njk", e, regular)
     dual = _dual(b @ apart, b @ regular, e0)
@@ -171,7 +179,7 @@ def _by_elimination(a: Numbers, linear: Numbers, norms: Numbers, half: float, ro
         size = (rest0 + c * r + q * r**2) / (1 - change)
         further = rest0 + q * r**2 + change * size
         right_side = first * r + bent * r**2 + d * r * further + qd * r**2 * size + rest_dual * size
-        return right_side - target
+        return right_side * (1 + rounding) - target
 
     low, high = 0.0, max(target, 0.0)
     for _ in range(BISECTIONS):
@@ -267,9 +275,8 @@ def _starts(pairs: Pairs) -> list[Numbers]:
     a, linear = rows(pairs.points), slopes(pairs.points, pairs.scales)
     norms = np.linalg.norm(linear, axis=(1, 2))
     vectors = np.linalg.eigh((a / norms[:, None]).T @ (a / norms[:, None]))[1]
-    found = [vectors[:, list(chosen)] for chosen in combinations(range(4), 2)]
+    found = [vectors[:, list(chosen)] for chosen in combinations(range(4), 2)][:4]
     turned = np.einsum("nik,ij->njk", linear, found[0])
-    found = found[:4] if len(a) <= MANY else found[:1]
     again = a / np.linalg.norm(turned, axis=(1, 2))[:, None]
     return [np.linalg.eigh(again.T @ again)[1][:, :2], *found]
 

@@ -13,13 +13,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_derivations.studies.pairs.normalising import Pairs
+from algebroproj_derivations.studies.pairs.normalising import Pairs, sample
 
 Numbers = NDArray[np.float64]
 
+HOPELESS = 30.0
+"""Of very many pairs, a minimum of a part is not followed if it is so many standard deviations worse than the least."""
 STEPS = 60
 CONVERGED = 1e-9
 """Relative decrease of the sum of squares at which the steps end."""
+NOTHING = 1e-13
+"""Relative decrease that is not sought with shorter steps."""
 SAME = 1e-3
 """Largest distance of two unit matrices that are the same minimum."""
 SIDE = 3.0
@@ -61,12 +65,22 @@ def minima(pairs: Pairs) -> list[Fit]:
     >>> bool(abs(np.linalg.det(minima(pairs_of(known.x1, known.x2))[0].matrix)) < 1e-12)
     True
     """
+    some, places = sample(pairs), starts(pairs)
+    if some is not pairs:
+        fits = _below(some, places)
+        least = min(fit.squares for fit in fits)
+        places = [fit.matrix for fit in fits if fit.squares <= least * (1 + HOPELESS**2 / len(some.points[0]))]
+    return sorted(_below(pairs, places), key=lambda fit: fit.squares)
+
+
+def _below(pairs: Pairs, places: list[Numbers]) -> list[Fit]:
+    """Return the different minima below some matrices."""
     found: list[Fit] = []
-    for start in starts(pairs):
+    for start in places:
         fit = descended(pairs, start)
         if all(1 - abs(float((fit.matrix * other.matrix).sum())) > SAME**2 / 2 for other in found):
             found.append(fit)
-    return sorted(found, key=lambda fit: fit.squares)
+    return found
 
 
 def starts(pairs: Pairs) -> list[Numbers]:
@@ -160,7 +174,7 @@ def descended(pairs: Pairs, start: Numbers, tie: Callable[[Numbers], tuple[float
             tried = nearest(matrix + (step @ tangents).reshape(3, 3))
             tried_values, tried_slopes = at(tried)
             tried_squares = float(tried_values @ tried_values)
-            if tried_squares < squares or damping > 1e6:
+            if tried_squares < squares or damping > 1e6 or -(gradient @ step) <= NOTHING * squares:
                 break
             damping *= 10
         if not tried_squares < squares:

@@ -29,12 +29,15 @@ class Addition:
 
     Attributes
     ----------
+    place : int
+        Number of the check point where it is.
     x1, x2 : tuple of float
         Where its points would be, in pixels.
     bound : float
         The error at check points, once in a thousand cases, when it and those before it are measured.
     """
 
+    place: int
     x1: tuple[float, float]
     x2: tuple[float, float]
     bound: float
@@ -91,19 +94,20 @@ def quadric(kernel: Numbers) -> str:
     return f"a ruled quadric, such as a one-sheeted hyperboloid{solutions}"
 
 
-def additions(pairs: Pairs, fit: Fit, sigma: float) -> list[Addition]:
-    """Return the further pairs, one after the other, that make the error at check points least."""
-    places = predicting.checks(fit.matrix, pairs)
+def additions(pairs: Pairs, fit: Fit, sigma: float, places: Numbers) -> list[Addition]:
+    """Return the further pairs, one after the other, that make the error at check points, the places, least."""
     aims = predicting.derivatives(fit, pairs, places)
     spread = predicting.covariance(fit, sigma)
-    found = []
-    for _ in range(ADDED):
+    found: list[Addition] = []
+    for _ in range(min(ADDED, len(aims))):
         gains = aims @ spread
         denominators = sigma**2 + np.einsum("mi,mi->m", gains, aims)
-        best = int(np.argmax(((gains @ aims.T) ** 2).sum(axis=1) / denominators))
+        gain = ((gains @ aims.T) ** 2).sum(axis=1) / denominators
+        gain[[addition.place for addition in found]] = -1
+        best = int(np.argmax(gain))
         spread = spread - np.outer(gains[best], gains[best]) / denominators[best]
         one, two = (tuple(map(float, side[best])) for side in places)
-        found.append(Addition(one, two, predicting.bound(aims, spread)))
+        found.append(Addition(best, one, two, predicting.bound(aims, spread)))
     return found
 
 

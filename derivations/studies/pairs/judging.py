@@ -41,6 +41,8 @@ IMPRECISE = Limit(0.05, 0.2)
 """Of the error at check points: its share of the width of the points."""
 CONTRADICTED = Limit(2.0, 4.0)
 """Of the sum of squares: minus the decimal logarithm of the probability that it is so large."""
+CHANCE = -2.0
+"""Of pairs that a RANSAC has kept: the decimal logarithm of how many such sets wrong pairs alone would give."""
 WIDTH = 2 * np.sqrt(2)
 """Of the points to scale: twice their mean distance from the middle."""
 
@@ -107,7 +109,7 @@ LARGEST_SIGMA = 1e15
 """So that repeated measurements, with errors of this size, remain floating-point numbers."""
 
 
-def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> PairJudgement:
+def judge(x1: ArrayLike, x2: ArrayLike, sigma: float, frames: ArrayLike | None = None) -> PairJudgement:
     """Return whether the correlation (fundamental) matrix of some pairs can be trusted.
 
     Parameters
@@ -116,6 +118,8 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> PairJudgement:
         Pixels of at least eight points in the left and in the right picture.
     sigma : float
         Standard deviation of each coordinate, in pixels.
+    frames : array_like, shape (2, 2, 2), optional
+        The first and the last corner of each picture, in pixels: there the check points are.
 
     Returns
     -------
@@ -143,7 +147,8 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> PairJudgement:
     fit = minima[0]
     nearest = nearest_critical(pairs)
     spread = predicting.covariance(fit, sigma)
-    checks = predicting.checks(fit.matrix, pairs)
+    corners = None if frames is None else np.asarray(frames, dtype=np.float64)
+    checks = predicting.checks(fit.matrix, pairs, corners)
     slopes = predicting.derivatives(fit, pairs, checks)
     probability = float(chi2.sf(fit.squares / sigma**2, len(fit.jacobian) - 7))
 
@@ -196,7 +201,7 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float) -> PairJudgement:
         check_deviations=predicting.check_deviations(slopes, spread),
         critical=nearest,
         why=(*explaining.why(pairs, nearest), *explaining.hanging(fit)),
-        additions=tuple(explaining.additions(pairs, fit, sigma)),
+        additions=tuple(explaining.additions(pairs, fit, sigma, checks)),
         sigma=sigma,
     )
 
@@ -222,6 +227,29 @@ def simulated(judgement: PairJudgement, errors: ArrayLike) -> PairJudgement:
     high = float(np.quantile(np.asarray(errors), 0.95))
     if high <= judgement.bound:
         return judgement
-    verdict = UNDECIDED if judgement.verdict == TRUST else judgement.verdict
     sentence = f"Repeated measurements, simulated, err more than predicted: 5 % by {high:.2g} px or more."
+    return _doubted(judgement, UNDECIDED, sentence)
+
+
+def selected(judgement: PairJudgement, read: int, chance: float) -> PairJudgement:
+    """Return a judgement that heeds that its pairs were chosen among others by a RANSAC.
+
+    Parameters
+    ----------
+    judgement : PairJudgement
+        Of the pairs that were kept.
+    read : int
+        How many pairs there were.
+    chance : float
+        What `robust.chance` returns.
+    """
+    if chance <= CHANCE:
+        return judgement
+    sentence = f"Wrong pairs alone would keep {len(judgement.residuals)} of {read}, too."
+    return _doubted(judgement, DISTRUST, sentence)
+
+
+def _doubted(judgement: PairJudgement, least: str, sentence: str) -> PairJudgement:
+    verdict = least if judgement.verdict == TRUST else judgement.verdict
+    verdict = DISTRUST if DISTRUST in (least, verdict) else verdict
     return replace(judgement, verdict=verdict, reasons=(*judgement.reasons, sentence))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 Numbers = NDArray[np.float64]
 
 LEAST_PAIRS = 8
+MANY = 2000
 LARGEST = 1e30
 """Beyond this many pixels, and below its inverse, floating-point numbers fail."""
 
@@ -94,6 +95,15 @@ def pairs_of(x1: ArrayLike, x2: ArrayLike) -> Pairs:
     transforms[:, :2, 2] = -scales[:, None] * middles
     transforms[:, 2, 2] = 1
     return Pairs(pixels, _homogeneous(scales[:, None, None] * (pixels - middles[:, None])), scales, transforms)
+
+
+def sample(pairs: Pairs) -> Pairs:
+    """Return pairs, or a random part of very many: searches that take many steps begin with these."""
+    count = len(pairs.points[0])
+    if count <= MANY:
+        return pairs
+    some = np.random.default_rng(0).choice(count, MANY, replace=False)
+    return replace(pairs, pixels=pairs.pixels[:, some], points=pairs.points[:, some])
 
 
 def _homogeneous(x: Numbers) -> Numbers:

@@ -5,7 +5,7 @@ The error of a check pair is its Sampson's distance: by how many pixels both poi
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,9 @@ RADII = 1.0, 2.0
 ANGLES = 8
 ALONG = -0.5, 0.0, 0.5
 """Check points are on circles, the outer one nearly as large as the picture, and along shares of epipolar lines."""
+CELLS = 4
+ALONG_FRAME = -0.75, -0.45, -0.15, 0.15, 0.45, 0.75
+"""If the size of the pictures is known, check points are in the middle of so many rows and columns of cells."""
 FEW = 100
 
 
@@ -62,33 +65,84 @@ def check_deviations(slopes: Numbers, spread: Numbers) -> Numbers:
     return np.asarray(np.sqrt(np.einsum("mi,ij,mj->m", slopes, spread, slopes).clip(min=0)))
 
 
-def checks(matrix: Numbers, pairs: Pairs) -> Numbers:
+def checks(matrix: Numbers, pairs: Pairs, frames: Numbers | None = None) -> Numbers:
     """Return check pairs all over both pictures that fulfil a matrix, pixels of shape (2, m, 2).
 
-    Points are spread over a disc in one picture, and along the part of the epipolar line that a disc in the other
-    picture shows, and the other way round.  If no line is shown, the first measured pairs are returned.
+    Points are spread over one picture, and along the part of the epipolar line that the other picture shows, and the
+    other way round.  If no line is shown, the first measured pairs are returned.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (3, 3)
+        For points to scale.
+    pairs : Pairs
+        To scale.
+    frames : ndarray, shape (2, 2, 2), optional
+        The first and the last corner of each picture in pixels.  Without them the pictures are the discs of the points.
     """
-    forward, back = _shown(matrix), _shown(matrix.T)[::-1]
+    views = [DISC, DISC] if frames is None else [_view(*corners) for corners in pairs.to_scale(*frames)[..., :2]]
+    forward, back = _shown(matrix, *views), _shown(matrix.T, *views[::-1])[::-1]
     found = np.concatenate([forward, back], axis=1)
-    if not found.size:
-        return pairs.pixels[:, :FEW]
     shifts = -pairs.transforms[:, :2, 2] / pairs.scales[:, None]
-    return found / pairs.scales[:, None, None] + shifts[:, None]
+    pixels = found / pairs.scales[:, None, None] + shifts[:, None]
+    if frames is not None:
+        inside = (pixels >= frames[:, :1]) & (pixels <= frames[:, 1:])
+        pixels = pixels[:, inside.all(axis=(0, 2))]
+    return np.asarray(pixels) if pixels.size else pairs.pixels[:, :FEW]
 
 
-def _shown(matrix: Numbers) -> Numbers:
-    """Return points of one picture, and of their epipolar lines in the other one, to scale, shape (2, m, 2)."""
+@dataclass(frozen=True)
+class View:
+    """What a picture shows, to scale.
+
+    Attributes
+    ----------
+    points : ndarray, shape (k, 2)
+        Spread over it.
+    center : ndarray, shape (2,)
+        Of a disc that covers it.
+    radius : float
+        Of the disc.
+    along : tuple of float
+        Where points are on the chord of an epipolar line, from -1 to 1.
+    """
+
+    points: Numbers
+    center: Numbers
+    radius: float
+    along: tuple[float, ...]
+
+
+def _discs() -> View:
     angles = 2 * np.pi * np.arange(ANGLES) / ANGLES
     circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     points = np.concatenate([np.zeros((1, 2)), *(radius * circle for radius in RADII)])
-    lines = np.insert(points, 2, 1.0, axis=1) @ matrix.T
+    return View(points, np.zeros(2), RADII[-1], ALONG)
+
+
+DISC = _discs()
+
+
+def _view(first: Numbers, last: Numbers) -> View:
+    """Return what a rectangle shows, from its corners."""
+    shares = (np.arange(CELLS) + 0.5) / CELLS
+    points = np.stack(np.meshgrid(shares, shares), axis=-1).reshape(-1, 2) * (last - first) + first
+    return View(points, (first + last) / 2, float(np.linalg.norm(last - first)) / 2, ALONG_FRAME)
+
+
+def _shown(matrix: Numbers, here: View, there: View) -> Numbers:
+    """Return points of one picture, and of their epipolar lines in the other one, to scale, shape (2, m, 2)."""
+    lines = np.insert(here.points, 2, 1.0, axis=1) @ matrix.T
+    offsets = lines[:, :2] @ there.center + lines[:, 2]
     normals = np.hypot(lines[:, 0], lines[:, 1])
-    square = RADII[-1] ** 2 - (lines[:, 2] / normals) ** 2
+    square = there.radius**2 - (offsets / normals) ** 2
     seen = square > 0
-    points, lines, normals = points[seen], lines[seen], normals[seen]
-    foot = -(lines[:, 2] / normals**2)[:, None] * lines[:, :2]
+    points, lines, offsets, normals = here.points[seen], lines[seen], offsets[seen], normals[seen]
+    foot = there.center - (offsets / normals**2)[:, None] * lines[:, :2]
     along = np.stack([-lines[:, 1], lines[:, 0]], axis=1) * (np.sqrt(square[seen]) / normals)[:, None]
-    return np.stack([np.tile(points, (len(ALONG), 1)), np.concatenate([foot + share * along for share in ALONG])])
+    return np.stack(
+        [np.tile(points, (len(there.along), 1)), np.concatenate([foot + share * along for share in there.along])]
+    )
 
 
 def epipole(matrix: Numbers, tangents: Numbers, spread: Numbers, transform: Numbers) -> tuple[Numbers, float]:

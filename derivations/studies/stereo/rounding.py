@@ -21,7 +21,6 @@ from algebroproj._runtime.pairs import DoubleDouble
 from algebroproj_derivations.studies.stereo.accuracy import UNIT_ROUNDOFF
 from algebroproj_sym.study.arithmetics import double_double_balls, float64_balls
 from algebroproj_sym.study.precision import Numbers, apply, lift, radius
-from algebroproj_sym.study.taylor import inverses
 
 __all__ = ["bound_of_correlation", "bound_of_epipoles"]
 
@@ -189,7 +188,16 @@ def _system(left: Array, right: Array, off_left: Array, off_right: Array) -> tup
     """Return the matrix, an approximate inverse, and how far the matrices of images within the bounds may be off."""
     balls = float64_balls()
     rows, _ = apply(balls, correlation.system, lift(balls, left, off_left), lift(balls, right, off_right))
-    return rows[0], inverses(rows[0]), radius(balls, rows)
+    return rows[0], _inverses(rows[0]), radius(balls, rows)
+
+
+def _inverses(matrices: Array) -> Array:
+    """Return the inverses of a batch of matrices; those of exactly singular ones are not numbers."""
+    with np.errstate(all="ignore"):
+        signs = np.linalg.slogdet(matrices)[0]
+        regular = np.isfinite(signs) & (signs != 0)
+        found = np.linalg.inv(np.where(regular[..., None, None], matrices, np.eye(matrices.shape[-1])))
+    return np.where(regular[..., None, None], found, np.nan)
 
 
 def _angle_of_change(found: _Solved, lines: Array) -> Array:

@@ -100,6 +100,7 @@ function begin(section) {
       do: "prove",
       lhs: field("lhs"),
       rhs: field("rhs"),
+      relation: field("relation").trim() || "=",
       ...Object.fromEntries(["constraints", "nonzero", "assumptions"].map((name) => [name, lines(field(name))])),
       where: section.dataset.claim ? (await claim()).where : {},
     }), () => written() === asked);

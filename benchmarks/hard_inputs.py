@@ -23,6 +23,7 @@ from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.generating.samples import Sample, moved_to, stratified, value_of
 from algebroproj_sym.proving import seed_of
+from algebroproj_sym.proving.polynomials import null_space
 from algebroproj_sym.verifying.accuracy import results_of
 from algebroproj_sym.verifying.shipped import function_of
 
@@ -131,23 +132,19 @@ def _exact(lowered: Lowered, sample: Sample) -> list[Fraction] | None:
 
 
 def _solution(given: Sequence[Any], width: int) -> Sequence[Any]:
-    system = flint.fmpq_mat(len(given) // width, width, given)
-    unknowns = width - 1
-    reduced, rank = system.rref()
-    if rank < unknowns or any(reduced[k, k] != 1 for k in range(unknowns)):
+    reduced, rank = flint.fmpq_mat(len(given) // width, width, given).rref()
+    if rank < width - 1 or any(reduced[k, k] != 1 for k in range(width - 1)):
         raise ZeroDivisionError("the matrix is singular")
-    return [reduced[k, unknowns] for k in range(unknowns)]
+    return [reduced[k, width - 1] for k in range(width - 1)]
 
 
 def _null_vector(given: Sequence[Any], width: int) -> Sequence[Any]:
-    reduced, rank = flint.fmpq_mat(len(given) // width, width, given).rref()
-    if rank < width - 1:
+    found = null_space([list(given[start : start + width]) for start in range(0, len(given), width)], width)
+    if len(found) > 1:
         raise ZeroDivisionError("the null space has more dimensions")
-    pivots = [next(place for place in range(width) if reduced[row, place] != 0) for row in range(rank)]
-    (free,) = {*range(width)} - {*pivots}
-    found = {pivot: -reduced[row, free] for row, pivot in enumerate(pivots)} | {free: flint.fmpq(1)}
-    largest = max((found[place] for place in range(width)), key=abs)
-    return [found[place] / largest for place in range(width)]
+    ((_, vector),) = found
+    largest = max(vector, key=abs)
+    return [component / largest for component in vector]
 
 
 _STAGES: Mapping[str, Callable[[Sequence[Any], int], Sequence[Any]]] = {

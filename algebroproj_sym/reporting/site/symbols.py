@@ -1,0 +1,114 @@
+"""What symbols are: how a paper prints them, which claim gives their value, and what functions say of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy
+from markupsafe import Markup
+
+from algebroproj_sym.declaring import Claim
+from algebroproj_sym.expressions import TextForm, symbols_of
+from algebroproj_sym.reading import UnreadableError, symbols_for, tables_in
+from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
+from algebroproj_sym.reporting.site.mathml import math
+from algebroproj_sym.showing.names import GREEK, latex_name
+
+MOST = 40
+_GREEK = "|".join(sorted(GREEK, key=len, reverse=True))
+_PRINTED = re.compile(rf"(?<![\\A-Za-z{{])(?:\\(?:{_GREEK})(?![a-z])|[A-Za-z])'*(?:_(?:\{{\w+\}}|\w))?'*(?![A-Za-z'])")
+_FIRST_SIDE = re.compile(r"[\s{&]*(.*?)[\s&]*=")
+
+
+@dataclass
+class Symbol:
+    """What is known of a symbol.
+
+    Attributes
+    ----------
+    name : str
+        As it is spelled in the derivations.
+    printed : dict of str to Entry
+        How the paper writes it, with the first claim whose quote does so.
+    given : list of Entry
+        Claims whose quote begins with it and an equals sign.
+    first : Entry or None
+        The first claim with it.
+    functions : dict of str to (Function, str)
+        Functions that take it, by what they say of it.
+    """
+
+    name: str
+    printed: dict[str, Entry] = field(default_factory=dict)
+    given: list[Entry] = field(default_factory=list)
+    first: Entry | None = None
+    functions: dict[str, Function] = field(default_factory=dict)
+
+    @property
+    def formula(self) -> Markup:
+        """The symbol as formulas show it."""
+        return math(latex_name(self.name), "inline")
+
+    @property
+    def otherwise(self) -> list[Markup]:
+        """How the paper prints it where that is another way."""
+        shown = dict.fromkeys(math(latex, "inline") for latex in self.printed)
+        return [each for each in shown if each != self.formula]
+
+
+Symbols = dict[tuple[str, str], Symbol]
+"""By paper and name."""
+
+
+def symbols_in(catalogue: Catalogue) -> Symbols:
+    """Return what is known of all symbols."""
+    found: Symbols = {}
+
+    def known(paper: str, name: str) -> Symbol:
+        return found.setdefault((paper, name), Symbol(name))
+
+    for entry in catalogue.entries:
+        for name in names_of(entry.claim):
+            symbol = known(entry.claim.paper, name)
+            symbol.first = symbol.first or entry
+        for name, latex, is_given in _printed(entry):
+            symbol = known(entry.claim.paper, name)
+            symbol.printed.setdefault(latex, entry)
+            symbol.given += [entry] if is_given and entry not in symbol.given else []
+    for function in catalogue.functions:
+        kernel = function.lowered.kernel
+        for argument in kernel.arguments:
+            for each in argument.symbols:
+                known(kernel.paper, each.name).functions.setdefault(kernel.describe[argument.name], function)
+    return found
+
+
+def names_of(claim: Claim) -> list[str]:
+    """Return the names of the symbols in the forms of a claim."""
+    found = {name for form in (claim.printed, claim.corrected, claim.derived) for name in _names(form)}
+    return sorted(found)
+
+
+def _names(form: Any) -> list[str]:
+    if isinstance(form, TextForm):
+        return form.names
+    return [symbol.name for symbol in symbols_of([form])] if hasattr(form, "free_symbols") else []
+
+
+def _printed(entry: Entry) -> Iterator[tuple[str, str, bool]]:
+    """Yield the symbols of a quote: name, LaTeX, and whether the quote gives its value."""
+    if entry.quote is None or entry.quote.unparsed:
+        return
+    meaning = symbols_for(entry.claim.section, entry.claim.number, tables_in(entry.derivation.path.parent))
+    for text in entry.quote.read:
+        side = _FIRST_SIDE.match(text)
+        for latex in dict.fromkeys(_PRINTED.findall(text)):
+            try:
+                value = meaning(latex)
+            except UnreadableError:
+                continue
+            if isinstance(value, sympy.Symbol):
+                yield value.name, latex, side is not None and side[1] == latex

@@ -148,7 +148,7 @@ def magnitudes(body):
     """Return the names that stand for absolute values and what is computed from them: they decide the rank alone."""
     found = set()
     for name, value in re.findall(r"const real (\w+) = (.+);", body):
-        operands = {word for word in re.findall(r"[a-z]\w*", value.rpartition("?")[2])}
+        operands = set(re.findall(r"[a-z]\w*", value.rpartition("?")[2]))
         if value.startswith("absolute(") or (operands and operands <= found):
             found.add(name)
     return found

@@ -10,6 +10,8 @@ import algebroproj
 from algebroproj import correlation
 from algebroproj._runtime import systems
 from algebroproj._runtime.evaluation import evaluate
+from algebroproj_sym.generating.samples import Sample
+from algebroproj_sym.verifying.accuracy import measured
 
 PIVOT = "least pivot"
 least = algebroproj.hypotheses(correlation.general_correlation_matrix)
@@ -151,3 +153,16 @@ def test_a_plain_function_has_the_same():
     left, right = drawn(20, 8)
     plain = algebroproj.hypotheses(algebroproj.plain(correlation.general_correlation_matrix))
     np.testing.assert_array_equal(plain(left, right)[PIVOT], least(left, right)[PIVOT])
+
+
+def test_a_solver_that_refuses_what_is_well_conditioned_is_not_verified(lowered):
+    low = lowered("correlation.correlation_matrix")
+    samples = [
+        Sample("ordinary", dict(zip(low.plain.inputs, row, strict=True))) for row in drawn(20, 5).reshape(20, 20)
+    ]
+
+    def refusing(*arguments):
+        return correlation.correlation_matrix(*arguments) * np.nan
+
+    assert measured(low, correlation.correlation_matrix, samples).within_bound
+    assert not measured(low, refusing, samples).within_bound

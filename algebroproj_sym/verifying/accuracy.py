@@ -33,6 +33,9 @@ UNIT_ROUNDOFF = 2.0**-53
 BOUND = 16.0
 MEDIAN_ULP = 0.6
 MAX_ULP = 4.0
+REFUSED = 2**24
+"""A linear system may be refused if its condition number is at least 1/u over this, that is 5e8."""
+
 LEAST_SAMPLES = 100
 """Of fewer samples the median says little, and nothing is asked of it."""
 
@@ -155,7 +158,18 @@ def _errors_of(
     computed = results_of(lowered, function, samples)
     varying = [isinstance(output, str) for output in lowered.program.outputs]
     for sample, row, truth in zip(samples, computed, exact, strict=True):
-        yield _errors(sample, row.tolist(), truth, varying)
+        if lowered.kernel.solves_systems and _is_refused(row.tolist(), truth, varying):
+            yield _Errors(sample.stratum, sample.distance, (), 0.0, sum(varying), True)
+        else:
+            yield _errors(sample, row.tolist(), truth, varying)
+
+
+def _is_refused(computed: Sequence[float], truth: Truth, varying: Sequence[bool]) -> bool:
+    """Whether a linear system is so near to a singular one that no entry is finite."""
+    entries = zip(computed, truth.values, truth.sensitivities, varying, strict=True)
+    solved = [entry for *entry, varies in entries if varies]
+    near = any(UNIT_ROUNDOFF * REFUSED * sensitivity >= abs(exact) for _, exact, sensitivity in solved)
+    return near and not any(isfinite(value) for value, _, _ in solved)
 
 
 def _errors(sample: Sample, computed: Sequence[float], truth: Truth, varying: Sequence[bool]) -> _Errors:

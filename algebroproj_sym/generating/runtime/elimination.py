@@ -86,7 +86,7 @@ def solution_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]] | 
     heads = [step.head[:-1] for step in steps]
     if rank:
         is_full = rank.is_full()
-        heads = [[_zero_unless(is_full, pivot), *entries] for pivot, *entries in heads]
+        heads = [[rank.zero_unless(is_full, pivot), *entries] for pivot, *entries in heads]
     unknowns = _substituted_backwards(heads, [step.head[-1] for step in steps])
     if rests is None:
         return unknowns
@@ -139,7 +139,7 @@ def null_vector_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]]
     for component in vector[1:]:
         largest = selected(is_larger(component, largest), component, largest)
     if rank:
-        largest = _zero_unless(rank.is_full(), largest)
+        largest = rank.zero_unless(rank.is_full(), largest)
     return [component / largest for component in vector]
 
 
@@ -161,13 +161,13 @@ class _Rank:
     def __init__(self, lines: Sequence[Sequence[Any]]) -> None:
         self.sums = [_total(map(_size, column)) for column in zip(*lines, strict=True)]
         with np.errstate(all="ignore"):
-            zero = self.sums[0] * 0
-            three, self.one = zero + 3, zero + 1
+            self.zero = self.sums[0] * 0
+            three, self.one = self.zero + 3, self.zero + 1
             self.weights = [self.one / total for total in self.sums]
         self.unit = abs((4 / three - 1) * three - 1)
         if hasattr(lines[0][0], "hi"):
             self.unit = 8 * self.unit * self.unit
-        self.errors = [zero] * len(lines)
+        self.errors = [self.zero] * len(lines)
         self.heads: list[list[Any]] = []
         self.totals: list[Any] = []
 
@@ -193,6 +193,10 @@ class _Rank:
             growth = _total(bound * total for bound, total in zip(bounds, self.sums, strict=True))
             return is_larger(self.one, growth * ((len(bounds) + 3) * self.unit))
 
+    def zero_unless(self, condition: Any, number: Any) -> Any:
+        """Return a number where a condition holds, and zero elsewhere."""
+        return selected(condition, number, number * 0 if hasattr(number, "hi") else self.zero)
+
 
 def _size(number: Any) -> Any:
     return abs(number.hi if hasattr(number, "hi") else number)
@@ -208,10 +212,6 @@ def _moved(values: Sequence[Any], swaps: Sequence[Any]) -> list[Any]:
     for i, swap in enumerate(swaps):
         first, others[i] = _swapped(swap, first, others[i])
     return [first, *others]
-
-
-def _zero_unless(condition: Any, number: Any) -> Any:
-    return selected(condition, number, number * 0)
 
 
 def least_pivot_of(lines: Sequence[Sequence[Any]]) -> Any:

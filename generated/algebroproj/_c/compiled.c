@@ -175,22 +175,6 @@ static void lay_out(struct layout *layouts, const struct shape *shapes, const in
 #define SOLVER(name, height, width) \
     static FORCED_INLINE real NAME(name##_##height)(const real system[height][2 * height + 2], real solution[width], \
                                                     real range)
-#define SOLVER_IN_DOUBLE(name, height, width, wider) \
-    SOLVER(name, height, width) \
-    { \
-        double rows[height][2 * height + 2], found[width]; \
-        for (int row = 0; row < height; row++) { \
-            for (int column = 0; column <= height; column++) { \
-                rows[row][column] = (double)system[row][column] + (double)system[row][height + 1 + column]; \
-                rows[row][height + 1 + column] = 0; \
-            } \
-        } \
-        JOINED(name##_##height, wider)((const double (*)[2 * height + 2])rows, found, 0); \
-        for (int place = 0; place < width; place++) { \
-            solution[place] = (real)found[place]; \
-        } \
-        return range; \
-    }
 #define SOLVER_ONCE(name, height, width) \
     static FORCED_INLINE void NAME(name##_once_##height)(const real system[height][height + 1], real solution[width])
 #define PLAIN(name) static VERSION void NAME(name)
@@ -294,8 +278,49 @@ OPTIMIZED_ENDS
 #define product_error NAME(split_product_error)
 #define within(range, operand) (range)
 #include "kernels.h"
-SOLVER_IN_DOUBLE(null_vector, 8, 9, double_split)
-SOLVER_IN_DOUBLE(solve, 5, 5, double_split)
+SOLVER(null_vector, 8, 9)
+{
+    const double rows[8][18] = {
+        {(double)system[0][0] + (double)system[0][9], (double)system[0][1] + (double)system[0][10], (double)system[0][2] + (double)system[0][11], (double)system[0][3] + (double)system[0][12], (double)system[0][4] + (double)system[0][13], (double)system[0][5] + (double)system[0][14], (double)system[0][6] + (double)system[0][15], (double)system[0][7] + (double)system[0][16], (double)system[0][8] + (double)system[0][17], 0},
+        {(double)system[1][0] + (double)system[1][9], (double)system[1][1] + (double)system[1][10], (double)system[1][2] + (double)system[1][11], (double)system[1][3] + (double)system[1][12], (double)system[1][4] + (double)system[1][13], (double)system[1][5] + (double)system[1][14], (double)system[1][6] + (double)system[1][15], (double)system[1][7] + (double)system[1][16], (double)system[1][8] + (double)system[1][17], 0},
+        {(double)system[2][0] + (double)system[2][9], (double)system[2][1] + (double)system[2][10], (double)system[2][2] + (double)system[2][11], (double)system[2][3] + (double)system[2][12], (double)system[2][4] + (double)system[2][13], (double)system[2][5] + (double)system[2][14], (double)system[2][6] + (double)system[2][15], (double)system[2][7] + (double)system[2][16], (double)system[2][8] + (double)system[2][17], 0},
+        {(double)system[3][0] + (double)system[3][9], (double)system[3][1] + (double)system[3][10], (double)system[3][2] + (double)system[3][11], (double)system[3][3] + (double)system[3][12], (double)system[3][4] + (double)system[3][13], (double)system[3][5] + (double)system[3][14], (double)system[3][6] + (double)system[3][15], (double)system[3][7] + (double)system[3][16], (double)system[3][8] + (double)system[3][17], 0},
+        {(double)system[4][0] + (double)system[4][9], (double)system[4][1] + (double)system[4][10], (double)system[4][2] + (double)system[4][11], (double)system[4][3] + (double)system[4][12], (double)system[4][4] + (double)system[4][13], (double)system[4][5] + (double)system[4][14], (double)system[4][6] + (double)system[4][15], (double)system[4][7] + (double)system[4][16], (double)system[4][8] + (double)system[4][17], 0},
+        {(double)system[5][0] + (double)system[5][9], (double)system[5][1] + (double)system[5][10], (double)system[5][2] + (double)system[5][11], (double)system[5][3] + (double)system[5][12], (double)system[5][4] + (double)system[5][13], (double)system[5][5] + (double)system[5][14], (double)system[5][6] + (double)system[5][15], (double)system[5][7] + (double)system[5][16], (double)system[5][8] + (double)system[5][17], 0},
+        {(double)system[6][0] + (double)system[6][9], (double)system[6][1] + (double)system[6][10], (double)system[6][2] + (double)system[6][11], (double)system[6][3] + (double)system[6][12], (double)system[6][4] + (double)system[6][13], (double)system[6][5] + (double)system[6][14], (double)system[6][6] + (double)system[6][15], (double)system[6][7] + (double)system[6][16], (double)system[6][8] + (double)system[6][17], 0},
+        {(double)system[7][0] + (double)system[7][9], (double)system[7][1] + (double)system[7][10], (double)system[7][2] + (double)system[7][11], (double)system[7][3] + (double)system[7][12], (double)system[7][4] + (double)system[7][13], (double)system[7][5] + (double)system[7][14], (double)system[7][6] + (double)system[7][15], (double)system[7][7] + (double)system[7][16], (double)system[7][8] + (double)system[7][17], 0},
+    };
+    double found[9];
+    null_vector_8_double_split(rows, found, 0);
+    solution[0] = (real)found[0];
+    solution[1] = (real)found[1];
+    solution[2] = (real)found[2];
+    solution[3] = (real)found[3];
+    solution[4] = (real)found[4];
+    solution[5] = (real)found[5];
+    solution[6] = (real)found[6];
+    solution[7] = (real)found[7];
+    solution[8] = (real)found[8];
+    return range;
+}
+SOLVER(solve, 5, 5)
+{
+    const double rows[5][12] = {
+        {(double)system[0][0] + (double)system[0][6], (double)system[0][1] + (double)system[0][7], (double)system[0][2] + (double)system[0][8], (double)system[0][3] + (double)system[0][9], (double)system[0][4] + (double)system[0][10], (double)system[0][5] + (double)system[0][11], 0},
+        {(double)system[1][0] + (double)system[1][6], (double)system[1][1] + (double)system[1][7], (double)system[1][2] + (double)system[1][8], (double)system[1][3] + (double)system[1][9], (double)system[1][4] + (double)system[1][10], (double)system[1][5] + (double)system[1][11], 0},
+        {(double)system[2][0] + (double)system[2][6], (double)system[2][1] + (double)system[2][7], (double)system[2][2] + (double)system[2][8], (double)system[2][3] + (double)system[2][9], (double)system[2][4] + (double)system[2][10], (double)system[2][5] + (double)system[2][11], 0},
+        {(double)system[3][0] + (double)system[3][6], (double)system[3][1] + (double)system[3][7], (double)system[3][2] + (double)system[3][8], (double)system[3][3] + (double)system[3][9], (double)system[3][4] + (double)system[3][10], (double)system[3][5] + (double)system[3][11], 0},
+        {(double)system[4][0] + (double)system[4][6], (double)system[4][1] + (double)system[4][7], (double)system[4][2] + (double)system[4][8], (double)system[4][3] + (double)system[4][9], (double)system[4][4] + (double)system[4][10], (double)system[4][5] + (double)system[4][11], 0},
+    };
+    double found[5];
+    solve_5_double_split(rows, found, 0);
+    solution[0] = (real)found[0];
+    solution[1] = (real)found[1];
+    solution[2] = (real)found[2];
+    solution[3] = (real)found[3];
+    solution[4] = (real)found[4];
+    return range;
+}
 #include "systems.h"
 #undef variant
 #undef product_error
@@ -307,8 +332,49 @@ SOLVER_IN_DOUBLE(solve, 5, 5, double_split)
 #define product_error NAME(fused_product_error)
 #define within(range, operand) multiply_add(operand, operand, range)
 #include "kernels.h"
-SOLVER_IN_DOUBLE(null_vector, 8, 9, double_fused)
-SOLVER_IN_DOUBLE(solve, 5, 5, double_fused)
+SOLVER(null_vector, 8, 9)
+{
+    const double rows[8][18] = {
+        {(double)system[0][0] + (double)system[0][9], (double)system[0][1] + (double)system[0][10], (double)system[0][2] + (double)system[0][11], (double)system[0][3] + (double)system[0][12], (double)system[0][4] + (double)system[0][13], (double)system[0][5] + (double)system[0][14], (double)system[0][6] + (double)system[0][15], (double)system[0][7] + (double)system[0][16], (double)system[0][8] + (double)system[0][17], 0},
+        {(double)system[1][0] + (double)system[1][9], (double)system[1][1] + (double)system[1][10], (double)system[1][2] + (double)system[1][11], (double)system[1][3] + (double)system[1][12], (double)system[1][4] + (double)system[1][13], (double)system[1][5] + (double)system[1][14], (double)system[1][6] + (double)system[1][15], (double)system[1][7] + (double)system[1][16], (double)system[1][8] + (double)system[1][17], 0},
+        {(double)system[2][0] + (double)system[2][9], (double)system[2][1] + (double)system[2][10], (double)system[2][2] + (double)system[2][11], (double)system[2][3] + (double)system[2][12], (double)system[2][4] + (double)system[2][13], (double)system[2][5] + (double)system[2][14], (double)system[2][6] + (double)system[2][15], (double)system[2][7] + (double)system[2][16], (double)system[2][8] + (double)system[2][17], 0},
+        {(double)system[3][0] + (double)system[3][9], (double)system[3][1] + (double)system[3][10], (double)system[3][2] + (double)system[3][11], (double)system[3][3] + (double)system[3][12], (double)system[3][4] + (double)system[3][13], (double)system[3][5] + (double)system[3][14], (double)system[3][6] + (double)system[3][15], (double)system[3][7] + (double)system[3][16], (double)system[3][8] + (double)system[3][17], 0},
+        {(double)system[4][0] + (double)system[4][9], (double)system[4][1] + (double)system[4][10], (double)system[4][2] + (double)system[4][11], (double)system[4][3] + (double)system[4][12], (double)system[4][4] + (double)system[4][13], (double)system[4][5] + (double)system[4][14], (double)system[4][6] + (double)system[4][15], (double)system[4][7] + (double)system[4][16], (double)system[4][8] + (double)system[4][17], 0},
+        {(double)system[5][0] + (double)system[5][9], (double)system[5][1] + (double)system[5][10], (double)system[5][2] + (double)system[5][11], (double)system[5][3] + (double)system[5][12], (double)system[5][4] + (double)system[5][13], (double)system[5][5] + (double)system[5][14], (double)system[5][6] + (double)system[5][15], (double)system[5][7] + (double)system[5][16], (double)system[5][8] + (double)system[5][17], 0},
+        {(double)system[6][0] + (double)system[6][9], (double)system[6][1] + (double)system[6][10], (double)system[6][2] + (double)system[6][11], (double)system[6][3] + (double)system[6][12], (double)system[6][4] + (double)system[6][13], (double)system[6][5] + (double)system[6][14], (double)system[6][6] + (double)system[6][15], (double)system[6][7] + (double)system[6][16], (double)system[6][8] + (double)system[6][17], 0},
+        {(double)system[7][0] + (double)system[7][9], (double)system[7][1] + (double)system[7][10], (double)system[7][2] + (double)system[7][11], (double)system[7][3] + (double)system[7][12], (double)system[7][4] + (double)system[7][13], (double)system[7][5] + (double)system[7][14], (double)system[7][6] + (double)system[7][15], (double)system[7][7] + (double)system[7][16], (double)system[7][8] + (double)system[7][17], 0},
+    };
+    double found[9];
+    null_vector_8_double_fused(rows, found, 0);
+    solution[0] = (real)found[0];
+    solution[1] = (real)found[1];
+    solution[2] = (real)found[2];
+    solution[3] = (real)found[3];
+    solution[4] = (real)found[4];
+    solution[5] = (real)found[5];
+    solution[6] = (real)found[6];
+    solution[7] = (real)found[7];
+    solution[8] = (real)found[8];
+    return range;
+}
+SOLVER(solve, 5, 5)
+{
+    const double rows[5][12] = {
+        {(double)system[0][0] + (double)system[0][6], (double)system[0][1] + (double)system[0][7], (double)system[0][2] + (double)system[0][8], (double)system[0][3] + (double)system[0][9], (double)system[0][4] + (double)system[0][10], (double)system[0][5] + (double)system[0][11], 0},
+        {(double)system[1][0] + (double)system[1][6], (double)system[1][1] + (double)system[1][7], (double)system[1][2] + (double)system[1][8], (double)system[1][3] + (double)system[1][9], (double)system[1][4] + (double)system[1][10], (double)system[1][5] + (double)system[1][11], 0},
+        {(double)system[2][0] + (double)system[2][6], (double)system[2][1] + (double)system[2][7], (double)system[2][2] + (double)system[2][8], (double)system[2][3] + (double)system[2][9], (double)system[2][4] + (double)system[2][10], (double)system[2][5] + (double)system[2][11], 0},
+        {(double)system[3][0] + (double)system[3][6], (double)system[3][1] + (double)system[3][7], (double)system[3][2] + (double)system[3][8], (double)system[3][3] + (double)system[3][9], (double)system[3][4] + (double)system[3][10], (double)system[3][5] + (double)system[3][11], 0},
+        {(double)system[4][0] + (double)system[4][6], (double)system[4][1] + (double)system[4][7], (double)system[4][2] + (double)system[4][8], (double)system[4][3] + (double)system[4][9], (double)system[4][4] + (double)system[4][10], (double)system[4][5] + (double)system[4][11], 0},
+    };
+    double found[5];
+    solve_5_double_fused(rows, found, 0);
+    solution[0] = (real)found[0];
+    solution[1] = (real)found[1];
+    solution[2] = (real)found[2];
+    solution[3] = (real)found[3];
+    solution[4] = (real)found[4];
+    return range;
+}
 #include "systems.h"
 #undef variant
 #undef product_error
@@ -1081,7 +1147,7 @@ static int execute(PyObject *module)
     }
     failed = failed < 0 ? -1 : PyModule_AddObjectRef(module, "calls", dictionary);
     Py_XDECREF(dictionary);
-    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "f9def32daf78bdae");
+    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "dacaf2453c27f741");
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "f9def32daf78bdae"
+DIGEST = "dacaf2453c27f741"
 """What identifies the C source that belongs to this package."""
 
 

@@ -158,7 +158,10 @@ def _of_one_kind(rows: Rows) -> Rows:
 
 
 def _as_dtype(xp: Any, entry: Any, dtype: Any) -> Any:
-    return entry if hasattr(entry, "dtype") and entry.dtype == dtype else xp.asarray(entry, dtype=dtype)[()]
+    if hasattr(entry, "dtype") and entry.dtype == dtype:
+        return entry
+    found = xp.asarray(entry, dtype=dtype)
+    return found if found.ndim else found[()]
 
 
 def _is_refinable(number: Any) -> bool:

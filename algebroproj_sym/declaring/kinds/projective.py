@@ -98,6 +98,11 @@ def up_to_scale(
     return section.declare(PROJECTIVE, number, title, printed, derived, **options)
 
 
+def _require_several_entries(claim: Claim, where: str) -> None:
+    if not isinstance(claim.derived, TextForm) and len(entries(claim.derived)) < 2:
+        raise DeclarationError(f"{where}, derived: expected several entries, since two numbers always have a common factor")
+
+
 PROJECTIVE = Kind(
     "identity up to scale",
     up_to_scale,
@@ -106,6 +111,7 @@ PROJECTIVE = Kind(
     takes=("constraints", "nonzero", "letters", "assumed"),
     one_shape=True,
     is_equality=True,
+    require=_require_several_entries,
     is_marked=True,
     derived="Derived, up to a factor",
     relation=r"\sim",

@@ -31,7 +31,12 @@ def test_proportional_only_on_the_constraints():
     assert judge(claim).verdict == "proved"
 
 
-@pytest.mark.parametrize("form", [lambda entry: entry, lambda entry: Matrix([[entry]])])
-def test_single_numbers_are_refused_since_two_always_have_a_common_factor(form):
+p, q = sympy.MatrixSymbol("p", 3, 1), sympy.MatrixSymbol("q", 3, 1)
+
+
+@pytest.mark.parametrize(
+    ("printed", "derived"), [(a + b, a * b), (Matrix([[a + b]]), Matrix([[a * b]])), (p.T * q, p.T * p)]
+)
+def test_single_numbers_are_refused_since_two_always_have_a_common_factor(printed, derived):
     with pytest.raises(DeclarationError, match="claim demo:1.1, derived: expected several entries"):
-        Section("demo", "1", "Demo").up_to_scale("1.1", "any two", printed=form(a + b), derived=form(a * b))
+        Section("demo", "1", "Demo").up_to_scale("1.1", "any two", printed=printed, derived=derived)
